@@ -371,3 +371,38 @@ test("experiments: runs by other rules stand side by side, and the link opens th
     "true",
   );
 });
+
+test("an experiment that is stopped is not compared, and the front before it is shown again", async ({
+  page,
+}) => {
+  await open(page, "&lesson=8");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  const step = await stepOf(page);
+  await page.getByTestId("experiments").locator("summary").click();
+  await page.getByTestId("experiment-search").selectOption("linear");
+  await page.getByTestId("experiment-run").click();
+  await page.getByTestId("experiment-stop").click();
+  await expect(page.getByTestId("experiment-run")).toBeEnabled();
+  await expect(page.getByTestId("experiment-stop")).toHaveCount(0);
+  await expect(page.getByTestId("experiment-linear")).toHaveCount(0);
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  expect(await stepOf(page)).toBe(step);
+  await expect(page).not.toHaveURL(/runs=/);
+  // The next one is not stopped.
+  await page.getByTestId("experiment-run").click();
+  await expect(page.getByTestId("experiment-linear")).toBeVisible();
+  await expect(page).toHaveURL(/runs=linear/);
+});
+
+test("the runs of an address can be stopped on a phone, and the address names those that are complete", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, "&lesson=8&runs=strict,linear,random%2Blinear,first-in%2Blinear,smallest-first%2Blinear");
+  await page.getByTestId("lesson-stop").click();
+  await expect(page.getByTestId("lesson-stop")).toHaveCount(0);
+  await expect(front(page)).toBeVisible();
+  await expect(page).not.toHaveURL(/smallest-first/);
+  await page.getByTestId("lesson-show").click();
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+});

@@ -71,6 +71,16 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   await page.getByTestId("player-next").click();
   await expect(page.getByTestId("lens-sentence")).toContainText(/would cut/);
   await expect(page.getByTestId("lens-what-if")).toContainText("it would cross face");
+  // Its front is shown, without what the step has made, until the accepted candidate is chosen.
+  const change = page.getByTestId("lens-front-change");
+  await expect(change).toContainText(/^The view shows the front with it: face.* left, .* joined\.$/);
+  const canvas = page.getByTestId("viewport-canvas");
+  const style = "[data-testid=lens-labels] { visibility: hidden; }";
+  const supposed = await canvas.screenshot({ style });
+  await page.getByTestId("lens-candidate-1").click();
+  await expect(change).toContainText(/^The front: face.* leave, .* joins? \(steps F6 and F8\)\.$/);
+  await expect.poll(async () => (await canvas.screenshot({ style })).equals(supposed)).toBe(false);
+  await page.getByTestId("lens-candidate-0").click();
   await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
   await expect(page.getByTestId("lens-layer")).toContainText(
     "Layer (c) finds the crossing: the side from node",
@@ -108,6 +118,8 @@ test("lines and patches are played before the volume, with the plane beside spac
   await expect(phase).toHaveText("Patches");
   await expect(plane).toBeVisible();
   await expect(plane).toContainText("Plane of patch “left”");
+  // The search region is the ellipse in the plane.
+  await expect(page.getByTestId("player-region")).toBeDisabled();
   await expect(sentence).toContainText("Patch “left” begins");
   const edges = Number(await viewport.getAttribute("data-front-faces"));
   expect(edges).toBeGreaterThan(8);
@@ -119,6 +131,7 @@ test("lines and patches are played before the volume, with the plane beside spac
   await page.getByTestId("player-kind").selectOption({ label: "new node too close to an edge" });
   await page.getByTestId("player-next").click();
   await expect(sentence).toContainText(/would be too close to edge \d+/);
+  await expect(page.getByTestId("lens-front-change")).toContainText("the front before the step");
   // The view names the same edges in space.
   const failing = /edge \d+/.exec((await sentence.textContent()) ?? "")?.[0] ?? "no edge";
   await expect(page.getByTestId("lens-labels")).toContainText(failing);

@@ -38,6 +38,34 @@ test("presenter mode has larger type and a laser pointer that takes no clicks", 
   expect(await heightOf(page)).toBe(before);
 });
 
+test("Escape ends presenter mode, but first a menu, a selection or text in a field", async ({ page }) => {
+  await openLesson(page, 1);
+  const presenter = page.getByTestId("presenter");
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
+  await expect(presenter).toBeVisible();
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  await expect(page.getByRole("menuitemcheckbox")).toHaveCount(1);
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("menuitemcheckbox")).toHaveCount(0);
+  await expect(presenter).toBeVisible();
+  await page.getByTestId("lesson-answer-1").fill("12");
+  await page.keyboard.press("Escape");
+  await expect(presenter).toBeVisible();
+  // Everything is selected, and the first Escape clears this.
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Escape");
+  await expect(presenter).toBeVisible();
+  // A list stays focused after a choice.
+  await page.getByTestId("player-kind").selectOption("crosses");
+  await page.getByTestId("player-kind").focus();
+  await page.keyboard.press("Escape");
+  await expect(presenter).toHaveCount(0);
+  await page.keyboard.press("Escape");
+  await expect(presenter).toHaveCount(0);
+});
+
 test("on a phone, presenter mode cuts off no button of the header", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.goto("./?test=1&new=1");

@@ -10,7 +10,7 @@ import type { LessonAddress } from "../lessons/lesson-address";
 import { loadLessonModel } from "../lessons/lesson-files";
 import { rulesNamed } from "../lessons/run-rules";
 import type { PlayerState } from "../player/player";
-import type { Recorded } from "../player/recording";
+import type { RecordingChoices } from "../player/recording";
 import { settledProject } from "../session/document-store";
 import { strings } from "../strings";
 import { addressStrings } from "../strings/address";
@@ -126,12 +126,18 @@ export async function showLessonModel(
     app.shell.setState({ bottomTab: "front", drawer: "right" });
     await runEnd(app);
     if (store.getState().lesson !== lesson || !isShownModel(app, model)) return;
-    const recorded = await app.player.record();
-    if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return;
-    const own = runOf("", lesson.order, recorded);
+    const own = await recordRun(app, lesson, "");
+    if (!own) {
+      if (store.getState().lesson === lesson) app.shell.setState({ lessonRuns: [] });
+      return;
+    }
     store.setState({ runs: [own] });
-    for (const name of others) if (!(await addRun(app, lesson, name))) return;
-    const [first = own] = store.getState().runs;
+    for (const name of others) if (!(await addRun(app, lesson, name))) break;
+    // If a run was stopped, one that is complete is shown, and the address names those that are in the table.
+    if (store.getState().lesson !== lesson || !shownRun(app)) return;
+    const { runs } = store.getState();
+    app.shell.setState({ lessonRuns: others.filter((name) => runs.some((run) => run.name === name)) });
+    const [first = own] = runs;
     if (others.length > 0) app.player.show(first.trace, first.file);
     showBeginning(app, lesson);
   } catch (error) {
@@ -159,9 +165,9 @@ export async function compareRun(app: App, name: string): Promise<boolean> {
   if (!isShownModel(app, model)) await showLessonModel(app, lesson);
   if (store.getState().lesson !== lesson || !isShownModel(app, store.getState().model)) return false;
   const share = shownShare(app);
-  if (!(await addRun(app, lesson, name))) return false;
-  seekShare(app, share);
-  return true;
+  const isAdded = await addRun(app, lesson, name);
+  if (store.getState().lesson === lesson && shownRun(app)) seekShare(app, share);
+  return isAdded;
 }
 
 /** Records the front of the model of a lesson by other rules, and shows it. Returns whether this has succeeded. */
@@ -172,10 +178,10 @@ async function addRun(app: App, lesson: Lesson, name: string): Promise<boolean> 
   if (!(await timeOwnRun(app, lesson))) return false;
   const { order, filters, relaxation, tolerance, search } = rules;
   const experiment = { relaxation, tolerance, search };
-  const recorded = await app.player.record({ order: order ?? undefined, filters, experiment });
-  if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return false;
-  const others = store.getState().runs.filter((run) => run.name !== name);
-  store.setState({ runs: [...others, runOf(name, order ?? lesson.order, recorded)] });
+  const run = await recordRun(app, lesson, name, { order: order ?? undefined, filters, experiment });
+  if (!run) return false;
+  const others = store.getState().runs.filter((other) => other.name !== name);
+  store.setState({ runs: [...others, run] });
   const named = app.shell.getState().lessonRuns;
   if (name !== "" && !named.includes(name)) app.shell.setState({ lessonRuns: [...named, name] });
   return true;
@@ -188,11 +194,42 @@ async function addRun(app: App, lesson: Lesson, name: string): Promise<boolean> 
 async function timeOwnRun(app: App, lesson: Lesson): Promise<boolean> {
   const store = lessonRuns(app);
   if (store.getState().isTimed) return true;
-  const recorded = await app.player.record();
-  if (store.getState().lesson !== lesson || recorded?.kind !== "recorded") return false;
+  const own = await recordRun(app, lesson, "");
+  if (!own) return false;
   const others = store.getState().runs.filter(({ name }) => name !== "");
-  store.setState({ runs: [runOf("", lesson.order, recorded), ...others], isTimed: true });
+  store.setState({ runs: [own, ...others], isTimed: true });
   return true;
+}
+
+/**
+ * Records the front of the model of a lesson, and shows it. Returns null if this has failed, if another lesson was opened, or if
+ * the user has stopped it: half a front cannot be compared, so what was shown before is shown again.
+ */
+async function recordRun(
+  app: App,
+  lesson: Lesson,
+  name: string,
+  choices: RecordingChoices = {},
+): Promise<LessonRun | null> {
+  const before = shownRun(app);
+  const recorded = await app.player.record(choices);
+  if (lessonRuns(app).getState().lesson !== lesson || recorded === null) return null;
+  if (recorded.isStopped) {
+    if (before) app.player.show(before.trace, before.file);
+    else app.player.close();
+    return null;
+  }
+  if (recorded.kind === "failed") return null;
+  const { trace, file, report } = recorded;
+  return { name, order: choices.order ?? lesson.order, trace, file, report };
+}
+
+/** Returns the run of the lesson that the player shows; undefined if it shows something else, or nothing. */
+function shownRun(app: App): LessonRun | undefined {
+  const { trace } = app.player.state.getState();
+  return lessonRuns(app)
+    .getState()
+    .runs.find((run) => run.trace === trace);
 }
 
 function shownModel({ documents }: App): ShownModel {
@@ -221,9 +258,3 @@ function shownShare({ player }: App): number {
 function seekShare({ player }: App, share: number): void {
   player.seek(share * (player.state.getState().trace?.stepCount ?? 0));
 }
-
-const runOf = (
-  name: string,
-  order: FrontOrder,
-  { trace, file, report }: Extract<Recorded, { readonly kind: "recorded" }>,
-): LessonRun => ({ name, order, trace, file, report });

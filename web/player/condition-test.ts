@@ -132,7 +132,7 @@ function surfaceStep(surface: SurfaceTrace, step: number): TestedStep {
         case "front":
           return front ? surface.frontSizeAt(step) : NaN;
         case "layer":
-          return NaN;
+          return surface.layerAt(step) ?? NaN;
       }
     },
     happens: (what) => (what === "new node" ? surface.makesNode(step) : kind === what),

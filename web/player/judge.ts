@@ -131,6 +131,41 @@ export function sidesAndFaces(element: NewElement, { corners: positions, nodes }
   return pairs.sort((a, b) => a.excess - b.excess);
 }
 
+/** How the front changes with an element. */
+export interface FrontChange {
+  /** Faces that leave the front: the base, and those that the element closes; ascending. */
+  readonly left: readonly number[];
+  /** Corners of the faces that join it. */
+  readonly joined: readonly Triangle[];
+}
+
+/** Returns how the front of a state would change if an element were made over a face. O(faces). */
+export function frontChange(trace: Trace, state: number, face: number, element: NewElement): FrontChange {
+  const [a, b, c] = element.corners;
+  const apex = element.corners[3];
+  const apexNode = element.nodes[3];
+  // Of a new node there are no faces yet. Without arrays, because this is asked for all faces of the front.
+  const { nodes: corners } = trace.faces;
+  const hasApex = (other: number): boolean =>
+    corners[3 * other] === apexNode ||
+    corners[3 * other + 1] === apexNode ||
+    corners[3 * other + 2] === apexNode;
+  const atApex = apexNode === null ? [] : Array.from(trace.frontAt(state).filter(hasApex));
+  const sides = [
+    { nodes: [element.nodes[0], element.nodes[1]], corners: [a, b, apex] },
+    { nodes: [element.nodes[1], element.nodes[2]], corners: [b, c, apex] },
+    { nodes: [element.nodes[2], element.nodes[0]], corners: [c, a, apex] },
+  ] as const;
+  const left = [face];
+  const joined: Triangle[] = [];
+  for (const { nodes, corners: positions } of sides) {
+    const closed = atApex.find((other) => nodes.every((node) => nodesOf(trace, other).includes(node)));
+    if (closed === undefined) joined.push(positions);
+    else left.push(closed);
+  }
+  return { left: left.sort((one, other) => one - other), joined };
+}
+
 /** The apex is corner 3. */
 const elementSides = [
   [0, 3],

@@ -36,6 +36,8 @@ export interface LensMarks {
   readonly newSides: readonly Position[];
   readonly newFaces: readonly Position[];
   readonly isAccepted: boolean;
+  /** Faces that would join the front, if the view shows it as it would be. */
+  readonly supposed: readonly Position[];
   /** The face that the element would cross, or that a new node is too close to. */
   readonly culprit: readonly Position[];
   /** The face of the new element that a side of the culprit passes through. */
@@ -51,7 +53,8 @@ export interface LensMarks {
 }
 
 /** Returns what is drawn of a scene. */
-export function lensMarks({ trace, step, examined, others: all, showsIdeal, isGame }: LensScene): LensMarks {
+export function lensMarks(scene: LensScene): LensMarks {
+  const { trace, step, examined, others: all, showsIdeal, isGame, isSupposed } = scene;
   const others = all.slice(0, maxOthers);
   const base = cornersOf(trace, step.face);
   const apex = examined?.candidate.position ?? null;
@@ -77,6 +80,7 @@ export function lensMarks({ trace, step, examined, others: all, showsIdeal, isGa
     newSides: apex ? base.flatMap((corner) => [corner, apex]) : [],
     newFaces: apex ? base.flatMap((corner, i) => [corner, base[(i + 1) % 3] ?? corner, apex]) : [],
     isAccepted,
+    supposed: isSupposed ? (examined?.change.joined.flat() ?? []) : [],
     ...failing,
     labels: isGame ? [] : labels,
   };
@@ -166,6 +170,7 @@ export type DrawnMark = {
 
 /** All parts of the marks, in the order in which they are drawn. What fails has a colour of its own. */
 export const drawnMarks: readonly DrawnMark[] = [
+  { form: "faces", of: ({ supposed }) => supposed, color: "point", opacity: 0.35 },
   {
     form: "faces",
     of: ({ isAccepted, newFaces }) => (isAccepted ? newFaces : []),

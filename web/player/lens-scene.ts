@@ -14,6 +14,11 @@ export interface LensScene {
   readonly others: readonly TracedCandidate[];
   readonly region: SearchRegion | null;
   readonly showsIdeal: boolean;
+  /**
+   * Whether the view shows the front as it would be with the examined candidate: the user has chosen one that was refused, whose
+   * element would have a volume.
+   */
+  readonly isSupposed: boolean;
   /** Whether nodes have labels of another kind, those to choose from: others would lie under them. */
   readonly isGame: boolean;
 }
@@ -61,13 +66,19 @@ export function sceneOf(trace: Trace, state: Examined): LensScene | null {
   if (step?.kind !== "advance") return null;
   const index = state.candidate ?? decisive(step);
   const chosen = index === null ? undefined : step.candidates[index];
+  const examined = chosen ? examine(trace, step, chosen) : null;
   return {
     trace,
     step,
-    examined: chosen ? examine(trace, step, chosen) : null,
+    examined,
     others: step.candidates.filter((candidate) => candidate !== chosen),
     region: state.showsRegion ? searchRegionOf(trace, step) : null,
     showsIdeal: true,
+    isSupposed:
+      state.candidate !== null &&
+      examined !== null &&
+      !examined.isBehind &&
+      !["accepted", "behind"].includes(examined.candidate.verdict),
     isGame: false,
   };
 }
@@ -83,6 +94,7 @@ function taskScene(trace: Trace, task: VolumeTask): LensScene {
     others: [],
     region: null,
     showsIdeal: task.showsIdeal,
+    isSupposed: false,
     isGame: true,
   };
 }

@@ -1,6 +1,14 @@
 import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront";
 import type { SideAndFace } from "./crossing";
-import { crossedFaces, frontFace, isBehind, newElement, touching } from "./judge";
+import {
+  crossedFaces,
+  frontChange,
+  frontFace,
+  isBehind,
+  newElement,
+  touching,
+  type FrontChange,
+} from "./judge";
 import { testByLayers, type LayeredTest } from "./layered-test";
 
 /** A candidate under the lens: the engine's verdict, and the numbers of our own check. */
@@ -14,6 +22,8 @@ export interface LensCandidate {
   readonly pair: SideAndFace | null;
   /** The paper's test of the face that the element would cross; null if there is none. */
   readonly test: { readonly face: number; readonly layers: LayeredTest } | null;
+  /** How the front changes with the element, or would change if it were made. */
+  readonly change: FrontChange;
 }
 
 /** Returns the candidate that decides a step: the accepted one, or the last one. */
@@ -33,5 +43,6 @@ export function examine(trace: Trace, step: AdvanceStep, candidate: TracedCandid
       ? null
       : { face: culprit, layers: testByLayers(element, frontFace(trace, culprit)) };
   const pair = test?.layers.finds === true ? test.layers.pair : null;
-  return { candidate, isBehind: behind, crossed, pair, test };
+  const change = frontChange(trace, before, step.face, element);
+  return { candidate, isBehind: behind, crossed, pair, test, change };
 }

@@ -1,4 +1,4 @@
-import type { EdgeCandidate, EdgeStep, PlanarFront } from "tetrafront";
+import type { EdgeCandidate, EdgeStep, PlanarFront, SurfaceStep } from "tetrafront";
 import {
   clearance,
   crossedEdges,
@@ -35,6 +35,15 @@ export function decisiveCandidate({ candidates }: EdgeStep): number | null {
 /** Returns the candidate of a rank; null stands for the one that decides the step. */
 export function examinedCandidate(step: EdgeStep, rank: number | null): EdgeCandidate | null {
   return step.candidates[rank ?? decisiveCandidate(step) ?? -1] ?? null;
+}
+
+/**
+ * Returns the candidate with which the view and the plane show the front as it would be: the user has chosen one that was refused,
+ * whose triangle would have an area. Null if they show what the step has made.
+ */
+export function supposedCandidate(step: SurfaceStep | undefined, rank: number | null): EdgeCandidate | null {
+  const chosen = step?.kind === "edge" && rank !== null ? step.candidates[rank] : undefined;
+  return chosen && (chosen.verdict === "crosses" || chosen.verdict === "too-close") ? chosen : null;
 }
 
 /** Checks a candidate against the front before the step. O(edges of the patch). */

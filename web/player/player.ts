@@ -169,13 +169,13 @@ export class Player {
     this.#abort = null;
     this.state.setState({ recording: null });
     if (recorded.kind === "failed") {
-      this.state.setState({ failure: recorded.reasons });
+      this.state.setState({ failure: recorded.isStopped ? null : recorded.reasons });
       return recorded;
     }
     const trace = await this.#read(recorded.file);
     if (!trace) {
       const { failure } = this.state.getState();
-      return failure && { kind: "failed", reasons: failure };
+      return failure && { kind: "failed", reasons: failure, isStopped: false };
     }
     this.#labels.set(trace, entityLabels(project));
     this.show(trace, recorded.file);

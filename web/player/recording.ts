@@ -30,6 +30,8 @@ export interface RecordingChoices {
 export interface FailedRecording {
   readonly kind: "failed";
   readonly reasons: readonly string[];
+  /** Whether the user stopped it before there was anything to show. */
+  readonly isStopped: boolean;
 }
 
 /** A recorded front, read. */
@@ -40,6 +42,8 @@ export interface RecordedFile {
   readonly file: Uint8Array<ArrayBuffer>;
   /** Report on the mesh of the front; on the optimized mesh if the sweeps are recorded. */
   readonly report: MeshReport;
+  /** Whether the user stopped it: the file has the steps until then. */
+  readonly isStopped: boolean;
 }
 
 /**
@@ -73,10 +77,11 @@ export async function recordProject(
       const reasons = result.report.diagnostics.map(
         (diagnostic) => `${diagnostic.message}. ${remedyInApp(diagnostic)}`,
       );
-      return { kind: "failed", reasons };
+      return { kind: "failed", reasons, isStopped: result.report.status === "cancelled" };
     }
-    return { kind: "recorded", file, report: result.report };
+    const { report } = result;
+    return { kind: "recorded", file, report, isStopped: report.status === "cancelled" };
   } catch (error) {
-    return { kind: "failed", reasons: [failureText(error)] };
+    return { kind: "failed", reasons: [failureText(error)], isStopped: false };
   }
 }

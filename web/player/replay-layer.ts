@@ -74,11 +74,16 @@ export class ReplayLayer implements Layer {
 
   /**
    * Shows a state of the player; nothing before the volume. The cost of a few steps is that of their faces. `isFaded`: the
-   * front stays behind what the lens shows.
+   * front stays behind what the lens shows. `isBefore`: the state before the step is shown, without what the step has made.
    */
-  show({ step, sweep, coloring, faces, elements }: PlayerState, isFaded: boolean): void {
-    this.root.visible = step >= 0 && sweep === null;
-    if (step < 0) return;
+  show(
+    { step: after, sweep, coloring, faces, elements }: PlayerState,
+    isFaded: boolean,
+    isBefore = false,
+  ): void {
+    this.root.visible = after >= 0 && sweep === null;
+    if (after < 0) return;
+    const step = isBefore ? after - 1 : after;
     if (coloring !== this.#coloring) {
       this.#coloring = coloring;
       this.#values = frontValues(this.#trace, coloring);

@@ -41,7 +41,7 @@ export interface DrawnSurfaceState {
 export function surfaceDrawing(trace: Trace, state: DrawnSurfaceState, view: DrawingView): string {
   const { step, candidate, labels } = state;
   const shown = surfaceState(trace, step) ?? 0;
-  const scene = surfaceScene(trace, shown);
+  const scene = surfaceScene(trace, shown, candidate);
   const marks = stepMarks(trace, shown, candidate);
   const made = trace.surface?.fronts[scene.finished];
   const drawn = [
@@ -58,14 +58,11 @@ export function surfaceDrawing(trace: Trace, state: DrawnSurfaceState, view: Dra
     path(marks.base, colors.selection, 4, view),
     path(marks.culprit, colors.failing, 4, view),
   ];
-  const [a, b, c] = marks.triangle;
-  const points = a && b && c ? pointsOf([a, b, c], view) : null;
   return svgOf(`${escaped(trace.header.name)}, ${phase}, step ${step - from} of ${to - from}`, view, [
     `<g stroke-linejoin="round" stroke-linecap="round">`,
     ...drawn.map(({ svg }) => svg),
-    ...(points === null
-      ? []
-      : [`<polygon points="${points}" fill="${colors.selection}" fill-opacity="0.5"/>`]),
+    area(marks.triangle, colors.selection, 0.5, view),
+    area(marks.supposed, colors.failing, 0.35, view),
     ...above,
     "</g>",
     ...drawnLabels({ labels }, view),
@@ -102,6 +99,12 @@ function sides(ends: readonly Position[], view: DrawingView): readonly Drawn[] {
     drawn.push({ depth: nearer * depthOf(pair, view.eye), svg: path(pair, colors.line, 1.6, view) });
   }
   return drawn;
+}
+
+/** Returns a triangle as an area; an empty text if there is none in view. */
+function area([a, b, c]: readonly Position[], color: string, opacity: number, view: DrawingView): string {
+  const points = a && b && c ? pointsOf([a, b, c], view) : null;
+  return points === null ? "" : `<polygon points="${points}" fill="${color}" fill-opacity="${opacity}"/>`;
 }
 
 /** Returns segments as a path; an empty text if none is in view. */

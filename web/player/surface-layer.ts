@@ -23,6 +23,7 @@ export class SurfaceLayer implements Layer {
   readonly #culprit = new WideSegments("failing", 4, false);
   readonly #nodes = new Dots("point", 6);
   readonly #triangle = new Facets("selection", 0.5);
+  readonly #supposed = new Facets("failing", 0.35);
   readonly #wide = [this.#sides, this.#front, this.#walk, this.#base, this.#culprit];
   /** Triangles before those of each front, of the finished patches and of the fronts. */
   #doneBefore: readonly number[] = [0];
@@ -38,13 +39,15 @@ export class SurfaceLayer implements Layer {
     this.#trace = trace;
     const { object: nodes } = this.#nodes;
     const { object: triangle } = this.#triangle;
-    for (const object of [nodes, triangle]) object.frustumCulled = false;
+    const { object: supposed } = this.#supposed;
+    for (const object of [nodes, triangle, supposed]) object.frustumCulled = false;
     const drawn = [
       this.#done.object,
       this.#made.object,
       ...this.#wide.map(({ object }) => object),
       nodes,
       triangle,
+      supposed,
     ];
     drawn.forEach((object, order) => {
       object.renderOrder = 10 + order;
@@ -56,7 +59,7 @@ export class SurfaceLayer implements Layer {
   update(changes: SceneChanges): void {
     const { colors, origin, viewport } = changes.state;
     if (changes.has("colors")) {
-      for (const part of [...this.#wide, this.#nodes, this.#triangle]) part.setColors(colors);
+      for (const part of [...this.#wide, this.#nodes, this.#triangle, this.#supposed]) part.setColors(colors);
       this.#done.setColors(colors.patch, colors.meshEdge);
       this.#made.setColors(colors.meshPlain, colors.meshEdge);
     }
@@ -78,7 +81,7 @@ export class SurfaceLayer implements Layer {
     this.root.visible = state !== null;
     if (state === null) return;
     if (!this.#hasTriangles) this.#writeTriangles();
-    const scene = surfaceScene(this.#trace, state);
+    const scene = surfaceScene(this.#trace, state, task ? null : this.#candidate);
     this.#sides.set(scene.sides, this.#origin);
     this.#walk.set(scene.walk, this.#origin);
     this.#front.set(scene.front, this.#origin);
@@ -90,7 +93,8 @@ export class SurfaceLayer implements Layer {
   }
 
   dispose(): void {
-    for (const part of [...this.#wide, this.#nodes, this.#triangle, this.#done, this.#made]) part.dispose();
+    const parts = [this.#nodes, this.#triangle, this.#supposed, this.#done, this.#made];
+    for (const part of [...this.#wide, ...parts]) part.dispose();
   }
 
   /** Draws the base edge of a question. After the answer, also draws the triangle, or the edges that prevent it. */
@@ -104,14 +108,16 @@ export class SurfaceLayer implements Layer {
       this.#origin,
     );
     this.#triangle.set(apex === null ? [] : ends([...step.nodes, apex]), this.#origin);
+    this.#supposed.set([], this.#origin);
   }
 
   /** Draws the base edge of a step, the triangle over it, and the edge because of which its candidate was refused. */
   #showStep(state: number): void {
-    const { base, culprit, triangle } = stepMarks(this.#trace, state, this.#candidate);
+    const { base, culprit, triangle, supposed } = stepMarks(this.#trace, state, this.#candidate);
     this.#base.set(base, this.#origin);
     this.#culprit.set(culprit, this.#origin);
     this.#triangle.set(triangle, this.#origin);
+    this.#supposed.set(supposed, this.#origin);
   }
 
   #writeTriangles(): void {

@@ -2,7 +2,7 @@
 import type { PlanarFront, SurfaceTrace, Trace } from "tetrafront";
 import type { Position } from "../document/position";
 import { edgesAt, endsOf } from "./planar-judge";
-import { examinedCandidate } from "./planar-lens";
+import { examinedCandidate, supposedCandidate } from "./planar-lens";
 
 /** Segments are lists of ends, two after two. */
 export interface SurfaceScene {
@@ -19,8 +19,17 @@ export interface SurfaceScene {
   readonly made: number;
 }
 
-/** Returns the scene of a state, from 0. O(sides + edges of the patch). */
-export function surfaceScene({ surface }: Trace, state: number): SurfaceScene {
+/**
+ * Returns the scene of a state, from 0; with a refused candidate that is chosen, that of the state before. `candidate`: as for
+ * `examinedCandidate`. O(sides + edges of the patch).
+ */
+export function surfaceScene(
+  { surface }: Trace,
+  after: number,
+  candidate: number | null = null,
+): SurfaceScene {
+  const isSupposed = candidate !== null && supposedCandidate(surface?.stepAt(after), candidate) !== null;
+  const state = isSupposed ? after - 1 : after;
   if (surface === null) return { sides: [], walk: [], front: [], nodes: [], finished: 0, made: 0 };
   const sides = sidesAt(surface, state);
   const walk = walkAt(surface, state);
@@ -45,20 +54,24 @@ export interface StepMarks {
   readonly culprit: readonly Position[];
   /** Corners of the triangle that the step makes. */
   readonly triangle: readonly Position[];
+  /** Corners of the triangle of a refused candidate, if the front is shown as it would be with it; none of a new node. */
+  readonly supposed: readonly Position[];
 }
 
 /** Returns the marks of a state, from 0. `candidate`: as for `examinedCandidate`. */
 export function stepMarks({ surface }: Trace, state: number, candidate: number | null): StepMarks {
   const step = surface?.stepAt(state);
   const front = step?.kind === "edge" ? surface?.fronts[step.front] : undefined;
-  if (step?.kind !== "edge" || !front) return { base: [], culprit: [], triangle: [] };
+  if (step?.kind !== "edge" || !front) return { base: [], culprit: [], triangle: [], supposed: [] };
   const positions = (nodes: Iterable<number>): Position[] => [...nodes].map((node) => inSpace(front, node));
   const culprit = examinedCandidate(step, candidate)?.culprit ?? null;
-  const { triangle } = step;
+  const chosen = supposedCandidate(step, candidate);
+  const triangle = chosen ? null : step.triangle;
   return {
     base: positions(endsOf(front, step.edge)),
     culprit: culprit === null ? [] : positions(endsOf(front, culprit)),
     triangle: triangle === null ? [] : positions(front.triangles.subarray(3 * triangle, 3 * triangle + 3)),
+    supposed: chosen === null || chosen.node === null ? [] : positions([...step.nodes, chosen.node]),
   };
 }
 

@@ -17,7 +17,7 @@ export const crossingTestStrings = {
   },
   exact: (face: number): string =>
     `Decided by our exact sign: the layers do not decide on face ${number(face)}, because no side of one passes through a face of the other, apart from common nodes.`,
-  hint: "Section 6 of the paper. (a): distance of the boxes along axis i, against t times the element’s longest extent. (b): Nⁱ is 1 at corner i of the new element and 0 on the face opposite. (c): equations 1 to 5, with the inequality the right way round. The engine decides by exact signs, without t.",
+  hint: "Step F5.3, section 6 of the paper. (a): distance of the boxes along axis i, against t times the element’s longest extent. (b): Nⁱ is 1 at corner i of the new element and 0 on the face opposite. (c): equations 1 to 5, with the inequality the right way round. The engine decides by exact signs, without t.",
 } as const;
 
 interface FoundCrossing {

@@ -45,6 +45,9 @@ const phaseNames = { lines: "Lines", patches: "Patches", volume: "Volume" } as c
 /** What the fronts are made of. */
 const faceNames = { lines: "faces", patches: "edges", volume: "faces" } as const;
 
+const joinedFaces = (count: number): string =>
+  count === 0 ? "no faces" : count === 1 ? "1 face" : `${count} faces`;
+
 const facesOf = (faces: readonly number[]): string =>
   `${faces.length === 1 ? "face" : "faces"} ${faces.slice(0, 6).map(number).join(", ")}${faces.length > 6 ? " …" : ""}`;
 
@@ -112,6 +115,7 @@ export const playerStrings = {
   elementChoices: { none: "None", last: "Last", recent: "Last 60" },
   searchRegion: "Search region",
   regionHint: "The nodes in it are candidates for the base face. It lies around the ideal point.",
+  regionInPlane: "In a patch, the dashed ellipse in its plane is always shown instead.",
   /** Labels of what the lens shows in the view, beside it and in the legend. */
   marks: {
     base: (face: number) => `base ${number(face)}`,
@@ -157,6 +161,13 @@ export const playerStrings = {
     crosses: (faces: readonly number[]) =>
       `Accepted, its element would overlap what the front encloses: it would cross ${facesOf(faces)}.`,
     tooClose: "Its element would cross nothing, but would leave a gap for poor elements.",
+  },
+  /** How the front changes: the faces that leave it, and the number of those that join. */
+  frontChange: {
+    accepted: (left: readonly number[], joined: number) =>
+      `The front: ${facesOf(left)} ${left.length === 1 ? "leaves" : "leave"}, ${joinedFaces(joined)} ${joined === 1 ? "joins" : "join"} (steps F6 and F8).`,
+    supposed: (left: readonly number[], joined: number) =>
+      `The view shows the front with it: ${facesOf(left)} ${left.length === 1 ? "has" : "have"} left, ${joinedFaces(joined)} ${joined === 1 ? "has" : "have"} joined.`,
   },
   /** The recorded verdict stays; our own check works in doubles, the engine with exact signs. */
   disagreement: {
@@ -214,7 +225,7 @@ export const playerStrings = {
     `${rank}: ${node === null ? "new node" : number(node)}`,
   score: "Score",
   scoreHint:
-    "The highest score is tried first. It grows with the quality of the element, and with the faces of the front that the element closes.",
+    "The highest score is tried first (step F5.2). It grows with the quality of the element, and with the faces of the front that the element closes.",
   verdict: "Verdict",
   verdicts,
   verdictAt: (verdict: string, face: number | null) =>

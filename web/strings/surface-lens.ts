@@ -64,6 +64,7 @@ export const surfaceLensStrings = {
     outside: () => "A new node was refused: it would be outside the patch.",
     whatIf: (edges: readonly number[]) =>
       `Accepted, its triangle would overlap what is meshed: it would cross ${edgesOf(edges)}.`,
+    supposed: "The view and the plane show the front before the step, with its triangle in red.",
     disagreement: {
       behind: otherwise("it finds the node behind the base edge"),
       inFront: otherwise("it finds the node in front of the base edge"),
@@ -108,7 +109,7 @@ export const surfaceLensStrings = {
     whyNow: "Lower size classes come first, then lower layers (step F4).",
     candidates: "Candidates tried",
     scoreHint:
-      "The highest score is tried first. Nodes near the ideal point have 2 less their distance from it, in target lengths; a new node has 1.45; other nodes have the shape of their triangle, at most 1.",
+      "The highest score is tried first (step F5.2). Nodes near the ideal point have 2 less their distance from it, in target lengths; a new node has 1.45; other nodes have the shape of their triangle, at most 1.",
     verdicts: edgeVerdicts,
     test: "Test in the plane",
     testHints: {
@@ -127,8 +128,8 @@ export const surfaceLensStrings = {
     curved: "This plane is mapped to the curved patch; letters are the corners of equation 16.",
     flat: "The patch is flat.",
     ellipse:
-      "The dashed ellipse is a circle in space: it shows how the plane is stretched and sheared, and how large triangles should be.",
-    size: "The dashed ellipse shows how large triangles should be, and in which direction.",
+      "The dashed ellipse is a circle in space: it shows how the plane is stretched and sheared, and how large triangles should be. Nodes in it are tried before a new node.",
+    size: "The dashed ellipse shows how large triangles should be, and in which direction. Nodes in it are tried before a new node.",
     picture: (triangles: number, edges: number) =>
       `${plural(triangles, "triangle")}, ${plural(edges, "edge")} of the front`,
   },

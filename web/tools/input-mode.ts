@@ -8,6 +8,9 @@ const dialogs = '[role="dialog"], [role="menu"]';
 /** A choice among radio buttons takes no text. */
 const fields = 'input:not([type="radio"]), textarea, select, [contenteditable]';
 
+/** Returns whether a dialog or a menu is open. */
+export const hasDialog = (): boolean => document.querySelector(dialogs) !== null;
+
 /** Returns the mode for a key event with this target. A field in a dialog belongs to the dialog. */
 export function inputMode(target: EventTarget | null): InputMode {
   if (!target || !isElement(target)) return "view";

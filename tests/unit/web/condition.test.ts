@@ -166,6 +166,9 @@ describe("in lines and patches", () => {
     const lines = all.filter((step) => surface.divisions[surface.divisionAt(step) ?? -1]?.line === 0);
     expect(found("line 1")).toEqual(lines);
     expect(lines.length).toBeGreaterThan(1);
+    const layers = new Set(edges(() => true).map((step) => edgeAt(step)?.layer));
+    expect(layers.size).toBeGreaterThan(2);
+    expect(found("layer >= 2")).toEqual(edges((s) => s.layer >= 2));
     expect(found("size > 0").length).toBe(edges(() => true).length);
   });
 });

@@ -1,15 +1,20 @@
 /** What the lens marks in the view: the part of a face in a new element, and the labels. */
-import { describe, expect, it } from "vitest";
+import type { Mesh } from "three";
+import { beforeAll, describe, expect, it } from "vitest";
 import { readTrace, type AdvanceStep, type Trace } from "tetrafront";
 import type { Position } from "../../../web/document/position";
 import { areaVector, distance } from "../../../web/document/vectors";
 import type { Triangle } from "../../../web/player/crossing";
 import { frontDrawing } from "../../../web/player/front-drawing";
 import { cornersOf, weightsOf, type NewElement } from "../../../web/player/judge";
+import { examine } from "../../../web/player/lens";
 import { lensMarks } from "../../../web/player/lens-marks";
 import { lensSceneOf } from "../../../web/player/lens-scene";
 import { initialPlayerState, type PlayerState } from "../../../web/player/player";
 import { nearestOnFace, partInElement } from "../../../web/player/overlap";
+import { ReplayLayer } from "../../../web/player/replay-layer";
+import { nextStop } from "../../../web/player/stops";
+import { galleryProject, recordFront } from "../../support/recorded-models";
 import { randomSource } from "../../support/random";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
@@ -165,5 +170,74 @@ describe("the marks of a step", () => {
     expect(fills(plain).slice(0, 5)).toEqual(
       fills(frontDrawing(trace, { ...state, scene: null, fades: true }, view)).slice(0, 5),
     );
+  });
+});
+
+describe("the front of a candidate, of a real model", () => {
+  let trace: Trace;
+  beforeAll(async () => {
+    trace = await recordFront(galleryProject("unit-cube"));
+  });
+
+  it("changes as it was recorded", () => {
+    let count = 0;
+    for (let number = 1; number <= trace.stepCount; number++) {
+      const step = trace.stepAt(number);
+      const accepted =
+        step?.kind === "advance" && step.candidates.find(({ verdict }) => verdict === "accepted");
+      if (!accepted) continue;
+      const { left, joined } = examine(trace, step, accepted).change;
+      expect(left, `step ${number}`).toEqual([...step.removedFaces].sort((a, b) => a - b));
+      const corners = [...step.addedFaces].map((face) => cornersOf(trace, face).map(String).sort());
+      expect(joined.map((face) => face.map(String).sort()).sort()).toEqual(corners.sort());
+      count++;
+    }
+    expect(count).toBeGreaterThan(100);
+  });
+
+  it("is shown as it would be if a candidate that was refused is chosen", () => {
+    const at = nextStop(trace, 0, 1, "crosses") ?? 0;
+    const step = trace.stepAt(at);
+    if (step?.kind !== "advance") throw new Error("No candidate crosses a face");
+    const candidate = step.candidates.findIndex(({ verdict }) => verdict === "crosses");
+    const state: PlayerState = {
+      ...initialPlayerState,
+      trace,
+      step: at,
+      lensStep: at,
+      candidate,
+      faces: "all",
+    };
+    expect(lensSceneOf({ ...state, candidate: null })?.isSupposed).toBe(false);
+    const scene = lensSceneOf(state);
+    const { left, joined } = scene?.examined?.change ?? { left: [], joined: [] };
+    if (!scene) throw new Error("The lens shows nothing");
+    expect(scene.isSupposed).toBe(true);
+    expect(left).toContain(step.face);
+    expect(lensMarks(scene).supposed).toEqual(joined.flat());
+    // Faces that join lie between the base and the candidate.
+    expect(joined.every((face) => face.includes(scene.examined?.candidate.position ?? face[0]))).toBe(true);
+    const before = trace.frontAt(step.step - 1).length;
+    const view = {
+      width: 300,
+      height: 300,
+      eye: [0, 0, 1000] as Position,
+      toScreen: ([x, y]: Position) => ({ x: 150 + 80 * x, y: 150 - 80 * y }),
+    };
+    expect(frontDrawing(trace, { ...state, scene }, view).match(/<polygon/g)).toHaveLength(
+      before - left.length,
+    );
+    const layer = new ReplayLayer(trace);
+    const drawnFaces = (isBefore: boolean): number => {
+      layer.show(state, false, isBefore);
+      const [front] = layer.root.children as Mesh[];
+      const corners = front?.geometry.getAttribute("position").array ?? [];
+      return Array.from({ length: corners.length / 9 }, (_, i) => corners.slice(9 * i, 9 * i + 9)).filter(
+        (face) => [...face].some((x) => x !== 0),
+      ).length;
+    };
+    expect(drawnFaces(true)).toBe(before);
+    expect(drawnFaces(false)).toBe(trace.frontAt(step.step).length);
+    layer.dispose();
   });
 });

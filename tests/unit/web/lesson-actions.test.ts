@@ -74,6 +74,7 @@ beforeEach(() => {
       trace: trace.value,
       file: bytes,
       report: {} as unknown as MeshReport,
+      isStopped: false,
     });
   });
 });
@@ -102,6 +103,62 @@ it("shows the lesson's own run again after another one", async () => {
   if (random) app.player.show(random.trace, random.file);
   showOwnRun(app.player, runs.slice(0, 1));
   expect(shown()).toBe(random?.trace);
+});
+
+/** Lets the user stop the recordings after this many. `hasFront`: not before the front has begun. */
+function stopAfter(count: number, hasFront = true): void {
+  const player = vi.mocked(app.player);
+  const whole = player.record.getMockImplementation();
+  player.record.mockImplementation(async (choices) => {
+    const made = (await whole?.(choices)) ?? null;
+    if (count-- > 0 || made?.kind !== "recorded") return made;
+    if (hasFront) return { ...made, isStopped: true };
+    player.close();
+    return { kind: "failed", reasons: [], isStopped: true };
+  });
+}
+
+it.each([true, false])("does not compare a run that was stopped (in the front: %s)", async (hasFront) => {
+  await showLessonModel(app, lesson);
+  await compareRun(app, "random");
+  app.player.seek(3);
+  const { runs } = lessonRuns(app).getState();
+  stopAfter(0, hasFront);
+  expect(await compareRun(app, "first-in")).toBe(false);
+  expect(lessonRuns(app).getState().runs).toEqual(runs);
+  expect(app.shell.getState().lessonRuns).toEqual(["random"]);
+  const { trace, step } = app.player.state.getState();
+  expect(trace).toBe(runs[1]?.trace);
+  expect(step).toBe(3);
+});
+
+it("repeats the lesson's own run for its time again if this was stopped", async () => {
+  await showLessonModel(app, lesson);
+  const [own] = lessonRuns(app).getState().runs;
+  stopAfter(0);
+  expect(await compareRun(app, "random")).toBe(false);
+  const { runs, isTimed } = lessonRuns(app).getState();
+  expect(runs).toEqual([own]);
+  expect(isTimed).toBe(false);
+});
+
+it("shows no front if the lesson's own run was stopped", async () => {
+  stopAfter(0);
+  await showLessonModel(app, lesson, ["random"]);
+  expect(lessonRuns(app).getState()).toMatchObject({ runs: [], isPreparing: false });
+  expect(app.shell.getState().lessonRuns).toEqual([]);
+  expect(app.player.state.getState().trace).toBeNull();
+});
+
+it("keeps the runs of an address before the one that was stopped", async () => {
+  // The lesson's own run, its repetition for the time, and one by other rules.
+  stopAfter(3);
+  await showLessonModel(app, lesson, ["random", "first-in", "strict"]);
+  const { runs, isPreparing } = lessonRuns(app).getState();
+  expect(runs.map(({ name }) => name)).toEqual(["", "random"]);
+  expect(isPreparing).toBe(false);
+  expect(app.shell.getState().lessonRuns).toEqual(["random"]);
+  expect(app.player.state.getState()).toMatchObject({ trace: runs[0]?.trace, step: lesson.step });
 });
 
 it("runs the model by other rules, which the address names", async () => {
@@ -142,7 +199,7 @@ it("are timed after the engine has meshed the model: the lesson's own run is rep
   await compareRun(app, "first-in");
   const [timed] = lessonRuns(app).getState().runs;
   expect(timed?.trace).not.toBe(cold?.trace);
-  expect(vi.mocked(app.player).record.mock.calls[1]).toEqual([]);
+  expect(vi.mocked(app.player).record.mock.calls[1]).toEqual([{}]);
   await compareRun(app, "random");
   expect(lessonRuns(app).getState().runs[0]).toBe(timed);
   expect(recorded).toHaveLength(4);

@@ -5,7 +5,7 @@ import type { DrawingView } from "../../../web/player/front-drawing";
 import { firstState } from "../../../web/player/phases";
 import { surfaceDrawing } from "../../../web/player/surface-drawing";
 import { surfaceLabels } from "../../../web/player/surface-labels";
-import { surfaceScene } from "../../../web/player/surface-scene";
+import { stepMarks, surfaceScene } from "../../../web/player/surface-scene";
 import { recordSurface } from "../../support/recorded-models";
 
 let trace: Trace;
@@ -64,4 +64,24 @@ it("name the step as the player does, and what it is about", () => {
   const inPatch = drawn((trace.surface?.lastLineStep ?? 0) + 20);
   expect(inPatch).toMatch(/<title>Unit cube, patches, step \d+ of \d+<\/title>/);
   expect(inPatch).toMatch(/>base \d+<\/text>/);
+});
+
+it("show the patch before the step, with the triangle of a refused candidate that is chosen", () => {
+  const { surface } = trace;
+  if (!surface) throw new Error("the trace has no lines and patches");
+  let count = 0;
+  for (let state = 1; state <= surface.stepCount; state++) {
+    const step = surface.stepAt(state);
+    if (step?.kind !== "edge") continue;
+    step.candidates.forEach(({ verdict, node }, rank) => {
+      const isSupposed = verdict === "crosses" || verdict === "too-close";
+      const { triangle, supposed } = stepMarks(trace, state, rank);
+      expect(surfaceScene(trace, state, rank)).toEqual(surfaceScene(trace, isSupposed ? state - 1 : state));
+      expect(triangle).toHaveLength(isSupposed || step.triangle === null ? 0 : 3);
+      expect(supposed).toHaveLength(isSupposed && node !== null ? 3 : 0);
+      if (isSupposed && node !== null) count++;
+    });
+    expect(stepMarks(trace, state, null).supposed).toEqual([]);
+  }
+  expect(count).toBeGreaterThan(0);
 });

@@ -148,6 +148,14 @@ export class SurfaceTrace {
     };
   }
 
+  /** Returns the layer of the base edge of a step; null for steps without a base edge. O(1). */
+  layerAt(step: number): number | null {
+    const kind = this.kindAt(step);
+    if (kind !== "accepted" && kind !== "postponed") return null;
+    const { detail, cursor } = this.#event(step);
+    return readBaseEdge(cursor, detail).layer;
+  }
+
   /** Returns step `step`, from 1 to `stepCount`; undefined for other numbers. */
   stepAt(step: number): SurfaceStep | undefined {
     const kind = this.kindAt(step);

@@ -1,12 +1,18 @@
 import { Button } from "@mantine/core";
 import { useEffect, useRef, useState } from "react";
 import { strings } from "../../strings";
+import { hasDialog, inputMode } from "../../tools/input-mode";
 import { useApp, useShell } from "../shared/app-context";
+import { pageApps } from "../shared/page-apps";
+import { isPaletteOpen } from "../shared/palette";
 import styles from "./presenter.module.css";
 
 const texts = strings.presenter;
 
-/** Large type for an audience (base.css), and a laser pointer. */
+/** Fields in which Escape means nothing: they stay focused after a choice. */
+const choices = 'select, input[type="checkbox"]';
+
+/** Large type for an audience (base.css), and a laser pointer. Escape ends it, unless something else uses the key. */
 export function Presenter() {
   const isOn = useShell((state) => state.isPresenting);
   return isOn ? <Presentation /> : null;
@@ -20,6 +26,7 @@ function Presentation() {
     dataset["presenter"] = "";
     return () => void delete dataset["presenter"];
   }, []);
+  useEscape(() => app.shell.setState({ isPresenting: false }));
   return (
     <>
       <section className={styles["bar"]} aria-label={texts.title} data-testid="presenter">
@@ -44,6 +51,30 @@ function Presentation() {
       {hasLaser && <Laser />}
     </>
   );
+}
+
+/** Calls a function when Escape is pressed and nothing else uses it: no menu, dialog, field or command. */
+function useEscape(onEscape: () => void): void {
+  const app = useApp();
+  const latest = useRef(onEscape);
+  useEffect(() => void (latest.current = onEscape));
+  useEffect(() => {
+    const life = new AbortController();
+    let isFree = false;
+    // Before anything else: a menu that Escape closes is gone when the event has reached the window.
+    const note = ({ target }: KeyboardEvent): void => {
+      const isChoice = target instanceof Element && target.matches(choices);
+      isFree = !hasDialog() && (isChoice || inputMode(target) === "view") && pageApps.owns(app, target);
+    };
+    const end = (event: KeyboardEvent): void => {
+      if (event.key !== "Escape" || event.defaultPrevented || !isFree || isPaletteOpen()) return;
+      event.preventDefault();
+      latest.current();
+    };
+    window.addEventListener("keydown", note, { capture: true, signal: life.signal });
+    window.addEventListener("keydown", end, { signal: life.signal });
+    return () => life.abort();
+  }, [app]);
 }
 
 /** A red dot at the pointer, above everything else. It takes no clicks. */

@@ -8,6 +8,7 @@ import tables from "../../ui/table.module.css";
 import { usePlayer } from "../player/use-player";
 import { useApp } from "../shared/app-context";
 import styles from "./lessons.module.css";
+import { StopRun } from "./stop-run";
 import type { TaskProps } from "./task-props";
 import { useLessonRuns } from "./use-lessons";
 
@@ -32,6 +33,7 @@ export function CompareTask({ task, number, onDone }: TaskProps<TaskOf<"compare"
       >
         {isRunning ? texts.running : texts.compare(task.order)}
       </Button>
+      {isRunning && <StopRun testId={`lesson-stop-${number}`} />}
       {runs.some(({ name }) => name === task.order) && <RunTable number={number} />}
     </div>
   );

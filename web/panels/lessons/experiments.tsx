@@ -10,6 +10,7 @@ import tables from "../../ui/table.module.css";
 import { usePlayer } from "../player/use-player";
 import { useApp } from "../shared/app-context";
 import styles from "./lessons.module.css";
+import { StopRun } from "./stop-run";
 import { useLessonRuns } from "./use-lessons";
 
 const texts = lessonStrings.experiments;
@@ -104,6 +105,7 @@ function RuleChoices({ lesson }: { readonly lesson: Lesson }) {
       >
         {isRunning ? lessonStrings.running : texts.run}
       </Button>
+      {isRunning && <StopRun testId="experiment-stop" />}
     </>
   );
 }

@@ -19,6 +19,7 @@ import styles from "./lessons.module.css";
 import { usePrintedLesson } from "./printed-lesson";
 import { QueueFigure } from "./queue-figure";
 import { SearchChart } from "./search-chart";
+import { StopRun } from "./stop-run";
 import { TaskList } from "./task-list";
 import { useLessonRuns, useProgress } from "./use-lessons";
 
@@ -121,8 +122,15 @@ function FrontState({ lesson }: { readonly lesson: Lesson }) {
   const app = useApp();
   const shown = usePlayer((state) => state.trace);
   const { runs, isPreparing, lesson: prepared } = useLessonRuns((state) => state);
+  const isRecording = usePlayer((state) => state.recording !== null);
   const isShown = prepared === lesson && runs.some(({ trace }) => trace === shown);
-  if (isPreparing) return <p role="status">{texts.preparing}</p>;
+  if (isPreparing)
+    return (
+      <div className={styles["front"]} data-unprinted>
+        <span role="status">{texts.preparing}</span>
+        {isRecording && <StopRun testId="lesson-stop" />}
+      </div>
+    );
   return (
     <p className={styles["front"]} data-testid="lesson-front" data-shown={isShown} data-unprinted>
       {!isShown && `${texts.otherModel} `}

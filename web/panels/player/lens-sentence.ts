@@ -1,5 +1,6 @@
 import type { AdvanceStep } from "tetrafront";
 import type { LensCandidate } from "../../player/lens";
+import type { LensScene } from "../../player/lens-scene";
 import { strings } from "../../strings";
 
 const texts = strings.player;
@@ -18,6 +19,17 @@ export function sentenceOf(step: AdvanceStep, { candidate, pair }: LensCandidate
     case "too-close":
       return texts.sentence.tooClose(culprit ?? 0);
   }
+}
+
+/**
+ * Returns how the front changes with the examined candidate: if it was accepted, or if the view shows the front as it would be with
+ * it; else null.
+ */
+export function frontChangeOf({ examined, isSupposed }: LensScene): string | null {
+  if (!examined) return null;
+  const { left, joined } = examined.change;
+  if (isSupposed) return texts.frontChange.supposed(left, joined.length);
+  return examined.candidate.verdict === "accepted" ? texts.frontChange.accepted(left, joined.length) : null;
 }
 
 /**

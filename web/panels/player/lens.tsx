@@ -11,7 +11,7 @@ import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { useApp } from "../shared/app-context";
 import { BaseFacts, type Fact } from "./base-facts";
 import { CandidateTable, type CandidateRow } from "./candidate-table";
-import { sentenceOf, whatIfOf } from "./lens-sentence";
+import { frontChangeOf, sentenceOf, whatIfOf } from "./lens-sentence";
 import styles from "./player.module.css";
 import { SurfaceLens } from "./surface-lens";
 import { usePlayer, useTrace } from "./use-player";
@@ -89,12 +89,14 @@ function StepUnderLens() {
     const candidate = step.candidates[chosen ?? decisive(step) ?? 0];
     return candidate ? examine(trace, step, candidate) : null;
   }, [trace, step, chosen, scene]);
+  const change = scene && scene.step.step === step?.step ? frontChangeOf(scene) : null;
   if (!step) return <Text size="sm">{texts.beforeFirst}</Text>;
   if (step.kind === "recovery")
     return <p data-testid="lens-recovery">{texts.recovery(step.change, recoveryCounts(trace, step))}</p>;
   return (
     <>
       {examined && <Sentence step={step} examined={examined} />}
+      {change !== null && <p data-testid="lens-front-change">{change}</p>}
       {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
       <CandidateTable
         label={texts.candidates}

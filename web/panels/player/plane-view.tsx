@@ -3,7 +3,7 @@ import { lazy, Suspense, useMemo, useState } from "react";
 import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace } from "tetrafront";
 import { labelAt } from "../../player/entity-labels";
 import { ellipseOf, planePaths, windowAround, windowOf, type PlaneWindow } from "../../player/plane-drawing";
-import { decisiveCandidate } from "../../player/planar-lens";
+import { decisiveCandidate, supposedCandidate } from "../../player/planar-lens";
 import { endsOf, planeOf, targetLength } from "../../player/planar-judge";
 import { surfaceState } from "../../player/phases";
 import { strings } from "../../strings";
@@ -109,7 +109,10 @@ interface DrawingProps {
 }
 
 function Drawing({ front, step, state, box }: DrawingProps) {
-  const paths = useMemo(() => planePaths(front, state), [front, state]);
+  const candidate = usePlayer((shown) => shown.candidate);
+  // With a refused candidate that is chosen, the front as it was when it was tried.
+  const shownState = supposedCandidate(step, candidate) ? state - 1 : state;
+  const paths = useMemo(() => planePaths(front, shownState), [front, shownState]);
   const viewBox = `${box.left} ${-box.top} ${box.size} ${box.size}`;
   return (
     <svg

@@ -3,7 +3,12 @@ import { lazy, Suspense, useMemo } from "react";
 import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront";
 import { labelAt, type EntityLabels } from "../../player/entity-labels";
 import { scoreOf } from "../../player/planar-judge";
-import { decisiveCandidate, examineCandidate, type PlanarLensCandidate } from "../../player/planar-lens";
+import {
+  decisiveCandidate,
+  examineCandidate,
+  supposedCandidate,
+  type PlanarLensCandidate,
+} from "../../player/planar-lens";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
 import { BaseFacts, type Fact } from "./base-facts";
@@ -70,7 +75,8 @@ function stationSentence({ end, startSize, length, rounds }: StationStep, line: 
 }
 
 function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly step: EdgeStep }) {
-  const chosen = usePlayer((state) => state.candidate) ?? decisiveCandidate(step);
+  const rank = usePlayer((state) => state.candidate);
+  const chosen = rank ?? decisiveCandidate(step);
   const examined = useMemo(() => {
     const candidate = chosen === null ? undefined : step.candidates[chosen];
     return candidate ? examineCandidate(front, step, candidate) : null;
@@ -92,6 +98,7 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
   return (
     <>
       {examined && <Sentence examined={examined} />}
+      {supposedCandidate(step, rank) && <p data-testid="lens-front-change">{texts.patch.supposed}</p>}
       {step.outcome === "postponed" && <p>{texts.patch.postponed(step.nextPass)}</p>}
       <CandidateTable
         label={texts.patch.candidates}

@@ -13,6 +13,7 @@ export function ViewChoices() {
   const faces = usePlayer((state) => state.faces);
   const elements = usePlayer((state) => state.elements);
   const showsRegion = usePlayer((state) => state.showsRegion);
+  const isVolume = usePlayer(({ step }) => step >= 0);
   return (
     <>
       <Choice
@@ -36,11 +37,12 @@ export function ViewChoices() {
         choices={texts.elementChoices}
         onChoose={(chosen) => player.state.setState({ elements: chosen })}
       />
-      <label className={styles["check"]} title={texts.regionHint}>
+      <label className={styles["check"]} title={isVolume ? texts.regionHint : texts.regionInPlane}>
         <input
           type="checkbox"
           data-testid="player-region"
           checked={showsRegion}
+          disabled={!isVolume}
           onChange={(event) => player.state.setState({ showsRegion: event.currentTarget.checked })}
         />
         {texts.searchRegion}
