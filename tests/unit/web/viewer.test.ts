@@ -114,13 +114,13 @@ it("keeps the fit of an entity if its size changes while the camera still moves 
   const point = { kind: "point", id: 1 } as const;
   const { viewer, resize } = await shownProject();
   resize(390, 160);
-  viewer.fit([point]);
+  viewer.framing.fit([point]);
   resize(390, 640);
   const { pose } = viewer;
   const other = await shownProject();
-  other.viewer.fit([point], false);
+  other.viewer.framing.fit([point], false);
   expect(pose).toEqual(close(other.viewer.pose));
-  other.viewer.fit(null, false);
+  other.viewer.framing.fit(null, false);
   expect(pose).not.toEqual(close(other.viewer.pose));
 });
 
@@ -195,7 +195,7 @@ it("keeps a view that was zoomed if a part of it is covered, unless the model wo
     Math.hypot(...eye.map((x, k) => x - (target[k] ?? 0)));
   const { viewer, resize } = await shownProject();
   resize(900, 600);
-  viewer.fit(null, false);
+  viewer.framing.fit(null, false);
   const fitted = distance(viewer.pose);
   viewer.zoom(0.5);
   const far = distance(viewer.pose);

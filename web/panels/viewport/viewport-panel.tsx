@@ -108,7 +108,7 @@ function useFitBeside(viewer: Viewer | null, showsPlane: boolean): void {
     if (player.state.getState().follows) return;
     // The canvas gets its new size in the next frame.
     let frame = requestAnimationFrame(() => {
-      frame = requestAnimationFrame(() => viewer?.fit(null));
+      frame = requestAnimationFrame(() => viewer?.framing.fit(null));
     });
     return () => cancelAnimationFrame(frame);
   }, [viewer, player, showsPlane]);
