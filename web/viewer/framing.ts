@@ -1,6 +1,15 @@
 import type { Entity } from "../document/entities";
 import type { Position } from "../document/position";
-import { areAlike, Bounds, boundsOf, entityBounds, projectBounds, roomyBounds, shownBounds } from "./bounds";
+import {
+  areAlike,
+  Bounds,
+  boundsOf,
+  entityBounds,
+  isSampled,
+  projectBounds,
+  roomyBounds,
+  shownBounds,
+} from "./bounds";
 import type { ViewCamera } from "./camera";
 import { closeUpBox } from "./close-up";
 import { elementCorners, selectedCorners } from "./highlight-corners";
@@ -20,6 +29,16 @@ export interface FramedScene {
 const outgrowth = 1.5;
 /** A model that appears smaller than this, in CSS pixels, is fitted too. */
 const minPixels = 40;
+
+/** Positions on the lines of the model, if they have been sampled since it changed: circles lie beside their points. */
+function sampledPositions(state: SceneState): readonly Position[] {
+  const points = isSampled(state) ? state.preview.samples.linePoints : [];
+  return Array.from({ length: points.length / 3 }, (_, i) => [
+    points[3 * i] ?? 0,
+    points[3 * i + 1] ?? 0,
+    points[3 * i + 2] ?? 0,
+  ]);
+}
 
 /** Decides what the camera is fitted to, and when it follows the model. Keeps the local coordinates small. */
 export class Framing {
@@ -171,13 +190,14 @@ export class Framing {
   }
 
   /**
-   * Returns whether the whole model is in view. Corners of its box where there is no point may be outside: the view must
+   * Returns whether the whole model is in view. Corners of its box where there is nothing may be outside: the view must
    * not change while the user draws within it.
    */
   #showsModel(bounds: Bounds): boolean {
     const { project, bodies } = this.#scene.state;
     if (bodies.length > 0 || project.points.length === 0) return this.#showsAll(bounds);
-    return this.#shows(project.points.map(({ position }) => position));
+    const points = project.points.map(({ position }) => position);
+    return this.#shows([...points, ...sampledPositions(this.#scene.state)]);
   }
 
   /** Moves to a target, with its surroundings if it is smaller than the model. */
