@@ -3,17 +3,7 @@ import type { Entity } from "../entities";
 import { findRecord } from "../entities";
 import type { Position } from "../position";
 import { planeOfPatch } from "../patch-planes";
-import { distance, mean, worldFrame, zero } from "../vectors";
-
-/** Directions that differ by less are the same but for rounding. */
-const tolerance = 1e-12;
-
-/** Returns a direction exactly along an axis of coordinates if it is so but for rounding: it is then shown as this axis. */
-function rounded(direction: Position): Position {
-  const [x = 0, y = 0, z = 0] = direction.map((component) => Math.round(component) + 0);
-  const axis: Position = [x, y, z];
-  return distance(axis, direction) < tolerance ? axis : direction;
-}
+import { mean, snappedToAxis, worldFrame, zero } from "../vectors";
 
 /**
  * Returns where a new piece begins: on a selected planar patch, pointing away from the model; at selected points; or at
@@ -26,7 +16,7 @@ export function startOf(
   const [only] = selection;
   if (selection.length === 1 && only?.kind === "patch") {
     const plane = planeOfPatch(project, only.id);
-    if (plane) return { position: plane.centre, axis: rounded(plane.outward) };
+    if (plane) return { position: plane.centre, axis: snappedToAxis(plane.outward) };
   }
   const positions = selection.flatMap(({ kind, id }) => {
     const record = kind === "point" || kind === "background-node" ? findRecord(project, kind, id) : undefined;
