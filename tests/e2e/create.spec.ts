@@ -482,6 +482,10 @@ test("a pasted list becomes points; a drawn and extruded solid needs no size by 
   await page.keyboard.press("Control+k");
   await page.getByRole("dialog").getByRole("textbox", { name: "Search commands" }).fill("extrude");
   await page.keyboard.press("Enter");
+  // The distance is typed at once.
+  await expect(page.getByTestId("operation-distance")).toBeFocused();
+  await page.keyboard.type("0.75");
+  await expect(page.getByTestId("operation-distance")).toHaveValue("0.75");
   await page.getByTestId("accept").click();
   await expect(app.viewport).toHaveAttribute("data-patches", "6");
   await expect(status).not.toHaveText("The model has errors");

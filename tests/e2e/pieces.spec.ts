@@ -149,6 +149,25 @@ test("copies, a mirror image and an array are one step of undo each", async ({ p
   }
 });
 
+test("a sphere is placed by its centre; the digits of a wing are four, and typed without a click", async ({
+  page,
+}) => {
+  const pieces = new PiecesPage(page);
+  await pieces.open();
+  await pieces.start("Sphere…");
+  await expect(pieces.panel.getByText("Centre", { exact: true })).toBeVisible();
+  await expect(pieces.panel.getByText("Base centre")).toBeHidden();
+  await pieces.press("Escape");
+  await pieces.start("NACA wing…");
+  const digits = page.getByTestId("operation-digits");
+  await expect(digits).toHaveValue("0012");
+  await pieces.type("0009");
+  await pieces.press("Tab", "Shift+Tab");
+  await expect(digits).toHaveValue("0009");
+  await pieces.press("ArrowUp");
+  await expect(digits).toHaveValue("0010");
+});
+
 test("Escape closes the panel and restores the project", async ({ page }) => {
   const pieces = new PiecesPage(page);
   await pieces.open();

@@ -1,6 +1,7 @@
 /** Lessons in class and on paper: presenter mode, the laser pointer, and the print view. */
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
+import { AppPage } from "./app-page";
 
 async function openLesson(page: Page, number: number): Promise<void> {
   await page.goto(`./?test=1&lesson=${number}`);
@@ -105,6 +106,44 @@ test("presenter mode keeps the view and a game, and gives its room to the panels
   await expect(page.getByTestId("volume-game-score")).toHaveText(score ?? "");
   await expect(page.getByRole("complementary", { name: "Model", exact: true })).toBeVisible();
   expect((await page.getByTestId("lesson-page").boundingBox())?.width).toBeCloseTo(width, 0);
+});
+
+test("the panel of an operation is enlarged, and the model keeps clear of it", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open("dark", "unit-cube");
+  const panel = page.getByTestId("operation");
+  const runCommand = async (name: string): Promise<void> => {
+    await page.keyboard.press("Control+k");
+    await page.getByRole("textbox", { name: "Search commands" }).fill(name);
+    await page.keyboard.press("Enter");
+  };
+  const box = async (): Promise<{ x: number; width: number }> =>
+    (await panel.boundingBox()) ?? { x: NaN, width: NaN };
+  const width = async (): Promise<number> => (await box()).width;
+  /** Distance between the panel and the model. */
+  const gap = async (): Promise<number> => {
+    const { x, width } = await box();
+    return (await edgeOfModel()) - x - width;
+  };
+  const edgeOfModel = async (): Promise<number> => {
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => app.at([i & 1, (i >> 1) & 1, i >> 2]));
+    return Math.min(...(await Promise.all(corners)).map(({ x }) => x));
+  };
+  await runCommand("Box…");
+  await expect(panel).toBeVisible();
+  const before = await width();
+  await expect.poll(gap).toBeGreaterThan(0);
+  await runCommand("Presenter mode");
+  await expect.poll(width).toBeGreaterThan(1.3 * before);
+  await expect.poll(gap).toBeGreaterThan(0);
+  // Its last button can be reached, and nothing is half covered by it.
+  await expect(panel.getByTestId("accept")).toBeInViewport({ ratio: 1 });
+  await expect(page.getByTestId("mesh-badge")).toHaveCount(0);
+  await page.getByTestId("presenter-end").click();
+  await expect.poll(width).toBe(before);
+  await expect.poll(gap).toBeGreaterThan(0);
+  await page.keyboard.press("Escape");
+  await expect(panel).toBeHidden();
 });
 
 test("a lesson is printed with its text, the view, its figures and tasks, and nothing else", async ({

@@ -1,5 +1,5 @@
 import { expect, test, type Page } from "@playwright/test";
-import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
+import { AppPage, countOrange, forEachPixel, nextFrame, sampleProject } from "./app-page";
 
 /**
  * Returns the position of an entity in the view, by the query that `?test=1` provides; null if it is out of view.
@@ -84,6 +84,28 @@ test("moving the pointer over empty space draws no frame, but over the view cube
   );
   expect(await app.viewport.getAttribute("data-frames")).toBe(before);
   await nextFrame(app.viewport, () => page.mouse.move(box.x + box.width - 56, box.y + 56, { steps: 3 }));
+});
+
+test("a selected point is emphasized from near and from far", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.select("point-1");
+  /** Number of pixels in the colour of the selection around the point. */
+  const blue = async (): Promise<number> => {
+    const { x, y } = await app.at([0, 0, 0]);
+    const clip = { x: Math.round(x) - 4, y: Math.round(y) - 4, width: 8, height: 8 };
+    let count = 0;
+    forEachPixel(await page.screenshot({ clip }), (r, _, b) => (count += Number(b > r + 80)));
+    return count;
+  };
+  await expect.poll(blue).toBeGreaterThan(40);
+  const width = async (): Promise<number> => (await app.at([1, 0, 0])).x - (await app.at([0, 0, 0])).x;
+  const before = await width();
+  const { x, y } = await app.at([0, 0, 0]);
+  await page.mouse.move(x, y);
+  for (let step = 0; step < 15; ++step) await page.mouse.wheel(0, 300);
+  await expect.poll(width).toBeLessThan(0.2 * before);
+  await expect.poll(blue).toBeGreaterThan(40);
 });
 
 test("the cut shows whole tetrahedra, on either side of its plane", async ({ page }) => {

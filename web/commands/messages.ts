@@ -1,4 +1,6 @@
 import type { App } from "../app/app";
+import { showNotice } from "../session/shell";
+import { strings } from "../strings";
 
 /** Opens a dialog with a title and a list of sentences. */
 export function showMessage(app: Pick<App, "shell">, title: string, lines: readonly string[]): void {
@@ -8,4 +10,10 @@ export function showMessage(app: Pick<App, "shell">, title: string, lines: reado
 /** Opens a dialog with the reason of a failure. */
 export function showFailure(app: App, title: string, error: unknown): void {
   showMessage(app, title, [error instanceof Error ? error.message : String(error)]);
+}
+
+/** Shows what an edit has done beside what was asked for. */
+export function showNote(app: Pick<App, "shell">, text: string): void {
+  const action = { label: strings.notices.understood, run: () => undefined };
+  showNotice(app.shell, { key: "note", tone: "information", text, action });
 }

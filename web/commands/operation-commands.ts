@@ -16,7 +16,7 @@ export function acceptOperation(app: App): void {
   const wasEmpty = isEmptyProject(settledProject(app.documents.state.getState()));
   if (!app.operations.accept()) return;
   app.shell.setState({ rightTab: "inspector", leftTab: "model" });
-  if (wasEmpty) app.viewer.getState().viewer?.fit(null);
+  if (wasEmpty) app.viewer.getState().viewer?.framing.fit(null);
 }
 
 const open = (menu: MenuName, section: number, operation: Operation, key?: string): Command =>

@@ -50,10 +50,18 @@ export function searchPalette(
   return limited(ordered, new Set(listed));
 }
 
-/** Returns the entries with a similar word for each word of the query. */
+/** What a similar word counts less if it is not in the label: just enough to decide between equals. */
+const otherWords = 1e-3;
+
+/** Returns the entries with a similar word for each word of the query, the most similar first; of equals, as they are given. */
 function similar(words: readonly string[], items: readonly PaletteItem[]): PaletteItem[] {
-  const fuse = new Fuse(items, {
-    keys: ["label", "words"],
+  // A word counts once, also if it is in the label and among the other words.
+  const texts = items.flatMap((item) => [
+    { item, text: item.label, handicap: 0 },
+    { item, text: item.words, handicap: otherWords },
+  ]);
+  const fuse = new Fuse(texts, {
+    keys: ["text"],
     // The nearest word wins, however many others there are.
     ignoreFieldNorm: true,
     threshold: tolerance,
@@ -61,16 +69,21 @@ function similar(words: readonly string[], items: readonly PaletteItem[]): Palet
     includeScore: true,
     minMatchCharLength: 2,
   });
-  let scores: Map<PaletteItem, number> | null = null;
-  for (const word of words) {
-    const next = new Map<PaletteItem, number>();
-    for (const { item, score = 1 } of fuse.search(word)) {
-      const before: number | undefined = scores ? scores.get(item) : 0;
-      if (before !== undefined) next.set(item, before + score);
+  const scores = words.map((word) => {
+    const best = new Map<PaletteItem, number>();
+    for (const { item: found, score = 1 } of fuse.search(word)) {
+      const { item, handicap } = found;
+      best.set(item, Math.min(best.get(item) ?? Infinity, score + handicap));
     }
-    scores = next;
-  }
-  return [...(scores ?? [])].toSorted(([, a], [, b]) => a - b).map(([item]) => item);
+    return best;
+  });
+  const scoreOf = (item: PaletteItem): number =>
+    scores.reduce((sum, best) => sum + (best.get(item) ?? Infinity), 0);
+  return items
+    .map((item) => ({ item, score: scoreOf(item) }))
+    .filter(({ score }) => score < Infinity)
+    .toSorted((a, b) => a.score - b.score)
+    .map(({ item }) => item);
 }
 
 /** Keeps all commands, disabled ones too, and the first entries of each group of others. */

@@ -46,7 +46,7 @@ export function isolate({ documents: { project }, view }: App, entities: readonl
 export function showEntities(app: App, entities: readonly Entity[]): void {
   app.view.selectAll(entities);
   app.shell.setState({ rightTab: "inspector", leftTab: "model", drawer: null });
-  app.viewer.getState().viewer?.fit(entities);
+  app.viewer.getState().viewer?.framing.fit(entities);
 }
 
 /** Selects the first entity of a problem and moves the view to its position. */
@@ -57,7 +57,7 @@ export function showProblem(app: App, problem: Problem): void {
     showGivenTriangles(app);
   }
   if (problem.code === "outside-background-grid") app.view.setLayer("background", true);
-  if (problem.position) app.viewer.getState().viewer?.fitPosition(problem.position);
+  if (problem.position) app.viewer.getState().viewer?.framing.fitPosition(problem.position);
 }
 
 /** Highlights an element of the shown mesh and moves the view to it. */
@@ -65,7 +65,7 @@ export function showElement(app: App, tetrahedron: number): void {
   app.view.setLayer("mesh", true);
   app.view.selectElement(tetrahedron);
   app.shell.setState({ drawer: null });
-  app.viewer.getState().viewer?.fitSelectedFaces();
+  app.viewer.getState().viewer?.framing.fitSelectedFaces();
 }
 
 /** Shows the given triangles of bodies instead of a mesh. */
@@ -80,7 +80,7 @@ export function showTriangles(app: App, triangles: readonly number[], body: numb
   app.view.markTriangles(triangles, body);
   if (body !== null) showGivenTriangles(app);
   app.shell.setState({ drawer: null });
-  app.viewer.getState().viewer?.fitSelectedFaces();
+  app.viewer.getState().viewer?.framing.fitSelectedFaces();
 }
 
 /** Moves the focus to the name of the selected entity, or to its other fields. Nodes of the background grid have no name. */

@@ -35,7 +35,7 @@ export async function importSurface(app: App): Promise<void> {
 /** Shows the whole model unless new bodies are in view. */
 export function fitToBodies(app: App, bodies: readonly Pick<NewBody, "body">[]): void {
   const { viewer } = app.viewer.getState();
-  viewer?.fitUnlessShown(bodies.map(({ body }) => ({ kind: "body", id: body.id })));
+  viewer?.framing.fitUnlessShown(bodies.map(({ body }) => ({ kind: "body", id: body.id })));
 }
 
 /** Adds the bodies of files to the open document, as one step of undo. Returns them, and notes about the files. */

@@ -26,7 +26,7 @@ const shadings: readonly Shading[] = ["radius-ratio", "dihedral", "region", "pla
 const cutAxes: readonly CutAxis[] = ["x", "y", "z"];
 
 export const viewMenu: readonly Command[] = [
-  define("view", 0)("fit", commandLabels.fit, (app) => app.viewer.getState().viewer?.fit(null), {
+  define("view", 0)("fit", commandLabels.fit, (app) => app.viewer.getState().viewer?.framing.fit(null), {
     keys: ["F"],
     enabled: hasViewer,
   }),
@@ -36,8 +36,8 @@ export const viewMenu: readonly Command[] = [
     (app) => {
       const { selection } = viewState(app);
       const { viewer } = app.viewer.getState();
-      if (!hasHighlight(app)) viewer?.fit(selection);
-      else viewer?.fitSelectedFaces();
+      if (!hasHighlight(app)) viewer?.framing.fit(selection);
+      else viewer?.framing.fitSelectedFaces();
     },
     {
       keys: ["shift+F"],

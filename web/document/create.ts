@@ -7,6 +7,7 @@ import { likelyPatchType, patchMisfit } from "./patch-rules";
 import { entityNouns, selectionHints, stepNames, untitled } from "../strings";
 import type { ProjectEdit } from "./edit";
 import type { Position } from "./position";
+import { setMeshing } from "./size-edits";
 import { cross, dot, length, subtract, zero } from "./vectors";
 
 /** An edit that adds entities to the project, and the entities that it adds. */
@@ -182,7 +183,10 @@ function isFlat([a = zero, b = a, c = a, d = a]: readonly Position[]): boolean {
   return Math.abs(dot(cross(u, v), w)) <= flatness * Math.max(length(u), length(v), length(w)) ** 3;
 }
 
-/** Offers a tetrahedron of the background grid with the four selected nodes. */
+/**
+ * Offers a tetrahedron of the background grid with the four selected nodes. The first one replaces a uniform size, which would
+ * leave the grid without effect.
+ */
 export function offerTetrahedron(project: Project, selection: readonly Entity[]): Offer {
   const nodes = idsOf(selection, "background-node");
   const [a, b, c, d] = nodes;
@@ -193,14 +197,17 @@ export function offerTetrahedron(project: Project, selection: readonly Entity[])
   if (isFlat(corners)) return refuse(selectionHints.flatTetrahedron);
   const same = (other: readonly number[]): boolean => nodes.every((node) => other.includes(node));
   if (project.background.tetrahedra.some(same)) return refuse(selectionHints.sameTetrahedron);
+  const replacesUniform = project.background.tetrahedra.length === 0 && project.meshing?.size !== undefined;
   return offer({
     entities: nodes.map((id) => ({ kind: "background-node", id })),
     edit: {
       label: stepNames.addTetrahedron,
-      change: ({ project: draft }) => {
-        draft.background.tetrahedra.push([a, b, c, d]);
+      change: (draft) => {
+        draft.project.background.tetrahedra.push([a, b, c, d]);
+        if (replacesUniform) setMeshing("size", null).change(draft);
       },
     },
+    ...(replacesUniform && { note: selectionHints.replacesUniform }),
   });
 }
 

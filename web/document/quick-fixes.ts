@@ -223,8 +223,9 @@ function closePatch(problem: Problem, { project, problems }: FixContext): QuickF
   const holes = loop.holes.flat().map(Math.abs);
   const lines = [...outer, ...holes];
   const key = keyOf(outer);
+  // A curved patch or a tube may begin at the same lines.
   const isFilled = (current: Project): boolean =>
-    current.patches.some(({ loops: [first = []] }) => keyOf(first) === key);
+    current.patches.some(({ type, loops: [first = []] }) => type === "planar" && keyOf(first) === key);
   return simple(fixStrings.closePatch(outer, holes), (current) => {
     if (isFilled(current)) return current;
     const selection = lines.map((id) => ({ kind: "line" as const, id }));

@@ -55,6 +55,16 @@ export const axisDirections: readonly [Position, Position, Position] = [
   [0, 0, 1],
 ];
 
+/** Directions that differ by less are the same but for rounding. */
+const rounding = 1e-12;
+
+/** Returns a unit vector exactly along an axis of coordinates if it is so but for rounding: it is then shown as this axis. */
+export function snappedToAxis(direction: Position): Position {
+  const [x = 0, y = 0, z = 0] = direction.map((component) => Math.round(component) + 0);
+  const axis: Position = [x, y, z];
+  return distance(axis, direction) < rounding ? axis : direction;
+}
+
 /** Three perpendicular directions of length 1, right-handed, at an origin. */
 export interface Frame<P = Position> {
   readonly origin: P;

@@ -28,7 +28,7 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
     if (shown?.trace !== state.trace) {
       shown?.end();
       // A trace from a file can be of another model.
-      viewer.replaceModel(state.isOpened ? (state.trace?.nodes.positions ?? null) : null);
+      viewer.framing.replaceModel(state.isOpened ? (state.trace?.nodes.positions ?? null) : null);
       shown = state.trace && { trace: state.trace, ...drawTrace(state.trace, viewer, player) };
       viewer.show({ isReplaying: shown !== null });
     }
@@ -39,7 +39,7 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
   return () => {
     stop();
     shown?.end();
-    viewer.replaceModel(null);
+    viewer.framing.replaceModel(null);
     viewer.show({ isReplaying: false });
   };
 }
@@ -55,7 +55,7 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
     if (followed?.step === state.step && followed.scene === scene) return;
     const positions = positionsToFollow(trace, state, scene);
     followed = positions && { step: state.step, scene };
-    if (positions) viewer.fitPositions(positions);
+    if (positions) viewer.framing.fitPositions(positions);
   };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {

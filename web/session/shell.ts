@@ -17,7 +17,7 @@ export interface Notice {
     | "improvement"
     | "repair"
     | "deleted"
-    | "numbers-kept"
+    | "note"
     | "shared"
     | "animation"
     | "address";

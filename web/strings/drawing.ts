@@ -34,6 +34,8 @@ export const drawingStrings = {
     patch: "on patch",
     grid: "grid",
     plane: "work plane",
+    typed: "typed",
+    radius: "through",
   },
   hints: {
     point: "Click a place, or type coordinates: 1,2,0 or @0.5,0,0 or 5<30.",

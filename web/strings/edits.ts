@@ -70,6 +70,7 @@ export const stepNames = {
 
 /** Why nothing can be created from the selection: what to select instead. */
 export const selectionHints = {
+  replacesUniform: "The background grid now gives the sizes, instead of the uniform size.",
   closedSpline: "Select at least three points, in order.",
   straightLine: "Select two points, or more for a chain.",
   parabola: "Select three points: start, middle, end.",

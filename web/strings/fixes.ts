@@ -1,3 +1,6 @@
+const linesText = (lines: readonly number[]): string =>
+  `${lines.length === 1 ? "line" : "the lines"} ${lines.join(", ")}`;
+
 /** Texts of quick fixes: the label of the button, and what it will do. */
 export const fixStrings = {
   cover: {
@@ -43,7 +46,7 @@ export const fixStrings = {
   },
   closePatch: (lines: readonly number[], holes: readonly number[]) => ({
     label: "Close with a patch",
-    effect: `Adds a planar patch within the lines ${lines.join(", ")}${holes.length > 0 ? `, around the lines ${holes.join(", ")}` : ""}.`,
+    effect: `Adds a planar patch within ${linesText(lines)}${holes.length > 0 ? `, around ${linesText(holes)}` : ""}.`,
   }),
   fixAll: (count: number) => `Fix all ${count}`,
   fixAllEffect: (effect: string) => `Does the same for all problems of this kind. ${effect}`,

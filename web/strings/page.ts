@@ -158,7 +158,7 @@ export const pageStrings = {
     mouse: [
       ["Click", "select, in the view and in the tree; Shift adds, Ctrl toggles"],
       ["Ctrl Shift click, Shift ↑ ↓", "in the tree: select all rows between"],
-      ["Tab, Shift Tab", "after a click: select the next or previous entity under the pointer"],
+      ["Tab, Shift Tab", "after a click: select the next or previous entity under the pointer instead"],
       ["Double click", "edit the entity under the pointer; elsewhere, and by a finger, fit the view"],
       [
         "Left drag",

@@ -65,7 +65,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   "paint-size": "brush refine local density stroke source",
   "repair-body": "heal fix weld fill holes self-intersection surface",
   "split-line": "divide break cut insert point vertex trim",
-  fit: "zoom all extents home",
+  fit: "zoom to all extents home",
   "fit-selection": "zoom to focus",
   cut: "section clip slice plane",
   hide: "invisible",

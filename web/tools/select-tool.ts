@@ -12,6 +12,11 @@ import type { Drawing } from "./drawing/drawing";
 import { entitiesWithin, outlinedBodies, outlineOf, shownEntities } from "./outline-selection";
 import type { Tool, ToolPointer } from "./tool";
 
+/** What selecting asks of the view. */
+export interface SelectViewer extends Pick<Viewer, "seenFrom" | "entitiesAt"> {
+  readonly framing: Pick<Viewer["framing"], "fitTarget">;
+}
+
 export interface SelectStores {
   readonly documents: Pick<DocumentStore, "project">;
   readonly previews: Pick<PreviewFeed, "state">;
@@ -34,30 +39,37 @@ export interface SelectEvents {
   readonly onEdit: () => void;
 }
 
+/** A click that Tab can repeat on what lies underneath. */
+interface Click {
+  readonly at: ScreenPoint;
+  readonly mode: SelectMode;
+  /** The entity that it selected; null for none. */
+  readonly entity: Entity | null;
+  /** The selection before the click and after it. */
+  readonly before: readonly Entity[];
+  readonly after: readonly Entity[];
+}
+
 /** Time that the pointer must rest before the entity under it is highlighted, in milliseconds. */
 const hoverDelay = 80;
 
 /**
  * A click selects. A double click edits an entity; by a finger, or on anything else, it fits the view. A drag selects what
  * lies within a box or, with Alt, a lasso. A resting pointer highlights the entity under it. After a click, Tab goes through
- * all that lies under the pointer.
+ * all that lies under the pointer: the click then means the next entity, and what else is selected stays.
  */
 export class SelectTool implements Tool {
   readonly id = "select";
-  readonly #viewer: Pick<Viewer, "fitTarget" | "seenFrom" | "entitiesAt">;
+  readonly #viewer: SelectViewer;
   readonly #stores: SelectStores;
   readonly #events: SelectEvents;
   /** The corners of a lasso, or the two of a box; null without a press. */
   #outline: readonly ScreenPoint[] | null = null;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
-  /** Where the last click was, while the pointer has not left it. */
-  #clicked: ScreenPoint | null = null;
+  /** The last click, while the pointer has not left it. */
+  #clicked: Click | null = null;
 
-  constructor(
-    viewer: Pick<Viewer, "fitTarget" | "seenFrom" | "entitiesAt">,
-    stores: SelectStores,
-    events: SelectEvents,
-  ) {
+  constructor(viewer: SelectViewer, stores: SelectStores, events: SelectEvents) {
     this.#viewer = viewer;
     this.#stores = stores;
     this.#events = events;
@@ -74,7 +86,7 @@ export class SelectTool implements Tool {
 
   move(pointer: ToolPointer | null): void {
     clearTimeout(this.#restTimer);
-    if (!pointer || (this.#clicked && isFar(pointer.at, this.#clicked))) this.#clicked = null;
+    if (!pointer || (this.#clicked && isFar(pointer.at, this.#clicked.at))) this.#clicked = null;
     if (pointer && this.#outline) {
       if (pointer.isDrag) this.#draw(pointer, this.#outline);
     } else if (pointer) this.#restTimer = setTimeout(() => this.#rest(pointer), hoverDelay);
@@ -87,12 +99,14 @@ export class SelectTool implements Tool {
     if (pointer.button === "right") this.#openMenu(pointer);
     if (pointer.button !== "left") return;
     if (pointer.isDrag && outline) return this.#selectWithin(outline, pointer);
-    this.#clicked = pointer.at;
+    const { selection: before } = this.#view.state.getState();
     const target = pointer.hit()?.target ?? null;
     // With a key, each click adds or toggles, however fast they follow each other.
     if (pointer.clicks === 2 && modeOf(pointer) === "replace") this.#doubleClick(pointer, target);
     else if (target?.kind === "element") this.#view.selectElement(target.index);
     else this.#view.select(target, modeOf(pointer));
+    const entity = target?.kind === "element" ? null : target;
+    this.#clicked = this.#click(pointer.at, modeOf(pointer), entity, before);
   }
 
   cancel(): void {
@@ -117,20 +131,25 @@ export class SelectTool implements Tool {
 
   #doubleClick(pointer: ToolPointer, target: Target | null): void {
     const isEdited = target && target.kind !== "element" && !pointer.touch;
-    if (!isEdited) return this.#viewer.fitTarget(target);
+    if (!isEdited) return this.#viewer.framing.fitTarget(target);
     this.#view.select(target);
     this.#events.onEdit();
   }
 
-  /** Selects what follows the selected entity under the pointer. Returns false if there is nothing else. */
-  #selectNext(at: ScreenPoint, step: 1 | -1): boolean {
+  #click(at: ScreenPoint, mode: SelectMode, entity: Entity | null, before: readonly Entity[]): Click {
+    return { at, mode, entity, before, after: this.#view.state.getState().selection };
+  }
+
+  /** Repeats a click on what follows its entity under the pointer. Returns false if there is nothing else. */
+  #selectNext({ at, mode, entity, before, after }: Click, step: 1 | -1): boolean {
+    if (this.#view.state.getState().selection !== after) return false;
     const found = this.#viewer.entitiesAt(at);
-    const { selection } = this.#view.state.getState();
-    const [only, ...others] = selection;
-    const index = others.length === 0 ? found.findIndex((entity) => sameEntity(entity, only ?? null)) : -1;
+    const index = found.findIndex((other) => sameEntity(other, entity));
     const next = found.at(index < 0 ? 0 : (index + step) % found.length);
-    if (!next || sameEntity(next, only ?? null)) return false;
-    this.#view.select(next);
+    if (!next || sameEntity(next, entity)) return false;
+    this.#view.selectAll(before);
+    this.#view.select(next, mode);
+    this.#clicked = this.#click(at, mode, next, before);
     return true;
   }
 

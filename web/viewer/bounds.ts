@@ -88,18 +88,27 @@ interface Shown {
   readonly layers: { readonly background: boolean };
 }
 
+/** Returns whether lines and patches have been sampled since they changed. */
+export function isSampled<S extends Pick<Shown, "project" | "preview">>(
+  shown: S,
+): shown is S & { readonly preview: SampledProject } {
+  const { project, preview } = shown;
+  return (
+    preview?.project.points === project.points &&
+    preview.project.lines === project.lines &&
+    preview.project.patches === project.patches
+  );
+}
+
 /**
  * Returns the bounds of a project with its sampled lines and patches, which may leave the box of their points, and with the
  * background grid if it is shown. Samples of an earlier state of the project are not used.
  */
-export function shownBounds({ project, preview, bodies, layers }: Shown): Bounds {
+export function shownBounds(shown: Shown): Bounds {
+  const { project, bodies, layers } = shown;
   const bounds = roomyBounds(project, bodies);
-  const isCurrent =
-    preview?.project.points === project.points &&
-    preview.project.lines === project.lines &&
-    preview.project.patches === project.patches;
-  if (isCurrent) {
-    const { linePoints, patchPoints } = preview.samples;
+  if (isSampled(shown)) {
+    const { linePoints, patchPoints } = shown.preview.samples;
     bounds.addAll(linePoints).addAll(patchPoints);
   }
   if (layers.background) for (const { position } of project.background.nodes) bounds.add(...position);

@@ -3,7 +3,7 @@ import type { Position } from "../document/position";
 import type { Ray } from "../document/work-plane";
 import { addOrigin } from "./layers/layer";
 import type { Viewport } from "./scene-state";
-import { Screen, type ProjectedPoint, type ScreenPoint } from "./screen";
+import { screenProjection, type ScreenPoint } from "./screen";
 
 /** The view as seen from one position of the pointer, in model coordinates. */
 export interface PointerView {
@@ -24,15 +24,12 @@ export function pointerView(
   const { width, height } = viewport;
   raycaster.setFromCamera(new Vector2((2 * pointer.x) / width - 1, 1 - (2 * pointer.y) / height), camera);
   const { origin: eye, direction } = raycaster.ray;
-  const screen = new Screen(camera, viewport, pointer);
-  const point: ProjectedPoint = { x: 0, y: 0, depth: 0 };
   return {
     pointer,
     ray: {
       origin: addOrigin([eye.x, eye.y, eye.z], origin),
       direction: [direction.x, direction.y, direction.z],
     },
-    toScreen: ([x, y, z]) =>
-      screen.project(x - origin[0], y - origin[1], z - origin[2], point) ? { x: point.x, y: point.y } : null,
+    toScreen: screenProjection(camera, viewport, origin),
   };
 }

@@ -54,7 +54,13 @@ export interface SceneState extends ShownState {
   readonly viewport: Viewport;
   /** A recorded front of another model is shown, instead of anything of this one. */
   readonly isOtherModel: boolean;
+  /** The mesh is out of date because the project has other bodies: they are drawn instead. */
+  readonly isMeshOfOthers: boolean;
 }
+
+/** Returns whether the mesh is drawn, and not only known. */
+export const drawsMesh = ({ layers, unoptimized, isMeshOfOthers }: SceneState): boolean =>
+  layers.mesh && (unoptimized !== null || !isMeshOfOthers);
 
 /** A new state of the scene, and the state before it. */
 export class SceneChanges {

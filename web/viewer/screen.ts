@@ -1,5 +1,6 @@
 import { Matrix4, Vector3, type PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
+import type { Position } from "../document/position";
 import type { Viewport } from "./scene-state";
 
 export interface ScreenPoint {
@@ -51,4 +52,18 @@ export class Screen {
     point.depth = Math.hypot(x - this.#eye.x, y - this.#eye.y, z - this.#eye.z);
     return true;
   }
+}
+
+/**
+ * Returns a function that finds where a position of the model appears, also beside the view; it gives null behind the eye and
+ * too far away. Local coordinates are relative to `origin`.
+ */
+export function screenProjection(
+  camera: PerspectiveCamera,
+  viewport: Viewport,
+  [x0, y0, z0]: Position,
+): (position: Position) => ScreenPoint | null {
+  const point: ProjectedPoint = { x: 0, y: 0, depth: 0 };
+  const screen = new Screen(camera, viewport, point);
+  return ([x, y, z]) => (screen.project(x - x0, y - y0, z - z0, point) ? { x: point.x, y: point.y } : null);
 }

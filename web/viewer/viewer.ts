@@ -1,12 +1,12 @@
 import type { PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
-import { areAlike, Bounds, boundsOf, entityBounds, projectBounds, shownBounds, roomyBounds } from "./bounds";
+import { entityBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type CameraPose, type StandardView } from "./camera";
-import { closeUpBox } from "./close-up";
 import type { ViewerColors } from "./colors";
 import { FrameLoop } from "./frame-loop";
-import { elementCorners, selectedCorners } from "./highlight-corners";
-import type { Hit, Layer, Target } from "./layers/layer";
+import { Framing, type FramedScene } from "./framing";
+import type { Hit, Layer } from "./layers/layer";
+import { MeshedBodies } from "./meshed-bodies";
 import { MotionWatch } from "./motion-watch";
 import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { Position } from "../document/position";
@@ -14,7 +14,7 @@ import { pointerView, type PointerView } from "./pointer-view";
 import { SceneLayers } from "./scene-layers";
 import { SceneChanges, type SceneState, type ShownState, type Viewport } from "./scene-state";
 import { SceneRenderer } from "./scene-renderer";
-import { Screen, type ScreenPoint } from "./screen";
+import { screenProjection, type ScreenPoint } from "./screen";
 import type { ViewCube } from "./view-cube";
 
 export interface ViewerEvents {
@@ -41,10 +41,6 @@ export interface ViewerOptions {
   readonly events: ViewerEvents;
 }
 
-/** If the model has grown by this factor since it was last fitted, and beyond the view, it is fitted again. */
-const outgrowth = 1.5;
-/** A model that appears smaller than this, in CSS pixels, is fitted too. */
-const minPixels = 40;
 /** A view without a new frame for this time has been drawn as it stays, in milliseconds: see MotionWatch. */
 const quietMs = 250;
 /** Longest time for which frames wait for shaders. */
@@ -59,6 +55,8 @@ export class Viewer {
   readonly #options: ViewerOptions;
   readonly #renderer: SceneRenderer;
   readonly #view: ViewCamera;
+  /** What the camera is fitted to. */
+  readonly framing: Framing;
   readonly #loop: FrameLoop;
   readonly #motion = new MotionWatch(() => this.#sharpen());
   /** Loaded after the first picture. */
@@ -67,21 +65,14 @@ export class Viewer {
   /** Whether the next frame is the last one of a motion. */
   #isResting = false;
   readonly #layers: SceneLayers;
+  readonly #meshedBodies = new MeshedBodies();
   readonly #observer: ResizeObserver;
-  /** Box of what is shown instead of the model; null for the model. */
-  #replaced: Bounds | null = null;
-  #coveredLeft: number;
-  /** Radius of the model when it was last fitted as a whole; 0 without extent. */
-  #fittedRadius = 0;
-  /** Whether what was fitted last is the whole model, or what is shown instead of it. */
-  #isWholeFitted = false;
   #state: SceneState;
 
   constructor(container: HTMLElement, canvas: HTMLCanvasElement, options: ViewerOptions) {
     const { events } = options;
     this.#container = container;
     this.#options = options;
-    this.#coveredLeft = options.coveredLeft;
     this.#renderer = new SceneRenderer(canvas, {
       smoothEdges: options.smoothEdges,
       onContextLost: events.onContextLost,
@@ -99,13 +90,16 @@ export class Viewer {
     });
     const viewport = { width: 1, height: 1, pixelRatio: 1, isHurried: false };
     const origin = roomyBounds(options.state.project, options.state.bodies).centre;
-    this.#state = { ...options.state, colors: options.colors, origin, viewport, isOtherModel: false };
+    const { state, colors } = options;
+    const isMeshOfOthers = this.#meshedBodies.areOthers(state);
+    this.#state = { ...state, colors, origin, viewport, isOtherModel: false, isMeshOfOthers };
     this.#updateLayers(null);
+    this.framing = new Framing(this.#view, this.#framedScene(), options.motion, options.coveredLeft);
     this.#view.controls.addEventListener("control", () => this.#loop.request());
     this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(container);
     this.#resize();
-    this.reset();
+    this.framing.reset();
     void this.#start();
     void this.#loadCube();
   }
@@ -120,84 +114,22 @@ export class Viewer {
     const before = this.#state;
     const parts = Object.keys(change) as (keyof ShownState)[];
     if (parts.every((part) => change[part] === before[part])) return;
-    this.#update(change);
+    const isMeshOfOthers = this.#meshedBodies.areOthers({ ...before, ...change });
+    this.#update({ ...change, isMeshOfOthers });
     this.#view.leftOrbits = this.#state.leftDrag === "orbit";
-    if (this.#state.project !== before.project || this.#state.bodies !== before.bodies) this.#followModel();
-  }
-
-  /** Starts again after another model was opened: fits it without motion. */
-  reset(): void {
-    const { project, bodies } = this.#state;
-    const { empty, radius } = projectBounds(project, bodies);
-    const roomy = roomyBounds(project, bodies);
-    this.#fittedRadius = empty ? 0 : radius;
-    this.#update({ origin: roomy.centre });
-    this.#view.setModelRadius(roomy.radius);
-    this.fit(null, false);
-  }
-
-  /** Moves to the given entities, or to the whole model. */
-  fit(entities: readonly Entity[] | null, animate = this.#options.motion): void {
-    const { project, preview, bodies } = this.#state;
-    if (entities === null && this.#replaced) return this.#fitBounds(this.#replaced, animate);
-    const target = new Bounds();
-    for (const entity of entities ?? []) {
-      const { low, high, empty } = entityBounds(entity, project, preview, bodies);
-      if (!empty) target.add(...low).add(...high);
-    }
-    this.#fitBounds(target, animate);
-  }
-
-  /** Moves to the whole model unless the given entities are in view. */
-  fitUnlessShown(entities: readonly Entity[]): void {
-    const { project, preview, bodies } = this.#state;
-    const isShown = entities.every((entity) => {
-      const { low, high, empty } = entityBounds(entity, project, preview, bodies);
-      return empty || this.#showsAll(low, high);
-    });
-    if (!isShown) this.fit(null);
-  }
-
-  /** Moves to what the pointer has hit, or to the whole model. */
-  fitTarget(target: Target | null): void {
-    if (target?.kind !== "element") return this.fit(target && [target]);
-    const { mesh } = this.#state;
-    if (mesh) this.#fitBounds(boundsOf(elementCorners(mesh.volume, target.index)));
-  }
-
-  /** Moves to the selected element or triangles. */
-  fitSelectedFaces(): void {
-    const target = boundsOf(selectedCorners(this.#state));
-    if (!target.empty) this.#fitBounds(target);
-  }
-
-  fitPosition(position: Position): void {
-    this.fitPositions([position]);
-  }
-
-  fitPositions(positions: readonly Position[]): void {
-    const target = new Bounds();
-    for (const position of positions) target.add(...position);
-    this.#fitBounds(target);
-  }
-
-  /** Fits the positions, x y z each, of what is shown instead of the model, now and whenever all is fitted; null: the model. */
-  replaceModel(positions: Float64Array | null): void {
-    if (positions === null && this.#replaced === null) return;
-    this.#replaced = positions && boundsOf(positions);
-    const model = projectBounds(this.#state.project, this.#state.bodies);
-    this.#update({ isOtherModel: this.#replaced !== null && !areAlike(this.#replaced, model) });
-    this.fit(null);
+    const { project, bodies, preview } = this.#state;
+    const isOther = project !== before.project || bodies !== before.bodies || preview !== before.preview;
+    if (isOther) this.framing.followModel();
   }
 
   /** Sets the width that is covered at the left, in CSS pixels. What was in view stays in view, in the part that is free. */
   setCoveredLeft(width: number): void {
-    if (width !== this.#coveredLeft) this.#resize(width);
+    if (width !== this.framing.coveredLeft) this.#resize(width);
   }
 
   look(view: StandardView): void {
     this.#view.look(view, this.#options.motion);
-    this.fit(null);
+    this.framing.fit(null);
   }
 
   /** Where the camera is and what it looks at, in the coordinates of the model. */
@@ -251,13 +183,9 @@ export class Viewer {
   }
 
   /** Returns where a position appears, also beside the view; null if it lies behind the eye or too far away. */
-  toScreen([x, y, z]: Position): ScreenPoint | null {
+  toScreen(position: Position): ScreenPoint | null {
     const { origin, viewport } = this.#state;
-    const point = { x: 0, y: 0, depth: 0 };
-    const screen = new Screen(this.#view.camera, viewport, point);
-    return screen.project(x - origin[0], y - origin[1], z - origin[2], point)
-      ? { x: point.x, y: point.y }
-      : null;
+    return screenProjection(this.#view.camera, viewport, origin)(position);
   }
 
   /**
@@ -327,7 +255,7 @@ export class Viewer {
 
   /** Where labels can be seen, in CSS pixels. */
   get labelArea(): { readonly width: number; readonly height: number; readonly coveredLeft: number } {
-    return { ...this.size, coveredLeft: this.#coveredLeft };
+    return { ...this.size, coveredLeft: this.framing.coveredLeft };
   }
 
   /** Draws again, after a layer has changed by itself. */
@@ -378,6 +306,17 @@ export class Viewer {
     this.#renderer.dispose();
   }
 
+  #framedScene(): FramedScene {
+    const state = (): SceneState => this.#state;
+    return {
+      get state() {
+        return state();
+      },
+      update: (change) => this.#update(change),
+      request: () => this.#loop.request(),
+    };
+  }
+
   #update(change: Partial<SceneState>): void {
     const before = this.#state;
     this.#state = { ...before, ...change };
@@ -387,61 +326,6 @@ export class Viewer {
 
   #updateLayers(before: SceneState | null): void {
     this.#layers.update(new SceneChanges(this.#state, before));
-  }
-
-  /** Returns whether a box, given by two corners, is in view and large enough to see. */
-  #showsAll(low: Position, high: Position): boolean {
-    const corner = (i: number): Position => [
-      i & 1 ? high[0] : low[0],
-      i & 2 ? high[1] : low[1],
-      i & 4 ? high[2] : low[2],
-    ];
-    return this.#shows([0, 1, 2, 3, 4, 5, 6, 7].map(corner));
-  }
-
-  /** Returns whether positions are in view, and far enough apart to see. */
-  #shows(positions: readonly Position[]): boolean {
-    const { width, height } = this.#state.viewport;
-    const seen = positions.map((position) => this.toScreen(position));
-    const left = this.#coveredLeft;
-    const isInView = seen.every((at) => at && at.x >= left && at.y >= 0 && at.x <= width && at.y <= height);
-    if (!isInView) return false;
-    const shown = new Bounds();
-    for (const at of seen) if (at) shown.add(at.x, at.y, 0);
-    return Math.max(shown.high[0] - shown.low[0], shown.high[1] - shown.low[1]) >= minPixels;
-  }
-
-  /**
-   * Returns whether the whole model is in view. Corners of its box where there is no point may be outside: the view must
-   * not change while the user draws within it.
-   */
-  #showsModel({ low, high }: Bounds): boolean {
-    const { project, bodies } = this.#state;
-    if (bodies.length > 0 || project.points.length === 0) return this.#showsAll(low, high);
-    return this.#shows(project.points.map(({ position }) => position));
-  }
-
-  /** Keeps local coordinates small, and fits the model if it has outgrown the view. */
-  #followModel(): void {
-    const { project, bodies, origin } = this.#state;
-    const bounds = projectBounds(project, bodies);
-    const { empty, radius } = bounds;
-    const roomy = roomyBounds(project, bodies);
-    const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius && !this.#showsModel(bounds);
-    if (isOutgrown || empty) this.#fittedRadius = empty ? 0 : radius;
-    const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
-    if (isOutgrown || drift > 2 * roomy.radius) this.#update({ origin: roomy.centre });
-    this.#view.setModelRadius(roomy.radius);
-    if (isOutgrown) this.fit(null);
-  }
-
-  /** Moves to a target, with its surroundings if it is smaller than the model. */
-  #fitBounds(target: Bounds, animate = this.#options.motion): void {
-    this.#isWholeFitted = target.empty || target === this.#replaced;
-    const whole = shownBounds(this.#state);
-    const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, this.#state.origin);
-    this.#view.fit(from, to, animate);
-    this.#loop.request();
   }
 
   /** Drawing before the shaders are compiled would wait for them. */
@@ -470,20 +354,11 @@ export class Viewer {
     this.#loop.request();
   }
 
-  #resize(coveredLeft = this.#coveredLeft): void {
-    const { clientWidth, clientHeight } = this.#container;
-    if (clientWidth === 0 || clientHeight === 0) {
-      this.#coveredLeft = coveredLeft;
-      return;
-    }
-    const { empty, low, high } = this.#replaced ?? projectBounds(this.#state.project, this.#state.bodies);
-    const wasShown = !empty && this.#showsAll(low, high);
-    this.#coveredLeft = coveredLeft;
-    const isFittedAgain = this.#view.resize(clientWidth, clientHeight, this.#coveredLeft);
-    this.#update({ viewport: this.#renderer.resize(clientWidth, clientHeight) });
-    // For example when a panel that covered half of the view is closed. The model may have grown since it was fitted; another
-    // target keeps its fit.
-    if (isFittedAgain ? this.#isWholeFitted : wasShown && !this.#showsAll(low, high)) this.fit(null, false);
+  #resize(coveredLeft = this.framing.coveredLeft): void {
+    const { clientWidth: width, clientHeight: height } = this.#container;
+    const viewport = width === 0 || height === 0 ? null : this.#renderer.resize(width, height);
+    this.framing.resize(viewport, coveredLeft);
+    if (!viewport) return;
     this.#cube?.resize();
     // Draw at once: the canvas is blank after a change of its size.
     this.#loop.drawNow();

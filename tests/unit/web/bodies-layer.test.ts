@@ -1,5 +1,5 @@
 import { Raycaster, Vector2, type BufferGeometry, type Mesh, type ShaderMaterial } from "three";
-import { createBody } from "tetrafront";
+import { createBody, type MeshResult } from "tetrafront";
 import { describe, expect, it } from "vitest";
 import { drawnSurface } from "../../../web/document/drawn-surface";
 import { BodiesLayer } from "../../../web/viewer/layers/bodies-layer";
@@ -81,6 +81,12 @@ describe("the layer of bodies", () => {
     expect(visible()).toEqual([true, true, true]);
     change(layer, selected, { ...selected, front: new Float64Array(9) });
     expect(visible()).toEqual([false, true, true]);
+    const volume = { tetrahedra: Uint32Array.from([0, 1, 2, 3]) };
+    const meshed = { ...selected, mesh: { volume } as MeshResult };
+    change(layer, selected, meshed);
+    expect(visible()).toEqual([false, true, true]);
+    change(layer, meshed, { ...meshed, isMeshOfOthers: true });
+    expect(visible()).toEqual([true, true, true]);
     change(layer, selected, { ...start, bodies: [] });
     expect(layer.root.children).toHaveLength(0);
   });

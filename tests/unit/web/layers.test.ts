@@ -391,6 +391,21 @@ describe("the layer of the mesh", () => {
     expect(layer.hit(ray, screen)?.target).toEqual({ kind: "element", index: 0 });
   });
 
+  it("gives way to other bodies than those it was made of, and is then not hit", async () => {
+    const { answers, layer } = setUp();
+    const cutFaces = { ...faces, onBoundary: Uint8Array.from([0]), corners: Float32Array.from(triangle) };
+    show(layer, withMesh(one));
+    answers[0]?.resolve(cutFaces);
+    await vi.waitFor(() => expect(layer.isCurrent).toBe(true));
+    expect(layer.hit(ray, screen)).not.toBeNull();
+    const others = { ...withMesh(one), isMeshStale: true, isMeshOfOthers: true };
+    change(layer, withMesh(one), others);
+    expect(layer.root.visible).toBe(false);
+    expect(layer.hit(ray, screen)).toBeNull();
+    change(layer, others, { ...others, unoptimized: two ?? null });
+    expect(layer.root.visible).toBe(true);
+  });
+
   it("queries the next mesh after a query has failed, and no mesh twice", async () => {
     const { queried, answers, reasons, layer } = setUp();
     show(layer, withMesh(one), withMesh(two));

@@ -45,6 +45,12 @@ it("prefers labels to other words, and exact words to similar ones", () => {
   ]);
 });
 
+it("with a mistake, finds a command before an example that has the word twice, and a label before other words", () => {
+  const more = [item("new", "New from template…", "box sphere"), item("sphere", "Sphere…", "ball")];
+  const example = item("example", "Sphere in a box", "sphere inside", "Examples");
+  expect(searchPalette("sphre", more, [example]).map(({ id }) => id)).toEqual(["sphere", "example", "new"]);
+});
+
 it("shows a few entities of many, in groups by their best entry", () => {
   expect(ids("point")).toHaveLength(8);
   const groups = inGroups([item("x", "X", "", "B"), item("y", "Y", "", "A"), item("z", "Z", "", "B")]);
@@ -86,6 +92,7 @@ it.each([
   ["translate", "tool-move"],
   ["lasso", "tool-select"],
   ["snap", "tool-point"],
+  ["zoom to fit", "fit"],
 ])("finds a command by %s", (query, id) => {
   const known = commands.map((command) => item(command.id, command.id, synonyms[command.id]));
   expect(searchPalette(query, known, [])[0]?.id).toBe(id);

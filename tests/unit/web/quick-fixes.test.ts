@@ -255,6 +255,45 @@ it("closes a bored cube around the bore, whichever of its lines is asked, and al
   expect(codes(await problemsOf(all))).toEqual([]);
 });
 
+/** A project with two circles, one above the other, and a tube between them. */
+function openTube(): Project {
+  const ids = [1, 2, 3, 4, 5, 6] as const;
+  const points = ids.map((id, i) => {
+    const [radius, turn] = [i < 3 ? 0.5 : 0.3, (2 * Math.PI * i) / 3];
+    const position = [radius * Math.cos(turn), radius * Math.sin(turn), i < 3 ? 0 : 1] as const;
+    return { id, position };
+  });
+  const lines = [
+    { id: 1, type: "circle" as const, points: [1, 2, 3, 1] },
+    { id: 2, type: "circle" as const, points: [4, 5, 6, 4] },
+  ];
+  return { ...cubeProject(), points, lines, patches: [{ id: 1, type: "tube", loops: [[1], [2]] }] };
+}
+
+it("closes a tube at both ends, and a dome of one curved patch: they begin at the lines that are open", async () => {
+  const closed = async (project: Project): Promise<[Project, readonly string[]]> => {
+    const problems = (await problemsOf(project)).filter(({ code }) => code === "open-edge");
+    const fixes = fixesOf(project, problems);
+    const documents = new DocumentStore(project);
+    const edit = fixEdit(project, "fix", fixes);
+    if (edit) documents.edit(edit);
+    return [documents.project, fixes.map(({ effect }) => effect)];
+  };
+  const [tube, effects] = await closed(openTube());
+  expect(effects).toEqual(["Adds a planar patch within line 1.", "Adds a planar patch within line 2."]);
+  expect(tube.patches.map(({ type, loops }) => `${type} ${loops.join()}`)).toEqual([
+    "tube 1,2",
+    "planar 1",
+    "planar 2",
+  ]);
+  expect(codes(await problemsOf(tube))).not.toContain("open-edge");
+  // Each of the four lines asks for the same patch.
+  const cube = cubeProject();
+  const patches = cube.patches.slice(0, 1).map((patch) => ({ ...patch, type: "coons" as const }));
+  const [dome] = await closed({ ...cube, patches });
+  expect(dome.patches.map(({ type }) => type)).toEqual(["coons", "planar"]);
+});
+
 it("joins only the two lines that it names; all fixes join all", async () => {
   const cube = cubeProject();
   const [first, second] = cube.lines;

@@ -31,6 +31,7 @@ export function sceneState(change: Partial<SceneState> = {}): SceneState {
     tints: new Map(),
     isReplaying: false,
     isOtherModel: false,
+    isMeshOfOthers: false,
     colors: viewerColors.dark,
     origin: [0, 0, 0],
     viewport,

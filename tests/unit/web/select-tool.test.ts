@@ -36,7 +36,11 @@ beforeEach(() => {
   const project = cubeProject();
   const previews = { state: createStore(() => ({ preview: null, project: null })) };
   tool = new SelectTool(
-    { fitTarget: (target) => void fitted.push(target), seenFrom: fromAbove, entitiesAt: () => under },
+    {
+      framing: { fitTarget: (target) => void fitted.push(target) },
+      seenFrom: fromAbove,
+      entitiesAt: () => under,
+    },
     {
       documents: { project },
       previews: previews as unknown as SelectStores["previews"],
@@ -225,10 +229,11 @@ it("nothing is highlighted over a tetrahedron, after a press, or after the point
   expect(hovers.at(-1)).toBeNull();
 });
 
+const tab = (shiftKey = false): boolean =>
+  tool.key({ key: "Tab", shiftKey, ctrlKey: false, altKey: false, metaKey: false } as KeyboardEvent);
+
 it("Tab goes through all that lies under the pointer after a click, and else moves the focus", () => {
   under = [1, 2, 3].map((id) => ({ kind: "line", id }));
-  const tab = (shiftKey = false): boolean =>
-    tool.key({ key: "Tab", shiftKey, ctrlKey: false, altKey: false, metaKey: false } as KeyboardEvent);
   expect(tab()).toBe(false);
   tool.up(pointer(line(1)));
   expect([tab(), selected()]).toEqual([true, [2]]);
@@ -241,4 +246,28 @@ it("Tab goes through all that lies under the pointer after a click, and else mov
   under = [{ kind: "line", id: 1 }];
   tool.up(pointer(line(1)));
   expect(tab()).toBe(false);
+});
+
+it("after a click with Ctrl or Shift, Tab exchanges the entity last clicked and keeps the rest of the selection", () => {
+  under = [1, 2, 3].map((id) => ({ kind: "line", id }));
+  tool.up(pointer(line(7)));
+  tool.up(pointer(line(8), { mod: true }));
+  tool.up(pointer(line(1), { mod: true }));
+  expect(selected()).toEqual([7, 8, 1]);
+  expect([tab(), selected()]).toEqual([true, [7, 8, 2]]);
+  expect([tab(), selected()]).toEqual([true, [7, 8, 3]]);
+  expect([tab(true), selected()]).toEqual([true, [7, 8, 2]]);
+  tool.up(pointer(line(1), { shift: true }));
+  expect([tab(true), selected()]).toEqual([true, [7, 8, 2, 3]]);
+  // A click that removed the uppermost entity removes the next one instead.
+  view.selectAll([1, 2, 3].map(line) as Entity[]);
+  tool.up(pointer(line(1), { mod: true }));
+  expect([tab(), selected()]).toEqual([true, [1, 3]]);
+});
+
+it("Tab moves the focus if the selection has changed since the click", () => {
+  under = [1, 2].map((id) => ({ kind: "line", id }));
+  tool.up(pointer(line(1), { mod: true }));
+  view.selectAll([1, 2, 3].map(line) as Entity[]);
+  expect([tab(), selected()]).toEqual([false, [1, 2, 3]]);
 });

@@ -28,9 +28,8 @@ const viewer = {
   },
   warmUp,
   show: vi.fn(),
-  replaceModel: vi.fn(),
+  framing: { replaceModel: vi.fn(), fitPositions },
   requestFrame: vi.fn(),
-  fitPositions,
 } as unknown as Viewer;
 beforeEach(() => {
   layers = [];

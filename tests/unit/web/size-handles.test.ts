@@ -94,6 +94,29 @@ it("makes no tetrahedron of four nodes in one plane", () => {
   expect(offerTetrahedron(project, [1, 2, 3, 5].map(node)).possible).toBe(true);
 });
 
+it("the first tetrahedron replaces a uniform size, which would leave the grid without effect", () => {
+  const corners = [1, 2, 3, 4].map(node);
+  const made = (project: Project): [Project, string | undefined] => {
+    const offer = offerTetrahedron(project, corners);
+    if (!offer.possible) throw new Error(offer.reason);
+    const documents = new DocumentStore(project);
+    documents.edit(offer.creation.edit);
+    return [documents.project, offer.creation.note];
+  };
+  const { background, ...rest } = twoTetrahedra();
+  const nodes = { ...rest, background: { ...background, tetrahedra: [] } };
+  const meshing = { size: 0.1, growth: 0.2 };
+  const [first, note] = made({ ...nodes, meshing });
+  expect(first.meshing).toEqual({ growth: 0.2 });
+  expect(first.background.tetrahedra).toEqual([[1, 2, 3, 4]]);
+  expect(note).toContain("background grid");
+  expect(made(nodes)[1]).toBeUndefined();
+  // A grid that has been without effect stays so.
+  const tetrahedra = [[1, 2, 3, 5] as [number, number, number, number]];
+  const [further] = made({ ...nodes, meshing, background: { ...background, tetrahedra } });
+  expect(further.meshing).toEqual(meshing);
+});
+
 /** Drags the handle of a role of the only selected entity to a position. */
 function drag(
   documents: DocumentStore,

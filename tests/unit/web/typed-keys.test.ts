@@ -1,4 +1,4 @@
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import { createStore } from "zustand/vanilla";
 import { ViewStore } from "../../../web/document/selection";
 import { emptyProject } from "../../../web/document/create";
@@ -9,6 +9,7 @@ import type { PreviewFeed } from "../../../web/session/preview";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import { LineTool } from "../../../web/tools/drawing/line-tool";
 import { NodeTool } from "../../../web/tools/drawing/node-tool";
+import { DrawingLayer } from "../../../web/viewer/layers/drawing-layer";
 
 const key = (name: string): KeyboardEvent =>
   ({ key: name, ctrlKey: false, metaKey: false, altKey: false }) as KeyboardEvent;
@@ -74,6 +75,44 @@ it.each(["circle", "arc"] as const)("a typed number is the radius of a %s", (lin
     expect(Math.hypot(...position.map((x, k) => x - (centre[k] ?? 0)))).toBeCloseTo(2, 12);
     expect(position[2]).toBe(0);
   }
+});
+
+it.each([
+  ["circle", ["1,0,0"], "2", "radius", (x: number, y: number) => Math.hypot(x - 1, y) - 2],
+  [
+    "arc",
+    ["1,0,0", "3,0,0"],
+    "2",
+    "radius",
+    (x: number, y: number) => Math.hypot(x - 2, y + Math.sqrt(3)) - 2,
+  ],
+  ["straight", ["1,0,0"], "@2,1,0", "typed", (x: number, y: number) => x - 1 - 2 * y],
+] as const)("a %s is shown while it is typed, and the place under the pointer otherwise", (...example) => {
+  const [lineType, places, text, kind, errorAt] = example;
+  const shown = vi.spyOn(DrawingLayer.prototype, "show");
+  const stores = makeStores();
+  const { drawing, documents, view } = stores;
+  view.state.setState({ lineType });
+  const tool = new LineTool(stores);
+  tool.overlay();
+  for (const place of places) expect(tool.take(place)).toBeNull();
+  const snap = () => drawing.state.getState().snap;
+  drawing.type(text);
+  expect(snap()?.kind).toBe(kind);
+  const [path = []] = shown.mock.lastCall?.[0].paths ?? [];
+  expect(path.length).toBeGreaterThan(lineType === "straight" ? 1 : 8);
+  for (const [x, y] of path) expect(errorAt(x, y)).toBeCloseTo(0, 12);
+  drawing.type(`${text}*`);
+  expect(snap()).toBeNull();
+  drawing.type(text);
+  drawing.type(null);
+  expect(snap()).toBeNull();
+  expect(documents.project.lines).toHaveLength(0);
+  drawing.type(text);
+  drawing.submit();
+  expect(snap()).toBeNull();
+  expect(documents.project.lines.map(({ type }) => type)).toEqual([lineType]);
+  shown.mockRestore();
 });
 
 /** The line tool, drawing a chain of straight lines. */

@@ -8,7 +8,8 @@ import type { CameraPose } from "../../../web/viewer/camera";
 import type { MeshQueryClient } from "../../../web/viewer/queries/mesh-query-client";
 import { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";
-import { sceneState } from "./scene";
+import { emptyProject } from "../../../web/document/create";
+import { preview, sceneState } from "./scene";
 
 /** What is drawn, in this order. */
 let drawn: string[] = [];
@@ -114,13 +115,13 @@ it("keeps the fit of an entity if its size changes while the camera still moves 
   const point = { kind: "point", id: 1 } as const;
   const { viewer, resize } = await shownProject();
   resize(390, 160);
-  viewer.fit([point]);
+  viewer.framing.fit([point]);
   resize(390, 640);
   const { pose } = viewer;
   const other = await shownProject();
-  other.viewer.fit([point], false);
+  other.viewer.framing.fit([point], false);
   expect(pose).toEqual(close(other.viewer.pose));
-  other.viewer.fit(null, false);
+  other.viewer.framing.fit(null, false);
   expect(pose).not.toEqual(close(other.viewer.pose));
 });
 
@@ -138,6 +139,40 @@ it("fits the whole model again if its size changes, also one that has grown a li
   const other = await shownProject(grown);
   expect(viewer.pose).toEqual(close(other.viewer.pose));
   expect(viewer.pose.target).not.toEqual(close(before).target);
+});
+
+it("fits a circle of a new model whose points are in view, as soon as it is sampled", async () => {
+  const { viewer, resize } = await shownProject(emptyProject("Test"));
+  resize(900, 600);
+  const far = [0, -4, 0] as const;
+  const isInView = async (): Promise<boolean> => {
+    viewer.requestFrame();
+    await nextFrame();
+    const { x, y } = viewer.toScreen(far) ?? { x: NaN, y: NaN };
+    return x >= 0 && y >= 0 && x <= 900 && y <= 600;
+  };
+  const project: Project = {
+    ...emptyProject("Test"),
+    points: [
+      { id: 1, position: [0.5, 0.5, 0] },
+      { id: 2, position: [0, 0.6, 0] },
+      { id: 3, position: [-0.5, 0.5, 0] },
+    ],
+    lines: [{ id: 1, type: "circle", points: [1, 2, 3, 1] }],
+  };
+  const before = viewer.pose;
+  viewer.show({ project });
+  expect(viewer.pose).toEqual(close(before));
+  expect(await isInView()).toBe(false);
+  const samples = preview([[...[0.5, 0.5, 0], ...far, ...[-0.5, 0.5, 0]]]);
+  viewer.show({ preview: { project, samples } });
+  do await nextFrame();
+  while (frames.length > 0);
+  expect(await isInView()).toBe(true);
+  // Once fitted, the view stays while the model is edited within it.
+  const fitted = viewer.pose;
+  viewer.show({ preview: { project, samples: preview([[...[0.5, 0.5, 0], ...[0, -5, 0]]]) } });
+  expect(viewer.pose).toEqual(close(fitted));
 });
 
 it("draws states out of sight while the view is at rest, each followed by the present one, until it is ended", async () => {
@@ -195,7 +230,7 @@ it("keeps a view that was zoomed if a part of it is covered, unless the model wo
     Math.hypot(...eye.map((x, k) => x - (target[k] ?? 0)));
   const { viewer, resize } = await shownProject();
   resize(900, 600);
-  viewer.fit(null, false);
+  viewer.framing.fit(null, false);
   const fitted = distance(viewer.pose);
   viewer.zoom(0.5);
   const far = distance(viewer.pose);

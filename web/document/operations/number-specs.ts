@@ -1,5 +1,5 @@
 import { operationStrings } from "../../strings";
-import type { FieldSpec } from "./operation";
+import type { FieldSpec, NumberSpec } from "./operation";
 
 /** A length above 0. */
 export const positiveLength = (key: string, label: string): FieldSpec => ({
@@ -11,7 +11,7 @@ export const positiveLength = (key: string, label: string): FieldSpec => ({
 });
 
 /** A whole number within limits. */
-export const wholeNumber = (key: string, label: string, min: number, max: number): FieldSpec => ({
+export const wholeNumber = (key: string, label: string, min: number, max: number): NumberSpec => ({
   kind: "number",
   key,
   label,

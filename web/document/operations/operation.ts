@@ -77,6 +77,8 @@ export interface NumberSpec extends FieldBase {
   readonly unit: "length" | "degrees" | null;
   /** Whole numbers only. */
   readonly whole?: boolean;
+  /** Fewer digits are filled with zeros in front: 0012. */
+  readonly minDigits?: number;
   /** Returns why a number is invalid; null if it is valid. */
   readonly refuse?: (value: number) => string | null;
 }

@@ -88,16 +88,20 @@ export function pieceOperation<Sizes extends FieldValues>(
       join: true,
       share: false,
     }),
-    fields: (values, { project }) => [
-      ...kind.fields,
-      ...(valueOf(kind.middle(sizesOf(values))) > 0 ? [anchorField] : []),
-      { kind: "position", key: "position", label: values.anchor === "base" ? texts.base : texts.centre },
-      { kind: "direction", key: "axis", label: texts.axis },
-      { kind: "switch", key: "join", label: texts.join },
-      ...(canShare(kind, project, values)
-        ? [{ kind: "switch", key: "share", label: texts.share } as const]
-        : []),
-    ],
+    fields: (values, { project }) => {
+      const hasBase = valueOf(kind.middle(sizesOf(values))) > 0;
+      const position = hasBase && values.anchor === "base" ? texts.base : texts.centre;
+      return [
+        ...kind.fields,
+        ...(hasBase ? [anchorField] : []),
+        { kind: "position", key: "position", label: position },
+        { kind: "direction", key: "axis", label: texts.axis },
+        { kind: "switch", key: "join", label: texts.join },
+        ...(canShare(kind, project, values)
+          ? [{ kind: "switch", key: "share", label: texts.share } as const]
+          : []),
+      ];
+    },
     handles: (values) => handlesOf(kind, values),
     note: (values, subject, expressions = {}) => noteOf(kind, values, subject, expressions),
     make: (subject, values, expressions = {}) => makePiece(kind, subject, values, expressions),

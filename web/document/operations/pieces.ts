@@ -124,7 +124,7 @@ const createWing = pieceOperation({
   ...pieces.wing,
   sizes: (extent) => ({ digits: 12, chord: extent, tipChord: extent, span: 2 * extent, sweep: 0, twist: 0 }),
   fields: [
-    wholeNumber("digits", texts.digits, 1, 9999),
+    { ...wholeNumber("digits", texts.digits, 1, 9999), minDigits: 4 },
     positiveLength("chord", texts.chord),
     positiveLength("tipChord", texts.tipChord),
     positiveLength("span", texts.span),

@@ -3,7 +3,7 @@ import type { Entity } from "../entities";
 import { findRecord } from "../entities";
 import type { Position } from "../position";
 import { planeOfPatch } from "../patch-planes";
-import { mean, worldFrame, zero } from "../vectors";
+import { mean, snappedToAxis, worldFrame, zero } from "../vectors";
 
 /**
  * Returns where a new piece begins: on a selected planar patch, pointing away from the model; at selected points; or at
@@ -16,7 +16,7 @@ export function startOf(
   const [only] = selection;
   if (selection.length === 1 && only?.kind === "patch") {
     const plane = planeOfPatch(project, only.id);
-    if (plane) return { position: plane.centre, axis: plane.outward };
+    if (plane) return { position: plane.centre, axis: snappedToAxis(plane.outward) };
   }
   const positions = selection.flatMap(({ kind, id }) => {
     const record = kind === "point" || kind === "background-node" ? findRecord(project, kind, id) : undefined;

@@ -11,7 +11,7 @@ import { offerHoleThrough } from "../transforms/hole-through";
 import { offerCopies } from "../transforms/copies";
 import { offerRevolution } from "../transforms/revolve";
 import { typedTranslation } from "../transforms/typed-maps";
-import { unit, worldFrame, zero } from "../vectors";
+import { snappedToAxis, unit, worldFrame, zero } from "../vectors";
 import { angleBetween, positiveLength } from "./number-specs";
 import { typedNumber, typedPosition, type Operation } from "./operation";
 import { pieceExtent, sizedOffer } from "./sizes";
@@ -31,7 +31,7 @@ function selectedPlane(project: Project, selection: readonly Entity[]) {
 }
 
 const normalOf = (project: Project, selection: readonly Entity[]): Position =>
-  selectedPlane(project, selection)?.outward ?? worldFrame.z;
+  snappedToAxis(selectedPlane(project, selection)?.outward ?? worldFrame.z);
 
 type Extrusion = { readonly direction: Position; readonly distance: number; readonly keepBase: boolean };
 
@@ -46,8 +46,9 @@ const extrude: Operation<Extrusion> = {
     keepBase: true,
   }),
   fields: () => [
-    { kind: "direction", key: "direction", label: labels.direction },
+    // First, so that it can be typed at once.
     { kind: "number", key: "distance", label: labels.distance, unit: "length" },
+    { kind: "direction", key: "direction", label: labels.direction },
     { kind: "switch", key: "keepBase", label: labels.keepBase },
   ],
   make: ({ project, selection }, values, expressions) => {

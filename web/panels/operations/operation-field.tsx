@@ -107,7 +107,8 @@ interface NumberValueProps {
   readonly onSet: (value: number, typed: TypedNumber) => void;
 }
 
-function NumberValue({ spec: { key, label, unit, whole, refuse }, value, open, onSet }: NumberValueProps) {
+function NumberValue({ spec, value, open, onSet }: NumberValueProps) {
+  const { key, label, unit, whole, minDigits, refuse } = spec;
   const { project } = open.subject;
   // Whole numbers keep no expression. True if one with parameters was typed: a note then shows the number.
   const [wasExpression, setWasExpression] = useState(false);
@@ -120,6 +121,7 @@ function NumberValue({ spec: { key, label, unit, whole, refuse }, value, open, o
         step={step}
         live
         testId={`operation-${key}`}
+        {...(minDigits !== undefined && { minDigits })}
         {...(refuse && { refuse })}
         {...(unit === "length" && unitsOf(project))}
         {...(unit === "degrees" && { rightSection: <Unit>°</Unit> })}

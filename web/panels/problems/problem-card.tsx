@@ -67,7 +67,7 @@ function PositionButton({ position }: { readonly position: readonly [number, num
     <UnstyledButton
       className={styles["position"]}
       aria-label={strings.bottom.showPosition(formatPosition(position))}
-      onClick={() => app.viewer.getState().viewer?.fitPosition(position)}
+      onClick={() => app.viewer.getState().viewer?.framing.fitPosition(position)}
     >
       {strings.bottom.at(formatPosition(position))}
     </UnstyledButton>

@@ -34,7 +34,7 @@ export function PositionList({ summary, positions, count = positions.length, tes
               onClick={() => {
                 app.shell.setState({ drawer: null });
                 app.view.markPosition(position);
-                app.viewer.getState().viewer?.fitPosition(position);
+                app.viewer.getState().viewer?.framing.fitPosition(position);
               }}
             >
               {label}

@@ -2,6 +2,7 @@ import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import type { App } from "../../app/app";
 import type { ViewState } from "../../document/selection";
+import { showNote } from "../../commands/messages";
 import { commandOfKey, runCommand } from "../../commands/registry";
 import { editSelected } from "../../commands/selection-actions";
 import { isDrawingTool, type ToolName } from "../../document/tools";
@@ -26,7 +27,6 @@ import { viewerColors } from "../../ui/theme/theme";
 import type { ProjectBody } from "tetrafront";
 import { placed } from "../../document/placement";
 import type { Position } from "../../document/position";
-import { showNotice } from "../../session/shell";
 import { strings } from "../../strings";
 import { followSession, shownState } from "../../viewer/follow-session";
 import { shownBodies } from "../../viewer/shown-bodies";
@@ -169,10 +169,7 @@ function connect(
   const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
   const brush = new BrushTool(app.documents, app.view, viewer);
   const keys = typedKeys(app);
-  const inform = (text: string): void => {
-    const action = { label: strings.notices.understood, run: () => undefined };
-    showNotice(app.shell, { key: "numbers-kept", tone: "information", text, action });
-  };
+  const inform = (text: string): void => showNote(app, text);
   const motion = new Motion({ documents, view, drawing, keys, viewer, inform });
   const stores = {
     documents,

@@ -1,4 +1,4 @@
-import { lazy, Suspense, useEffect, useRef, useState } from "react";
+import { lazy, Suspense, useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
 import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
@@ -30,8 +30,8 @@ const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }
 
 /** Width that the column of tools covers, in CSS pixels. */
 const columnWidth = 58;
-/** Width that the panel of an operation covers beside it, in CSS pixels. On phones, the panel is below the view. */
-const operationWidth = 300;
+/** Space to the right of the panel of an operation, in CSS pixels. On phones, the panel is below the view. */
+const operationMargin = 8;
 
 /** The canvas with the labels, markers and controls above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
@@ -46,7 +46,9 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const showsPlane = useShowsPlane();
   const hasColumn = layout !== "phone" || !isReplaying;
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
-  const covered = (hasColumn ? columnWidth : 0) + (hasOperation && layout !== "phone" ? operationWidth : 0);
+  const [operation, setOperation] = useState<HTMLElement | null>(null);
+  const operationEdge = useRightEdge(layout === "phone" ? null : operation);
+  const covered = operationEdge > 0 ? operationEdge + operationMargin : hasColumn ? columnWidth : 0;
   const { viewer, trouble } = useViewer(container, canvas, setHover, covered);
   useFitBeside(viewer, showsPlane);
   useEffect(() => {
@@ -86,15 +88,33 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <ToolColumn />
       <div className={styles["top"]}>
         {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}
-        <MeshBadge />
+        {/* The panel of an operation lies there. */}
+        {!hasOperation && <MeshBadge />}
       </div>
       <OpenEdges />
       <ContextMenu />
       {!trouble && <Legend />}
       {layout !== "phone" && !showsPlane && <MouseHint />}
-      <OperationPanel />
+      <OperationPanel ref={setOperation} />
     </main>
   );
+}
+
+/** Returns where an element ends in what contains it, in CSS pixels from the left; 0 without one. */
+function useRightEdge(element: HTMLElement | null): number {
+  const [edge, setEdge] = useState(0);
+  useLayoutEffect(() => {
+    if (!element) return;
+    const measure = (): void => {
+      const left = element.offsetParent?.getBoundingClientRect().left ?? 0;
+      setEdge(element.getBoundingClientRect().right - left);
+    };
+    measure();
+    const observer = new ResizeObserver(measure);
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [element]);
+  return element ? edge : 0;
 }
 
 /** Fits the model to the view again when the plane of a patch takes half of its width, or gives it back. */
@@ -108,7 +128,7 @@ function useFitBeside(viewer: Viewer | null, showsPlane: boolean): void {
     if (player.state.getState().follows) return;
     // The canvas gets its new size in the next frame.
     let frame = requestAnimationFrame(() => {
-      frame = requestAnimationFrame(() => viewer?.fit(null));
+      frame = requestAnimationFrame(() => viewer?.framing.fit(null));
     });
     return () => cancelAnimationFrame(frame);
   }, [viewer, player, showsPlane]);

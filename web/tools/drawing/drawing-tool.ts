@@ -51,6 +51,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
   /** The last place under the pointer, which may have left the view since. */
   protected seen: Position | null = null;
   readonly #keys: TypedKeys;
+  /** The place under the pointer, while one that is being typed is shown. */
+  #pointed: Snap | null = null;
   #layer: DrawingLayer | null = null;
   #stopListening: (() => void) | null = null;
   #paths: { readonly key: readonly unknown[]; readonly paths: readonly LinePath[] } | null = null;
@@ -143,6 +145,20 @@ export abstract class DrawingTool implements Tool, TypedInput {
     return null;
   }
 
+  /** Shows what the text would create. While it has no meaning, the place under the pointer is shown. */
+  edited(text: string): string {
+    if (!isTyped(this.snap)) this.#pointed = this.snap;
+    this.snap = this.#typedSnap(text) ?? this.#pointed;
+    this.refresh(null);
+    return text;
+  }
+
+  closed(): void {
+    if (!isTyped(this.snap)) return;
+    this.snap = this.#pointed;
+    this.refresh(null);
+  }
+
   takeBack(): void {
     if (this.canTakeBack) this.removeLast();
     this.refresh(null);
@@ -172,6 +188,11 @@ export abstract class DrawingTool implements Tool, TypedInput {
   /** Uses a typed number. Returns why it cannot be used; null if it was; undefined if it has no meaning. */
   protected takeNumber(_number: Quantity): DrawingState["mistake"] | undefined {
     return undefined;
+  }
+
+  /** Returns a place on what a typed number would create; null if it would create nothing. */
+  protected placeOfNumber(_number: number): Position | null {
+    return null;
   }
 
   /** The tool is put away. */
@@ -278,6 +299,15 @@ export abstract class DrawingTool implements Tool, TypedInput {
     }
   }
 
+  #typedSnap(text: string): Snap | null {
+    const named = projectNumbers(this.project);
+    const number = readNumber(text, named);
+    const on = number === null ? null : this.placeOfNumber(number);
+    if (on) return { kind: "radius", id: null, position: on };
+    const typed = readCoordinates(text, { last: this.last(), frame: this.frame, named });
+    return typed.success ? { kind: "typed", id: null, position: valuesOf(typed.position) } : null;
+  }
+
   /** On planar patches, the grid of the patch's plane applies. */
   #onPatch(id: number, position: Position, ray: Ray, isFree: boolean): Snap {
     const found = planeOfPatch(this.project, id);
@@ -293,6 +323,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
     };
   }
 }
+
+const isTyped = (snap: Snap | null): boolean => snap?.kind === "typed" || snap?.kind === "radius";
 
 /** Returns the node of a plane's grid that is nearest to a position in the plane. */
 function roundInFrame(frame: Frame, position: Position, step: number): Position {

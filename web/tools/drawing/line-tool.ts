@@ -1,5 +1,5 @@
 import type { LineType } from "tetrafront";
-import { circleThrough, onArc, quantityMiddleOfArc } from "../../document/arcs";
+import { circleThrough, middleOfArc, onArc, quantityMiddleOfArc } from "../../document/arcs";
 import { drawLine, placeAt, quantitiesAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
 import { turned } from "../../document/circles";
@@ -157,6 +157,15 @@ export class LineTool extends DrawingTool {
     return null;
   }
 
+  /** Of a circle, the place that a typed radius picks; of an arc, its middle. */
+  protected override placeOfNumber(radius: number): Position | null {
+    const [first, second] = this.picked > 0 ? this.#places : [];
+    if (!first || radius <= 0 || this.#isThroughThree) return null;
+    if (this.#type === "circle") return addScaled(first.position, this.frame.x, radius);
+    if (this.#type !== "arc" || !second) return null;
+    return middleOfArc([first.position, second.position], radius, this.frame.z, this.seen);
+  }
+
   protected finish(): void {
     if (this.#type === "spline" && this.#places.length >= counts.spline.min) this.#add();
     this.#drop();
@@ -191,7 +200,10 @@ export class LineTool extends DrawingTool {
   protected sketch(): Sketch {
     const places = this.#places.map(({ position }) => position);
     const next = this.snap?.position;
-    const through = next ? [...places, next] : places;
+    const [first, second] = places;
+    const isRadiusOfArc = this.#type === "arc" && this.snap?.kind === "radius";
+    const ofRadius = isRadiusOfArc && first && next && second && [first, next, second];
+    const through = ofRadius || (next ? [...places, next] : places);
     const path = this.#type === "circle" ? this.#circle(through) : sampledCurve(this.#type, through);
     const dots = [...this.#places, ...(this.snap ? [this.placeOf(this.snap)] : [])];
     return {

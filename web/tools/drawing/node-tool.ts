@@ -92,9 +92,9 @@ export class NodeTool extends DrawingTool {
     return this.#picked.flatMap((id) => findRecord(this.project, "background-node", id) ?? []);
   }
 
-  /** A new node takes the size of the one picked before. */
+  /** A new node takes the size of the one picked before; the first one, the uniform size. */
   #add(position: Position): number {
-    const size = this.#nodes.at(-1)?.size ?? likelySize(this.project);
+    const size = this.#nodes.at(-1)?.size ?? this.project.meshing?.size ?? likelySize(this.project);
     const creation = addBackgroundNode(this.project, position, size);
     this.create(creation);
     return creation.entities[0]?.id ?? 0;

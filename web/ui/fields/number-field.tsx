@@ -18,6 +18,8 @@ export interface NumberFieldProps {
   readonly expression?: string | undefined;
   /** Change per press of an arrow key. Shift multiplies it by 10, Alt by 0.1. */
   readonly step: number;
+  /** Fewer digits are filled with zeros in front. */
+  readonly minDigits?: number;
   /** Returns why a number is invalid, or null if it is valid. */
   readonly refuse?: (value: number) => string | null;
   /** The expression is what was typed, if it is not a plain number. */
@@ -41,7 +43,8 @@ function stepOf(event: KeyboardEvent, step: number): number {
 }
 
 /** Returns the text of a number that is not being typed. */
-const textOf = (value: number | null): string => (value === null ? "" : formatNumber(value));
+const textOf = (value: number | null, minDigits = 0): string =>
+  value === null ? "" : formatNumber(value).padStart(minDigits, "0");
 
 /** Returns why a text is no number. */
 function problemOf(text: string, named: NamedNumbers): string {
@@ -56,13 +59,14 @@ const keptFrom = (text: string): string | null => (text === "" || isPlainNumber(
 
 /** The text that is being typed into a number field; null if the field shows its value. */
 function useNumberDraft(
-  { value, expression, refuse, live = false, onCommit }: NumberFieldProps,
+  { value, expression, minDigits, refuse, live = false, onCommit }: NumberFieldProps,
   isFocused: boolean,
 ) {
   const named = useContext(NamedNumbersContext);
   const [draft, setDraft] = useState<string | null>(null);
   const [error, setError] = useState<string | null>(null);
-  const resting = isFocused ? (expression ?? textOf(value)) : textOf(value);
+  const shown = textOf(value, minDigits);
+  const resting = isFocused ? (expression ?? shown) : shown;
   const discard = (): void => {
     setDraft(null);
     setError(null);
@@ -80,7 +84,7 @@ function useNumberDraft(
   const commit = (): boolean => {
     if (draft === null) return true;
     const text = draft.trim();
-    if (text !== (expression ?? textOf(value))) return take(readNumber(text, named), text);
+    if (text !== (expression ?? shown)) return take(readNumber(text, named), text);
     discard();
     return true;
   };
@@ -142,7 +146,7 @@ export function NumberField(props: NumberFieldProps) {
       {...(leftSection !== undefined && { leftSection, leftSectionWidth })}
       {...(rightSection !== undefined && { rightSection })}
       {...(expression !== undefined && { title: `${expression} = ${textOf(value)}` })}
-      {...(value !== null && { "aria-valuenow": value, "aria-valuetext": textOf(value) })}
+      {...(value !== null && { "aria-valuenow": value, "aria-valuetext": textOf(value, props.minDigits) })}
       {...(value === null && { placeholder: props.placeholder ?? strings.fields.different })}
       ref={input}
       size="xs"

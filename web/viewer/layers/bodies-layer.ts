@@ -5,7 +5,7 @@ import { createPatchMaterial } from "../materials/patch-material";
 import { paletteTexture, rampTexture } from "../materials/textures";
 import { setColor, setNumber, setTexture } from "../materials/uniforms";
 import type { ViewerColors } from "../colors";
-import type { SceneChanges, SceneState } from "../scene-state";
+import { drawsMesh, type SceneChanges, type SceneState } from "../scene-state";
 import { drawnOf } from "../shown-bodies";
 import type { Screen } from "../screen";
 import { BodyObject, type BodyMaterials, type BuildTree } from "./body-object";
@@ -126,6 +126,8 @@ export class BodiesLayer implements HittableLayer {
 }
 
 /** Returns whether tetrahedra or the front hide the surfaces of bodies. A closed front has no faces. */
-function showsMesh({ layers, front, unoptimized, mesh }: SceneState): boolean {
-  return layers.mesh && (front ?? (unoptimized ?? mesh)?.volume.tetrahedra ?? []).length > 0;
+function showsMesh(state: SceneState): boolean {
+  const { layers, front, unoptimized, mesh } = state;
+  if (front) return layers.mesh && front.length > 0;
+  return drawsMesh(state) && ((unoptimized ?? mesh)?.volume.tetrahedra ?? []).length > 0;
 }

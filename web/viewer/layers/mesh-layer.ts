@@ -11,7 +11,7 @@ import type { DrawnFaces } from "../queries/mesh-queries";
 import type { MeshQueryClient } from "../queries/mesh-query-client";
 import { PatchFinder } from "../patch-finder";
 import type { Position } from "../../document/position";
-import type { SceneChanges, SceneState } from "../scene-state";
+import { drawsMesh, type SceneChanges, type SceneState } from "../scene-state";
 import type { Screen } from "../screen";
 import { faceNodes } from "../queries/topology";
 import { TriangleTree, type TriangleHit } from "../triangle-tree";
@@ -88,7 +88,7 @@ export class MeshLayer implements HittableLayer {
 
   update(changes: SceneChanges): void {
     const { state } = changes;
-    this.#isShown = state.layers.mesh && state.front === null;
+    this.#isShown = drawsMesh(state) && state.front === null;
     this.#project = state.project;
     if (changes.has("colors")) this.#setColors(state.colors);
     setNumber(this.#material, "edges", state.edges ? 1 : 0);

@@ -21,6 +21,8 @@ const vertexShader = /* glsl */ `
     // does not cut a dot on it in half, and an emphasized dot shows through everything in front of it.
     viewPosition.xyz *= stateScale() > ${maxPlainDiameter.toFixed(1)} ? 0.4 : 0.997;
     gl_Position = isDrawn() ? projectionMatrix * viewPosition : ${culled};
+    // Not beyond the near plane, which lies shortly before a model that is seen from afar.
+    gl_Position.z = max(gl_Position.z, -gl_Position.w);
   }
 `;
 

@@ -1,0 +1,212 @@
+import type { Entity } from "../document/entities";
+import type { Position } from "../document/position";
+import {
+  areAlike,
+  Bounds,
+  boundsOf,
+  entityBounds,
+  isSampled,
+  projectBounds,
+  roomyBounds,
+  shownBounds,
+} from "./bounds";
+import type { ViewCamera } from "./camera";
+import { closeUpBox } from "./close-up";
+import { elementCorners, selectedCorners } from "./highlight-corners";
+import type { Target } from "./layers/layer";
+import type { SceneState, Viewport } from "./scene-state";
+import { screenProjection } from "./screen";
+
+/** The scene that is framed. */
+export interface FramedScene {
+  readonly state: SceneState;
+  readonly update: (change: Partial<SceneState>) => void;
+  /** Draws the next frame. */
+  readonly request: () => void;
+}
+
+/** If the model has grown by this factor since it was last fitted, and beyond the view, it is fitted again. */
+const outgrowth = 1.5;
+/** A model that appears smaller than this, in CSS pixels, is fitted too. */
+const minPixels = 40;
+
+/** Positions on the lines of the model, if they have been sampled since it changed: circles lie beside their points. */
+function sampledPositions(state: SceneState): readonly Position[] {
+  const points = isSampled(state) ? state.preview.samples.linePoints : [];
+  return Array.from({ length: points.length / 3 }, (_, i) => [
+    points[3 * i] ?? 0,
+    points[3 * i + 1] ?? 0,
+    points[3 * i + 2] ?? 0,
+  ]);
+}
+
+/** Decides what the camera is fitted to, and when it follows the model. Keeps the local coordinates small. */
+export class Framing {
+  readonly #view: ViewCamera;
+  readonly #scene: FramedScene;
+  /** If false, the camera jumps instead of gliding. */
+  readonly #motion: boolean;
+  /** Box of what is shown instead of the model; null for the model. */
+  #replaced: Bounds | null = null;
+  #coveredLeft: number;
+  /** Radius of the model when it was last fitted as a whole; 0 without extent. */
+  #fittedRadius = 0;
+  /** Whether what was fitted last is the whole model, or what is shown instead of it. */
+  #isWholeFitted = false;
+
+  constructor(view: ViewCamera, scene: FramedScene, motion: boolean, coveredLeft: number) {
+    this.#view = view;
+    this.#scene = scene;
+    this.#motion = motion;
+    this.#coveredLeft = coveredLeft;
+  }
+
+  /** Width of the view that is covered at the left, in CSS pixels. */
+  get coveredLeft(): number {
+    return this.#coveredLeft;
+  }
+
+  /** Starts again after another model was opened: fits it without motion. */
+  reset(): void {
+    const { project, bodies } = this.#scene.state;
+    const { empty, radius } = projectBounds(project, bodies);
+    const roomy = roomyBounds(project, bodies);
+    this.#fittedRadius = empty ? 0 : radius;
+    this.#scene.update({ origin: roomy.centre });
+    this.#view.setModelRadius(roomy.radius);
+    this.fit(null, false);
+  }
+
+  /** Moves to the given entities, or to the whole model. */
+  fit(entities: readonly Entity[] | null, animate = this.#motion): void {
+    const { project, preview, bodies } = this.#scene.state;
+    if (entities === null && this.#replaced) return this.#fitBounds(this.#replaced, animate);
+    const target = new Bounds();
+    for (const entity of entities ?? []) {
+      const { low, high, empty } = entityBounds(entity, project, preview, bodies);
+      if (!empty) target.add(...low).add(...high);
+    }
+    this.#fitBounds(target, animate);
+  }
+
+  /** Moves to the whole model unless the given entities are in view. */
+  fitUnlessShown(entities: readonly Entity[]): void {
+    const { project, preview, bodies } = this.#scene.state;
+    const isShown = entities.every((entity) => {
+      const bounds = entityBounds(entity, project, preview, bodies);
+      return bounds.empty || this.#showsAll(bounds);
+    });
+    if (!isShown) this.fit(null);
+  }
+
+  /** Moves to what the pointer has hit, or to the whole model. */
+  fitTarget(target: Target | null): void {
+    if (target?.kind !== "element") return this.fit(target && [target]);
+    const { mesh } = this.#scene.state;
+    if (mesh) this.#fitBounds(boundsOf(elementCorners(mesh.volume, target.index)));
+  }
+
+  /** Moves to the selected element or triangles. */
+  fitSelectedFaces(): void {
+    const target = boundsOf(selectedCorners(this.#scene.state));
+    if (!target.empty) this.#fitBounds(target);
+  }
+
+  fitPosition(position: Position): void {
+    this.fitPositions([position]);
+  }
+
+  fitPositions(positions: readonly Position[]): void {
+    const target = new Bounds();
+    for (const position of positions) target.add(...position);
+    this.#fitBounds(target);
+  }
+
+  /** Fits the positions, x y z each, of what is shown instead of the model, now and whenever all is fitted; null: the model. */
+  replaceModel(positions: Float64Array | null): void {
+    if (positions === null && this.#replaced === null) return;
+    const { project, bodies } = this.#scene.state;
+    this.#replaced = positions && boundsOf(positions);
+    const isOtherModel = this.#replaced !== null && !areAlike(this.#replaced, projectBounds(project, bodies));
+    this.#scene.update({ isOtherModel });
+    this.fit(null);
+  }
+
+  /** Follows a changed model: keeps local coordinates small, and fits the model if it has outgrown the view. */
+  followModel(): void {
+    const { project, bodies, origin } = this.#scene.state;
+    const bounds = projectBounds(project, bodies);
+    const { empty, radius } = bounds;
+    const roomy = roomyBounds(project, bodies);
+    const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius && !this.#showsModel(bounds);
+    if (isOutgrown || empty) this.#fittedRadius = empty ? 0 : radius;
+    const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
+    if (isOutgrown || drift > 2 * roomy.radius) this.#scene.update({ origin: roomy.centre });
+    this.#view.setModelRadius(roomy.radius);
+    if (isOutgrown) this.fit(null);
+  }
+
+  /**
+   * Sets the size of the view, and the width that is covered at the left, in CSS pixels. What was in view stays in view, in
+   * the part that is free. Null: a view without size.
+   */
+  resize(viewport: Viewport | null, coveredLeft: number): void {
+    if (!viewport) {
+      this.#coveredLeft = coveredLeft;
+      return;
+    }
+    const { project, bodies } = this.#scene.state;
+    const model = this.#replaced ?? projectBounds(project, bodies);
+    const wasShown = !model.empty && this.#showsAll(model);
+    this.#coveredLeft = coveredLeft;
+    const isFittedAgain = this.#view.resize(viewport.width, viewport.height, coveredLeft);
+    this.#scene.update({ viewport });
+    // For example when a panel that covered half of the view is closed. The model may have grown since it was fitted; another
+    // target keeps its fit.
+    if (isFittedAgain ? this.#isWholeFitted : wasShown && !this.#showsAll(model)) this.fit(null, false);
+  }
+
+  /** Returns whether a box is in view and large enough to see. */
+  #showsAll({ low, high }: Bounds): boolean {
+    const corner = (i: number): Position => [
+      i & 1 ? high[0] : low[0],
+      i & 2 ? high[1] : low[1],
+      i & 4 ? high[2] : low[2],
+    ];
+    return this.#shows([0, 1, 2, 3, 4, 5, 6, 7].map(corner));
+  }
+
+  /** Returns whether positions are in view, and far enough apart to see. */
+  #shows(positions: readonly Position[]): boolean {
+    const { viewport, origin } = this.#scene.state;
+    const { width, height } = viewport;
+    const seen = positions.map(screenProjection(this.#view.camera, viewport, origin));
+    const left = this.#coveredLeft;
+    const isInView = seen.every((at) => at && at.x >= left && at.y >= 0 && at.x <= width && at.y <= height);
+    if (!isInView) return false;
+    const shown = new Bounds();
+    for (const at of seen) if (at) shown.add(at.x, at.y, 0);
+    return Math.max(shown.high[0] - shown.low[0], shown.high[1] - shown.low[1]) >= minPixels;
+  }
+
+  /**
+   * Returns whether the whole model is in view. Corners of its box where there is nothing may be outside: the view must
+   * not change while the user draws within it.
+   */
+  #showsModel(bounds: Bounds): boolean {
+    const { project, bodies } = this.#scene.state;
+    if (bodies.length > 0 || project.points.length === 0) return this.#showsAll(bounds);
+    const points = project.points.map(({ position }) => position);
+    return this.#shows([...points, ...sampledPositions(this.#scene.state)]);
+  }
+
+  /** Moves to a target, with its surroundings if it is smaller than the model. */
+  #fitBounds(target: Bounds, animate = this.#motion): void {
+    this.#isWholeFitted = target.empty || target === this.#replaced;
+    const { state } = this.#scene;
+    const whole = shownBounds(state);
+    const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, state.origin);
+    this.#view.fit(from, to, animate);
+    this.#scene.request();
+  }
+}
