@@ -21,6 +21,7 @@
 #include "optimize/last_resort_improver.h"
 #include "optimize/tet_complex.h"
 #include "quality/metrics.h"
+#include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/models.h"
 #include "support/random.h"
@@ -654,6 +655,17 @@ TEST(MeshOptimizer, GivesUpEarlyIfALayerIsTooThin) {
   }
   EXPECT_EQ(run.status(), MeshStatus::kDone);
   EXPECT_LT(work, 20.0 * static_cast<double>(run.volume().tetrahedra.size()));
+}
+
+/// All triangles of the drum are needles, and no node inside can make the elements next to them better.
+TEST(MeshOptimizer, DoesNotMultiplyTheElementsBetweenNeedles) {
+  const SurfaceMesh drum = testing::needleDrum(4000, 0);
+  const std::size_t before = fill(drum).mesh.tetrahedra.size();
+  MeshRun run(drum.points, drum.triangles, {});
+  while (run.advance(10000) == MeshStatus::kRunning) {
+  }
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_LT(run.volume().tetrahedra.size(), 2 * before);
 }
 
 TEST(MeshOptimizer, MoreEffortGivesBetterWorstElements) {

@@ -46,6 +46,8 @@ constexpr double kManyHigh = 0.04;
 /// Small meshes take little time anyway.
 constexpr double kManyOfFew = 0.1;
 constexpr double kManyThorough = 0.01;
+/// If most elements are flat, the boundary consists of needles: nodes between them make far more flat elements than there were.
+constexpr double kManyFlat = 0.5;
 
 constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp) {
   return {.sweeps = kImprove,
@@ -58,10 +60,10 @@ constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kI
           .maxRepeats = kImprovementPasses};
 }
 
-/// Flat elements are useless, and hardly any of them is necessary, however many there are.
+/// Flat elements are useless, and hardly any of them is necessary, unless most are.
 constexpr Step repairFlat() {
   Step step = repairLow(kTargets2And175);
-  step.many = 1.0;
+  step.many = kManyFlat;
   step.isPatient = true;
   step.maxRepeats = kPatientPasses;
   return step;
