@@ -46,7 +46,7 @@ constexpr double kManyHigh = 0.04;
 /// Small meshes take little time anyway.
 constexpr double kManyOfFew = 0.1;
 constexpr double kManyThorough = 0.01;
-/// If most elements are flat, the boundary consists of needles: nodes between them make far more flat elements than there were.
+/// If shape sweeps leave most elements flat, the boundary consists of needles: nodes between them make far more flat elements than there were.
 constexpr double kManyFlat = 0.5;
 
 constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp) {
@@ -60,10 +60,10 @@ constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kI
           .maxRepeats = kImprovementPasses};
 }
 
-/// Flat elements are useless, and hardly any of them is necessary, unless most are.
-constexpr Step repairFlat() {
+/// Flat elements are useless, and hardly any of them is necessary. `many`: fraction above which they are left alone.
+constexpr Step repairFlat(double many) {
   Step step = repairLow(kTargets2And175);
-  step.many = kManyFlat;
+  step.many = many;
   step.isPatient = true;
   step.maxRepeats = kPatientPasses;
   return step;
@@ -102,34 +102,36 @@ constexpr std::array kShapeSteps{
 
 constexpr std::array kFastSteps{Step{.sweeps = kFast, .costBasis = CostBasis::kFinish}};
 
-constexpr std::array kImproveSteps{
-    repairLow(kTargets18And150, Entry::kAlways),
-    repairLow(kTargets8And165),
-    repairFlat(),
-    // A few needles of the boundary leave elements around them that miss 12 degrees ...
-    lastResort(kTargets12And160),
-    Step{.sweeps = kImprove,
-         .costBasis = CostBasis::kTargets,
-         .many = kManyHigh,
-         .manyOfFew = kManyOfFew,
-         .again = Again::kWhileItImproves,
-         .maxRepeats = kImprovementPasses},
-    // ... which the steps for 30 may have brought back, or 22.
-    repairLow(kTargets12And160, Entry::kAlways),
-    lastResort(kTargets12And160),
-    repairLow(kTargets22And145, Entry::kAlways),
-    lastResort(kTargets22And145),
-    kLastResortStep,
-    Step{.sweeps = kScore},
-    ease(Entry::kAlways),
-    // Shape sweeps have changed the surroundings of the last few elements, so another try may
-    // succeed.
-    lastResort(kTargets12And160),
-    lastResort(kTargets22And145),
-    kLastResortStep,
-    Step{.sweeps = kScore, .entry = Entry::kIfBefore},
-    ease(Entry::kIfBefore),
-};
+constexpr auto improveSteps(double manyFlat) {
+  return std::array{
+      repairLow(kTargets18And150, Entry::kAlways),
+      repairLow(kTargets8And165),
+      repairFlat(manyFlat),
+      // A few needles of the boundary leave elements around them that miss 12 degrees ...
+      lastResort(kTargets12And160),
+      Step{.sweeps = kImprove,
+           .costBasis = CostBasis::kTargets,
+           .many = kManyHigh,
+           .manyOfFew = kManyOfFew,
+           .again = Again::kWhileItImproves,
+           .maxRepeats = kImprovementPasses},
+      // ... which the steps for 30 may have brought back, or 22.
+      repairLow(kTargets12And160, Entry::kAlways),
+      lastResort(kTargets12And160),
+      repairLow(kTargets22And145, Entry::kAlways),
+      lastResort(kTargets22And145),
+      kLastResortStep,
+      Step{.sweeps = kScore},
+      ease(Entry::kAlways),
+      // Shape sweeps have changed the surroundings of the last few elements, so another try may
+      // succeed.
+      lastResort(kTargets12And160),
+      lastResort(kTargets22And145),
+      kLastResortStep,
+      Step{.sweeps = kScore, .entry = Entry::kIfBefore},
+      ease(Entry::kIfBefore),
+  };
+}
 
 constexpr Step thoroughRounds(CostBasis costBasis, int maxRepeats) {
   return {.sweeps = kRound,
@@ -173,7 +175,9 @@ constexpr std::array kCautiousSteps{
 }  // namespace
 
 std::vector<Step> cautiousSchedule() {
-  std::vector<Step> steps(kImproveSteps.begin(), kImproveSteps.end());
+  // No shape sweep has come before, so elements may be flat although the boundary is good.
+  constexpr std::array kSteps = improveSteps(1.0);
+  std::vector<Step> steps(kSteps.begin(), kSteps.end());
   steps.insert(steps.end(), kCautiousSteps.begin(), kCautiousSteps.end());
   return steps;
 }
@@ -185,7 +189,8 @@ std::vector<Step> scheduleOf(Optimization level) {
   };
   if (level == Optimization::kNone) return steps;
   add(level == Optimization::kFast ? std::span<const Step>(kFastSteps) : kShapeSteps);
-  add(kImproveSteps);
+  constexpr std::array kSteps = improveSteps(kManyFlat);
+  add(kSteps);
   if (level == Optimization::kThorough) add(kThoroughSteps);
   return steps;
 }
