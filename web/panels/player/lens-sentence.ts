@@ -25,11 +25,11 @@ export function sentenceOf(step: AdvanceStep, { candidate, pair }: LensCandidate
  * Returns how the front changes with the examined candidate: if it was accepted, or if the view shows the front as it would be with
  * it; else null.
  */
-export function frontChangeOf({ examined, isSupposed }: LensScene): string | null {
-  if (!examined) return null;
+export function frontChangeOf({ examined, supposed }: LensScene): string | null {
+  if (supposed) return texts.frontChange.supposed(supposed.left, supposed.joined.length);
+  if (examined?.candidate.verdict !== "accepted") return null;
   const { left, joined } = examined.change;
-  if (isSupposed) return texts.frontChange.supposed(left, joined.length);
-  return examined.candidate.verdict === "accepted" ? texts.frontChange.accepted(left, joined.length) : null;
+  return texts.frontChange.accepted(left, joined.length);
 }
 
 /**
