@@ -10,6 +10,7 @@ import { cornersOf, weightsOf, type NewElement } from "../../../web/player/judge
 import { examine } from "../../../web/player/lens";
 import { lensMarks } from "../../../web/player/lens-marks";
 import { lensSceneOf, type LensScene } from "../../../web/player/lens-scene";
+import { supposedFrontText } from "../../../web/panels/player/supposed-front";
 import { initialPlayerState, type PlayerState } from "../../../web/player/player";
 import { nearestOnFace, partInElement } from "../../../web/player/overlap";
 import { ReplayLayer } from "../../../web/player/replay-layer";
@@ -211,6 +212,9 @@ describe("the front of a candidate, of a real model", () => {
     expect(lensSceneOf({ ...state, candidate: null })?.supposed).toBeNull();
     const scene = lensSceneOf(state);
     if (!scene?.supposed) throw new Error("The lens shows no front as it would be");
+    expect(supposedFrontText(state)).toMatch(/was refused: .* The view shows the front with it: face/);
+    expect(supposedFrontText({ ...state, candidate: null })).toBeNull();
+    expect(supposedFrontText({ ...state, candidate: step.candidates.length - 1 })).toBeNull();
     const { left, joined } = scene.supposed;
     expect(left).toContain(step.face);
     expect(lensMarks(scene).supposed).toEqual(joined.flat());

@@ -1,4 +1,4 @@
-import type { AdvanceStep } from "tetrafront";
+import type { AdvanceStep, EdgeCandidate } from "tetrafront";
 import type { LensCandidate } from "../../player/lens";
 import type { LensScene } from "../../player/lens-scene";
 import { strings } from "../../strings";
@@ -19,6 +19,13 @@ export function sentenceOf(step: AdvanceStep, { candidate, pair }: LensCandidate
     case "too-close":
       return texts.sentence.tooClose(culprit ?? 0);
   }
+}
+
+/** As `sentenceOf`, for a candidate in the plane of a patch. */
+export function planarSentenceOf({ node, isNew, verdict, culprit }: EdgeCandidate): string {
+  return verdict === "accepted"
+    ? texts.patch.accepted(node ?? 0, isNew)
+    : texts.patch[verdict](isNew ? null : node, culprit ?? 0);
 }
 
 /**
