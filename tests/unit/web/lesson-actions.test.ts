@@ -168,14 +168,14 @@ it("does not end the opening of a lesson because it was opened before", async ()
     () => new Promise((resolve) => (endFirst = () => resolve(null))),
   );
   const first = showLessonModel(app, lesson, ["random"]);
-  await vi.waitFor(() => expect(app.player.record).toHaveBeenCalledTimes(1));
+  await vi.waitFor(() => expect(vi.mocked(app.player).record.mock.calls).toHaveLength(1));
   let endSecond = (): void => undefined;
   vi.mocked(app.player).record.mockImplementationOnce(async (choices) => {
     await new Promise<void>((resolve) => (endSecond = resolve));
     return (await whole?.(choices)) ?? null;
   });
   const second = showLessonModel(app, lesson, ["random"]);
-  await vi.waitFor(() => expect(app.player.record).toHaveBeenCalledTimes(2));
+  await vi.waitFor(() => expect(vi.mocked(app.player).record.mock.calls).toHaveLength(2));
   // The player has ended the first recording, because another model is open.
   endFirst();
   await first;
