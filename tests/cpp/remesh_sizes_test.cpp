@@ -54,7 +54,7 @@ TEST(Remesh, AutomaticSizesHardlyDependOnTheNumberOfStrips) {
   }
 }
 
-TEST(Remesh, ThicknessIsTheDistanceThroughTheSolid) {
+TEST(Remesh, ThicknessIsTheDistanceThroughTheRegion) {
   const SurfaceMesh cube = gridCube(3);
   ReferenceSurface reference(cube, {}, {});
   Job<> job([&reference](Work& work) { return reference.prepare(work); });

@@ -63,7 +63,6 @@ void removeTriangles(SurfaceMesh& mesh, std::vector<std::size_t> which) {
   }
 }
 
-/// Sorting is sliced too, and the result does not depend on the slices.
 TEST(DuplicateTriangles, NameTheFirstOneWithTheSameNodes) {
   SurfaceMesh mesh;
   mesh.points = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
@@ -74,6 +73,7 @@ TEST(DuplicateTriangles, NameTheFirstOneWithTheSameNodes) {
             (std::vector<TriangleId>{none, none, first, none, first}));
 }
 
+/// Sorting is sliced too, and the result does not depend on the slices.
 TEST(Weld, WorksInSlices) {
   const SurfaceMesh soup = soupOf(geodesicSphere(5), 1e-7);
   const std::size_t nodes = soup.points.size() / 3;

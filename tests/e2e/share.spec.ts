@@ -37,6 +37,15 @@ test("an embedded front shows its step without panels, and is played with button
   );
 });
 
+test("an embedded front says that it is shown as it would be with a refused candidate", async ({ page }) => {
+  await page.goto("./embed.html?test=1&model=unit-cube&step=258&candidate=0");
+  const supposed = page.getByTestId("supposed-front");
+  await expect(supposed).toContainText(/^Node 286 was refused: .* The view shows the front with it: face/);
+  expect(await violations(page)).toEqual([]);
+  await page.getByTestId("player-forward").click();
+  await expect(supposed).toBeHidden();
+});
+
 test("on a phone, no legend of an embedded front covers a label", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.goto("./embed.html?test=1&model=unit-cube&step=258&camera=1.15,-1.85,2.02,0.15,0.15,1.22");

@@ -38,6 +38,8 @@ interface ShownModel {
 /** The fronts that were recorded for the lesson whose model was shown last. */
 export interface LessonRuns {
   readonly lesson: Lesson | null;
+  /** Number of times that a model was opened for a lesson: what was begun before the last one must not go on. */
+  readonly openings: number;
   /** The model of the lesson as it was opened; null until then. */
   readonly model: ShownModel | null;
   readonly runs: readonly LessonRun[];
@@ -54,6 +56,7 @@ export function lessonRuns(app: App): StoreApi<LessonRuns> {
   if (known) return known;
   const made = createStore<LessonRuns>(() => ({
     lesson: null,
+    openings: 0,
     model: null,
     runs: [],
     isPreparing: false,
@@ -115,35 +118,39 @@ export async function showLessonModel(
   const store = lessonRuns(app);
   const others = names.filter((name) => name !== lesson.order);
   app.shell.setState({ lessonRuns: others });
-  store.setState({ lesson, model: null, runs: [], isPreparing: true, isTimed: false });
+  const openings = store.getState().openings + 1;
+  const isPresent = (): boolean => store.getState().openings === openings;
+  store.setState({ lesson, openings, model: null, runs: [], isPreparing: true, isTimed: false });
   try {
     const project = await loadLessonModel(lesson, app.gallery);
-    // Another lesson was opened meanwhile.
-    if (store.getState().lesson !== lesson) return;
+    // Another lesson was opened meanwhile, or this one again.
+    if (!isPresent()) return;
     showModel(app, project);
     const model = shownModel(app);
     store.setState({ model });
     app.shell.setState({ bottomTab: "front", drawer: "right" });
     await runEnd(app);
-    if (store.getState().lesson !== lesson || !isShownModel(app, model)) return;
+    if (!isPresent() || !isShownModel(app, model)) return;
     const own = await recordRun(app, lesson, "");
     if (!own) {
-      if (store.getState().lesson === lesson) app.shell.setState({ lessonRuns: [] });
+      if (isPresent()) app.shell.setState({ lessonRuns: [] });
       return;
     }
     store.setState({ runs: [own] });
     for (const name of others) if (!(await addRun(app, lesson, name))) break;
-    // If a run was stopped, one that is complete is shown, and the address names those that are in the table.
-    if (store.getState().lesson !== lesson || !shownRun(app)) return;
+    if (!isPresent()) return;
+    // The address names the runs that are in the table.
     const { runs } = store.getState();
     app.shell.setState({ lessonRuns: others.filter((name) => runs.some((run) => run.name === name)) });
+    // If a run was stopped, one that is complete is shown; not in place of something that was opened meanwhile.
+    if (!shownRun(app)) return;
     const [first = own] = runs;
     if (others.length > 0) app.player.show(first.trace, first.file);
     showBeginning(app, lesson);
   } catch (error) {
     showFailure(app, strings.messages.openFailed(lesson.title), error);
   } finally {
-    if (store.getState().lesson === lesson) store.setState({ isPreparing: false });
+    if (isPresent()) store.setState({ isPreparing: false });
   }
 }
 
@@ -163,10 +170,11 @@ export async function compareRun(app: App, name: string): Promise<boolean> {
   const { lesson, model } = store.getState();
   if (!lesson) return false;
   if (!isShownModel(app, model)) await showLessonModel(app, lesson);
-  if (store.getState().lesson !== lesson || !isShownModel(app, store.getState().model)) return false;
+  const { openings, model: opened } = store.getState();
+  if (store.getState().lesson !== lesson || !isShownModel(app, opened)) return false;
   const share = shownShare(app);
   const isAdded = await addRun(app, lesson, name);
-  if (store.getState().lesson === lesson && shownRun(app)) seekShare(app, share);
+  if (store.getState().openings === openings && shownRun(app)) seekShare(app, share);
   return isAdded;
 }
 
@@ -202,8 +210,8 @@ async function timeOwnRun(app: App, lesson: Lesson): Promise<boolean> {
 }
 
 /**
- * Records the front of the model of a lesson, and shows it. Returns null if this has failed, if another lesson was opened, or if
- * the user has stopped it: half a front cannot be compared, so what was shown before is shown again.
+ * Records the front of the model of a lesson, and shows it. Returns null if this has failed, if the model was changed or another
+ * lesson was opened, or if the user has stopped it: half a front cannot be compared, so what was shown before is shown again.
  */
 async function recordRun(
   app: App,
@@ -211,9 +219,12 @@ async function recordRun(
   name: string,
   choices: RecordingChoices = {},
 ): Promise<LessonRun | null> {
+  const store = lessonRuns(app);
+  const { openings, model } = store.getState();
+  if (!isShownModel(app, model)) return null;
   const before = shownRun(app);
   const recorded = await app.player.record(choices);
-  if (lessonRuns(app).getState().lesson !== lesson || recorded === null) return null;
+  if (store.getState().openings !== openings || recorded === null) return null;
   if (recorded.isStopped) {
     if (before) app.player.show(before.trace, before.file);
     else app.player.close();

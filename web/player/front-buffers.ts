@@ -4,6 +4,7 @@ import type { Position } from "../document/position";
 const noSlot = -1;
 /** Corners of a triangle. */
 const corners = 3;
+const none: readonly number[] = [];
 /** Beyond this many steps it is faster to write all faces than to replay the steps. */
 const maxReplayed = 1000;
 
@@ -24,6 +25,8 @@ export class FrontBuffers {
   #valueOf: (face: number) => number = () => 0;
   #slots = 0;
   #step = -1;
+  /** Faces of the state that are left out. */
+  #leftOut: readonly number[] = none;
   /** Slots written since the last call of `written`. */
   #written: [first: number, last: number] | null = null;
 
@@ -47,11 +50,21 @@ export class FrontBuffers {
     this.#step = -1;
   }
 
-  /** Shows the state after a step. */
-  show(step: number): void {
+  /** Shows the state after a step, without some of its faces. */
+  show(step: number, leftOut = none): void {
+    if (step === this.#step && leftOut === this.#leftOut) return;
+    const before = this.#leftOut;
+    this.#leftOut = leftOut;
+    this.#move(step, before);
+    leftOut.forEach(this.#remove);
+  }
+
+  /** Moves to a state. `leftOut`: the faces of the present one that are not drawn. */
+  #move(step: number, leftOut: readonly number[]): void {
     const from = this.#step;
     this.#step = step;
     if (from < 0 || Math.abs(step - from) > maxReplayed) return this.#writeAll(step);
+    leftOut.forEach(this.#add);
     // Faces leave before others join, because there are only as many slots as the largest front has faces.
     for (let i = from + 1; i <= step; i++) {
       this.#trace.changesAt(i).removedFaces.forEach(this.#remove);

@@ -61,10 +61,9 @@ export function frontDrawing(trace: Trace, state: DrawnState, view: DrawingView)
   const isFaded = scene !== null && state.fades;
   const values = frontValues(trace, coloring);
   const drawn: DrawnFace[] = [];
-  const isSupposed = scene?.isSupposed === true;
-  const left = isSupposed ? (scene.examined?.change.left ?? []) : [];
-  for (const face of trace.frontAt(isSupposed ? step - 1 : step)) {
-    if (left.includes(face)) continue;
+  const supposed = scene?.supposed;
+  for (const face of trace.frontAt(supposed ? step - 1 : step)) {
+    if (supposed?.left.includes(face)) continue;
     const corners = cornersOf(trace, face);
     const points = pointsOf(corners, view);
     const normal = cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]));

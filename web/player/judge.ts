@@ -139,7 +139,10 @@ export interface FrontChange {
   readonly joined: readonly Triangle[];
 }
 
-/** Returns how the front of a state would change if an element were made over a face. O(faces). */
+/**
+ * Returns how the front of a state would change if an element were made over a face. A face of the front is closed by the element
+ * only if its empty side is that of the element: at a dangling sheet, two faces of the front have the same nodes. O(faces).
+ */
 export function frontChange(trace: Trace, state: number, face: number, element: NewElement): FrontChange {
   const [a, b, c] = element.corners;
   const apex = element.corners[3];
@@ -152,14 +155,17 @@ export function frontChange(trace: Trace, state: number, face: number, element: 
     corners[3 * other + 2] === apexNode;
   const atApex = apexNode === null ? [] : Array.from(trace.frontAt(state).filter(hasApex));
   const sides = [
-    { nodes: [element.nodes[0], element.nodes[1]], corners: [a, b, apex] },
-    { nodes: [element.nodes[1], element.nodes[2]], corners: [b, c, apex] },
-    { nodes: [element.nodes[2], element.nodes[0]], corners: [c, a, apex] },
+    { from: element.nodes[0], to: element.nodes[1], corners: [a, b, apex] },
+    { from: element.nodes[1], to: element.nodes[2], corners: [b, c, apex] },
+    { from: element.nodes[2], to: element.nodes[0], corners: [c, a, apex] },
   ] as const;
   const left = [face];
   const joined: Triangle[] = [];
-  for (const { nodes, corners: positions } of sides) {
-    const closed = atApex.find((other) => nodes.every((node) => nodesOf(trace, other).includes(node)));
+  for (const { from, to, corners: positions } of sides) {
+    const closed = atApex.find((other) => {
+      const nodes = nodesOf(trace, other);
+      return nodes.some((node, i) => node === to && nodes[(i + 1) % 3] === from);
+    });
     if (closed === undefined) joined.push(positions);
     else left.push(closed);
   }

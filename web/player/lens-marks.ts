@@ -54,7 +54,7 @@ export interface LensMarks {
 
 /** Returns what is drawn of a scene. */
 export function lensMarks(scene: LensScene): LensMarks {
-  const { trace, step, examined, others: all, showsIdeal, isGame, isSupposed } = scene;
+  const { trace, step, examined, others: all, showsIdeal, isGame, supposed } = scene;
   const others = all.slice(0, maxOthers);
   const base = cornersOf(trace, step.face);
   const apex = examined?.candidate.position ?? null;
@@ -80,7 +80,7 @@ export function lensMarks(scene: LensScene): LensMarks {
     newSides: apex ? base.flatMap((corner) => [corner, apex]) : [],
     newFaces: apex ? base.flatMap((corner, i) => [corner, base[(i + 1) % 3] ?? corner, apex]) : [],
     isAccepted,
-    supposed: isSupposed ? (examined?.change.joined.flat() ?? []) : [],
+    supposed: supposed?.joined.flat() ?? [],
     ...failing,
     labels: isGame ? [] : labels,
   };

@@ -1,5 +1,6 @@
 /** What the lens examines in a state of the player: for the view, the panel and drawings. */
 import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront";
+import type { FrontChange } from "./judge";
 import { decisive, examine, type LensCandidate } from "./lens";
 import type { PlayerState } from "./player";
 import { searchRegionOf, type SearchRegion } from "./search-region";
@@ -15,10 +16,10 @@ export interface LensScene {
   readonly region: SearchRegion | null;
   readonly showsIdeal: boolean;
   /**
-   * Whether the view shows the front as it would be with the examined candidate: the user has chosen one that was refused, whose
-   * element would have a volume.
+   * How the front would change with the examined candidate, if the view shows this: one was chosen that was refused, and whose
+   * element would have a volume. Else null.
    */
-  readonly isSupposed: boolean;
+  readonly supposed: FrontChange | null;
   /** Whether nodes have labels of another kind, those to choose from: others would lie under them. */
   readonly isGame: boolean;
 }
@@ -74,13 +75,16 @@ export function sceneOf(trace: Trace, state: Examined): LensScene | null {
     others: step.candidates.filter((candidate) => candidate !== chosen),
     region: state.showsRegion ? searchRegionOf(trace, step) : null,
     showsIdeal: true,
-    isSupposed:
-      state.candidate !== null &&
-      examined !== null &&
-      !examined.isBehind &&
-      !["accepted", "behind"].includes(examined.candidate.verdict),
+    supposed: state.candidate === null ? null : supposedChange(examined),
     isGame: false,
   };
+}
+
+/** Returns how the front would change with a refused candidate; null if it would not, or if it has changed so. */
+function supposedChange(examined: LensCandidate | null): FrontChange | null {
+  const verdict = examined?.candidate.verdict;
+  const wasPossible = verdict === "crosses" || verdict === "too-close";
+  return examined && wasPossible && !examined.isBehind ? examined.change : null;
 }
 
 /** The base face that is asked for, and what the choice would make. */
@@ -94,7 +98,7 @@ function taskScene(trace: Trace, task: VolumeTask): LensScene {
     others: [],
     region: null,
     showsIdeal: task.showsIdeal,
-    isSupposed: false,
+    supposed: null,
     isGame: true,
   };
 }

@@ -18,6 +18,7 @@ import { ElementBuffers } from "./element-buffers";
 import { FrontBuffers } from "./front-buffers";
 import { createFrontMaterial } from "./front-material";
 import { fading, type FrontColoring, frontValues, type FrontValues } from "./front-values";
+import type { FrontChange } from "./judge";
 import type { PlayerState } from "./player";
 
 /** The front of a trace after a step, and the elements made last. */
@@ -74,16 +75,17 @@ export class ReplayLayer implements Layer {
 
   /**
    * Shows a state of the player; nothing before the volume. The cost of a few steps is that of their faces. `isFaded`: the
-   * front stays behind what the lens shows. `isBefore`: the state before the step is shown, without what the step has made.
+   * front stays behind what the lens shows. `supposed`: instead of what the step has made, the state before it is shown,
+   * without the faces that would leave the front.
    */
   show(
     { step: after, sweep, coloring, faces, elements }: PlayerState,
     isFaded: boolean,
-    isBefore = false,
+    supposed: FrontChange | null = null,
   ): void {
     this.root.visible = after >= 0 && sweep === null;
     if (after < 0) return;
-    const step = isBefore ? after - 1 : after;
+    const step = supposed ? after - 1 : after;
     if (coloring !== this.#coloring) {
       this.#coloring = coloring;
       this.#values = frontValues(this.#trace, coloring);
@@ -93,7 +95,7 @@ export class ReplayLayer implements Layer {
     for (const material of [this.#frontMaterial, this.#elementMaterial])
       setNumber(material, "fading", isFaded ? fading : 0);
     this.#frontMaterial.side = faces === "all" ? DoubleSide : FrontSide;
-    this.#front.show(step);
+    this.#front.show(step, supposed?.left);
     this.#frontGeometry.setDrawRange(0, 3 * this.#front.slotCount);
     const written = this.#front.written();
     if (written) this.#upload(...written);

@@ -59,7 +59,7 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
   };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {
-    replay.show(state, scene !== null && state.fades, scene?.isSupposed);
+    replay.show(state, scene !== null && state.fades, scene?.supposed);
     surface.show(surfaceState(trace, state.step), state.candidate, state.edgeTask);
     sweeps.show(state.sweep);
     lens.show(scene);

@@ -64,7 +64,10 @@ export const surfaceLensStrings = {
     outside: () => "A new node was refused: it would be outside the patch.",
     whatIf: (edges: readonly number[]) =>
       `Accepted, its triangle would overlap what is meshed: it would cross ${edgesOf(edges)}.`,
-    supposed: "The view and the plane show the front before the step, with its triangle in red.",
+    supposed: (isNew: boolean) =>
+      isNew
+        ? "The view shows the front before the step, without the triangle: the new node was given no position on the patch."
+        : "The view shows the front before the step, with the triangle in red.",
     disagreement: {
       behind: otherwise("it finds the node behind the base edge"),
       inFront: otherwise("it finds the node in front of the base edge"),

@@ -48,7 +48,7 @@ class BoxRay {
   double first_;
 };
 
-/// Lowers `nearest` to the distance at which the ray leaves the solid through the triangle.
+/// Lowers `nearest` to the distance at which the ray leaves the region through the triangle.
 void castRay(const ReferenceSurface& reference, const Vec3& from, const Vec3& direction,
              TriangleId triangle, double& nearest) {
   if (glm::dot(reference.normalOf(triangle), direction) < 0.5) return;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Volumes that overlapping regions share, summed up by pairs of regions.
+/// @file Volumes that overlapping regions share, added up for each pair of regions.
 
 #include <span>
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace tetrafront {
 
-/// Returns what pairs of regions share, in the order of the regions. A volume in several regions counts for each pair of the
-/// first of them, which gets it, with another one. Depth and position are those of the pair's largest volume.
+/// Returns the volume that each pair of regions shares, in the order of the regions. A cell in several regions counts for each
+/// pair of the first of them, which gets it, with another one. Depth and position are those of the pair's largest cell.
 /// O(n log n) for n cells.
-std::vector<SharedVolume> findSharedVolumes(std::span<const SharedCell> cells);
+[[nodiscard]] std::vector<SharedVolume> findSharedVolumes(std::span<const SharedCell> cells);
 
 }  // namespace tetrafront

@@ -9,7 +9,8 @@ import { frontDrawing } from "../../../web/player/front-drawing";
 import { cornersOf, weightsOf, type NewElement } from "../../../web/player/judge";
 import { examine } from "../../../web/player/lens";
 import { lensMarks } from "../../../web/player/lens-marks";
-import { lensSceneOf } from "../../../web/player/lens-scene";
+import { lensSceneOf, type LensScene } from "../../../web/player/lens-scene";
+import { supposedFrontText } from "../../../web/panels/player/supposed-front";
 import { initialPlayerState, type PlayerState } from "../../../web/player/player";
 import { nearestOnFace, partInElement } from "../../../web/player/overlap";
 import { ReplayLayer } from "../../../web/player/replay-layer";
@@ -208,11 +209,13 @@ describe("the front of a candidate, of a real model", () => {
       candidate,
       faces: "all",
     };
-    expect(lensSceneOf({ ...state, candidate: null })?.isSupposed).toBe(false);
+    expect(lensSceneOf({ ...state, candidate: null })?.supposed).toBeNull();
     const scene = lensSceneOf(state);
-    const { left, joined } = scene?.examined?.change ?? { left: [], joined: [] };
-    if (!scene) throw new Error("The lens shows nothing");
-    expect(scene.isSupposed).toBe(true);
+    if (!scene?.supposed) throw new Error("The lens shows no front as it would be");
+    expect(supposedFrontText(state)).toMatch(/was refused: .* The view shows the front with it: face/);
+    expect(supposedFrontText({ ...state, candidate: null })).toBeNull();
+    expect(supposedFrontText({ ...state, candidate: step.candidates.length - 1 })).toBeNull();
+    const { left, joined } = scene.supposed;
     expect(left).toContain(step.face);
     expect(lensMarks(scene).supposed).toEqual(joined.flat());
     // Faces that join lie between the base and the candidate.
@@ -228,16 +231,16 @@ describe("the front of a candidate, of a real model", () => {
       before - left.length,
     );
     const layer = new ReplayLayer(trace);
-    const drawnFaces = (isBefore: boolean): number => {
-      layer.show(state, false, isBefore);
+    const drawnFaces = (supposed: LensScene["supposed"]): number => {
+      layer.show(state, false, supposed);
       const [front] = layer.root.children as Mesh[];
       const corners = front?.geometry.getAttribute("position").array ?? [];
       return Array.from({ length: corners.length / 9 }, (_, i) => corners.slice(9 * i, 9 * i + 9)).filter(
         (face) => [...face].some((x) => x !== 0),
       ).length;
     };
-    expect(drawnFaces(true)).toBe(before);
-    expect(drawnFaces(false)).toBe(trace.frontAt(step.step).length);
+    expect(drawnFaces(scene.supposed)).toBe(before - left.length);
+    expect(drawnFaces(null)).toBe(trace.frontAt(step.step).length);
     layer.dispose();
   });
 });

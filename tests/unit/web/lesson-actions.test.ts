@@ -161,6 +161,55 @@ it("keeps the runs of an address before the one that was stopped", async () => {
   expect(app.player.state.getState()).toMatchObject({ trace: runs[0]?.trace, step: lesson.step });
 });
 
+it("does not end the opening of a lesson because it was opened before", async () => {
+  const whole = vi.mocked(app.player).record.getMockImplementation();
+  let endFirst = (): void => undefined;
+  vi.mocked(app.player).record.mockImplementationOnce(
+    () => new Promise((resolve) => (endFirst = () => resolve(null))),
+  );
+  const first = showLessonModel(app, lesson, ["random"]);
+  await vi.waitFor(() => expect(vi.mocked(app.player).record.mock.calls).toHaveLength(1));
+  let endSecond = (): void => undefined;
+  vi.mocked(app.player).record.mockImplementationOnce(async (choices) => {
+    await new Promise<void>((resolve) => (endSecond = resolve));
+    return (await whole?.(choices)) ?? null;
+  });
+  const second = showLessonModel(app, lesson, ["random"]);
+  await vi.waitFor(() => expect(vi.mocked(app.player).record.mock.calls).toHaveLength(2));
+  // The player has ended the first recording, because another model is open.
+  endFirst();
+  await first;
+  expect(lessonRuns(app).getState().isPreparing).toBe(true);
+  expect(app.shell.getState().lessonRuns).toEqual(["random"]);
+  endSecond();
+  await second;
+  expect(lessonRuns(app).getState()).toMatchObject({ isPreparing: false, isTimed: true });
+  expect(
+    lessonRuns(app)
+      .getState()
+      .runs.map(({ name }) => name),
+  ).toEqual(["", "random"]);
+});
+
+it("runs no model that was changed while another run was recorded", async () => {
+  await showLessonModel(app, lesson);
+  const whole = vi.mocked(app.player).record.getMockImplementation();
+  // The repetition of the lesson's own run, for its time.
+  vi.mocked(app.player).record.mockImplementationOnce(async (choices) => {
+    const made = (await whole?.(choices)) ?? null;
+    app.documents.edit(moveEntity("point", 1, 0, -2));
+    return made;
+  });
+  expect(await compareRun(app, "random")).toBe(false);
+  expect(recorded).toHaveLength(2);
+  expect(
+    lessonRuns(app)
+      .getState()
+      .runs.map(({ name }) => name),
+  ).toEqual([""]);
+  expect(app.shell.getState().lessonRuns).toEqual([]);
+});
+
 it("runs the model by other rules, which the address names", async () => {
   const name = "random+strict+unfiltered+tolerance-0.5+linear";
   await showLessonModel(app, lesson, [name]);

@@ -9,6 +9,7 @@ import {
   cornersOf,
   crossedFaces,
   crossesFace,
+  frontChange,
   isBehind,
   newElement,
   touching,
@@ -18,7 +19,7 @@ import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { randomSource } from "../../support/random";
 import { boxSurface } from "../../support/surfaces";
-import { starSurface, starTrace } from "../../support/traces";
+import { starSurface, starTrace, traceBytes, TraceBytes, writeFirstFaces } from "../../support/traces";
 
 const { bytes } = starTrace({
   ...starSurface(boxSurface(3, [-1, -1, -1], [1, 1, 1])),
@@ -101,6 +102,19 @@ describe("the buffers of the front", () => {
     }
   });
 
+  it("leave faces out, and have them again in other states", () => {
+    const buffers = new FrontBuffers(trace);
+    const random = randomSource(21);
+    for (let i = 0; i < 200; i++) {
+      const state = random() % (trace.stepCount + 1);
+      const front = [...trace.frontAt(state)];
+      const leftOut = i % 3 === 0 ? [] : front.slice(0, 3);
+      const kept = front.slice(leftOut.length).map((face) => cornersOf(trace, face).flat());
+      buffers.show(state, leftOut);
+      expect(triangles(buffers)).toEqual(kept.map((face) => Float32Array.from(face).join(" ")).sort());
+    }
+  });
+
   it("are written in place: a step changes few slots", () => {
     const buffers = new FrontBuffers(trace);
     buffers.show(40);
@@ -108,6 +122,8 @@ describe("the buffers of the front", () => {
     expect(buffers.written()).toBeNull();
     buffers.show(41);
     expect(buffers.written()).not.toBeNull();
+    buffers.show(41);
+    expect(buffers.written()).toBeNull();
     expect(buffers.slotCount).toBeLessThanOrEqual(buffers.positions.length / 9);
   });
 
@@ -418,6 +434,22 @@ describe("the independent check", () => {
       expect(isBehind(element)).toBe(false);
       expect(crossedFaces(trace, i - 1, element)).toEqual([]);
     }
+  });
+
+  it("takes the face of a dangling sheet that is on the element's side, of two with the same nodes", () => {
+    const points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+    const events = new TraceBytes();
+    writeFirstFaces(events, [0, 1, 2, 0, 1, 3, 1, 0, 3]);
+    const read = readTrace(traceBytes({ points, steps: 0, events: events.event(6) }));
+    if (!read.success) throw new Error(read.errors[0].message);
+    const element = newElement(read.value, 0, [0, 0, 1], 3);
+    expect(isBehind(element)).toBe(false);
+    const { left, joined } = frontChange(read.value, 0, 0, element);
+    expect(left).toEqual([0, 2]);
+    expect(joined).toEqual([
+      element.corners.slice(1),
+      [element.corners[2], element.corners[0], element.corners[3]],
+    ]);
   });
 
   it("finds the walls that an element leaves the box through, and apexes behind the base", () => {

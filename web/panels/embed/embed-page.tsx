@@ -1,4 +1,4 @@
-import { useRef } from "react";
+import { lazy, Suspense, useRef } from "react";
 import type { App } from "../../app/app";
 import { queryOf, type SharedFront } from "../../player/shared-front";
 import { shareStrings as texts } from "../../strings/share";
@@ -11,6 +11,10 @@ import { usePageApp } from "../shared/page-apps";
 import { useFrontHotkeys } from "../page/hotkeys";
 import { FrontView } from "../viewport/front-view";
 import styles from "./embed.module.css";
+
+const SupposedFront = lazy(async () => ({
+  default: (await import("../player/supposed-front")).SupposedFront,
+}));
 
 export interface EmbedPageProps {
   readonly app: App;
@@ -44,6 +48,9 @@ function Controls() {
   if (failure) return <p role="alert">{failure.join(" ")}</p>;
   return hasTrace ? (
     <section className={styles["player"]} aria-label={strings.player.transport}>
+      <Suspense fallback={null}>
+        <SupposedFront />
+      </Suspense>
       <CompactPlayer />
     </section>
   ) : (

@@ -8,6 +8,9 @@ import { useLayout } from "../shared/use-layout";
 import styles from "./lessons.module.css";
 
 const Lens = lazy(async () => ({ default: (await import("../player/lens")).Lens }));
+const SupposedFront = lazy(async () => ({
+  default: (await import("../player/supposed-front")).SupposedFront,
+}));
 
 /** The player and the lens in a lesson on a small screen, where only one panel is open at a time. */
 export function LessonPlayer() {
@@ -32,24 +35,32 @@ export function LessonPlayer() {
 function LessonLens() {
   const [isOpen, setIsOpen] = useState(false);
   return (
-    <details
-      className={styles["lens"]}
-      data-testid="lesson-lens"
-      data-unprinted
-      onToggle={(event) => setIsOpen(event.currentTarget.open)}
-    >
-      <summary>{texts.lens}</summary>
-      {isOpen && (
-        <>
-          <div className={styles["choices"]}>
-            <ViewChoices />
-            <ViewChecks />
-          </div>
-          <Suspense fallback={null}>
-            <Lens />
-          </Suspense>
-        </>
+    <>
+      {/* The open lens has the same sentences. */}
+      {!isOpen && (
+        <Suspense fallback={null}>
+          <SupposedFront />
+        </Suspense>
       )}
-    </details>
+      <details
+        className={styles["lens"]}
+        data-testid="lesson-lens"
+        data-unprinted
+        onToggle={(event) => setIsOpen(event.currentTarget.open)}
+      >
+        <summary>{texts.lens}</summary>
+        {isOpen && (
+          <>
+            <div className={styles["choices"]}>
+              <ViewChoices />
+              <ViewChecks />
+            </div>
+            <Suspense fallback={null}>
+              <Lens />
+            </Suspense>
+          </>
+        )}
+      </details>
+    </>
   );
 }

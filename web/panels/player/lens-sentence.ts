@@ -1,4 +1,4 @@
-import type { AdvanceStep } from "tetrafront";
+import type { AdvanceStep, EdgeCandidate } from "tetrafront";
 import type { LensCandidate } from "../../player/lens";
 import type { LensScene } from "../../player/lens-scene";
 import { strings } from "../../strings";
@@ -21,15 +21,22 @@ export function sentenceOf(step: AdvanceStep, { candidate, pair }: LensCandidate
   }
 }
 
+/** As `sentenceOf`, for a candidate in the plane of a patch. */
+export function planarSentenceOf({ node, isNew, verdict, culprit }: EdgeCandidate): string {
+  return verdict === "accepted"
+    ? texts.patch.accepted(node ?? 0, isNew)
+    : texts.patch[verdict](isNew ? null : node, culprit ?? 0);
+}
+
 /**
  * Returns how the front changes with the examined candidate: if it was accepted, or if the view shows the front as it would be with
  * it; else null.
  */
-export function frontChangeOf({ examined, isSupposed }: LensScene): string | null {
-  if (!examined) return null;
+export function frontChangeOf({ examined, supposed }: LensScene): string | null {
+  if (supposed) return texts.frontChange.supposed(supposed.left, supposed.joined.length);
+  if (examined?.candidate.verdict !== "accepted") return null;
   const { left, joined } = examined.change;
-  if (isSupposed) return texts.frontChange.supposed(left, joined.length);
-  return examined.candidate.verdict === "accepted" ? texts.frontChange.accepted(left, joined.length) : null;
+  return texts.frontChange.accepted(left, joined.length);
 }
 
 /**

@@ -13,6 +13,7 @@ import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
 import { BaseFacts, type Fact } from "./base-facts";
 import { CandidateTable } from "./candidate-table";
+import { planarSentenceOf } from "./lens-sentence";
 import { usePlayer } from "./use-player";
 
 const texts = strings.player;
@@ -81,6 +82,7 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
     const candidate = chosen === null ? undefined : step.candidates[chosen];
     return candidate ? examineCandidate(front, step, candidate) : null;
   }, [front, step, chosen]);
+  const supposed = supposedCandidate(step, rank);
   const facts: readonly Fact[] = [
     { ...texts.patch.size, value: formatShort(step.size) },
     { ...texts.patch.metric, value: step.metric.map((term) => Number(term.toPrecision(3))).join(" ") },
@@ -98,7 +100,7 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
   return (
     <>
       {examined && <Sentence examined={examined} />}
-      {supposedCandidate(step, rank) && <p data-testid="lens-front-change">{texts.patch.supposed}</p>}
+      {supposed && <p data-testid="lens-front-change">{texts.patch.supposed(supposed.isNew)}</p>}
       {step.outcome === "postponed" && <p>{texts.patch.postponed(step.nextPass)}</p>}
       <CandidateTable
         label={texts.patch.candidates}
@@ -117,16 +119,11 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
 }
 
 function Sentence({ examined }: { readonly examined: PlanarLensCandidate }) {
-  const { node, isNew, verdict, culprit } = examined.candidate;
-  const sentence =
-    verdict === "accepted"
-      ? texts.patch.accepted(node ?? 0, isNew)
-      : texts.patch[verdict](isNew ? null : node, culprit ?? 0);
   const whatIf = whatIfInPlane(examined);
   return (
     <>
       <p data-testid="lens-sentence">
-        <b>{sentence}</b>
+        <b>{planarSentenceOf(examined.candidate)}</b>
       </p>
       {whatIf !== null && <p data-testid="lens-what-if">{whatIf}</p>}
     </>
