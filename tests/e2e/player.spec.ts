@@ -4,7 +4,7 @@ import { expect, test, type Page } from "@playwright/test";
 import { readTrace } from "tetrafront";
 import { boxSurface } from "../support/surfaces";
 import { starSurface, starTrace } from "../support/traces";
-import { AppPage } from "./app-page";
+import { AppPage, sampleProject } from "./app-page";
 
 const star = Buffer.from(
   starTrace({
@@ -35,6 +35,27 @@ async function chooseTrace(page: Page, content: Buffer): Promise<void> {
   await page.getByTestId("player-open").click();
   await (await chooser).setFiles({ name: "a.tft", mimeType: "application/octet-stream", buffer: content });
 }
+
+test("an incomplete mesh is not spoken of while a trace is shown in its place", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const cube = sampleProject("unit-cube");
+  const fine = cube.background.nodes.map((node) => ({ ...node, size: 0.02 }));
+  await app.openFile(
+    "fine.json",
+    JSON.stringify({ ...cube, background: { ...cube.background, nodes: fine } }),
+  );
+  await expect.poll(async () => Number(await app.viewport.getAttribute("data-front"))).toBeGreaterThan(1000);
+  await page.getByTestId("cancel").click();
+  const badge = page.getByTestId("mesh-badge");
+  await expect(badge).toContainText("Incomplete");
+  await page.getByTestId("tab-front").click();
+  await chooseTrace(page, star);
+  await expect(app.viewport).toHaveAttribute("data-step", "0");
+  await expect(badge).toHaveCount(0);
+  await page.getByTestId("player-close").click();
+  await expect(badge).toContainText("Incomplete");
+});
 
 test("the front of the unit cube is recorded, played, and stepped through", async ({ page }) => {
   const app = new AppPage(page);

@@ -5,6 +5,7 @@ import { generateMesh } from "../../commands/mesh-actions";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useRun, useStale, useView } from "../shared/app-context";
+import { usePlayer } from "../player/use-player";
 import { CutAxisControl, CutSlider } from "./cut-controls";
 import type { Trouble } from "./use-viewer";
 import styles from "./viewport-overlays.module.css";
@@ -62,8 +63,10 @@ export function MeshBadge() {
   const failure = useRun((state) => state.failure);
   const status = useRun((state) => state.mesh?.report.status);
   const hasFront = useRun((state) => (state.mesh?.volume.front.length ?? 0) > 0);
+  const showsTrace = usePlayer(({ trace, recording }) => trace !== null || recording !== null);
   if (busy) return null;
-  const incomplete = status === "stalled" || status === "cancelled";
+  // A trace is drawn in place of the mesh, and a link to one has stopped the run.
+  const incomplete = !showsTrace && (status === "stalled" || status === "cancelled");
   if (!stale && !incomplete && failure === null) return null;
   const [title, hint] = badgeTexts(failure, stale, status, hasFront);
   return (
