@@ -1,4 +1,4 @@
-import { Ray, Vector3, type BufferAttribute, type Mesh, type Points } from "three";
+import { Ray, Vector3, type BufferAttribute, type Mesh, type Points, type ShaderMaterial } from "three";
 import { describe, expect, it, vi } from "vitest";
 import type { MeshResult, Project, ProjectSource } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
