@@ -61,6 +61,14 @@ test("a wing is subtracted from a box: the result is said to be a body, is meshe
   const volume = await checkedVolume(app, "Wing cut out of a box");
   expect(volume).toBeLessThan(27);
   expect(volume).toBeGreaterThan(26.8);
+  // Without its body, the mesh is hidden with its legend.
+  const legend = page.getByTestId("legend");
+  await expect(legend).toBeVisible();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+z");
+  await expect(legend).toBeHidden();
+  await page.keyboard.press("Control+Shift+z");
+  await expect(legend).toBeVisible();
 });
 
 test("a box is cut out of a box: points, lines and patches again, as one step of undo", async ({ page }) => {

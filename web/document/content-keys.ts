@@ -188,6 +188,11 @@ export const placedSurfaceKey = remembering(
     `${JSON.stringify(body.placement ?? {}, placementFields)} ${givenSurfaceKey(body)}`,
 );
 
+/** Returns the key of which given surfaces bodies have, and where: it does not depend on names, sizes and their order. */
+export const placedSurfacesKey = remembering((bodies: readonly ProjectBody[]): string =>
+  bodies.map(placedSurfaceKey).toSorted().join(" | "),
+);
+
 const bodyKey = remembering((body: ProjectBody): string =>
   [
     namelessBodyKey(body),

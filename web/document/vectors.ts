@@ -55,10 +55,13 @@ export const axisDirections: readonly [Position, Position, Position] = [
   [0, 0, 1],
 ];
 
-/** Directions that differ by less are the same but for rounding. */
+/** Two unit vectors with a smaller distance differ by rounding only. */
 const rounding = 1e-12;
 
-/** Returns a unit vector exactly along an axis of coordinates if it is so but for rounding: it is then shown as this axis. */
+/**
+ * Returns the axis of coordinates from which a unit vector differs by rounding only, so that it is shown as this axis; the
+ * vector itself if there is none.
+ */
 export function snappedToAxis(direction: Position): Position {
   const [x = 0, y = 0, z = 0] = direction.map((component) => Math.round(component) + 0);
   const axis: Position = [x, y, z];

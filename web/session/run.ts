@@ -1,6 +1,7 @@
 import type { Mesher, MeshResult, PreparedBody, Progress, Project, UnoptimizedMesh } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { meshKey, shownMeshKey, versionedKey } from "../document/content-keys";
+import { meshKey, placedSurfacesKey, shownMeshKey, versionedKey } from "../document/content-keys";
+import type { DocumentContent } from "../document/edit";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, bodyLabel } from "../document/entities";
 import { logStrings, phaseNames, preparedText, remedyInApp, stepNames } from "../strings";
@@ -47,6 +48,8 @@ export interface RunState {
   readonly isValid: ShownMesh["isValid"];
   /** Key of the content that `mesh` belongs to. */
   readonly meshKey: string | null;
+  /** Key of the bodies that `mesh` was made of. */
+  readonly meshedBodies: string | null;
   /** Result of the last run. Unlike `mesh`, it may hold diagnostics only. */
   readonly outcome: { readonly key: string; readonly result: MeshResult } | null;
   /** The engine itself failed, e.g. could not be loaded or ran out of memory. */
@@ -84,6 +87,7 @@ const emptyRun: RunState = {
   edgeReference: "target",
   isValid: null,
   meshKey: null,
+  meshedBodies: null,
   outcome: null,
   failure: null,
   log: [],
@@ -132,7 +136,7 @@ export class MeshRun {
     this.#documents = documents;
     this.#mesher = mesher;
     this.#preparations = preparations;
-    documents.onSettled((content) => this.#showCached(shownMeshKey(content)));
+    documents.onSettled((content) => this.#showCached(content));
   }
 
   /**
@@ -178,7 +182,7 @@ export class MeshRun {
       );
       elapsedSeconds = result.report.seconds.total;
       const key = meshKey(project);
-      this.#finish(key, result, log);
+      this.#finish(project, result, log);
       await this.#documents.afterGesture();
       if (isShowable(result)) this.#replaceVersion(key, by);
     } catch (error) {
@@ -283,7 +287,8 @@ export class MeshRun {
     const key = shownMeshKey(settledContent(this.#documents.state.getState()));
     const { mesh, outcome } = this.state.getState();
     if (mesh && this.state.getState().meshKey !== key) {
-      this.state.setState({ mesh: null, origin: null, improvement: null, isValid: null, meshKey: null });
+      const none = { mesh: null, origin: null, improvement: null, isValid: null };
+      this.state.setState({ ...none, meshKey: null, meshedBodies: null });
     }
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
   }
@@ -311,7 +316,8 @@ export class MeshRun {
     if (isDue(before, progress)) this.state.setState({ progress });
   }
 
-  #finish(key: string, result: MeshResult, log: (level: LogLevel, text: string) => void): void {
+  #finish(project: Project, result: MeshResult, log: (level: LogLevel, text: string) => void): void {
+    const key = meshKey(project);
     const { report } = result;
     for (const diagnostic of report.diagnostics) {
       log(
@@ -326,7 +332,8 @@ export class MeshRun {
     this.state.setState({ outcome: { key, result } });
     if (!isShowable(result)) return;
     const shown: ShownMesh = { ...madeByRun, mesh: result };
-    this.state.setState({ ...shown, meshKey: key, front: null, unoptimized: null });
+    const meshedBodies = placedSurfacesKey(bodiesOf(project));
+    this.state.setState({ ...shown, meshKey: key, meshedBodies, front: null, unoptimized: null });
     if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, shown);
   }
 
@@ -348,10 +355,13 @@ export class MeshRun {
     if (dropped !== undefined) this.#cache.delete(dropped);
   }
 
-  #showCached(key: string): void {
+  #showCached(content: DocumentContent): void {
+    const key = shownMeshKey(content);
     const shown = this.#cache.get(key);
     if (!shown) return;
-    this.state.setState({ ...shown, meshKey: key, outcome: { key, result: shown.mesh }, failure: null });
+    const meshedBodies = placedSurfacesKey(bodiesOf(content.project));
+    const outcome = { key, result: shown.mesh };
+    this.state.setState({ ...shown, meshKey: key, meshedBodies, outcome, failure: null });
   }
 
   #log(seconds: number, level: LogLevel, text: string): void {
@@ -402,6 +412,14 @@ export function isStale(run: RunState, document: DocumentState): boolean {
   if (run.mesh === null) return false;
   const content = settledContent(document);
   return content.project !== document.history.present.project || run.meshKey !== shownMeshKey(content);
+}
+
+/**
+ * Returns whether the shown mesh is out of date because the project has other bodies, or has them elsewhere. The view then
+ * shows the bodies instead.
+ */
+export function isOfOtherBodies({ mesh, meshedBodies }: RunState, document: DocumentState): boolean {
+  return mesh !== null && meshedBodies !== placedSurfacesKey(bodiesOf(document.history.present.project));
 }
 
 /**

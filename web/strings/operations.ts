@@ -100,7 +100,8 @@ export const operationStrings = {
     outsideOpposite: "The circle does not lie within the patch opposite.",
     closedProfile: "Circles and closed splines cannot be revolved; draw them as several arcs.",
     acrossAxis: "The profile must lie on one side of the axis.",
-    allCoincide: "All copies coincide with what is there.",
+    allCoincide:
+      "All copies coincide with what is there. Move the plane or the axis, or change the distance.",
     nothingMoves: "Nothing moves.",
     tubeRadius: "The radius of the tube must be less than that of the ring.",
     thickness: "The last two digits are the thickness and must not be 00.",

@@ -6,7 +6,7 @@ import type { BodyFeed } from "../session/bodies";
 import type { DocumentStore } from "../session/document-store";
 import type { PreviewFeed } from "../session/preview";
 import type { ProblemList } from "../session/problems";
-import { isStale, type MeshRun } from "../session/run";
+import { isOfOtherBodies, isStale, type MeshRun } from "../session/run";
 import type { SizeFeed } from "../session/size-feed";
 import type { SampledProject, ShownState } from "./scene-state";
 import { shownBodies } from "./shown-bodies";
@@ -56,8 +56,14 @@ function projectState({ documents, bodies, run }: SessionStores) {
     project,
     bodies: shownBodies(project, bodies),
     tints: groupTints(project),
-    isMeshStale: isStale(run.state.getState(), documents.state.getState()),
+    ...agreementOf(run, documents),
   };
+}
+
+/** How the mesh agrees with the project. */
+function agreementOf(run: MeshRun, documents: DocumentStore) {
+  const [state, document] = [run.state.getState(), documents.state.getState()];
+  return { isMeshStale: isStale(state, document), isMeshOfOthers: isOfOtherBodies(state, document) };
 }
 
 function previewState({ previews }: SessionStores): { readonly preview: SampledProject | null } {
@@ -69,7 +75,7 @@ function runState({ documents, run }: SessionStores) {
   const state = run.state.getState();
   return {
     mesh: state.mesh,
-    isMeshStale: isStale(state, documents.state.getState()),
+    ...agreementOf(run, documents),
     checkedSurface: state.outcome?.result.surface ?? null,
     front: state.front,
     unoptimized: state.unoptimized,

@@ -31,6 +31,8 @@ export interface ShownState extends ViewState {
   readonly mesh: MeshResult | null;
   /** The mesh belongs to an earlier state of the project. */
   readonly isMeshStale: boolean;
+  /** The mesh is out of date because the project has other bodies: they are drawn instead. */
+  readonly isMeshOfOthers: boolean;
   /** Faces of the front of the current run, x y z of three corners each; null if it has not advanced, and without a run. */
   readonly front: Float64Array | null;
   /** The mesh that the current run is optimizing, which is shown instead of `mesh`. */
@@ -54,13 +56,18 @@ export interface SceneState extends ShownState {
   readonly viewport: Viewport;
   /** A recorded front of another model is shown, instead of anything of this one. */
   readonly isOtherModel: boolean;
-  /** The mesh is out of date because the project has other bodies: they are drawn instead. */
-  readonly isMeshOfOthers: boolean;
 }
 
 /** Returns whether the mesh is drawn, and not only known. */
 export const drawsMesh = ({ layers, unoptimized, isMeshOfOthers }: SceneState): boolean =>
   layers.mesh && (unoptimized !== null || !isMeshOfOthers);
+
+/** Returns whether faces of tetrahedra or of the front are drawn. A closed front has none. */
+export function showsFaces(state: SceneState): boolean {
+  const { layers, front, unoptimized, mesh } = state;
+  if (front) return layers.mesh && front.length > 0;
+  return drawsMesh(state) && ((unoptimized ?? mesh)?.volume.tetrahedra ?? []).length > 0;
+}
 
 /** A new state of the scene, and the state before it. */
 export class SceneChanges {

@@ -6,7 +6,6 @@ import type { ViewerColors } from "./colors";
 import { FrameLoop } from "./frame-loop";
 import { Framing, type FramedScene } from "./framing";
 import type { Hit, Layer } from "./layers/layer";
-import { MeshedBodies } from "./meshed-bodies";
 import { MotionWatch } from "./motion-watch";
 import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { Position } from "../document/position";
@@ -65,7 +64,6 @@ export class Viewer {
   /** Whether the next frame is the last one of a motion. */
   #isResting = false;
   readonly #layers: SceneLayers;
-  readonly #meshedBodies = new MeshedBodies();
   readonly #observer: ResizeObserver;
   #state: SceneState;
 
@@ -91,8 +89,7 @@ export class Viewer {
     const viewport = { width: 1, height: 1, pixelRatio: 1, isHurried: false };
     const origin = roomyBounds(options.state.project, options.state.bodies).centre;
     const { state, colors } = options;
-    const isMeshOfOthers = this.#meshedBodies.areOthers(state);
-    this.#state = { ...state, colors, origin, viewport, isOtherModel: false, isMeshOfOthers };
+    this.#state = { ...state, colors, origin, viewport, isOtherModel: false };
     this.#updateLayers(null);
     this.framing = new Framing(this.#view, this.#framedScene(), options.motion, options.coveredLeft);
     this.#view.controls.addEventListener("control", () => this.#loop.request());
@@ -114,8 +111,7 @@ export class Viewer {
     const before = this.#state;
     const parts = Object.keys(change) as (keyof ShownState)[];
     if (parts.every((part) => change[part] === before[part])) return;
-    const isMeshOfOthers = this.#meshedBodies.areOthers({ ...before, ...change });
-    this.#update({ ...change, isMeshOfOthers });
+    this.#update(change);
     this.#view.leftOrbits = this.#state.leftDrag === "orbit";
     const { project, bodies, preview } = this.#state;
     const isOther = project !== before.project || bodies !== before.bodies || preview !== before.preview;

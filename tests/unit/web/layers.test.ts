@@ -1,4 +1,4 @@
-import { Ray, Vector3, type BufferAttribute, type Mesh, type Points } from "three";
+import { Ray, Vector3, type BufferAttribute, type Mesh, type Points, type ShaderMaterial } from "three";
 import { describe, expect, it, vi } from "vitest";
 import type { MeshResult, Project, ProjectSource } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
@@ -283,6 +283,24 @@ describe("the layer of patches", () => {
   });
 });
 
+it("patches are as opaque over a mesh that is not drawn as without one", () => {
+  const layer = new PatchesLayer(noTree);
+  const [plain] = layer.root.children as Mesh[];
+  const { uniforms } = plain?.material as ShaderMaterial;
+  const opacity = (): unknown => (uniforms["stateScales"]?.value as number[] | undefined)?.[normal];
+  const volume = { tetrahedra: Uint32Array.from([0, 1, 2, 3]) };
+  const meshed = { ...start, mesh: { volume } as MeshResult };
+  show(layer, start);
+  const alone = opacity();
+  change(layer, start, meshed);
+  expect(opacity()).toBeLessThan(Number(alone));
+  const ofOthers = { ...meshed, isMeshStale: true, isMeshOfOthers: true };
+  change(layer, meshed, ofOthers);
+  expect(opacity()).toBe(alone);
+  change(layer, ofOthers, { ...ofOthers, unoptimized: { volume } as SceneState["unoptimized"] });
+  expect(opacity()).toBeLessThan(Number(alone));
+});
+
 describe("the layer of the front", () => {
   const points = Float64Array.from([1, 0, 0, 2, 0, 0, 1, 1, 0, 1, 0, 1]);
   const front = (...nodes: number[]) =>
@@ -306,8 +324,11 @@ describe("the layer of the front", () => {
     const left = { ...start, mesh };
     show(layer, start, left);
     expect(layer.root.geometry.drawRange.count).toBe(3);
+    const ofOthers = { ...left, isMeshStale: true, isMeshOfOthers: true };
+    change(layer, left, ofOthers);
+    expect(layer.root.visible).toBe(false);
     const running = { ...left, front: front() };
-    change(layer, left, running);
+    change(layer, ofOthers, running);
     expect(layer.root.visible).toBe(false);
     const done = { ...start, mesh: { ...mesh, report: { ...mesh.report, status: "done" } } as MeshResult };
     change(layer, running, done);

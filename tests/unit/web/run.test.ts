@@ -11,7 +11,7 @@ import {
 import { emptyProject } from "../../../web/document/create";
 import { meshKey, versionedKey } from "../../../web/document/content-keys";
 import { DocumentStore, newDocument } from "../../../web/session/document-store";
-import { canImprove, isStale, MeshRun, type LogLine } from "../../../web/session/run";
+import { canImprove, isOfOtherBodies, isStale, MeshRun, type LogLine } from "../../../web/session/run";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 
@@ -283,5 +283,66 @@ it("a run says what became of each body, and leaves it as its preview", async ()
   await run.generate();
   expect(kept).toHaveLength(1);
   expect(texts()).toContain(line);
+  mesher.dispose();
+});
+
+const bodyOf = (size: number, id = 1) =>
+  createBody(boxSurface(1, [0, 0, 0], [size, size, size]), { id, firstPatchId: id });
+const movedTo = (body: ReturnType<typeof bodyOf>, x: number) => ({
+  ...body,
+  placement: { position: [x, 0, 0] as const },
+});
+
+it("a mesh is of others once bodies are added, removed, replaced or moved; sizes, names and order do not count", async () => {
+  const mesher = await createMesher();
+  const [small, large, apart] = [bodyOf(1), bodyOf(2), movedTo(bodyOf(1, 7), 5)];
+  const documents = new DocumentStore({ ...emptyProject("a"), bodies: [small, apart] });
+  const run = new MeshRun(documents, Promise.resolve(mesher));
+  const isOther = (): boolean => isOfOtherBodies(run.state.getState(), documents.state.getState());
+  const isOtherWith = (...bodies: readonly ReturnType<typeof bodyOf>[]): boolean => {
+    documents.edit({ label: "Bodies", replace: [[["project", "bodies"], bodies]] });
+    return isOther();
+  };
+  expect(isOther()).toBe(false);
+  await run.generate();
+  expect(isOther()).toBe(false);
+  expect(isOtherWith({ ...small, name: "part", remeshing: { size: 0.1 } }, apart)).toBe(false);
+  expect(isOtherWith(apart, small)).toBe(false);
+  expect(isOtherWith(small)).toBe(true);
+  expect(isOtherWith(small, apart, bodyOf(1, 9))).toBe(true);
+  // The result of another Boolean operation has the same id.
+  expect(isOtherWith(large, apart)).toBe(true);
+  documents.undo();
+  expect(isOtherWith(movedTo(small, 9), apart)).toBe(true);
+  documents.jumpTo(0);
+  expect(isOther()).toBe(false);
+  expect(isStale(run.state.getState(), documents.state.getState())).toBe(false);
+  const drag = documents.begin("Move");
+  drag.update({
+    replace: [
+      [
+        ["project", "bodies"],
+        [small, movedTo(apart, 6)],
+      ],
+    ],
+  });
+  expect(isOther()).toBe(true);
+  drag.cancel();
+  expect(isOther()).toBe(false);
+  mesher.dispose();
+});
+
+it("a mesh of a body that was moved while the run was under way is of others", async () => {
+  const mesher = await createMesher();
+  const body = bodyOf(1);
+  const documents = new DocumentStore({ ...emptyProject("a"), bodies: [body] });
+  const run = new MeshRun(documents, Promise.resolve(mesher));
+  const running = run.generate();
+  documents.edit({ label: "Move", replace: [[["project", "bodies"], [movedTo(body, 3)]]] });
+  await running;
+  expect(run.state.getState().mesh?.report.status).toBe("done");
+  expect(isOfOtherBodies(run.state.getState(), documents.state.getState())).toBe(true);
+  documents.undo();
+  expect(isOfOtherBodies(run.state.getState(), documents.state.getState())).toBe(false);
   mesher.dispose();
 });

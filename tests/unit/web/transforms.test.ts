@@ -187,6 +187,15 @@ describe("transforms", () => {
     expect(await volumesOf(mirrored)).toHaveLength(2);
   });
 
+  it("a mirror image that coincides with its original is refused, with what to change", () => {
+    const operation = operationNamed("transform-mirror");
+    const subject = { project: cube, selection: allPatches(cube) };
+    const values = operation.initial(subject);
+    const offer = operation.make(subject, values);
+    expect(offer.possible ? "" : offer.reason).toContain("Move the plane");
+    expect(operation.make(subject, { ...values, point: [0.5, 0, 0] }).possible).toBe(true);
+  });
+
   it("a circular array of sectors closes", async () => {
     const wedge = projectOf([prism(3, 1, 1)], 0.5);
     const apex = wedge.points.find(({ position: [x, , z] }) => x === 1 && z === 0);

@@ -8,6 +8,7 @@ import { DocumentStore, newDocument } from "../../../web/session/document-store"
 import type { PreviewFeed } from "../../../web/session/preview";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import { LineTool } from "../../../web/tools/drawing/line-tool";
+import type { ToolPointer } from "../../../web/tools/tool";
 import { NodeTool } from "../../../web/tools/drawing/node-tool";
 import { DrawingLayer } from "../../../web/viewer/layers/drawing-layer";
 
@@ -113,6 +114,31 @@ it.each([
   expect(snap()).toBeNull();
   expect(documents.project.lines.map(({ type }) => type)).toEqual([lineType]);
   shown.mockRestore();
+});
+
+it("what is typed stays shown while the pointer moves or leaves; then the place under the pointer is shown", () => {
+  const stores = makeStores();
+  const { drawing } = stores;
+  const tool = new LineTool(stores);
+  tool.overlay();
+  const snap = () => drawing.state.getState().snap;
+  const pointer = { at: { x: 0, y: 0 }, mod: true, hit: () => null } as unknown as ToolPointer;
+  const typed = { kind: "typed", position: [2, 1, 0] };
+  drawing.type("2,1,0");
+  tool.move(pointer);
+  expect(snap()).toMatchObject(typed);
+  drawing.type("2,1,0*");
+  expect(snap()).toMatchObject({ kind: "plane", position: [0, 0, 0] });
+  drawing.type("2,1,0");
+  tool.move(null);
+  expect(snap()).toMatchObject(typed);
+  tool.move(pointer);
+  drawing.type(null);
+  expect(snap()).toMatchObject({ kind: "plane", position: [0, 0, 0] });
+  drawing.type("2,1,0");
+  tool.move(null);
+  drawing.type(null);
+  expect(snap()).toBeNull();
 });
 
 /** The line tool, drawing a chain of straight lines. */

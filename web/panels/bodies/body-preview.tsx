@@ -7,7 +7,7 @@ import { FieldRow } from "../../ui/fields/field-row";
 import { IconButton } from "../../ui/icon-button";
 import { formatAngle, formatCount, formatShort } from "../../ui/format";
 import { strings } from "../../strings";
-import { useApp, useRun, useView } from "../shared/app-context";
+import { useApp, useMeshOfOthers, useRun, useView } from "../shared/app-context";
 import { PositionList } from "../shared/position-list";
 import styles from "./bodies.module.css";
 import { useBody, usePreparation } from "./use-body";
@@ -140,7 +140,8 @@ function ShownTriangles({ hasPreview }: { readonly hasPreview: boolean }) {
   const app = useApp();
   const surface = useView((state) => state.bodySurface);
   const layer = useView((state) => state.layers.mesh);
-  const hasMesh = useRun((state) => (state.mesh?.report.tetrahedra ?? 0) > 0);
+  const isOfOthers = useMeshOfOthers();
+  const hasMesh = useRun(({ mesh }) => !isOfOthers && (mesh?.report.tetrahedra ?? 0) > 0);
   if (!hasPreview && !hasMesh) return null;
   const views = (["given", "new", "mesh"] as const).map((value) => ({
     value,

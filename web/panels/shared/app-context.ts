@@ -4,7 +4,7 @@ import { createStore } from "zustand/vanilla";
 import type { App } from "../../app/app";
 import type { DocumentState } from "../../session/document-store";
 import type { ProblemState } from "../../session/problems";
-import { isStale, type RunState } from "../../session/run";
+import { isOfOtherBodies, isStale, type RunState } from "../../session/run";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { ViewState } from "../../document/selection";
 import type { ShellState } from "../../session/shell";
@@ -66,6 +66,12 @@ const neverPending = createStore(() => ({ pending: false }));
 /** Returns whether there is a change that has not been written to the browser's storage. */
 export function useAutosavePending(): boolean {
   return useStore(useApp().autosave?.state ?? neverPending, (state) => state.pending);
+}
+
+/** Returns whether the view shows the bodies of the project instead of a mesh of others. */
+export function useMeshOfOthers(): boolean {
+  const document = useDocument((state) => state);
+  return useRun((state) => isOfOtherBodies(state, document));
 }
 
 export function useStale(): boolean {

@@ -4,11 +4,18 @@ import { frontValues } from "../../player/front-values";
 import { poorAngle } from "../../player/poor-angle";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
-import type { RunState } from "../../session/run";
 import { formatShort } from "../../ui/format";
 import { shownBodies } from "../../viewer/shown-bodies";
 import { viridis } from "../../ui/theme/viridis";
-import { useApp, useProject, useQualitySpace, useRegions, useRun, useView } from "../shared/app-context";
+import {
+  useApp,
+  useMeshOfOthers,
+  useProject,
+  useQualitySpace,
+  useRegions,
+  useRun,
+  useView,
+} from "../shared/app-context";
 import styles from "./legend.module.css";
 import { RegionList } from "../shared/region-list";
 
@@ -32,7 +39,8 @@ function useDeviationShown(): boolean {
   const surface = useView((state) => state.bodySurface);
   const meshLayer = useView((state) => state.layers.mesh);
   const bodyLayer = useView((state) => state.layers.bodies);
-  const hasMesh = useRun((state) => showsMesh(state) || (state.front?.length ?? 0) > 0);
+  const hasFront = useRun(({ front }) => (front?.length ?? 0) > 0);
+  const hasMesh = useShowsMesh() || hasFront;
   useStore(app.bodies.state, ({ byId }) => byId);
   if (!bodyLayer || surface !== "new" || (meshLayer && hasMesh)) return false;
   return shownBodies(project, app.bodies).some(
@@ -131,17 +139,21 @@ function DeviationLegend() {
 function MeshLegend() {
   const shading = useView((state) => state.shading);
   const visible = useView((state) => state.layers.mesh);
-  const hasMesh = useRun(showsMesh);
+  const hasMesh = useShowsMesh();
   if (shading === "plain" || !visible || !hasMesh) return null;
   return shading === "region" ? <RegionLegend /> : <ScaleLegend measure={shading} />;
 }
 
 /**
- * Returns whether the view shows tetrahedra. While the front advances, the view shows the front instead of
+ * Returns whether the view shows tetrahedra if their layer is on. While the front advances, the view shows the front instead of
  * the mesh.
  */
-function showsMesh({ front, unoptimized, mesh }: RunState): boolean {
-  return unoptimized !== null || (front === null && (mesh?.report.tetrahedra ?? 0) > 0);
+function useShowsMesh(): boolean {
+  const isOfOthers = useMeshOfOthers();
+  return useRun(
+    ({ front, unoptimized, mesh }) =>
+      unoptimized !== null || (front === null && !isOfOthers && (mesh?.report.tetrahedra ?? 0) > 0),
+  );
 }
 
 /** The colour and size of each region; nothing if there is only one. */

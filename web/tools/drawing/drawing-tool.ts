@@ -51,7 +51,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
   /** The last place under the pointer, which may have left the view since. */
   protected seen: Position | null = null;
   readonly #keys: TypedKeys;
-  /** The place under the pointer, while one that is being typed is shown. */
+  /** The place under the pointer, while one that is typed is shown instead. */
   #pointed: Snap | null = null;
   #layer: DrawingLayer | null = null;
   #stopListening: (() => void) | null = null;
@@ -93,8 +93,13 @@ export abstract class DrawingTool implements Tool, TypedInput {
 
   move(pointer: ToolPointer | null): void {
     if (pointer && this.#keys.flushAt(pointer.at)) return;
-    this.snap = pointer && this.snapAt(pointer);
-    this.seen = this.snap?.position ?? this.seen;
+    const pointed = pointer && this.snapAt(pointer);
+    this.seen = pointed?.position ?? this.seen;
+    if (isTyped(this.snap)) {
+      // The hand may rest on the mouse: what is typed stays shown. An arc lies on the side of the pointer.
+      this.#pointed = pointed;
+      this.snap = this.#typedSnap(this.stores.drawing.state.getState().typed ?? "") ?? pointed;
+    } else this.snap = pointed;
     this.refresh(pointer);
   }
 

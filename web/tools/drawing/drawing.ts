@@ -6,7 +6,7 @@ import type { ScreenPoint } from "../../viewer/screen";
 import type { Snap } from "./snapping";
 
 export interface DrawingState {
-  /** The place under the pointer. */
+  /** The place under the pointer, or what is typed. */
   readonly snap: Snap | null;
   readonly pointer: ScreenPoint;
   /** The position under the pointer, on the work plane or where a tool would draw; null if it is not over the view. */

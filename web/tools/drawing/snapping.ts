@@ -5,8 +5,10 @@ import type { Ray } from "../../document/work-plane";
 import type { PointerView } from "../../viewer/pointer-view";
 import type { ScreenPoint } from "../../viewer/screen";
 
-/** What the pointer snaps to. "plane" is a place in the work plane beside its grid. */
-/** The last two are not under the pointer: typed coordinates, and a place on the circle or arc of a typed radius. */
+/**
+ * What the pointer snaps to. "plane" is a place in the work plane beside its grid. The last two are not under the pointer: typed
+ * coordinates, and a place on the circle or arc of a typed radius.
+ */
 export type SnapKind =
   "point" | "node" | "intersection" | "middle" | "line" | "patch" | "grid" | "plane" | "typed" | "radius";
 

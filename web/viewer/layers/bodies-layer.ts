@@ -5,7 +5,7 @@ import { createPatchMaterial } from "../materials/patch-material";
 import { paletteTexture, rampTexture } from "../materials/textures";
 import { setColor, setNumber, setTexture } from "../materials/uniforms";
 import type { ViewerColors } from "../colors";
-import { drawsMesh, type SceneChanges, type SceneState } from "../scene-state";
+import { showsFaces, type SceneChanges, type SceneState } from "../scene-state";
 import { drawnOf } from "../shown-bodies";
 import type { Screen } from "../screen";
 import { BodyObject, type BodyMaterials, type BuildTree } from "./body-object";
@@ -54,7 +54,7 @@ export class BodiesLayer implements HittableLayer {
     for (const material of this.#bases) setNumber(material, "edges", state.edges ? 1 : 0);
     if (changes.has("bodies", "bodySurface", "origin")) this.#setBodies(state);
     const { layers, hidden, shownSizes } = state;
-    const isSolid = shownSizes !== null || !showsMesh(state);
+    const isSolid = shownSizes !== null || !showsFaces(state);
     for (const [id, object] of this.#objects) {
       const isReplaced = shownSizes?.bodies.includes(id) === true;
       object.show(state, layers.bodies && !hidden.has(`body-${id}`) && !isReplaced, isSolid);
@@ -123,11 +123,4 @@ export class BodiesLayer implements HittableLayer {
       object.place(origin);
     }
   }
-}
-
-/** Returns whether tetrahedra or the front hide the surfaces of bodies. A closed front has no faces. */
-function showsMesh(state: SceneState): boolean {
-  const { layers, front, unoptimized, mesh } = state;
-  if (front) return layers.mesh && front.length > 0;
-  return drawsMesh(state) && ((unoptimized ?? mesh)?.volume.tetrahedra ?? []).length > 0;
 }

@@ -26,8 +26,10 @@ export class FrontLayer implements Layer {
       setColor(this.#material, "color", state.colors.front);
       setColor(this.#material, "edgeColor", state.colors.meshEdge);
     }
-    if (changes.has("front", "mesh", "unoptimized", "origin"))
-      this.#write(state.front ?? remainingFront(state.unoptimized ? null : state.mesh), state.origin);
+    if (changes.has("front", "mesh", "unoptimized", "isMeshOfOthers", "origin")) {
+      const isMeshHidden = state.unoptimized !== null || state.isMeshOfOthers;
+      this.#write(state.front ?? remainingFront(isMeshHidden ? null : state.mesh), state.origin);
+    }
     this.root.visible = state.layers.mesh && this.#geometry.drawRange.count > 0;
   }
 

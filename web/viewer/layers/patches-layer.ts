@@ -3,7 +3,7 @@ import { setStateColors, setStateScale, stateCodes } from "../draw-state";
 import { EntityStates } from "../entity-states";
 import { createPatchMaterial } from "../materials/patch-material";
 import type { Position } from "../../document/position";
-import type { SampledProject, SceneChanges } from "../scene-state";
+import { showsFaces, type SampledProject, type SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
 import { CoarseTriangles, hurriedTriangles } from "../coarse-triangles";
 import { TriangleTree, type SerializedTree } from "../triangle-tree";
@@ -107,10 +107,8 @@ export class PatchesLayer implements HittableLayer {
       }
       setStateColors(this.#hurried, { normal: patch, hover, selected, defective });
     }
-    if (changes.has("layers", "mesh", "front")) {
-      // A closed front has no faces; only the patches are then drawn.
-      const hasMesh = (state.front ?? (state.unoptimized ?? state.mesh)?.volume.tetrahedra ?? []).length > 0;
-      const opacity = state.layers.mesh && hasMesh ? opacityOverMesh : opacityAlone;
+    if (changes.has("layers", "mesh", "unoptimized", "front", "isMeshOfOthers")) {
+      const opacity = showsFaces(state) ? opacityOverMesh : opacityAlone;
       for (const drawn of ["normal", "hover", "selected", "defective"] as const) {
         setStateScale(this.#plain, drawn, opacity);
       }
