@@ -188,7 +188,7 @@ export const placedSurfaceKey = remembering(
     `${JSON.stringify(body.placement ?? {}, placementFields)} ${givenSurfaceKey(body)}`,
 );
 
-/** Returns the key of which given surfaces bodies have, and where: it does not depend on names, sizes and their order. */
+/** Returns a key of the surfaces of bodies and of where they are. Names, sizes and the order of the bodies do not change it. */
 export const placedSurfacesKey = remembering((bodies: readonly ProjectBody[]): string =>
   bodies.map(placedSurfaceKey).toSorted().join(" | "),
 );

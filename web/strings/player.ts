@@ -162,7 +162,7 @@ export const playerStrings = {
       `Accepted, its element would overlap what the front encloses: it would cross ${facesOf(faces)}.`,
     tooClose: "Its element would cross nothing, but would leave a gap for poor elements.",
   },
-  /** How the front changes: the faces that leave it, and the number of those that join. */
+  /** What a step does to the front: which faces leave it, and how many join. */
   frontChange: {
     accepted: (left: readonly number[], joined: number) =>
       `The front: ${facesOf(left)} ${left.length === 1 ? "leaves" : "leave"}, ${joinedFaces(joined)} ${joined === 1 ? "joins" : "join"} (steps F6 and F8).`,

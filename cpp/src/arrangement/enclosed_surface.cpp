@@ -344,4 +344,12 @@ Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh&
   co_return results;
 }
 
+TriangleId firstLeftOut(std::size_t givenTriangles, const EnclosedSurface& enclosed) {
+  std::vector<std::uint8_t> isLeft(givenTriangles, 0);
+  for (const TriangleId from : enclosed.origin) isLeft[from.index()] = 1;
+  const auto first = std::ranges::find(isLeft, 0);
+  if (first == isLeft.end()) return {};
+  return TriangleId(static_cast<std::size_t>(first - isLeft.begin()));
+}
+
 }  // namespace tetrafront

@@ -6,6 +6,7 @@
 /// begins with the given surface and welds the points of intersecting triangles within a larger distance (compare the
 /// rounding to ever coarser grids by Valque & Lazard 2025).
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -67,5 +68,8 @@ struct EnclosingLimits {
 Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
                                                   double weldDistance = 0.0,
                                                   const EnclosingLimits& limits = {});
+
+/// Returns the first of the given triangles of which nothing is left, or none. O(triangles).
+[[nodiscard]] TriangleId firstLeftOut(std::size_t givenTriangles, const EnclosedSurface& enclosed);
 
 }  // namespace tetrafront

@@ -24,8 +24,8 @@ namespace {
 
 /// Angle in radians below which two triangles count as coplanar.
 constexpr double kFlatAngle = 0.002;
-/// Angle in radians below which all angles at the edges of a triangle count as rounding. chordOf() takes the root of a cosine's
-/// rounding, about 1e-16, and so has an error of about 1e-8; this is a hundred times as much.
+/// Angle in radians below which all angles at the edges of a triangle count as rounding. chordOf() takes the root of the rounding
+/// of a cosine, about 1e-16, so its own error is about 1e-8. The limit is a hundred times that.
 constexpr double kLeastAngle = 1e-6;
 /// Angle at an edge / largest angle at an edge of the triangle below which the surface does not bend there.
 constexpr double kFlatPerLargest = 0.1;

@@ -32,7 +32,8 @@ constexpr double kCornerDegrees = 50.0;
 /// Given triangles under one of the target size from which a surface is coarsened first: a triangle that covers more of
 /// them takes long to prove, or cannot be proven to stay within the tolerance.
 constexpr double kManyBeneath = 100.0;
-/// Share of the area of the curved patches with so many triangles from which a surface is coarsened first.
+/// If triangles of the target size cover so many given ones on more than this share of the area of the curved patches, the surface
+/// is coarsened first.
 constexpr double kFineShare = 0.05;
 /// Largest number of pieces by which this share is estimated: enough for its size.
 constexpr std::size_t kFineSamples = 4096;

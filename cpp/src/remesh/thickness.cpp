@@ -15,9 +15,11 @@
 namespace tetrafront {
 namespace {
 
-/// In place of a smaller component of the direction of a ray, so that its inverse is finite.
+/// In place of a smaller component of a ray's unit direction, so that its inverse is finite: far below the rounding of a component,
+/// about 1e-16, and its inverse times any coordinate is far below the largest double.
 constexpr double kLeastComponent = 1e-30;
-/// Distance / diagonal from the start of a ray within which the surface is that at the start itself.
+/// Distance / diagonal from the start of a ray within which the surface is that at the start itself: above the rounding of
+/// coordinates in single precision, 6e-8 of the largest one, and far below any thickness that could be meshed.
 constexpr double kRayStart = 1e-7;
 
 /// A ray, prepared for tests with many boxes.

@@ -36,15 +36,6 @@ std::vector<std::uint32_t> valuesOf(const std::vector<TriangleId>& ids) {
   return values;
 }
 
-/// Returns the first triangle of which nothing is left, or none.
-TriangleId firstLeftOut(const SurfaceMesh& closed, const EnclosedSurface& enclosed) {
-  std::vector<std::uint8_t> isLeft(countTriangles(closed), 0);
-  for (const TriangleId from : enclosed.origin) isLeft[from.index()] = 1;
-  const auto first = std::ranges::find(isLeft, 0);
-  if (first == isLeft.end()) return {};
-  return TriangleId(static_cast<std::size_t>(first - isLeft.begin()));
-}
-
 /// A surface under repair. Its nodes keep their given indices until take().
 class RepairedSurface {
  public:
@@ -107,6 +98,8 @@ class RepairedSurface {
   void splitSlivers();
   void removeSlivers();
   void remove(const std::vector<std::uint8_t>& isRemoved);
+  template <class Condition>
+  void removeIf(Condition condition);
   void orient(bool isValid);
   void orientIfManifold(SurfaceMesh& oriented) const;
   void keepHoles(const SurfaceMesh& mesh, const std::vector<FilledHole>& holes);
@@ -195,15 +188,23 @@ void RepairedSurface::remove(const std::vector<std::uint8_t>& isRemoved) {
   origin_.resize(kept);
 }
 
-void RepairedSurface::removeTrianglesWithRepeatedNodes() {
+/// Removes the triangles for which the condition holds, and lists them.
+template <class Condition>
+void RepairedSurface::removeIf(Condition condition) {
   std::vector<std::uint8_t> isRemoved(countTriangles(mesh_), 0);
-  for (std::uint32_t t = 0; t < isRemoved.size(); ++t) {
-    const auto [a, b, c] = nodesOf(mesh_, TriangleId(t));
-    if (a != b && b != c && c != a) continue;
-    isRemoved[t] = 1;
-    addAt(RepairKind::kRemovedTriangle, TriangleId(t));
+  for (const TriangleId t : IdRange<TriangleId>(isRemoved.size())) {
+    if (!condition(t)) continue;
+    isRemoved[t.index()] = 1;
+    addAt(RepairKind::kRemovedTriangle, t);
   }
   remove(isRemoved);
+}
+
+void RepairedSurface::removeTrianglesWithRepeatedNodes() {
+  removeIf([this](TriangleId triangle) {
+    const auto [a, b, c] = nodesOf(mesh_, triangle);
+    return a == b || b == c || c == a;
+  });
 }
 
 /// Splits triangles next to slivers, which does not change the shape.
@@ -217,13 +218,7 @@ void RepairedSurface::splitSlivers() {
 }
 
 void RepairedSurface::removeSlivers() {
-  std::vector<std::uint8_t> isRemoved(countTriangles(mesh_), 0);
-  for (std::uint32_t t = 0; t < isRemoved.size(); ++t) {
-    if (!isSliver(mesh_, TriangleId(t))) continue;
-    isRemoved[t] = 1;
-    addAt(RepairKind::kRemovedTriangle, TriangleId(t));
-  }
-  remove(isRemoved);
+  removeIf([this](TriangleId triangle) { return isSliver(mesh_, triangle); });
 }
 
 void RepairedSurface::removeDuplicates() {
@@ -349,7 +344,7 @@ Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
   if (!enclosed.isResolved) co_return false;
   if (enclosed.sheetShare > kMaxSheetShare) {
     enclosed.reason = Unresolved::kMostlySheets;
-    enclosed.where = firstLeftOut(closed, enclosed);
+    enclosed.where = firstLeftOut(countTriangles(closed), enclosed);
     co_return false;
   }
   // The check numbers the regions anew.

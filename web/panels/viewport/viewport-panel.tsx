@@ -88,7 +88,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <ToolColumn />
       <div className={styles["top"]}>
         {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}
-        {/* The panel of an operation lies there. */}
+        {/* On a wide screen, the panel of an operation takes this place. */}
         {!hasOperation && <MeshBadge />}
       </div>
       <OpenEdges />
