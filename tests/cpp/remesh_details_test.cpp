@@ -112,6 +112,22 @@ TEST(RemeshDetails, WellShapedOnesAreNotDropped) {
   }
 }
 
+/// Details below a fifth of the tolerance are dropped, unless sizes are small enough for good triangles across them.
+TEST(RemeshDetails, SmallOnesStayIfSizesAreAsSmall) {
+  const SurfaceMesh given = blockWithStep(0.004);
+  RemeshOptions options;
+  options.dropPoorDetails = true;
+  options.tolerance = 0.021;
+  const SurfaceRemesh fine = remesh(given, options);
+  EXPECT_TRUE(fine.mergedDetails.empty());
+  EXPECT_GT(fine.smallestAngle, 20.0);
+  options.minSize = 0.03;
+  const SurfaceRemesh coarse = remesh(given, options);
+  EXPECT_FALSE(coarse.mergedDetails.empty());
+  EXPECT_LE(coarse.deviation, coarse.tolerance);
+  EXPECT_GT(coarse.smallestAngle, 20.0);
+}
+
 /// Whenever the work is stopped, the surface is a valid boundary near the given one.
 TEST(RemeshDetails, AreDroppedOrNotIfTheWorkIsStopped) {
   const SurfaceMesh given = blockWithStep(1e-5);

@@ -33,6 +33,8 @@ namespace {
 
 /// Smallest angle, in degrees, below which poor details are dropped.
 constexpr double kPoorAngle = 10.0;
+/// Width of a detail / size below which triangles across it have a smaller angle: the sine of it.
+constexpr double kPoorWidth = 0.1736;
 /// Mean radius ratio below which triangles are poor everywhere, not across a few details: dropping those is of no use.
 constexpr double kPoorRatio = 0.8;
 /// Mean radius ratio that a larger smallest angle may cost.
@@ -48,10 +50,10 @@ constexpr int kUnsettledDepth = 2;
 constexpr double kNeedleShare = 0.05;
 /// Details that are dropped at any share: surfaces of a few triangles have steps, too.
 constexpr double kFewDetails = 50.0;
-/// Shares of the tolerance: of a merge of poor details of the given surface, whose remeshing has the rest; or of the first
-/// remeshing, of each merge of poor details after it, at most, and of the remeshing around them. Merges have what the others
-/// leave.
+/// Shares of the tolerance: of the merges of details of the given surface, and of the first remeshing after them, or without
+/// them; of the merges of poor details of a remeshed surface, at most, and of the remeshing around them.
 constexpr double kGivenMergeShare = 0.2;
+constexpr double kFirstShareAfterMerges = 0.5;
 constexpr double kFirstShare = 0.6;
 constexpr double kMergeShare = 0.3;
 constexpr double kNextShare = 0.06;
@@ -121,8 +123,10 @@ bool isComplete(const SurfaceRemesh& result) {
   return result.diagnostics.empty() && !result.isPartial;
 }
 
-bool isPoor(const SurfaceRemesh& result) {
-  return isComplete(result) && result.smallestAngle < kPoorAngle;
+/// Returns true if triangles are poor across a few details, not everywhere.
+bool isPoorAtDetails(const SurfaceRemesh& result) {
+  return isComplete(result) && result.smallestAngle < kPoorAngle &&
+         result.meanRadiusRatio >= kPoorRatio;
 }
 
 /// Returns true if the smallest angle is larger, without much poorer triangles on average.
@@ -137,24 +141,29 @@ struct Remeshing {
   std::span<const std::uint32_t> regions;  ///< beside the given triangles, or nothing
   GivenSizes sizes;
   const RemeshOptions& options;
+  RemeshLengths lengths;
   const bool& isStopped;
 };
 
-/// Details to drop, and the share of the tolerance of the remeshing after that.
+/// Details to drop, and the shares of the tolerance of the remeshing after that.
 struct DetailRule {
   double distance;
   DetailChoice choice;
-  double toleranceShare;
+  PassRules remeshing;
   double largestShare = 1.0;  ///< of the triangles: number of details
   /// Whether the surface has been remeshed: its well-shaped triangles away from the details then stay, and it is remeshed even
   /// if it has no details.
   bool isRemeshed = false;
 };
 
+/// What came of dropping details: no surface, if there are none or too many, or one that has been remeshed.
+enum class Dropped : std::uint8_t { kNone, kTooMany, kMade };
+
 /// A surface from which details have been dropped.
 struct SimplifiedSurface {
   RemeshPass pass;
   double deviation = 0.0;  ///< sum over all steps
+  double ofChosen = 0.0;   ///< the part of it that details below RemeshOptions::dropDetails have
   std::vector<MergedDetail> merged;
 };
 
@@ -185,10 +194,10 @@ std::vector<std::uint8_t> settledNodes(const SurfaceMesh& mesh, const SurfaceMes
   return isSettled;
 }
 
-/// Drops details of the given or a remeshed surface, and remeshes it. Returns false if a given surface has none, or more than a
-/// share of the triangles. Keeps all details if a region would be left without volume.
-Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& surface,
-                    const DetailRule& rule, SimplifiedSurface& simplified) {
+/// Drops details of the given or a remeshed surface, and remeshes it, unless a given surface has none, or more than a share of
+/// the triangles. Keeps all details if a region would be left without volume.
+Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const PassSurface& surface,
+                       const DetailRule& rule, SimplifiedSurface& simplified) {
   work.beginPart(0.2);
   const RemeshOptions& options = remeshing.options;
   ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
@@ -199,7 +208,8 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
       std::max(kFewDetails, rule.largestShare * static_cast<double>(surface.origin.size()));
   const auto count = static_cast<double>(merger.merged().size());
   const bool isUseless = count == 0.0 && !rule.isRemeshed;
-  if (isUseless || count > largest || remeshing.isStopped) co_return false;
+  if (isUseless || remeshing.isStopped) co_return Dropped::kNone;
+  if (count > largest) co_return Dropped::kTooMany;
   PassSurface made;
   std::vector<TriangleId> parents;
   merger.copyTo(made.mesh, parents);
@@ -212,29 +222,154 @@ Task<bool> simplify(Work& work, const Remeshing& remeshing, const PassSurface& s
   checked.triangleRegions = regionsOf(made, remeshing.regions);
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
   co_await work.finish(boundary);
-  if (anyError(boundary.takeDiagnostics())) co_return false;
+  if (anyError(boundary.takeDiagnostics())) co_return Dropped::kNone;
   simplified.deviation += merger.deviation();
   simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
   work.beginPart(1.0);
-  PassRules passRules{.toleranceShare = rule.toleranceShare, .samples = false};
-  if (rule.isRemeshed) passRules.plannedShare = kFirstShare;
-  simplified.pass =
-      co_await remeshOnce(work, made, remeshing.sizes, options, passRules, remeshing.isStopped);
+  simplified.pass = co_await remeshOnce(work, made, remeshing.sizes, options, rule.remeshing,
+                                        remeshing.isStopped);
   simplified.deviation += simplified.pass.remesh.deviation;
-  co_return true;
+  co_return Dropped::kMade;
 }
 
-/// Returns the result of several steps. `tolerance`: of all of them.
-Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSurface& simplified,
-                           double tolerance) {
-  SurfaceRemesh result = std::move(simplified.pass.remesh);
-  result.tolerance = tolerance;
-  result.deviation = std::max(simplified.deviation, tolerance);
-  result.mergedDetails = std::move(simplified.merged);
-  if (isComplete(result)) {
+/// Returns the rules of a step that has a share of the tolerance.
+PassRules rulesOfShare(double share, double plannedShare) {
+  return {.toleranceShare = share, .plannedShare = plannedShare, .samples = false};
+}
+
+/// Up to three times drops details across which triangles are poor, within the rest of the tolerance, and remeshes around them.
+/// Keeps the surface if the last one is not better.
+Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  const double tolerance = remeshing.lengths.tolerance;
+  SimplifiedSurface next = surface;
+  Dropped dropped = Dropped::kMade;
+  for (int i = 1; i <= kMaxPoorMerges; ++i) {
+    if (dropped != Dropped::kMade || !isPoorAtDetails(next.pass.remesh)) break;
+    work.beginPart(static_cast<double>(i) / kMaxPoorMerges);
+    const PassSurface from = nextSurface(next.pass);
+    const double left = (1.0 - kNextShare) * tolerance - (next.deviation - next.ofChosen);
+    if (!(left > 0.0)) break;
+    const DetailRule rule{.distance = std::min(left, kMergeShare * tolerance),
+                          .choice = DetailChoice::kPoor,
+                          .remeshing = rulesOfShare(kNextShare, kFirstShare),
+                          .isRemeshed = true};
+    dropped = co_await simplify(work, remeshing, from, rule, next);
+  }
+  if (isBetter(next.pass.remesh, surface.pass.remesh)) surface = std::move(next);
+}
+
+/// Drops the details of the given surface below a distance, and remeshes it. Needs few triangles at a detail: if they are
+/// needles along a strip, the nodes of both lines lie anywhere, and a merged line is ragged.
+Task<Dropped> remeshWithoutGiven(Work& work, const Remeshing& remeshing,
+                                 SimplifiedSurface& surface) {
+  const DetailRule rule{
+      .distance = kGivenMergeShare * remeshing.lengths.tolerance,
+      .choice = DetailChoice::kAll,
+      .remeshing = rulesOfShare(kFirstShareAfterMerges, kFirstShareAfterMerges),
+      .largestShare = kNeedleShare,
+  };
+  work.beginPart(0.7);
+  const Dropped dropped = co_await simplify(work, remeshing, remeshing.given, rule, surface);
+  work.beginPart(1.0);
+  if (dropped == Dropped::kMade) co_await dropPoorDetails(work, remeshing, surface);
+  co_return dropped;
+}
+
+/// Remeshes the given surface with a part of the tolerance first, which makes its triangles well-shaped, and then drops details:
+/// all below RemeshOptions::dropDetails, then those across which triangles are poor. The deviations of all steps, except
+/// the one of chosen details, add up to at most the tolerance.
+Task<SimplifiedSurface> remeshInSteps(Work& work, const Remeshing& remeshing) {
+  const RemeshOptions& options = remeshing.options;
+  SimplifiedSurface surface;
+  work.beginPart(0.6);
+  surface.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options,
+                                     rulesOfShare(kFirstShare, kFirstShare), remeshing.isStopped);
+  surface.deviation = surface.pass.remesh.deviation;
+  if (options.dropDetails > 0.0 && isComplete(surface.pass.remesh)) {
+    work.beginPart(0.7);
+    const PassSurface from = nextSurface(surface.pass);
+    const DetailRule rule{.distance = options.dropDetails,
+                          .choice = DetailChoice::kAll,
+                          .remeshing = rulesOfShare(kNextShare, kFirstShare),
+                          .isRemeshed = true};
+    const double before = surface.deviation;
+    if (co_await simplify(work, remeshing, from, rule, surface) == Dropped::kMade) {
+      surface.ofChosen = surface.deviation - before - surface.pass.remesh.deviation;
+    }
+  }
+  work.beginPart(1.0);
+  co_await dropPoorDetails(work, remeshing, surface);
+  co_return surface;
+}
+
+/// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
+Task<> improveInSteps(Work& work, const Remeshing& remeshing, SimplifiedSurface& best) {
+  if (remeshing.isStopped || !isPoorAtDetails(best.pass.remesh)) co_return;
+  work.beginPart(1.0);
+  SimplifiedSurface other = co_await remeshInSteps(work, remeshing);
+  const bool keepsChosen = remeshing.options.dropDetails > 0.0 && other.merged.empty();
+  if (isBetter(other.pass.remesh, best.pass.remesh) && !keepsChosen) best = std::move(other);
+}
+
+/// Remeshes a surface with all details.
+Task<> remeshPlain(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  work.beginPart(1.0);
+  surface.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, remeshing.options, {},
+                                     remeshing.isStopped);
+  surface.deviation = surface.pass.remesh.deviation;
+}
+
+/// Remeshes a surface without the chosen details.
+Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  const DetailRule rule{.distance = remeshing.options.dropDetails,
+                        .choice = DetailChoice::kAll,
+                        .remeshing = rulesOfShare(1.0, 1.0)};
+  work.beginPart(0.6);
+  if (co_await simplify(work, remeshing, remeshing.given, rule, surface) == Dropped::kMade) {
+    co_await improveInSteps(work, remeshing, surface);
+  } else {
+    co_await remeshPlain(work, remeshing, surface);
+  }
+}
+
+/// Returns true if triangles across the details of the given surface that may be dropped are too flat, whatever their size.
+bool areGivenDetailsPoor(const Remeshing& remeshing) {
+  const BackgroundGrid& grid = remeshing.sizes.grid;
+  if (!grid.nodes.empty() || !grid.sources.empty()) return false;
+  const RemeshLengths& lengths = remeshing.lengths;
+  const double smallest = std::min(lengths.minSize, remeshing.sizes.ofRegions.smallest());
+  return kGivenMergeShare * lengths.tolerance < kPoorWidth * smallest;
+}
+
+/// Remeshes a surface without the details of the given one across which triangles would be poor; otherwise with all details. If
+/// triangles are poor all the same, drops details of the remeshed surface.
+Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  Dropped dropped = Dropped::kNone;
+  work.beginPart(0.5);
+  if (areGivenDetailsPoor(remeshing)) {
+    dropped = co_await remeshWithoutGiven(work, remeshing, surface);
+    if (dropped == Dropped::kTooMany) surface = co_await remeshInSteps(work, remeshing);
+  }
+  if (dropped == Dropped::kNone || !surface.pass.remesh.diagnostics.empty()) {
+    surface = {};
+    co_await remeshPlain(work, remeshing, surface);
+  }
+  if (dropped != Dropped::kTooMany) co_await improveInSteps(work, remeshing, surface);
+}
+
+/// Returns the result of all steps.
+Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  SurfaceRemesh result = std::move(surface.pass.remesh);
+  if (!result.diagnostics.empty()) co_return result;
+  result.tolerance = remeshing.lengths.tolerance;
+  result.deviation = std::max(surface.deviation, result.tolerance);
+  result.mergedDetails = std::move(surface.merged);
+  if (isComplete(result) && result.triangleDeviation.empty()) {
     const PassSurface& given = remeshing.given;
     ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(remeshing.options));
     co_await reference.prepare(work);
+    result.patches = static_cast<std::uint32_t>(reference.patchCount());
+    result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
     co_await sampleDeviation(work, reference, result.origin, remeshing.isStopped, result);
   }
   if (remeshing.isStopped) {
@@ -242,106 +377,6 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
     result.triangleDeviation.clear();
   }
   co_return result;
-}
-
-/// Drops the details of the given surface below a distance, and remeshes it. Needs few triangles at a detail: if they are
-/// needles along a strip, the nodes of both lines lie anywhere, and a merged line is ragged.
-Task<SurfaceRemesh> remeshSimplified(Work& work, const Remeshing& remeshing,
-                                     const DetailRule& rule) {
-  SimplifiedSurface simplified;
-  work.beginPart(0.95);
-  const bool isDropped = co_await simplify(work, remeshing, remeshing.given, rule, simplified);
-  work.beginPart(1.0);
-  if (!isDropped) co_return SurfaceRemesh{};
-  const double tolerance = simplified.pass.remesh.tolerance / rule.toleranceShare;
-  SurfaceRemesh result = co_await finish(work, remeshing, simplified, tolerance);
-  co_return result;
-}
-
-/// Remeshes the given surface with a part of the tolerance first, which makes its triangles well-shaped, and then drops details:
-/// all below RemeshOptions::dropDetails, then those across which triangles are poor. The deviations of all steps, except
-/// the one of chosen details, add up to at most the tolerance.
-Task<SurfaceRemesh> remeshInSteps(Work& work, const Remeshing& remeshing) {
-  const RemeshOptions& options = remeshing.options;
-  const PassRules first{
-      .toleranceShare = kFirstShare, .plannedShare = kFirstShare, .samples = false};
-  work.beginPart(0.6);
-  SimplifiedSurface simplified;
-  simplified.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, first,
-                                        remeshing.isStopped);
-  const double tolerance = simplified.pass.remesh.tolerance / kFirstShare;
-  simplified.deviation = simplified.pass.remesh.deviation;
-  const std::uint32_t patches = simplified.pass.remesh.patches;
-  const std::uint32_t featureLines = simplified.pass.remesh.featureLines;
-  double ofChosen = 0.0;
-  bool isDropped = true;
-  if (options.dropDetails > 0.0 && isComplete(simplified.pass.remesh)) {
-    work.beginPart(0.7);
-    const PassSurface surface = nextSurface(simplified.pass);
-    const DetailRule rule{options.dropDetails, DetailChoice::kAll, kNextShare, 1.0, true};
-    const double before = simplified.deviation;
-    isDropped = co_await simplify(work, remeshing, surface, rule, simplified);
-    if (isDropped) ofChosen = simplified.deviation - before - simplified.pass.remesh.deviation;
-  }
-  for (int i = 1; i <= kMaxPoorMerges && isDropped && isPoor(simplified.pass.remesh); ++i) {
-    work.beginPart(0.7 + 0.25 * i / kMaxPoorMerges);
-    const PassSurface surface = nextSurface(simplified.pass);
-    const double left = (1.0 - kNextShare) * tolerance - (simplified.deviation - ofChosen);
-    if (!(left > 0.0)) break;
-    const double distance = std::min(left, kMergeShare * tolerance);
-    const DetailRule rule{distance, DetailChoice::kPoor, kNextShare, 1.0, true};
-    isDropped = co_await simplify(work, remeshing, surface, rule, simplified);
-  }
-  work.beginPart(1.0);
-  SurfaceRemesh result = co_await finish(work, remeshing, simplified, tolerance);
-  result.patches = patches;
-  result.featureLines = featureLines;
-  co_return result;
-}
-
-/// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
-Task<> improveInSteps(Work& work, const Remeshing& remeshing, SurfaceRemesh& best) {
-  if (remeshing.isStopped) best.isPartial = true;
-  if (remeshing.isStopped || !isPoor(best)) co_return;
-  work.beginPart(1.0);
-  SurfaceRemesh other = co_await remeshInSteps(work, remeshing);
-  best.isPartial = other.isPartial;
-  const bool keepsChosen = remeshing.options.dropDetails > 0.0 && other.mergedDetails.empty();
-  if (isBetter(other, best) && !keepsChosen) best = std::move(other);
-}
-
-/// Remeshes a surface without the chosen details.
-Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SurfaceRemesh& result) {
-  const RemeshOptions& options = remeshing.options;
-  const DetailRule rule{options.dropDetails, DetailChoice::kAll, 1.0};
-  work.beginPart(0.6);
-  SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
-  if (simplified.mergedDetails.empty()) {
-    work.beginPart(1.0);
-    RemeshPass plain = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, {},
-                                           remeshing.isStopped);
-    result = std::move(plain.remesh);
-  } else {
-    result = std::move(simplified);
-    co_await improveInSteps(work, remeshing, result);
-  }
-}
-
-/// Remeshes a surface with all details. If triangles are poor, drops details where that makes them better: those of the
-/// given surface, and if that is not enough, those of the remeshed one.
-Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SurfaceRemesh& result) {
-  const RemeshOptions& options = remeshing.options;
-  work.beginPart(options.dropPoorDetails ? 0.4 : 1.0);
-  RemeshPass plain =
-      co_await remeshOnce(work, remeshing.given, remeshing.sizes, options, {}, remeshing.isStopped);
-  result = std::move(plain.remesh);
-  if (!options.dropPoorDetails || !isPoor(result) || result.meanRadiusRatio < kPoorRatio) co_return;
-  const DetailRule rule{kGivenMergeShare * result.tolerance, DetailChoice::kAll,
-                        1.0 - kGivenMergeShare, kNeedleShare};
-  work.beginPart(0.6);
-  SurfaceRemesh simplified = co_await remeshSimplified(work, remeshing, rule);
-  if (isBetter(simplified, result)) result = std::move(simplified);
-  co_await improveInSteps(work, remeshing, result);
 }
 
 }  // namespace
@@ -358,13 +393,22 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   PassSurface given{std::move(mesh), std::move(groups), {}, {}};
   given.origin.resize(countTriangles(given.mesh));
   std::iota(given.origin.begin(), given.origin.end(), 0U);
-  const Remeshing remeshing{given, regions, sizes, options, isStopped};
-  SurfaceRemesh result;
+  const Bounds bounds = boundsOf(given.mesh);
+  const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
+  const RemeshLengths lengths =
+      remeshLengthsOf(options, hasTargets, glm::length(bounds.high - bounds.low));
+  const Remeshing remeshing{given, regions, sizes, options, lengths, isStopped};
+  SimplifiedSurface surface;
+  work.beginPart(0.95);
   if (options.dropDetails > 0.0) {
-    co_await remeshWithoutChosen(work, remeshing, result);
+    co_await remeshWithoutChosen(work, remeshing, surface);
+  } else if (options.dropPoorDetails) {
+    co_await remeshWithoutPoor(work, remeshing, surface);
   } else {
-    co_await remeshWithoutPoor(work, remeshing, result);
+    co_await remeshPlain(work, remeshing, surface);
   }
+  work.beginPart(1.0);
+  SurfaceRemesh result = co_await finish(work, remeshing, surface);
   if (result.diagnostics.empty()) result.diagnostics = std::move(problems);
   co_return result;
 }

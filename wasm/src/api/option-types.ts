@@ -78,8 +78,9 @@ export interface RemeshOptions {
   /**
    * Drops details below this length first, in model units, above 0: where sharp edges are nearer to each other, they become
    * one, so narrow strips, low steps and the ends of cusps disappear, and so do shorter edges. The changes are listed in
-   * `mergedDetails`. 0 keeps all details. Default: if an angle would be below 10°, details across which triangles are
-   * poor are dropped, within the tolerance, provided that the triangles get better; otherwise all are kept.
+   * `mergedDetails`. 0 keeps all details. Default: details below a fifth of the tolerance are dropped, unless sizes can be as
+   * small; and if an angle is below 10° all the same, more details across which triangles are poor, within the tolerance,
+   * provided that the triangles get better.
    */
   readonly dropDetails?: number | undefined;
   /** Growth of the size per unit of distance, 0 to 10. Default 0.3. */
