@@ -123,12 +123,6 @@ bool isComplete(const SurfaceRemesh& result) {
   return result.diagnostics.empty() && !result.isPartial;
 }
 
-/// Returns true if triangles are poor across a few details, not everywhere.
-bool isPoorAtDetails(const SurfaceRemesh& result) {
-  return isComplete(result) && result.smallestAngle < kPoorAngle &&
-         result.meanRadiusRatio >= kPoorRatio;
-}
-
 /// Returns true if the smallest angle is larger, without much poorer triangles on average.
 bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
   return isComplete(one) && one.smallestAngle > other.smallestAngle &&
@@ -144,6 +138,12 @@ struct Remeshing {
   RemeshLengths lengths;
   const bool& isStopped;
 };
+
+/// Returns true if triangles are poor, and not everywhere, unless they are those of chosen details.
+bool isWorthSteps(const Remeshing& remeshing, const SurfaceRemesh& result) {
+  return !remeshing.isStopped && isComplete(result) && result.smallestAngle < kPoorAngle &&
+         (remeshing.options.dropDetails > 0.0 || result.meanRadiusRatio >= kPoorRatio);
+}
 
 /// Details to drop, and the shares of the tolerance of the remeshing after that.
 struct DetailRule {
@@ -240,11 +240,12 @@ PassRules rulesOfShare(double share, double plannedShare) {
 /// Up to three times drops details across which triangles are poor, within the rest of the tolerance, and remeshes around them.
 /// Keeps the surface if the last one is not better.
 Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  if (!isWorthSteps(remeshing, surface.pass.remesh)) co_return;
   const double tolerance = remeshing.lengths.tolerance;
   SimplifiedSurface next = surface;
   Dropped dropped = Dropped::kMade;
-  for (int i = 1; i <= kMaxPoorMerges; ++i) {
-    if (dropped != Dropped::kMade || !isPoorAtDetails(next.pass.remesh)) break;
+  for (int i = 1; i <= kMaxPoorMerges && dropped == Dropped::kMade; ++i) {
+    if (!isWorthSteps(remeshing, next.pass.remesh)) break;
     work.beginPart(static_cast<double>(i) / kMaxPoorMerges);
     const PassSurface from = nextSurface(next.pass);
     const double left = (1.0 - kNextShare) * tolerance - (next.deviation - next.ofChosen);
@@ -304,7 +305,7 @@ Task<SimplifiedSurface> remeshInSteps(Work& work, const Remeshing& remeshing) {
 
 /// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
 Task<> improveInSteps(Work& work, const Remeshing& remeshing, SimplifiedSurface& best) {
-  if (remeshing.isStopped || !isPoorAtDetails(best.pass.remesh)) co_return;
+  if (!isWorthSteps(remeshing, best.pass.remesh)) co_return;
   work.beginPart(1.0);
   SimplifiedSurface other = co_await remeshInSteps(work, remeshing);
   const bool keepsChosen = remeshing.options.dropDetails > 0.0 && other.merged.empty();
@@ -345,15 +346,17 @@ bool areGivenDetailsPoor(const Remeshing& remeshing) {
 /// triangles are poor all the same, drops details of the remeshed surface.
 Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
   Dropped dropped = Dropped::kNone;
-  work.beginPart(0.5);
+  work.beginPart(0.6);
   if (areGivenDetailsPoor(remeshing)) {
     dropped = co_await remeshWithoutGiven(work, remeshing, surface);
     if (dropped == Dropped::kTooMany) surface = co_await remeshInSteps(work, remeshing);
   }
   if (dropped == Dropped::kNone || !surface.pass.remesh.diagnostics.empty()) {
     surface = {};
+    work.beginPart(0.8);
     co_await remeshPlain(work, remeshing, surface);
   }
+  work.beginPart(1.0);
   if (dropped != Dropped::kTooMany) co_await improveInSteps(work, remeshing, surface);
 }
 
@@ -364,7 +367,8 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
   result.tolerance = remeshing.lengths.tolerance;
   result.deviation = std::max(surface.deviation, result.tolerance);
   result.mergedDetails = std::move(surface.merged);
-  if (isComplete(result) && result.triangleDeviation.empty()) {
+  const bool isSampled = !result.triangleDeviation.empty();
+  if (isComplete(result) && !remeshing.isStopped && !isSampled) {
     const PassSurface& given = remeshing.given;
     ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(remeshing.options));
     co_await reference.prepare(work);
