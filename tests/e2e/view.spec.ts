@@ -93,9 +93,10 @@ test("the view cube follows the camera, the pointer and the theme, and is one dr
     const counts = { cube: 0 };
     Object.assign(window, { counts });
     const { prototype } = WebGL2RenderingContext;
-    const draw = Reflect.get(prototype, "drawElements") as WebGL2RenderingContext["drawElements"];
+    const draw = Reflect.get(prototype, "drawElements");
     prototype.drawElements = function (...args) {
-      const [, , width, height] = this.getParameter(this.VIEWPORT) as Int32Array;
+      const viewport: unknown = this.getParameter(this.VIEWPORT);
+      const [, , width, height] = viewport instanceof Int32Array ? viewport : [];
       if (width === height) ++counts.cube;
       draw.apply(this, args);
     };

@@ -1,5 +1,6 @@
 import type CameraControls from "camera-controls";
-import { PerspectiveCamera, Quaternion, type Object3D, type WebGLRenderer } from "three";
+import type { Quaternion } from "three";
+import { PerspectiveCamera, type Object3D, type WebGLRenderer } from "three";
 import { ViewportGizmo, type GizmoOptions } from "three-viewport-gizmo";
 import type { ViewerColors } from "./colors";
 import { KeptPicture } from "./kept-picture";
