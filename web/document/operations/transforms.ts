@@ -108,10 +108,11 @@ const rotate = transformOperation({
     angle: 90,
     copies: 0,
   }),
+  // What is different each time comes first: it has the focus.
   fields: [
-    position("centre", labels.centre),
-    direction("axis", labels.axis),
     degrees("angle", labels.angle),
+    direction("axis", labels.axis),
+    position("centre", labels.centre),
     copiesField,
   ],
   make: (subject, { axis, copies, join }, typed) => {
@@ -129,7 +130,7 @@ const scaling = transformOperation({
     centre: middleOf(subject.project, subject.selection),
     factors: [2, 2, 2] as Position,
   }),
-  fields: [position("centre", labels.centre), position("factors", labels.factors)],
+  fields: [position("factors", labels.factors), position("centre", labels.centre)],
   make: ({ project, selection }, { join }, typed) => {
     const map = typedScaling(typed.position("centre"), typed.position("factors"));
     return offerTransform(project, selection, map, { label: transformStep("scale", selection), join });
