@@ -513,6 +513,41 @@ test("the view shows the lines and directions of a Coons patch", async ({ page }
   const [first = NaN, second = NaN, third = NaN, fourth = NaN] = angles;
   expect(Math.cos(first - third)).toBeGreaterThan(0.5);
   expect(Math.cos(second - fourth)).toBeGreaterThan(0.5);
+  // Far away, where there is little room, no label lies on the number of a point.
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("Point numbers");
+  await page.keyboard.press("Enter");
+  await page.getByTestId("tree-patch-2").click();
+  await expect(page.getByTestId("role-label-F2")).toBeVisible();
+  const { x, y } = await app.at([0.5, 0.5, 0.5]);
+  await page.mouse.move(x, y);
+  const width = async (): Promise<number> => (await app.at([1, 0, 0])).x - (await app.at([0, 0, 0])).x;
+  const before = await width();
+  for (let step = 0; step < 6; ++step) await page.mouse.wheel(0, 120);
+  await expect.poll(width).toBeLessThan(before / 2);
+  const overlaps = (): Promise<string[]> =>
+    page.evaluate(() => {
+      const rangeOf = (element: Element): DOMRect => {
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        return range.getBoundingClientRect();
+      };
+      const numbers = [...document.querySelectorAll('[data-testid="point-numbers"] span')];
+      return [...document.querySelectorAll('[data-testid^="role-label-"]')].flatMap((label) => {
+        const box = label.getBoundingClientRect();
+        return numbers.flatMap((number) => {
+          const other = rangeOf(number);
+          const isApart =
+            other.right <= box.left ||
+            box.right <= other.left ||
+            other.bottom <= box.top ||
+            box.bottom <= other.top;
+          return isApart ? [] : [`${label.textContent} on ${number.textContent}`];
+        });
+      });
+    });
+  await expect.poll(overlaps).toEqual([]);
 });
 
 test("a complete model without sizes is meshed with a size that fits it, as a step of undo", async ({

@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect, test, type Locator } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { DrawPage } from "./draw-page";
 
@@ -77,6 +77,43 @@ test("on a phone the model is as large as before when a panel is closed, unless 
   const zoomed = await height();
   await withPanel(() => Promise.resolve());
   await expect.poll(height).toBeCloseTo(zoomed, 0);
+});
+
+test("on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  const boxOf = async (locator: Locator) => {
+    const box = await locator.boundingBox();
+    if (!box) throw new Error("Not shown");
+    return box;
+  };
+  const areApart = async (first: Locator, second: Locator): Promise<boolean> => {
+    const [a, b] = [await boxOf(first), await boxOf(second)];
+    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+  };
+  // A line that is deleted takes patches along, which a notice says, and leaves open edges.
+  await app.click([0.5, 0, 1]);
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Delete");
+  const openEdges = page.getByRole("button", { name: /^\d+ open edges$/ });
+  await expect(openEdges).toBeVisible();
+  expect(await areApart(openEdges, page.getByTestId("legend"))).toBe(true);
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("Box…");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("accept")).toBeVisible();
+  await expect(page.getByTestId(/^notice-/)).not.toHaveCount(0);
+  for (const notice of await page.getByTestId(/^notice-/).all())
+    expect(await areApart(notice, page.getByTestId("accept"))).toBe(true);
+  await page.keyboard.press("Escape");
+  await page.getByTestId("drawer-bottom").click();
+  const badge = page.getByRole("tab", { name: /Problems/ }).getByText(/^\d+$/);
+  await expect(badge).toBeVisible();
+  expect(await badge.evaluate((label) => label.scrollWidth <= label.clientWidth)).toBe(true);
+  await expect(page.getByTestId("legend")).toBeHidden();
 });
 
 test("on a phone a new piece is in view as a whole, beside the column of tools", async ({ page }) => {

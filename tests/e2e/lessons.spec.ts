@@ -383,6 +383,7 @@ function runAndStop(page: Page): Promise<void> {
           const stop = button("experiment-stop");
           if (!stop || stop.disabled) return;
           observer.disconnect();
+          stop.focus();
           stop.click();
           resolve();
         });
@@ -403,6 +404,7 @@ test("an experiment that is stopped is not compared, and the front before it is 
   await runAndStop(page);
   await expect(page.getByTestId("experiment-run")).toBeEnabled();
   await expect(page.getByTestId("experiment-stop")).toHaveCount(0);
+  await expect(page.getByTestId("experiment-run")).toBeFocused();
   await expect(page.getByTestId("experiment-linear")).toHaveCount(0);
   await expect(front(page)).toHaveAttribute("data-shown", "true");
   expect(await stepOf(page)).toBe(step);

@@ -149,6 +149,30 @@ test("copies, a mirror image and an array are one step of undo each", async ({ p
   }
 });
 
+test("a rotation begins with the angle and a scale with the factors, so that they can be typed at once", async ({
+  page,
+}) => {
+  const pieces = new PiecesPage(page);
+  await pieces.open();
+  await pieces.start("Box…");
+  await pieces.accept();
+  await expect(pieces.row("patch-6")).toHaveAttribute("aria-selected", "true");
+  await pieces.start("Rotate…");
+  await expect(page.getByTestId("operation-angle")).toBeFocused();
+  await pieces.type("45");
+  await pieces.press("Enter");
+  await expect(page.getByRole("button", { name: "Undo: Rotate selection" })).toBeEnabled();
+  await pieces.start("Scale…");
+  await expect(page.getByTestId("operation-factors-x")).toBeFocused();
+  await pieces.type("2");
+  await pieces.press("Enter");
+  await expect(page.getByRole("button", { name: "Undo: Scale selection" })).toBeEnabled();
+  // The longer diagonal of the base lies along x, from -√2 to √2.
+  await page.getByLabel("Filter (name, type, id)").fill("point");
+  const rows = await page.getByTestId(/^tree-point-/).allInnerTexts();
+  expect(rows.some((text) => text.includes("1.414"))).toBe(true);
+});
+
 test("a sphere is placed by its centre; the digits of a wing are four, and typed without a click", async ({
   page,
 }) => {

@@ -91,8 +91,15 @@ test("an embedded front fits into a narrow frame, and is loaded when it is seen"
     .getByTestId("embed")
     .evaluate((embed) => [embed.scrollWidth - embed.clientWidth, embed.scrollHeight - embed.clientHeight]);
   expect(overflow).toEqual([0, 0]);
-  const height = await frame.getByTestId("viewport").evaluate((view) => view.clientHeight);
-  expect(height).toBeGreaterThan(120);
+  const height = async (): Promise<number> =>
+    frame.getByTestId("viewport").evaluate((view) => view.clientHeight);
+  expect(await height()).toBeGreaterThan(160);
+  // With the sentence about a candidate, too.
+  await page.locator("iframe").evaluate((element: HTMLIFrameElement) => {
+    element.src = "/embed.html?test=1&model=unit-cube&step=258&candidate=0";
+  });
+  await expect(frame.getByTestId("supposed-front")).toContainText("was refused");
+  await expect.poll(height).toBeGreaterThan(130);
 });
 
 test("a link leads to the same model, step, candidate, colours and camera", async ({ page, context }) => {

@@ -86,6 +86,58 @@ test("moving the pointer over empty space draws no frame, but over the view cube
   await nextFrame(app.viewport, () => page.mouse.move(box.x + box.width - 56, box.y + 56, { steps: 3 }));
 });
 
+test("the view cube follows the camera, the pointer and the theme, and is one draw call while nothing on it changes", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const counts = { cube: 0 };
+    Object.assign(window, { counts });
+    const { prototype } = WebGL2RenderingContext;
+    const draw = Reflect.get(prototype, "drawElements");
+    prototype.drawElements = function (...args) {
+      const viewport: unknown = this.getParameter(this.VIEWPORT);
+      const [, , width, height] = viewport instanceof Int32Array ? viewport : [];
+      if (width === height) ++counts.cube;
+      draw.apply(this, args);
+    };
+  });
+  const app = new AppPage(page);
+  await app.openCube();
+  const front = await screenPosition(page, "patch", 3);
+  const box = await app.viewport.boundingBox();
+  if (!box) throw new Error("The view has no box");
+  const cube = { x: box.x + box.width - 56, y: box.y + 56 };
+  const clip = { x: box.x + box.width - 102, y: box.y + 10, width: 92, height: 92 };
+  const picture = (): Promise<Buffer> => page.screenshot({ clip });
+  const draws = (): Promise<number> =>
+    page.evaluate(() => (window as unknown as { counts: { cube: number } }).counts.cube);
+  const frames = async (): Promise<number> => Number(await app.viewport.getAttribute("data-frames"));
+  // The first selection may load more of the page.
+  await page.mouse.click(front.x, front.y);
+  await expect(page.getByTestId("tree-patch-3")).toHaveAttribute("aria-selected", "true");
+  await screenPosition(page, "patch", 3);
+  const atRest = await picture();
+  const [drawsBefore, framesBefore] = [await draws(), await frames()];
+  await nextFrame(app.viewport, () => page.getByTestId("tree-patch-6").click());
+  await screenPosition(page, "patch", 3);
+  expect((await draws()) - drawsBefore).toBe((await frames()) - framesBefore);
+  expect((await picture()).equals(atRest)).toBe(true);
+  const side = { x: cube.x - 16, y: cube.y + 10 };
+  await nextFrame(app.viewport, () => page.mouse.move(side.x, side.y, { steps: 3 }));
+  await expect.poll(async () => (await picture()).equals(atRest)).toBe(false);
+  await page.mouse.move(front.x, front.y, { steps: 3 });
+  await expect.poll(async () => (await picture()).equals(atRest)).toBe(true);
+  const middle = await app.at([0.5, 0.5, 1]);
+  await page.mouse.click(side.x, side.y);
+  await expect.poll(async () => (await app.at([0.5, 0.5, 1])).y).not.toBe(middle.y);
+  await page.mouse.move(front.x, front.y, { steps: 3 });
+  await screenPosition(page, "patch", 3);
+  expect((await picture()).equals(atRest)).toBe(false);
+  const dark = await picture();
+  await page.getByTestId("theme").click();
+  await expect.poll(async () => (await picture()).equals(dark)).toBe(false);
+});
+
 test("a selected point is emphasized from near and from far", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

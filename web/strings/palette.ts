@@ -104,5 +104,5 @@ export const settingNames = {
     label: "Display: layers, shading, mouse",
     words: "settings preferences show hide colours orbit",
   },
-  parameters: { label: "Parameters", words: "variables expressions named numbers" },
+  parameters: { label: "Parameters", words: "inspector variables expressions named numbers" },
 } as const;

@@ -43,6 +43,11 @@ export interface CameraPose {
 const minDistance = 0.02;
 const maxDistance = 40;
 
+/** The same, in distances up to which the scene is drawn. */
+const farthest = 3;
+/** Smallest distance from the origin up to which the scene is drawn, in radii of the model: the ground takes nine. */
+const minReach = 12;
+
 const degrees = Math.PI / 180;
 const fieldOfView = 32;
 /** Factor on the width and height of a fitted model, which leaves a margin around it. */
@@ -99,6 +104,8 @@ export class ViewCamera {
   leftOrbits = false;
   readonly #element: HTMLElement;
   #radius = 1;
+  /** Distance from the origin up to which the scene is drawn. */
+  #reach = minReach;
   /** Share of the width that is not covered. */
   #freeShare = 1;
   /** The box that was fitted last; null before any. */
@@ -120,11 +127,12 @@ export class ViewCamera {
     this.#rotateTo("isometric", false);
   }
 
-  /** Sets how near and how far the camera may go. */
-  setModelRadius(radius: number): void {
+  /** Sets how near and how far the camera may go, and the distance from the origin up to which the scene is drawn. */
+  setModelRadius(radius: number, reach = 0): void {
     this.#radius = radius;
+    this.#reach = Math.max(minReach * radius, reach);
     this.controls.minDistance = radius * minDistance;
-    this.controls.maxDistance = radius * maxDistance;
+    this.controls.maxDistance = Math.max(radius * maxDistance, farthest * this.#reach);
   }
 
   /** Height of the part of the model that fills the view at the distance of the target. */
@@ -198,8 +206,10 @@ export class ViewCamera {
   update(seconds: number): boolean {
     const moved = this.controls.update(seconds);
     const distance = this.controls.distance;
-    this.camera.near = Math.max(distance - 12 * this.#radius, distance * 0.004);
-    this.camera.far = distance + 12 * this.#radius;
+    // The origin is near the model, the target anywhere.
+    const fromOrigin = this.camera.position.length();
+    this.camera.near = Math.max(Math.min(distance, fromOrigin) - this.#reach, distance * 0.004);
+    this.camera.far = Math.max(distance, fromOrigin) + this.#reach;
     this.camera.updateProjectionMatrix();
     return moved;
   }

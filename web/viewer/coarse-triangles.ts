@@ -1,5 +1,5 @@
 /** Number of triangles that are drawn at every frame even where drawing is slow. */
-export const hurriedTriangles = 3000;
+export const hurriedTriangles = 2000;
 
 export interface PatchTriangles {
   /** x y z per vertex. Patches share none. */

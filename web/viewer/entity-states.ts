@@ -83,6 +83,11 @@ export class EntityStates {
     }
   }
 
+  /** Number of records. */
+  get length(): number {
+    return this.#records.length;
+  }
+
   /** State code of the record at an index. */
   codeAt(index: number): number {
     return this.#codes[index] ?? stateCodes.hidden;

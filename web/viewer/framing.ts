@@ -1,3 +1,4 @@
+import type { Project } from "tetrafront";
 import type { Entity } from "../document/entities";
 import type { Position } from "../document/position";
 import {
@@ -51,6 +52,12 @@ export class Framing {
   #coveredLeft: number;
   /** Radius of the model when it was last fitted as a whole; 0 without extent. */
   #fittedRadius = 0;
+  /** The background for which the reach was computed: it may have millions of nodes. */
+  #reached: {
+    readonly background: Project["background"];
+    readonly origin: Position;
+    readonly reach: number;
+  } | null = null;
   /** Whether what was fitted last is the whole model, or what is shown instead of it. */
   #isWholeFitted = false;
 
@@ -73,7 +80,7 @@ export class Framing {
     const roomy = roomyBounds(project, bodies);
     this.#fittedRadius = empty ? 0 : radius;
     this.#scene.update({ origin: roomy.centre });
-    this.#view.setModelRadius(roomy.radius);
+    this.#view.setModelRadius(roomy.radius, this.#backgroundReach());
     this.fit(null, false);
   }
 
@@ -142,7 +149,7 @@ export class Framing {
     if (isOutgrown || empty) this.#fittedRadius = empty ? 0 : radius;
     const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
     if (isOutgrown || drift > 2 * roomy.radius) this.#scene.update({ origin: roomy.centre });
-    this.#view.setModelRadius(roomy.radius);
+    this.#view.setModelRadius(roomy.radius, this.#backgroundReach());
     if (isOutgrown) this.fit(null);
   }
 
@@ -164,6 +171,26 @@ export class Framing {
     // For example when a panel that covered half of the view is closed. The model may have grown since it was fitted; another
     // target keeps its fit.
     if (isFittedAgain ? this.#isWholeFitted : wasShown && !this.#showsAll(model)) this.fit(null, false);
+  }
+
+  /** Distance from the origin to the farthest node or source. */
+  #backgroundReach(): number {
+    const { project, origin } = this.#scene.state;
+    const { background } = project;
+    const known = this.#reached;
+    if (known?.background === background && known.origin === origin) return known.reach;
+    let reach = 0;
+    const add = (position: Position): void => {
+      const [x, y, z] = position;
+      reach = Math.max(reach, Math.hypot(x - origin[0], y - origin[1], z - origin[2]));
+    };
+    for (const { position } of background.nodes) add(position);
+    for (const { positions, distance = 0 } of background.sources ?? []) {
+      positions.forEach(add);
+      reach += distance;
+    }
+    this.#reached = { background, origin, reach };
+    return reach;
   }
 
   /** Returns whether a box is in view and large enough to see. */

@@ -1,17 +1,39 @@
 import type CameraControls from "camera-controls";
-import { Vector3, type Object3D, type PerspectiveCamera, type WebGLRenderer } from "three";
+import type { Quaternion } from "three";
+import { PerspectiveCamera, type Object3D, type WebGLRenderer } from "three";
 import { ViewportGizmo, type GizmoOptions } from "three-viewport-gizmo";
 import type { ViewerColors } from "./colors";
+import { KeptPicture } from "./kept-picture";
 import { prepareShaders } from "./shaders";
 
-/** Where the library draws the cube from. */
-const eye = new Vector3(0, 0, 7);
+/** Size of the cube and its distance from the top right corner of the view, in CSS pixels. */
+const size = 92;
+const offset = 10;
 
-/** The clickable cube in the corner of the view. */
+/** From where the library draws the cube, which has no name for this camera. */
+const cubeCamera = new PerspectiveCamera(26, 1, 5, 10);
+cubeCamera.position.set(0, 0, 7);
+
+/** What the picture shows, apart from colours and highlight. */
+interface Pictured {
+  readonly direction: Quaternion;
+  readonly pixelRatio: number;
+}
+
+/**
+ * The clickable cube in the corner of the view. It consists of many pieces, and each of them is a draw call, so its picture
+ * is kept as long as nothing on it changes.
+ */
 export class ViewCube {
+  readonly #renderer: WebGLRenderer;
   readonly #gizmo: ViewportGizmo;
   readonly #fixed: GizmoOptions;
   readonly #listening = new AbortController();
+  readonly #picture: KeptPicture;
+  /** What the picture shows; null if it is to be drawn again. */
+  #pictured: Pictured | null = null;
+  /** The library has a new camera, which is ready for hit tests only when it has drawn with it. */
+  #isNew = true;
 
   constructor(
     camera: PerspectiveCamera,
@@ -20,7 +42,9 @@ export class ViewCube {
     colors: ViewerColors,
     options: { readonly container: HTMLElement; readonly animated: boolean; readonly onChange: () => void },
   ) {
+    this.#renderer = renderer;
     this.#fixed = { container: options.container, animated: options.animated };
+    this.#picture = new KeptPicture(renderer, { size, offset });
     this.#gizmo = new ViewportGizmo(camera, renderer, { ...styleOf(colors), ...this.#fixed });
     this.#gizmo.addEventListener("start", () => {
       controls.enabled = false;
@@ -43,15 +67,22 @@ export class ViewCube {
     const light = ({ target }: PointerEvent): void => {
       // A pointer that has left the canvas may be over the cube, which is then highlighted.
       const isOver = !(target instanceof HTMLCanvasElement);
-      if (isOver || wasOver) options.onChange();
+      if (isOver || wasOver) {
+        this.#pictured = null;
+        options.onChange();
+      }
       wasOver = isOver;
     };
-    options.container.addEventListener("pointermove", light, { signal: this.#listening.signal });
+    const { signal } = this.#listening;
+    for (const type of ["pointermove", "pointerdown", "pointerout"] as const)
+      options.container.addEventListener(type, light, { signal });
+    renderer.domElement.addEventListener("webglcontextrestored", () => (this.#pictured = null), { signal });
   }
 
   /** Compiles the shaders of the cube. */
   async prepare(renderer: WebGLRenderer, camera: PerspectiveCamera): Promise<void> {
     await prepareShaders(renderer, this.#gizmo, camera);
+    await this.#picture.prepare();
   }
 
   get animating(): boolean {
@@ -61,6 +92,8 @@ export class ViewCube {
   setColors(colors: ViewerColors): void {
     this.#clear();
     this.#gizmo.set({ ...styleOf(colors), ...this.#fixed });
+    this.#pictured = null;
+    this.#isNew = true;
   }
 
   resize(): void {
@@ -68,13 +101,35 @@ export class ViewCube {
   }
 
   render(): void {
-    for (const piece of this.#gizmo.children) piece.visible = this.#isFront(piece);
-    this.#gizmo.render();
+    // The library turns the camera of the view when it draws.
+    if (this.#gizmo.animating || this.#isNew) {
+      this.#pictured = null;
+      this.#isNew = false;
+      this.#showFront();
+      this.#gizmo.render();
+      return;
+    }
+    const scene = this.#gizmo.parent;
+    if (!scene) return;
+    const pixelRatio = this.#renderer.getPixelRatio();
+    const direction = this.#gizmo.quaternion;
+    const before = this.#pictured;
+    if (before?.pixelRatio !== pixelRatio || !before.direction.equals(direction)) {
+      this.#showFront();
+      this.#picture.draw(scene, cubeCamera);
+      this.#pictured = { pixelRatio, direction: direction.clone() };
+    }
+    this.#picture.show();
   }
 
   dispose(): void {
     this.#listening.abort();
     this.#clear();
+    this.#picture.dispose();
+  }
+
+  #showFront(): void {
+    for (const piece of this.#gizmo.children) piece.visible = this.#isFront(piece);
   }
 
   /** The library removes every other piece only. */
@@ -86,7 +141,7 @@ export class ViewCube {
   /** Whether the outer side of a piece can be seen. Pieces are flat; each draw call takes time, even if it draws nothing. */
   #isFront({ position }: Object3D): boolean {
     const place = position.clone().applyQuaternion(this.#gizmo.quaternion);
-    return place.dot(eye.clone().sub(place)) > 0;
+    return place.dot(cubeCamera.position.clone().sub(place)) > 0;
   }
 }
 
@@ -100,9 +155,9 @@ function styleOf(colors: ViewerColors): GizmoOptions {
   const trim = { color: colors.cubeTrim, opacity: 1, hover: { color: colors.cubeHover, opacity: 1 } };
   return {
     type: "cube",
-    size: 92,
+    size,
     placement: "top-right",
-    offset: { top: 10, right: 10 },
+    offset: { top: offset, right: offset },
     resolution: 128,
     font: { family: "Inter Variable, sans-serif", weight: 600 },
     background: { enabled: false },

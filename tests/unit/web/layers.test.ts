@@ -191,6 +191,62 @@ describe("the layer of lines", () => {
   });
 });
 
+describe("the layer of lines while a motion must hurry", () => {
+  /** Which passes are drawn: normal, thin, emphasized, thin and emphasized, open, defective. */
+  const passes = (layer: Layer): boolean[] => layer.root.children.map((pass) => pass.visible);
+  const hurry = (state: SceneState): SceneState => ({ ...state, viewport: { ...viewport, isHurried: true } });
+  const drawn = (pass: Mesh | undefined): number[] => {
+    const { geometry } = pass ?? {};
+    return [...(geometry?.getIndex()?.array ?? [])].slice(0, geometry?.drawRange.count);
+  };
+
+  it("draws lines thin, but few emphasized ones as wide as before, and alone in their pass", () => {
+    const layer = new LinesLayer();
+    const chosen = { ...start, selection: [{ kind: "line", id: 6 } as const] };
+    show(layer, chosen);
+    expect(passes(layer)).toEqual([true, false, true, false, false, false]);
+    const emphasized = layer.root.children[2] as Mesh;
+    // Line 6 has one segment, the third, with the vertices from 8 to 11.
+    expect([...new Set(drawn(emphasized))].sort((a, b) => a - b)).toEqual([8, 9, 10, 11]);
+    change(layer, chosen, hurry(chosen));
+    expect(passes(layer)).toEqual([false, true, true, false, false, false]);
+    change(layer, hurry(chosen), chosen);
+    expect(passes(layer)).toEqual([true, false, true, false, false, false]);
+  });
+
+  it("draws many emphasized lines thin, too", () => {
+    const layer = new LinesLayer();
+    const zigzag = Array.from({ length: 800 }, (_, i) => [i, i % 2, 0]).flat();
+    const one = { ...project, lines: project.lines.slice(0, 1) };
+    const state = {
+      ...start,
+      project: one,
+      preview: { samples: preview([zigzag], []), project: one },
+      selection: [{ kind: "line", id: 5 } as const],
+    };
+    show(layer, hurry(state));
+    expect(passes(layer)).toEqual([false, true, false, true, false, false]);
+  });
+
+  it("joins segments in one direction, and follows a line that is bent", () => {
+    const layer = new LinesLayer();
+    show(layer, hurry(start));
+    // Two segments of line 5 in one direction, from the first vertex to the last; one segment of line 6.
+    expect(drawn(layer.root.children[1] as Mesh)).toEqual([0, 7, 8, 11]);
+    const bent = preview([[0, 0, 0, 1, 1, 0, 2, 0, 0, 3, 0, 0]], []);
+    const one = { ...project, lines: project.lines.slice(0, 1) };
+    change(layer, hurry(start), hurry({ ...start, project: one, preview: { samples: bent, project: one } }));
+    expect(drawn(layer.root.children[1] as Mesh)).toEqual([0, 3, 4, 7, 8, 11]);
+  });
+
+  it("leaves thick lines out where target sizes colour them", () => {
+    const layer = new LinesLayer();
+    const shownSizes = {} as NonNullable<SceneState["shownSizes"]>;
+    show(layer, hurry({ ...start, shownSizes }));
+    expect(passes(layer)).toEqual([false, false, false, false, false, false]);
+  });
+});
+
 describe("the layer of patches", () => {
   it("draws a patch under the pointer in a separate pass, and a selected one also behind others", () => {
     const layer = new PatchesLayer(noTree);

@@ -146,7 +146,7 @@ const cases: readonly Case[] = [
     piece: "create-box",
     select: all,
     texts: { "normal.1": "r", "point.0": "-7*r" },
-    plain: { keep: false },
+    plain: { keep: false, point: [0, 0, 0] },
   },
   { operation: "array-linear", piece: "create-box", select: all, texts: { spacing: "15*r", "axis.1": "r" } },
   {

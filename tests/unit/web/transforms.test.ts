@@ -3,6 +3,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { documentKey } from "../../../web/document/content-keys";
 import { emptyProject, type Offer } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
+import { rangeAlong } from "../../../web/document/extent";
 import { sweepOperations } from "../../../web/document/operations/sweeps";
 import { transformOperations } from "../../../web/document/operations/transforms";
 import type { Operation, FieldValues } from "../../../web/document/operations/operation";
@@ -191,9 +192,49 @@ describe("transforms", () => {
     const operation = operationNamed("transform-mirror");
     const subject = { project: cube, selection: allPatches(cube) };
     const values = operation.initial(subject);
-    const offer = operation.make(subject, values);
+    const offer = operation.make(subject, { ...values, point: [0, 0, 0] });
     expect(offer.possible ? "" : offer.reason).toContain("Move the plane");
-    expect(operation.make(subject, { ...values, point: [0.5, 0, 0] }).possible).toBe(true);
+    expect(operation.make(subject, values).possible).toBe(true);
+  });
+
+  /** The cube with its lowest corner at a position. */
+  const cubeAt = ([x, y, z]: Position): Project =>
+    applied(cube, offerTransform(cube, allPatches(cube), translation([x + 0.5, y + 0.5, z]), options));
+
+  it.each([
+    ["across the origin", [-0.5, -0.5, 0], [0.5, 0.5, 0]],
+    ["that touches the origin", [0, 0, 0], [0, 0, 0]],
+    ["beside the origin", [2, -3, 5], [0, 0, 0]],
+  ] as const)(
+    "a mirror begins with a plane that a body %s does not cross, for any axis",
+    (_, corner, point) => {
+      const body = corner[0] === -0.5 ? cube : cubeAt(corner);
+      const operation = operationNamed("transform-mirror");
+      const subject = { project: body, selection: allPatches(body) };
+      const values = operation.initial(subject);
+      expect(values).toMatchObject({ point, normal: [1, 0, 0] });
+      for (const [axis, normal] of [worldFrame.x, worldFrame.y, worldFrame.z].entries()) {
+        const both = applied(body, operation.make(subject, { ...values, normal }));
+        const [low, high] = rangeAlong(both.points, axis);
+        // The cube and its image do not overlap.
+        expect(high - low).toBeGreaterThanOrEqual(2 - 1e-9);
+      }
+    },
+  );
+
+  it("a mirror of something flat does not begin with its own plane", () => {
+    const project = projectOf([prism(4, 1, 1)], 0.4);
+    const base = project.patches.find(({ loops }) =>
+      [0, 1, 2, 3].every((i) => {
+        const line = project.lines.find(({ id }) => id === Math.abs(loops[0]?.[i] ?? 0));
+        return line?.points.every((id) => project.points.find((p) => p.id === id)?.position[2] === 0);
+      }),
+    );
+    const upright = operated(project, "transform-rotate", { axis: worldFrame.y, centre: [0, 0, 0] });
+    const selection = [{ kind: "patch", id: base?.id ?? 0 }] as const;
+    const first = (of: Project): unknown =>
+      operationNamed("transform-mirror").initial({ project: of, selection })["normal"];
+    expect([first(project), first(upright)]).toEqual([worldFrame.x, worldFrame.y]);
   });
 
   it("a circular array of sectors closes", async () => {

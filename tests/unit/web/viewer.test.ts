@@ -247,3 +247,28 @@ it("keeps a view that was zoomed if a part of it is covered, unless the model wo
   viewer.setCoveredLeft(358);
   expect(distance(viewer.pose)).toBeLessThan(0.9 * far);
 });
+
+it("draws nodes of the background grid that are far from the model, from afar and when one of them is in the middle", async () => {
+  const cube = cubeProject();
+  const far: readonly [number, number, number][] = [
+    [60, 0, 0],
+    [0, -60, 0],
+    [0, 0, 60],
+    [-60, -60, -60],
+  ];
+  const nodes = far.map((position, i) => ({ id: i + 1, position, size: 1 }));
+  const background = { ...cube.background, nodes, tetrahedra: [] };
+  const { viewer } = await shownProject({ ...cube, background });
+  const areShown = (): boolean[] => far.map((position) => viewer.toScreen(position) !== null);
+  viewer.show({ layers: { ...sceneState().layers, background: true } });
+  viewer.framing.fit(null, false);
+  viewer.requestFrame();
+  await nextFrame();
+  expect(areShown()).toEqual([true, true, true, true]);
+  // In front of the camera, the model and three nodes far behind it.
+  viewer.setPose({ eye: [0, -61, 2], target: [0, -60, 0] });
+  viewer.requestFrame();
+  await nextFrame();
+  expect(viewer.toScreen([0.5, 0.5, 0.5])).not.toBeNull();
+  expect(viewer.toScreen([0, 0, 60])).not.toBeNull();
+});

@@ -5,7 +5,7 @@ import { over, times, type Quantity } from "../../expressions/quantity";
 import { quantityFrameAlong, scaleQuantities, type QuantityPosition } from "../quantity-positions";
 import type { Affine } from "../transforms/affine";
 import { typedReflection, typedRotation, typedScaling, typedTranslation } from "../transforms/typed-maps";
-import { middleOf } from "../transforms/middle";
+import { boxOf, middleOf } from "../transforms/middle";
 import { offerCopies } from "../transforms/copies";
 import { offerTransform, transformStep } from "../transforms/transform";
 import { unit, worldFrame } from "../vectors";
@@ -108,10 +108,11 @@ const rotate = transformOperation({
     angle: 90,
     copies: 0,
   }),
+  // What is different each time comes first: it has the focus.
   fields: [
-    position("centre", labels.centre),
-    direction("axis", labels.axis),
     degrees("angle", labels.angle),
+    direction("axis", labels.axis),
+    position("centre", labels.centre),
     copiesField,
   ],
   make: (subject, { axis, copies, join }, typed) => {
@@ -129,17 +130,41 @@ const scaling = transformOperation({
     centre: middleOf(subject.project, subject.selection),
     factors: [2, 2, 2] as Position,
   }),
-  fields: [position("centre", labels.centre), position("factors", labels.factors)],
+  fields: [position("factors", labels.factors), position("centre", labels.centre)],
   make: ({ project, selection }, { join }, typed) => {
     const map = typedScaling(typed.position("centre"), typed.position("factors"));
     return offerTransform(project, selection, map, { label: transformStep("scale", selection), join });
   },
 });
 
+/** Gap up to which a selection touches a plane, as a share of its extent: rounding errors of coordinates. */
+const touching = 1e-9;
+
+/**
+ * Returns a plane that the image of the selection does not cross. The coordinates of its point suit every axis: 0 if the
+ * selection is beside the origin or touches it, as half of a symmetrical model does, otherwise the upper end of the selection.
+ */
+function likelyMirror({ project, selection }: Subject): {
+  readonly point: Position;
+  readonly normal: Position;
+} {
+  const box = boxOf(project, selection);
+  if (!box) return { point: [0, 0, 0], normal: worldFrame.x };
+  const extent = Math.max(...box.map(([low, high]) => high - low));
+  const tolerance = touching * extent;
+  const [x, y, z] = box.map(([low, high]) => (low < -tolerance && high > tolerance ? high : 0));
+  // In a direction without extent, the image would be the selection itself if this touches the plane.
+  const axis = box.findIndex(([low, high]) => high - low > tolerance);
+  return {
+    point: [x ?? 0, y ?? 0, z ?? 0],
+    normal: [worldFrame.x, worldFrame.y, worldFrame.z][axis] ?? worldFrame.x,
+  };
+}
+
 const mirror = transformOperation({
   id: "transform-mirror",
   ...texts.mirror,
-  initial: () => ({ point: [0, 0, 0] as Position, normal: worldFrame.x, keep: true }),
+  initial: (subject) => ({ ...likelyMirror(subject), keep: true }),
   fields: [
     position("point", labels.point),
     direction("normal", labels.normal),

@@ -1,20 +1,37 @@
 import { Button } from "@mantine/core";
+import { useEffect, useRef } from "react";
 import { strings } from "../../strings";
 import { usePlayer } from "../player/use-player";
 import { useApp } from "../shared/app-context";
 
-/** Stops the run of a lesson that is being recorded. The runs before it stay. */
+/**
+ * Stops the run of a lesson that is being recorded. The runs before it stay. When the run has ended, the focus of a button
+ * that was pressed returns to the one that began the run, which stands before it.
+ */
 export function StopRun({ testId }: { readonly testId: string }) {
+  const button = useRef<HTMLButtonElement>(null);
+  const isPressed = useRef(false);
+  useEffect(() => {
+    const begin = button.current?.previousElementSibling;
+    return () => {
+      const isLost = document.activeElement === document.body || document.activeElement === null;
+      if (isPressed.current && begin instanceof HTMLElement && isLost) setTimeout(() => begin.focus());
+    };
+  }, []);
   const { player } = useApp();
   const recording = usePlayer((state) => state.recording);
   return (
     <Button
+      ref={button}
       size="compact-xs"
       variant="default"
       ml={6}
       disabled={recording?.isStopping ?? true}
       data-testid={testId}
-      onClick={() => player.stopRecording()}
+      onClick={() => {
+        isPressed.current = true;
+        player.stopRecording();
+      }}
     >
       {strings.player.stop}
     </Button>

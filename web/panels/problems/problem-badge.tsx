@@ -9,7 +9,12 @@ export function ProblemBadge() {
   if (problems.length === 0) return null;
   const isCalm = problems.every((problem) => severityOf(problem) === "expected");
   return (
-    <Badge size="sm" color={isCalm ? "gray" : "red"} variant={isCalm ? "default" : "filled"}>
+    <Badge
+      size="sm"
+      miw="max-content"
+      color={isCalm ? "gray" : "red"}
+      variant={isCalm ? "default" : "filled"}
+    >
       {problems.length}
     </Badge>
   );

@@ -199,6 +199,7 @@ function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
       className={styles["legend"]}
       aria-label={`${strings.viewport.legend}: ${name}`}
       data-testid="legend"
+      data-scale
     >
       <div
         className={styles["bar"]}

@@ -6,8 +6,10 @@ import { strings } from "../../strings";
 import type { Position } from "../../document/position";
 import { linePositions } from "../../document/line-samples";
 import { between, distance } from "../../document/vectors";
+import { placedApart } from "../../viewer/apart";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp, useView } from "../shared/app-context";
+import { maxNumbers, numberLabel } from "./number-label";
 import styles from "../shared/patch-roles.module.css";
 
 interface RoleLabel {
@@ -60,7 +62,7 @@ function labelsOf(project: Project, preview: ProjectPreview, { type, loops }: Pr
 
 /**
  * The names F1, F2 and so on at the lines of a selected patch of Barnhill, Gregory and Nielson or of Coons, with arrows in
- * the directions of the equation. They follow the camera without rendering again.
+ * the directions of the equation. They keep off each other and the numbers of points, and follow the camera without rendering again.
  */
 export function PatchRoleLabels({ viewer }: { readonly viewer: Viewer }) {
   const app = useApp();
@@ -71,21 +73,31 @@ export function PatchRoleLabels({ viewer }: { readonly viewer: Viewer }) {
       ? findRecord(project, "patch", only.id)
       : undefined;
   const labels = project && preview && patch ? labelsOf(project, preview, patch) : [];
+  const hasNumbers = useView((state) => state.numbers && state.layers.points);
+  const numbered = hasNumbers && project && patch ? project.points.slice(0, maxNumbers) : [];
   const isTriangle = patch?.type === "barnhill-gregory-nielson";
   const box = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     const follow = (): void => {
-      labels.forEach(({ position, ahead }, index) => {
+      const numbers = numbered.flatMap(({ id, position }) => {
+        const at = viewer.toScreen(position);
+        return at ? [numberLabel(id, at)] : [];
+      });
+      const shown = labels.flatMap(({ position, ahead }, index) => {
         const label = box.current?.children[index];
-        if (!(label instanceof HTMLElement)) return;
+        if (!(label instanceof HTMLElement)) return [];
         const at = viewer.toScreen(position);
         label.style.display = at ? "" : "none";
-        if (at) label.style.transform = `translate(${at.x}px, ${at.y}px) translate(-50%, -50%)`;
         const to = viewer.toScreen(ahead);
         const arrow = label.querySelector<HTMLElement>("[data-arrow]");
         if (at && to && arrow) {
           arrow.style.transform = `rotate(${Math.atan2(to.y - at.y, to.x - at.x)}rad)`;
         }
+        return at ? [{ ...at, width: label.offsetWidth, height: label.offsetHeight, label }] : [];
+      });
+      placedApart(shown, undefined, numbers).forEach(({ x, y }, i) => {
+        const { style } = shown[i]?.label ?? {};
+        if (style) style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
       });
     };
     follow();

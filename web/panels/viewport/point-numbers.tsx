@@ -1,11 +1,9 @@
 import { entityKey } from "../../document/entities";
 import type { Viewer } from "../../viewer/viewer";
 import { useProject, useView } from "../shared/app-context";
+import { maxNumbers } from "./number-label";
 import { useMarkers } from "./use-markers";
 import styles from "./drawing.module.css";
-
-/** Largest number of points that are numbered: more would hide the model. */
-const maxNumbers = 300;
 
 /** The ids of the points that are shown, beside them. */
 export function PointNumbers({ viewer }: { readonly viewer: Viewer }) {

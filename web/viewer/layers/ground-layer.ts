@@ -41,13 +41,17 @@ export class GroundLayer implements Layer {
   /** Lays the grid below a model of this radius around the origin, at a round spacing. */
   #lay(radius: number, height: number): void {
     const spacing = groundSpacing(radius);
-    const reach = lines * spacing;
+    const reach = Math.min(lines * spacing, 9 * radius);
     const ends: number[] = [];
     for (let i = -lines; i <= lines; ++i) {
+      const offset = i * spacing;
+      // To where they have faded.
+      const half = Math.sqrt(Math.max(0, reach ** 2 - offset ** 2));
       // In pieces, because the fading is interpolated between the ends of a piece.
-      for (let j = -lines; j < lines; ++j) {
-        ends.push(i * spacing, j * spacing, 0, i * spacing, (j + 1) * spacing, 0);
-        ends.push(j * spacing, i * spacing, 0, (j + 1) * spacing, i * spacing, 0);
+      const pieces = Math.ceil(half / (2 * spacing));
+      for (let j = -pieces; j < pieces; ++j) {
+        const [from, to] = [j, j + 1].map((end) => (end / pieces) * half) as [number, number];
+        ends.push(offset, from, 0, offset, to, 0, from, offset, 0, to, offset, 0);
       }
     }
     this.root.geometry.dispose();
@@ -56,7 +60,7 @@ export class GroundLayer implements Layer {
       new BufferAttribute(Float32Array.from(ends), 3),
     );
     this.root.position.set(0, 0, height);
-    setNumber(this.#material, "reach", Math.min(reach, 9 * radius));
+    setNumber(this.#material, "reach", reach);
   }
 }
 

@@ -1,12 +1,13 @@
-import { Group, Mesh, type Ray } from "three";
-import { setStateColors } from "../draw-state";
+import { Group, LineSegments, Mesh, type BufferGeometry, type Ray } from "three";
+import { drawFirst } from "../draw-first";
+import { setStateColors, stateCodes } from "../draw-state";
 import { EntityStates } from "../entity-states";
-import { createLineMaterial, fitLines } from "../materials/line-material";
+import { createLineMaterial, createThinLineMaterial, fitLines } from "../materials/line-material";
 import { nearestSegment, pointOnSegment } from "../nearest";
 import type { Position } from "../../document/position";
-import type { SampledProject, SceneChanges } from "../scene-state";
+import type { SampledProject, SceneChanges, SceneState } from "../scene-state";
 import type { Screen } from "../screen";
-import { SegmentGeometry, segmentVertices } from "../segment-geometry";
+import { segmentCorners, SegmentGeometry, segmentVertices, thinIndex } from "../segment-geometry";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
 /** Widths in CSS pixels. */
@@ -17,7 +18,17 @@ const defectiveWidth = 2.6;
 /** Length of a dash and the gap after it, in CSS pixels. */
 const dash = 7;
 
-/** The model's lines as sampled by the engine: one buffer of segments, drawn by four passes. */
+/** Emphasized segments that keep their width while a motion must hurry. More of them are drawn thin. */
+const maxHurriedWide = 600;
+/** Distance of thin lines from the samples, as a share of the size of the model: half a pixel if this fills the view. */
+const thinTolerance = 0.002;
+const emphasis = ["hover", "selected"] as const;
+const emphasisCodes: ReadonlySet<number> = new Set(emphasis.map((state) => stateCodes[state]));
+
+/**
+ * The model's lines as sampled by the engine: one buffer of segments, drawn by four passes. While a motion must hurry, they
+ * are one device pixel wide, which in its lower resolution is about their normal width.
+ */
 export class LinesLayer implements HittableLayer {
   readonly root = new Group();
   readonly #states = new EntityStates("line", { tinted: true });
@@ -31,9 +42,19 @@ export class LinesLayer implements HittableLayer {
   /** Lines that still lack patches. */
   readonly #open = createLineMaterial({ widths: { open: openWidth }, depthTest: true, dash });
   readonly #defective = createLineMaterial({ widths: { defective: defectiveWidth }, depthTest: true });
+  /** The same vertices, with the segments of emphasized lines only. */
+  #emphasizedGeometry: BufferGeometry = this.#geometry.sharing(new Uint32Array());
+  /** The same vertices, as lines one device pixel wide. */
+  #thinGeometry: BufferGeometry = this.#geometry.sharing(new Uint32Array());
+  #isThinMade = false;
+  readonly #thin = new LineSegments(
+    this.#thinGeometry,
+    createThinLineMaterial(["normal", "open", "defective"], true),
+  );
+  readonly #thinEmphasized = new LineSegments(this.#thinGeometry, createThinLineMaterial(emphasis, false));
   readonly #meshes = [
     new Mesh(this.#geometry, this.#normal),
-    new Mesh(this.#geometry, this.#emphasized),
+    new Mesh(this.#emphasizedGeometry, this.#emphasized),
     new Mesh(this.#geometry, this.#open),
     new Mesh(this.#geometry, this.#defective),
   ] as const;
@@ -42,11 +63,16 @@ export class LinesLayer implements HittableLayer {
   #origin: Position = [0, 0, 0];
 
   constructor() {
-    this.#meshes.forEach((mesh, pass) => {
-      mesh.frustumCulled = false;
-      mesh.renderOrder = 3 + pass;
-      this.root.add(mesh);
-    });
+    const [normal, emphasized, ...others] = this.#meshes;
+    [[normal, this.#thin], [emphasized, this.#thinEmphasized], ...others.map((mesh) => [mesh])].forEach(
+      (drawn, pass) => {
+        for (const object of drawn) {
+          object.frustumCulled = false;
+          object.renderOrder = 3 + pass;
+          this.root.add(object);
+        }
+      },
+    );
   }
 
   update(changes: SceneChanges): void {
@@ -55,18 +81,63 @@ export class LinesLayer implements HittableLayer {
     if (changes.has("colors")) {
       const { line: normal, hover, selection: selected, front: defective } = state.colors;
       const colors = { normal, hover, selected, open: normal, defective };
-      for (const { material } of this.#meshes) setStateColors(material, colors);
+      for (const { material } of [...this.#meshes, this.#thin, this.#thinEmphasized])
+        setStateColors(material, colors);
     }
     if (changes.has("viewport")) {
       for (const { material } of this.#meshes) fitLines(material, state.viewport);
     }
     if (changes.has("preview", "origin")) this.#setPositions(state.preview, state.origin);
     this.#states.update(state);
+    if (changes.has("preview", "origin", "hover", "selection", "hidden")) this.#setEmphasized();
+    this.#choosePasses(state);
+  }
+
+  #choosePasses({ viewport: { isHurried }, shownSizes }: SceneState): void {
+    const [normal, emphasized, open, defective] = this.#meshes;
+    const isThin = isHurried && shownSizes === null;
+    if (isThin) this.#makeThin();
+    this.#thin.visible = isThin;
     // Target sizes colour the lines.
-    this.#meshes[0].visible = state.shownSizes === null && this.#states.hasAny("normal");
-    this.#meshes[1].visible = this.#states.hasAny("hover", "selected");
-    this.#meshes[2].visible = this.#states.hasAny("open");
-    this.#meshes[3].visible = this.#states.hasAny("defective");
+    normal.visible = !isThin && shownSizes === null && this.#states.hasAny("normal");
+    open.visible = !isThin && this.#states.hasAny("open");
+    defective.visible = !isThin && this.#states.hasAny("defective");
+    const isAny = this.#states.hasAny(...emphasis);
+    const { count } = this.#emphasizedGeometry.drawRange;
+    this.#thinEmphasized.visible = isAny && isThin && count > segmentCorners * maxHurriedWide;
+    emphasized.visible = isAny && !this.#thinEmphasized.visible;
+  }
+
+  /** Chooses the thin lines, unless they belong to these vertices: lines that move keep theirs. */
+  #makeThin(): void {
+    if (this.#isThinMade) return;
+    this.#isThinMade = true;
+    const offsets = Array.from(
+      { length: this.#states.length + 1 },
+      (_, line) => this.#states.firstVertexOf(line) / segmentVertices,
+    );
+    let size = 0;
+    for (const x of this.#segments) size = Math.max(size, Math.abs(x));
+    const index = thinIndex(this.#segments, offsets, thinTolerance * size);
+    this.#thinGeometry.getIndex()?.array.set(index);
+    drawFirst(this.#thinGeometry, index.length);
+  }
+
+  /** Writes the index of the emphasized segments. */
+  #setEmphasized(): void {
+    const all = this.#geometry.getIndex();
+    const drawn = this.#emphasizedGeometry.getIndex();
+    if (!all || !drawn) return;
+    let count = 0;
+    for (let line = 0; line < this.#states.length; ++line) {
+      if (!emphasisCodes.has(this.#states.codeAt(line))) continue;
+      const [first, end] = [line, line + 1].map(
+        (index) => (segmentCorners * this.#states.firstVertexOf(index)) / segmentVertices,
+      );
+      drawn.array.set(all.array.subarray(first, end), count);
+      count += (end ?? 0) - (first ?? 0);
+    }
+    drawFirst(this.#emphasizedGeometry, count);
   }
 
   hit(_ray: Ray, screen: Screen): Hit | null {
@@ -81,8 +152,8 @@ export class LinesLayer implements HittableLayer {
   }
 
   dispose(): void {
-    this.#geometry.dispose();
-    for (const { material } of this.#meshes) material.dispose();
+    for (const geometry of [this.#geometry, this.#emphasizedGeometry, this.#thinGeometry]) geometry.dispose();
+    for (const { material } of [...this.#meshes, this.#thin, this.#thinEmphasized]) material.dispose();
   }
 
   #setPositions(preview: SampledProject | null, origin: Position): void {
@@ -95,7 +166,7 @@ export class LinesLayer implements HittableLayer {
       offsets[line + 1] = (offsets[line] ?? 0) + segmentVertices * segments;
     }
     const count = (offsets.at(-1) ?? 0) / segmentVertices;
-    this.#states.assign(preview?.project.lines ?? [], offsets);
+    if (!this.#states.assign(preview?.project.lines ?? [], offsets)) this.#isThinMade = false;
     if (6 * count !== this.#segments.length) this.#allocate(count);
     let at = 0;
     for (let line = 0; line + 1 < lineOffsets.length; ++line) {
@@ -110,10 +181,14 @@ export class LinesLayer implements HittableLayer {
   }
 
   #allocate(segments: number): void {
-    this.#geometry.dispose();
+    for (const geometry of [this.#geometry, this.#emphasizedGeometry, this.#thinGeometry]) geometry.dispose();
     this.#segments = new Float32Array(6 * segments);
     this.#geometry = new SegmentGeometry(segments);
     this.#states.attachTo(this.#geometry);
     for (const mesh of this.#meshes) mesh.geometry = this.#geometry;
+    this.#emphasizedGeometry = this.#geometry.sharing(new Uint32Array(segmentCorners * segments));
+    this.#meshes[1].geometry = this.#emphasizedGeometry;
+    this.#thinGeometry = this.#geometry.sharing(new Uint32Array(2 * segments));
+    for (const drawn of [this.#thin, this.#thinEmphasized]) drawn.geometry = this.#thinGeometry;
   }
 }

@@ -6,6 +6,7 @@ import type { Position } from "../../document/position";
 import { showsFaces, type SampledProject, type SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
 import { CoarseTriangles, hurriedTriangles } from "../coarse-triangles";
+import { drawFirst } from "../draw-first";
 import { TriangleTree, type SerializedTree } from "../triangle-tree";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
@@ -226,7 +227,7 @@ export class PatchesLayer implements HittableLayer {
     const drawn = this.#coarseGeometry.getIndex() ?? new BufferAttribute(new Uint32Array(index.length), 1);
     this.#coarseGeometry.setIndex(drawn);
     drawn.array.set(coarse);
-    drawFirst(this.#coarseGeometry, drawn, coarse.length);
+    drawFirst(this.#coarseGeometry, coarse.length);
   }
 
   #copyIndex(): void {
@@ -250,7 +251,7 @@ export class PatchesLayer implements HittableLayer {
       drawn.array.set(corners, count);
       count += corners.length;
     }
-    drawFirst(this.#emphasizedGeometry, drawn, count);
+    drawFirst(this.#emphasizedGeometry, count);
   }
 }
 
@@ -258,14 +259,6 @@ function isSame(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   if (a.length !== b.length) return false;
   for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false;
   return true;
-}
-
-/** Draws the first entries of an index, which have changed. */
-function drawFirst(geometry: BufferGeometry, index: BufferAttribute, count: number): void {
-  geometry.setDrawRange(0, count);
-  index.clearUpdateRanges();
-  index.addUpdateRange(0, count);
-  index.needsUpdate = true;
 }
 
 interface PatchVertices {

@@ -58,6 +58,27 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
+/** The same vertices as lines one pixel wide: half as many, each with one end to project. */
+const thinVertexShader = /* glsl */ `
+  attribute vec3 end;
+  varying vec3 vColor;
+  ${drawStateGlsl}
+  void main() {
+    vColor = stateColor();
+    vec4 viewPosition = modelViewMatrix * vec4(gl_VertexID % 4 > 1 ? end : position, 1.0);
+    // In front of the surfaces on which they lie.
+    viewPosition.xyz *= 0.999;
+    gl_Position = isDrawn() ? projectionMatrix * viewPosition : ${culled};
+  }
+`;
+
+const thinFragmentShader = /* glsl */ `
+  varying vec3 vColor;
+  void main() {
+    gl_FragColor = vec4(vColor, 1.0);
+  }
+`;
+
 export interface LinePass {
   /** Width in CSS pixels of each state that the pass draws. */
   readonly widths: { readonly [S in DrawState]?: number };
@@ -88,6 +109,18 @@ export function createLineMaterial({ widths, depthTest, dash = 0 }: LinePass): L
     polygonOffset: true,
     polygonOffsetFactor: -2,
     polygonOffsetUnits: -2,
+    uniforms,
+  });
+  return Object.assign(material, { uniforms });
+}
+
+/** Line segments one device pixel wide, which take a renderer without a graphics card a third of the time. */
+export function createThinLineMaterial(states: readonly DrawState[], depthTest: boolean): StateMaterial {
+  const uniforms = drawStateUniforms(Object.fromEntries(states.map((state) => [state, 1])));
+  const material = new ShaderMaterial({
+    vertexShader: thinVertexShader,
+    fragmentShader: thinFragmentShader,
+    depthTest,
     uniforms,
   });
   return Object.assign(material, { uniforms });
