@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -279,6 +281,69 @@ TEST(Arrangement, ReturnsTheResultWithWeldedPointsFirstAndTheExactOneNext) {
   EXPECT_LE(results[0].deviation, 1e-3);
   EXPECT_EQ(results[1].mesh.points, enclose(mesh).mesh.points);
   EXPECT_EQ(results[1].mesh.triangles, enclose(mesh).mesh.triangles);
+}
+
+/// Returns the smallest height of a triangle above its longest edge.
+double smallestHeight(const SurfaceMesh& mesh) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    std::array<Vec3, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = pointOf(mesh, mesh.triangles[3 * t + k]);
+    const double longest =
+        std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
+    smallest = std::min(smallest, glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) / longest);
+  }
+  return smallest;
+}
+
+/// A prism above the z axis, between two heights.
+SurfaceMesh prism(int sides, double radius, double low, double high) {
+  SurfaceMesh mesh;
+  const auto n = static_cast<std::uint32_t>(sides);
+  for (const double z : {low, high}) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / n;
+      mesh.points.insert(mesh.points.end(),
+                         {radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+    mesh.points.insert(mesh.points.end(), {0.0, 0.0, z});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    const std::uint32_t top = n + 1;
+    mesh.triangles.insert(mesh.triangles.end(), {n, next, i, top + n, top + i, top + next, i, next,
+                                                 top + next, i, top + next, top + i});
+  }
+  return mesh;
+}
+
+/// Each face of one body in one plane with a face of another, but for a rounding of its coordinate.
+TEST(Arrangement, MakesFacesCoincideThatDifferByRoundings) {
+  const double above = std::nextafter(13.2, 14.0);
+  const SurfaceMesh mesh =
+      unite({prism(24, 2.0, 10.0, 13.2), prism(31, 2.5, above, 15.0),
+             moved(prism(17, 1.7, 11.0, std::nextafter(above, 14.0)), {0.3, 0.2, 0.0})});
+  Job job([&](Work& work) { return encloseSurface(work, mesh, 1e-3); });
+  const std::vector<EnclosedSurface> results = job.finish();
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_GT(smallestHeight(results[0].mesh), 1e-4);
+  EXPECT_LE(results[0].deviation, 1e-3);
+}
+
+/// A rod in a hole of its own radius, divided otherwise: the overlaps and gaps are lenses as wide as the height of an arc.
+TEST(Arrangement, ResolvesSolidsOfWhichCurvedFacesNearlyCoincide) {
+  SurfaceMesh mesh = unite({prism(37, 1.0, 0.0, 3.0), prism(90, 1.002, 1.0, 2.0)});
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    const bool isFirst = t < 4 * std::size_t{37};
+    mesh.triangleRegions.insert(mesh.triangleRegions.end(),
+                                {isFirst ? 0U : 1U, SurfaceMesh::kNoRegion});
+  }
+  Job job([&](Work& work) { return encloseSurface(work, mesh, 1e-3); });
+  const std::vector<EnclosedSurface> results = job.finish();
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_TRUE(results[0].isResolved);
+  EXPECT_GT(smallestHeight(results[0].mesh), 1e-5);
+  EXPECT_LE(results[0].deviation, 1e-3);
 }
 
 /// Crossing plates, `count` in each direction, 0.4 thick and 1 apart.
