@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -133,10 +134,16 @@ SurfaceMesh tetrahedronSoup(Random& random) {
   return soup;
 }
 
-/// Number of random soups per test; TETRAFRONT_SEEDS asks for more.
-int soups() {
+/// Seeds of the random soups of a test; TETRAFRONT_SEEDS=FIRST:COUNT chooses others.
+std::vector<std::uint64_t> soupSeeds() {
+  unsigned long long first = 0;
+  unsigned long long count = 60;
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread changes the environment.
   const char* chosen = std::getenv("TETRAFRONT_SEEDS");
-  return chosen == nullptr ? 60 : std::atoi(chosen);
+  if (chosen != nullptr) std::sscanf(chosen, "%llu:%llu", &first, &count);
+  std::vector<std::uint64_t> seeds;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) seeds.push_back(seed);
+  return seeds;
 }
 
 /// Flips all triangles.
@@ -462,8 +469,8 @@ TEST(Arrangement, EnclosesWhatRandomTetrahedraEnclose) {
 
 TEST(Arrangement, EnclosesWhatBoxesOfAnyOrientationEnclose) {
   const std::vector<Vec3> positions = positionsInCells();
-  for (int seed = 0; seed < soups(); ++seed) {
-    Random random(static_cast<std::uint64_t>(seed));
+  for (const std::uint64_t seed : soupSeeds()) {
+    Random random(seed);
     const std::vector<LatticeBody> bodies = latticeSoup(random, Soup::kBoxesOfAnyOrientation);
     const std::vector<bool> isInside = enclosedBy(bodies, positions);
     const EnclosedSurface result = enclose(surfaceOf(bodies));
@@ -483,8 +490,8 @@ TEST(Arrangement, RepairsSoupsOfBoxesAndPrisms) {
       {.removeTriangles = false},
       {.weldIntersections = 1e-3},
   }};
-  for (int seed = 0; seed < soups(); ++seed) {
-    Random random(static_cast<std::uint64_t>(seed));
+  for (const std::uint64_t seed : soupSeeds()) {
+    Random random(seed);
     const std::vector<LatticeBody> bodies = latticeSoup(random, Soup::kBoxesAndPrisms);
     const std::vector<bool> isInside = enclosedBy(bodies, positions);
     SurfaceMesh soup = surfaceOf(bodies);
@@ -502,8 +509,8 @@ TEST(Arrangement, RepairsSoupsOfBoxesAndPrisms) {
 /// Bodies that share edges may face either way then; nothing outside of them is enclosed.
 TEST(Arrangement, RepairsSoupsOfBoxesOfAnyOrientation) {
   const std::vector<Vec3> positions = positionsInCells();
-  for (int seed = 0; seed < soups(); ++seed) {
-    Random random(static_cast<std::uint64_t>(seed));
+  for (const std::uint64_t seed : soupSeeds()) {
+    Random random(seed);
     std::vector<LatticeBody> bodies = latticeSoup(random, Soup::kBoxesOfAnyOrientation);
     const SurfaceMesh result = repaired(surfaceOf(bodies), {});
     EXPECT_TRUE(inspectionOf(result).isFillable) << seed;
