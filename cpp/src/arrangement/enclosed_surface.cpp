@@ -405,8 +405,7 @@ class Enclosing {
 }  // namespace
 
 Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
-                                                  double weldDistance,
-                                                  const EnclosingLimits& limits) {
+                                                  double weldDistance, EnclosingLimits limits) {
   Enclosing enclosing(mesh, limits);
   std::vector<EnclosedSurface> results = co_await enclosing.run(work, weldDistance);
   co_return results;

@@ -67,7 +67,7 @@ struct EnclosingLimits {
 /// resolved, it is the only one.
 Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
                                                   double weldDistance = 0.0,
-                                                  const EnclosingLimits& limits = {});
+                                                  EnclosingLimits limits = {});
 
 /// Returns the first of the given triangles of which nothing is left, or none. O(triangles).
 [[nodiscard]] TriangleId firstLeftOut(std::size_t givenTriangles, const EnclosedSurface& enclosed);
