@@ -61,7 +61,14 @@ export const canBeFilled = (state: BodyState): boolean =>
 export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
   return [...states].flatMap(({ body, loaded, inspection }) =>
     loaded && inspection?.isFillable === true
-      ? [{ body, surface: loaded.surface, volume: placedVolume(inspection.volume, body) }]
+      ? [
+          {
+            body,
+            surface: loaded.surface,
+            volume: placedVolume(inspection.volume, body),
+            isPlain: inspection.regions === 1 && inspection.flippedTriangles === 0,
+          },
+        ]
       : [],
   );
 }

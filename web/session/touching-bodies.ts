@@ -1,4 +1,11 @@
-import { type Mesher, type Project, type ProjectBody, repairedSurface } from "tetrafront";
+import {
+  type GivenRegions,
+  type Mesher,
+  NO_REGION,
+  type Project,
+  type ProjectBody,
+  repairedSurface,
+} from "tetrafront";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
 import { joinedRepairs, sharedAbove, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
 import { placedSurfaceKey } from "../document/content-keys";
@@ -20,6 +27,8 @@ export interface GivenBody {
   readonly surface: PatchArrays;
   /** What it encloses at its placement. */
   readonly volume: number;
+  /** Whether it is one region, and all its triangles face outward. */
+  readonly isPlain: boolean;
 }
 
 /** Bodies that touch or intersect, directly or through others. */
@@ -91,7 +100,8 @@ export interface JoinedBody {
 
 /**
  * Returns bodies that touch as one body: their triangles are cut where they intersect and common where they touch, which
- * leaves what each body encloses as a region. A volume that they share counts once. Null if they cannot be joined.
+ * leaves what each body encloses as a region. A volume that they share belongs to the first of them, as on the command line; if
+ * one of them has several regions, bodies that share a volume become one region. Null if they cannot be joined.
  */
 export async function joinedBody(
   mesher: Mesher,
@@ -108,7 +118,11 @@ export async function joinedBody(
   const own = joinedPatches(bodies);
   const empty = { ...head, ...joinedRepairs(bodies), points: "", triangles: "", patches: own };
   const weldIntersections = weldBeforeRemeshing(empty, boxOf(given.points));
-  const repair = await mesher.repairSurface(given, { weldIntersections }, { signal });
+  const input = {
+    ...given,
+    ...(group.every(({ isPlain }) => isPlain) && { givenRegions: regionsOf(group) }),
+  };
+  const repair = await mesher.repairSurface(input, { weldIntersections }, { signal });
   const patches = own.map(({ id, name = "" }) => ({ name, tag: id }));
   const { points, triangles, trianglePatch } = repairedSurface({ ...given, patches }, repair);
   const after = await mesher.inspectSurface({ points, triangles }, {}, { signal });
@@ -122,4 +136,12 @@ export async function joinedBody(
     regions: after.regions,
     shared: sharedAbove(volume - after.volume, after.volume),
   };
+}
+
+/** Returns the regions beside the triangles of joined bodies: one per body. */
+function regionsOf(group: TouchingBodies): GivenRegions {
+  const sides = group.flatMap(({ surface }, region) =>
+    Array.from(surface.trianglePatch, () => [region, NO_REGION]).flat(),
+  );
+  return { triangleRegions: Uint32Array.from(sides), maxVolumes: new Float64Array(group.length) };
 }

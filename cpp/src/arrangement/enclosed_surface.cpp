@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "arrangement/arrangement.h"
+#include "arrangement/low_triangles.h"
 #include "arrangement/part_shells.h"
 #include "arrangement/region_nesting.h"
 #include "base/mesh_access.h"
@@ -19,6 +21,13 @@ namespace {
 
 /// Distances within which points of intersecting triangles are welded / extent of the surface, one per attempt.
 constexpr std::array<double, 6> kWeldDistances{0.0, 0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26, 0x1p-20};
+/// Spacing of the coordinates of points that are welded within a wanted distance / extent of the surface, at least.
+constexpr double kWeldedSpacing = 0x1p-38;
+/// Wanted distances that are tried, each a quarter of the one before: welded within a large one, thin walls change their volume.
+constexpr int kWeldAttempts = 3;
+constexpr int kWeldAttemptBits = 2;
+/// Rounds of an attempt in which points are welded within the distance of encloseSurface(); within that of the attempt in others.
+constexpr std::uint32_t kWeldingRounds = 3;
 /// Triangles after a round that are allowed per given one.
 constexpr std::size_t kMaxGrowth = 20;
 /// Largest number of triangles and pairs of all rounds / number of given triangles, for another attempt. 24 rounds of a part with
@@ -30,12 +39,13 @@ constexpr std::size_t kFreeTriangles = 1000;
 /// Largest change of the volume by welding / volume.
 constexpr double kMaxVolumeChange = 1e-3;
 
-/// Returns six times the enclosed volume.
-double sixfoldVolumeOf(const SurfaceMesh& mesh) {
+/// Returns six times the enclosed volume. `isInterface`: per triangle, whether there is inside on either side.
+double sixfoldVolumeOf(const SurfaceMesh& mesh, std::span<const std::uint8_t> isInterface) {
   if (mesh.triangles.empty()) return 0.0;
   const Vec3 origin = pointOf(mesh, NodeId(mesh.triangles[0]));
   double sum = 0.0;
   for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
+    if (isInterface[t] != 0) continue;
     const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
     const Vec3 p = pointOf(mesh, a) - origin;
     sum += glm::dot(p, glm::cross(pointOf(mesh, b) - origin, pointOf(mesh, c) - origin));
@@ -82,6 +92,7 @@ class Enclosing {
     for (std::size_t attempt = 0; attempt < kWeldDistances.size(); ++attempt) {
       work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(attempt)));
       weldDistance_ = kWeldDistances[attempt] * extent_;
+      spacing_ = weldDistance_;
       co_await resolve(work);
       if (result_.isResolved || isHopeless_) break;
       if (isTooMuchWork() && attempt + 1 < kWeldDistances.size()) {
@@ -91,37 +102,42 @@ class Enclosing {
       }
     }
     std::vector<EnclosedSurface> results;
-    if (result_.isResolved && weldDistance > weldDistance_ && !isTooMuchWork()) {
-      work.beginPart(1.0);
-      EnclosedSurface known = co_await simplify(work, weldDistance);
-      if (isSimplified(known)) results.push_back(std::move(result_));
-      result_ = std::move(known);
+    EnclosedSurface exact = std::move(result_);
+    const double volume = hasRegions() ? 0.0 : sixfoldVolumeOf(exact.mesh, isInterface_);
+    for (int i = 0; i < kWeldAttempts && exact.isResolved && results.empty(); ++i) {
+      const double distance = weldDistance * std::ldexp(1.0, -kWeldAttemptBits * i);
+      if (!(distance > spacing_) || isTooMuchWork()) break;
+      work.beginPart(1.0 - std::ldexp(0.5, -1 - i));
+      co_await simplify(work, exact, distance);
+      if (isSimplified(exact, volume)) results.push_back(std::move(result_));
     }
-    results.push_back(std::move(result_));
+    results.push_back(std::move(exact));
     co_return results;
   }
 
  private:
-  /// Resolves the surface with the points of intersecting triangles welded within a distance; returns the result before.
-  Task<EnclosedSurface> simplify(Work& work, double weldDistance) {
-    EnclosedSurface known = result_;
+  /// Resolves the surface again, with the points of intersecting triangles welded within a distance.
+  Task<> simplify(Work& work, const EnclosedSurface& exact, double weldDistance) {
+    result_.isCut = exact.isCut;
+    result_.rounds = exact.rounds;
+    result_.shared = exact.shared;
     weldDistance_ = weldDistance;
+    spacing_ = std::max(spacing_, kWeldedSpacing * extent_);
     co_await resolve(work);
-    co_return known;
   }
 
-  /// Returns whether the result is resolved, with the volume of the one before.
-  [[nodiscard]] bool isSimplified(const EnclosedSurface& known) const {
-    if (hasRegions() && result_.isResolved) {
+  /// Returns whether the result is resolved, with the volume of the exact one: six times this volume is known.
+  [[nodiscard]] bool isSimplified(const EnclosedSurface& exact, double sixfoldVolume) const {
+    if (!result_.isResolved) return false;
+    if (hasRegions()) {
       std::map<std::uint32_t, double> after = sixfoldRegionVolumes(result_.mesh);
-      return std::ranges::all_of(sixfoldRegionVolumes(known.mesh), [&](const auto& region) {
+      return std::ranges::all_of(sixfoldRegionVolumes(exact.mesh), [&](const auto& region) {
         const auto& [number, volume] = region;
         return std::fabs(after[number] - volume) <= kMaxVolumeChange * std::fabs(volume);
       });
     }
-    const double before = sixfoldVolumeOf(known.mesh);
-    const double change = std::fabs(sixfoldVolumeOf(result_.mesh) - before);
-    return result_.isResolved && change <= kMaxVolumeChange * std::fabs(before);
+    const double change = sixfoldVolumeOf(result_.mesh, isInterface_) - sixfoldVolume;
+    return std::fabs(change) <= kMaxVolumeChange * std::fabs(sixfoldVolume);
   }
 
   [[nodiscard]] std::size_t workLimit() const {
@@ -140,7 +156,9 @@ class Enclosing {
     std::size_t pairsBefore = limits_.pairs;
     for (std::uint32_t round = 0; round <= limits_.rounds; ++round) {
       work.beginPart(1.0 - std::ldexp(0.5, -static_cast<int>(round)));
-      co_await weld(work);
+      // Welding within a large distance makes triangles intersect again, now and then the same ones.
+      const double distance = round < kWeldingRounds ? weldDistance_ : spacing_;
+      co_await weld(work, distance);
       removeDegenerateTriangles();
       if (result_.mesh.triangles.empty()) {
         fail(Unresolved::kNothingEnclosed, {});
@@ -214,14 +232,32 @@ class Enclosing {
     }
   }
 
+  /// Rounds the coordinates of weldable nodes to multiples of the spacing. Faces in one plane across an axis whose coordinates differ
+  /// by roundings then coincide.
+  void roundToGrid() {
+    if (!(spacing_ > 0.0)) return;
+    for (std::size_t i = 0; i < isWeldable_.size(); ++i) {
+      if (isWeldable_[i] == 0) continue;
+      const Vec3 before = pointOf(result_.mesh, NodeId(i));
+      // Zero has one sign.
+      for (std::size_t k = 0; k < 3; ++k) {
+        double& x = result_.mesh.points[3 * i + k];
+        x = std::round(x / spacing_) * spacing_ + 0.0;
+      }
+      const double moved = glm::length(pointOf(result_.mesh, NodeId(i)) - before);
+      result_.deviation = std::max(result_.deviation, moved);
+    }
+  }
+
   /// Welds used nodes with equal positions, and weldable ones within the distance of this attempt.
-  Task<> weld(Work& work) {
+  Task<> weld(Work& work, double weldDistance) {
     SurfaceMesh& mesh = result_.mesh;
+    roundToGrid();
     std::vector<std::uint8_t> isUsed(countNodes(mesh), 0);
     for (const std::uint32_t node : mesh.triangles) isUsed[node] = 1;
     std::vector<NodeId> target(isUsed.size());
     for (std::uint32_t i = 0; i < target.size(); ++i) target[i] = NodeId(i);
-    for (const double distance : {0.0, weldDistance_}) {
+    for (const double distance : {0.0, weldDistance}) {
       std::vector<NodeId> nodes;
       std::vector<double> points;
       for (std::uint32_t i = 0; i < isUsed.size(); ++i) {
@@ -240,30 +276,60 @@ class Enclosing {
       }
     }
     for (std::uint32_t& node : mesh.triangles) node = target[target[node].index()].value;
+    if (!(weldDistance > 0.0)) co_return;
+    removeTrianglesWithRepeatedNodes();
+    const LowTriangles left = removeLowTriangles(mesh, weldDistance, isWeldable_);
+    result_.deviation = std::max(result_.deviation, left.deviation);
+    keepBeside(left.parents);
+  }
+
+  void removeTrianglesWithRepeatedNodes() {
+    removeIf([](const NodeTriple& nodes) {
+      const auto [a, b, c] = nodes;
+      return a == b || b == c || c == a;
+    });
   }
 
   /// A closed surface stays closed, as a set of points: corners on one line enclose nothing.
   void removeDegenerateTriangles() {
+    removeTrianglesWithRepeatedNodes();
+    removeIf([this](const NodeTriple& nodes) {
+      const auto [a, b, c] = nodes;
+      return collinear(pointOf(result_.mesh, a), pointOf(result_.mesh, b),
+                       pointOf(result_.mesh, c));
+    });
+  }
+
+  /// Removes the triangles for whose nodes the condition holds.
+  template <class Condition>
+  void removeIf(Condition condition) {
     SurfaceMesh& mesh = result_.mesh;
-    std::size_t kept = 0;
-    for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
-      const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
-      if (a == b || b == c || c == a) continue;
-      if (collinear(pointOf(mesh, a), pointOf(mesh, b), pointOf(mesh, c))) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        mesh.triangles[3 * kept + k] = mesh.triangles[3 * std::size_t{t} + k];
-      }
-      if (hasRegions()) {
-        mesh.triangleRegions[2 * kept] = mesh.triangleRegions[2 * std::size_t{t}];
-        mesh.triangleRegions[2 * kept + 1] = mesh.triangleRegions[2 * std::size_t{t} + 1];
-      }
-      isInterface_[kept] = isInterface_[t];
-      result_.origin[kept++] = result_.origin[t];
+    std::vector<TriangleId> kept;
+    for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+      const NodeTriple nodes = nodesOf(mesh, t);
+      if (condition(nodes)) continue;
+      for (std::size_t k = 0; k < 3; ++k) mesh.triangles[3 * kept.size() + k] = nodes[k].value;
+      kept.push_back(t);
     }
-    mesh.triangles.resize(3 * kept);
-    if (hasRegions()) mesh.triangleRegions.resize(2 * kept);
-    isInterface_.resize(kept);
-    result_.origin.resize(kept);
+    mesh.triangles.resize(3 * kept.size());
+    keepBeside(kept);
+  }
+
+  /// Keeps what is known about triangles. `parents`: per triangle, the one before.
+  void keepBeside(const std::vector<TriangleId>& parents) {
+    std::vector<std::uint32_t> regions;
+    std::vector<std::uint8_t> isInterface;
+    std::vector<TriangleId> origin;
+    for (const TriangleId t : parents) {
+      origin.push_back(result_.origin[t.index()]);
+      isInterface.push_back(isInterface_[t.index()]);
+      if (!hasRegions()) continue;
+      regions.push_back(result_.mesh.triangleRegions[2 * t.index()]);
+      regions.push_back(result_.mesh.triangleRegions[2 * t.index() + 1]);
+    }
+    result_.mesh.triangleRegions = std::move(regions);
+    result_.origin = std::move(origin);
+    isInterface_ = std::move(isInterface);
   }
 
   void markGiven(const Arrangement& arrangement) {
@@ -324,6 +390,8 @@ class Enclosing {
   EnclosingLimits limits_;
   double extent_;
   double weldDistance_ = 0.0;
+  double spacing_ =
+      0.0;  ///< of the grid of coordinates: a power of two, or 0 if they are not rounded
   bool isHopeless_ = false;  ///< another attempt would fail alike
   bool areRegionsInconsistent_ = false;
   std::size_t sharedCells_ = 0;  ///< number of shared volumes of the given surface
@@ -337,8 +405,7 @@ class Enclosing {
 }  // namespace
 
 Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
-                                                  double weldDistance,
-                                                  const EnclosingLimits& limits) {
+                                                  double weldDistance, EnclosingLimits limits) {
   Enclosing enclosing(mesh, limits);
   std::vector<EnclosedSurface> results = co_await enclosing.run(work, weldDistance);
   co_return results;

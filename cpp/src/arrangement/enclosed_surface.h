@@ -55,7 +55,7 @@ struct EnclosingLimits {
 
 /// Returns the boundary of the inside. `mesh`: triangles with valid indices and finite coordinates; it must outlive the task. They may
 /// intersect, coincide and be degenerate. They should be closed and agree in orientation; triangles that enclose nothing are left out. `weldDistance`: points of
-/// intersecting triangles are welded within it, in model units, if the volume stays the same; 0 for none. Faces that nearly
+/// intersecting triangles are welded within it, in model units, or within a quarter or a sixteenth of it, if the volume stays the same; 0 for none. Faces that nearly
 /// coincide otherwise leave steps as low as the rounding of their coordinates. O(n log n) for n triangles that have few
 /// others near them. Further attempts are made only while the triangles and pairs of all rounds are at most 100 times those
 /// given.
@@ -67,7 +67,7 @@ struct EnclosingLimits {
 /// resolved, it is the only one.
 Task<std::vector<EnclosedSurface>> encloseSurface(Work& work, const SurfaceMesh& mesh,
                                                   double weldDistance = 0.0,
-                                                  const EnclosingLimits& limits = {});
+                                                  EnclosingLimits limits = {});
 
 /// Returns the first of the given triangles of which nothing is left, or none. O(triangles).
 [[nodiscard]] TriangleId firstLeftOut(std::size_t givenTriangles, const EnclosedSurface& enclosed);

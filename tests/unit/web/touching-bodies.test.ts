@@ -23,7 +23,7 @@ function cube(id: number, edge: number, position: [number, number, number]): Giv
   const trianglePatch = new Uint32Array(surface.triangles.length / 3);
   const made = createBody(surface, { id, firstPatchId: 10 * id, name: `cube ${id}` });
   const body: ProjectBody = { ...made, placement: { position, scale: edge } };
-  return { body, surface: { ...surface, trianglePatch }, volume: edge ** 3 };
+  return { body, surface: { ...surface, trianglePatch }, volume: edge ** 3, isPlain: true };
 }
 
 const projectOf = (given: readonly GivenBody[]): Project => ({
@@ -88,8 +88,18 @@ describe("bodies that touch", () => {
     expect([isFillable, volume]).toEqual([true, 9]);
   });
 
-  it("that share a volume count it once", async () => {
+  it("that share a volume keep a region each, and the first gets the volume", async () => {
     const group = [cube(1, 2, [0, 0, 0]), cube(2, 1, [1.5, 0.5, 0.5])];
+    const joined = await joinedBody(mesher, projectOf(group), group, signal);
+    expect(joined?.regions).toBe(2);
+    expect(joined?.shared).toBeCloseTo(0.5, 12);
+    if (!joined) throw new Error("not joined");
+    const { shells } = await mesher.inspectSurface(joined.surface);
+    expect(shells.map(({ volume }) => Math.round(volume * 1e9) / 1e9)).toEqual([8, 0.5]);
+  });
+
+  it("that share a volume become one region, if one of them has several regions or triangles that face inward", async () => {
+    const group = [cube(1, 2, [0, 0, 0]), { ...cube(2, 1, [1.5, 0.5, 0.5]), isPlain: false }];
     const joined = await joinedBody(mesher, projectOf(group), group, signal);
     expect(joined?.regions).toBe(1);
     expect(joined?.shared).toBeCloseTo(0.5, 12);
