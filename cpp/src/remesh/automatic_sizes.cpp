@@ -131,7 +131,17 @@ class ShapeMeasure {
   }
   [[nodiscard]] double bendOf(TriangleId triangle, double flatAngle) const;
   [[nodiscard]] double curvatureOf(TriangleId triangle) const;
-  [[nodiscard]] double meanCurvatureOf(std::span<const std::uint32_t> pieces, double width) const;
+  /// Pieces in one cell.
+  struct Cluster {
+    double curvature = 0.0;  ///< 0 if they are too few
+    double width = 0.0;      ///< of the cell
+  };
+  [[nodiscard]] double widthAt(std::uint32_t level) const {
+    return static_cast<double>(1U << (kThicknessLevels - 1 - level)) * kSampleWidth *
+           rules_.minSize;
+  }
+  [[nodiscard]] Cluster clusterOf(std::span<const std::uint32_t> pieces, double width) const;
+  [[nodiscard]] double curvatureIn(std::span<const Cluster> clusters, double ofPiece) const;
   [[nodiscard]] Vec3 axisOf(TriangleId triangle) const;
   struct Gap {
     double width;
@@ -177,9 +187,9 @@ double ShapeMeasure::curvatureOf(TriangleId triangle) const {
   return std::fabs(bendOf(triangle, kFlatAngle)) / area;
 }
 
-/// Returns the curvature of the surface where many pieces are in a cell of this width. They may bend too little to be
-/// measured one by one.
-double ShapeMeasure::meanCurvatureOf(std::span<const std::uint32_t> pieces, double width) const {
+/// Returns the mean curvature of the pieces in a cell of this width.
+ShapeMeasure::Cluster ShapeMeasure::clusterOf(std::span<const std::uint32_t> pieces,
+                                              double width) const {
   double bend = 0.0;
   double area = 0.0;
   for (const std::uint32_t i : pieces) {
@@ -190,8 +200,19 @@ double ShapeMeasure::meanCurvatureOf(std::span<const std::uint32_t> pieces, doub
     bend += bendOf(piece.triangle, 0.0) * (piece.area / ofTriangle);
     area += piece.area;
   }
-  if (!(area > kCellArea * width * width)) return 0.0;
-  const double curvature = std::fabs(bend) / area;
+  if (!(area > kCellArea * width * width)) return {};
+  return {std::fabs(bend) / area, width};
+}
+
+/// Returns the curvature of a sample: the mean of the widest cell in which an edge as long as the cell is wide may cross the
+/// bends. Triangles of two tessellations that were cut along each other bend by turns more and less than the surface. `ofPiece`:
+/// in narrower cells, unless the pieces bend too little to be measured one by one.
+double ShapeMeasure::curvatureIn(std::span<const Cluster> clusters, double ofPiece) const {
+  for (const auto& [curvature, width] : clusters) {
+    if (curvature * width > kCellAngle && sizeForCurvature(curvature) >= width) return curvature;
+  }
+  if (ofPiece > 0.0) return ofPiece;
+  const auto& [curvature, width] = clusters.back();
   return curvature * width > kCellAngle ? curvature : 0.0;
 }
 
@@ -277,20 +298,20 @@ std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
            std::tie(b.facingAndX, b.yAndZ, b.inner, a.curvature);
   });
   std::vector<Sample> samples;
-  std::vector<std::uint32_t> inCell;
-  for (std::size_t i = 0; i < places.size();) {
-    const Place& place = places[i];
+  std::array<Cluster, kThicknessLevels> clusters;
+  for (std::size_t i = 0; i < places.size(); ++i) {
     // The first level at which the cell of the place is another one than that of the place before.
-    const std::uint32_t level = i == 0 ? 0 : levelOfDifference(places[i - 1], place);
-    inCell.clear();
-    for (; i < places.size() &&
-           (inCell.empty() || levelOfDifference(place, places[i]) == kThicknessLevels);
-         ++i) {
-      inCell.push_back(places[i].piece);
+    const std::uint32_t level = i == 0 ? 0 : levelOfDifference(places[i - 1], places[i]);
+    if (level == kThicknessLevels) continue;
+    for (std::uint32_t k = level; k < kThicknessLevels; ++k) {
+      std::vector<std::uint32_t> inCell;
+      for (std::size_t j = i; j < places.size(); ++j) {
+        if (levelOfDifference(places[i], places[j]) <= k) break;
+        inCell.push_back(places[j].piece);
+      }
+      clusters[k] = clusterOf(inCell, widthAt(k));
     }
-    double curvature = place.curvature;
-    if (curvature == 0.0) curvature = meanCurvatureOf(inCell, width);
-    samples.push_back({place.piece, level, curvature});
+    samples.push_back({places[i].piece, level, curvatureIn(clusters, places[i].curvature)});
   }
   return samples;
 }
@@ -311,9 +332,7 @@ void ShapeMeasure::measure(const Sample& sample) {
     const double ofThickness =
         findThickness(reference_, piece.centroid, inward, limit) / rules_.layers;
     for (std::uint32_t level = sample.level; level < kThicknessLevels; ++level) {
-      const double width =
-          static_cast<double>(1U << (kThicknessLevels - 1 - level)) * kSampleWidth * rules_.minSize;
-      isThin_[level] = ofThickness < kThicknessPerCell * width;
+      isThin_[level] = ofThickness < kThicknessPerCell * widthAt(level);
     }
     if (ofThickness < size) axis = Vec3(0.0);
     size = std::min(size, ofThickness);
