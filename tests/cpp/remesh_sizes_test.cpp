@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -52,6 +55,60 @@ TEST(Remesh, AutomaticSizesHardlyDependOnTheNumberOfStrips) {
   for (const int strips : {400, 9000}) {
     EXPECT_NEAR(expected(strips), coarse, 0.03 * coarse) << strips;
   }
+}
+
+/// A bar whose side has the outline of two regular polygons, one turned by a part of its angle: where they cross, it is hollow.
+SurfaceMesh barOfTwoTessellations() {
+  constexpr int kSides = 120;
+  constexpr double kAngle = 2.0 * std::numbers::pi / kSides;
+  constexpr double kTurn = 0.13 * kAngle;
+  std::vector<std::array<double, 2>> ring;  // angle, radius
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = i * kAngle;
+    const double middle = std::cos(kAngle / 2.0);
+    ring.push_back({angle, 1.0});
+    ring.push_back({angle + kTurn / 2.0, middle / std::cos((kAngle - kTurn) / 2.0)});
+    ring.push_back({angle + kTurn, 1.0});
+    ring.push_back({angle + (kTurn + kAngle) / 2.0, middle / std::cos(kTurn / 2.0)});
+  }
+  SurfaceMesh mesh;
+  for (const double z : {0.0, 4.0}) {
+    for (const auto& [angle, radius] : ring) {
+      mesh.points.insert(mesh.points.end(),
+                         {radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  }
+  mesh.points.insert(mesh.points.end(), {0.0, 0.0, 0.0, 0.0, 0.0, 4.0});
+  const auto n = static_cast<std::uint32_t>(ring.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    mesh.triangles.insert(mesh.triangles.end(), {i, j, n + j, i, n + j, n + i});
+    mesh.triangles.insert(mesh.triangles.end(), {2 * n, j, i, 2 * n + 1, n + i, n + j});
+  }
+  return mesh;
+}
+
+TEST(Remesh, TessellationsThatWereCutAlongEachOtherNeedNoSmallTriangles) {
+  RemeshOptions options;
+  options.minSize = 0.1;
+  const SurfaceRemesh cut = remesh(barOfTwoTessellations(), options);
+  const SurfaceRemesh plain = remesh(coarseBar(120, 4.0), options);
+  EXPECT_LT(cut.triangles.size(), 3 * plain.triangles.size() / 2);
+  EXPECT_GT(cut.smallestAngle, 20.0);
+}
+
+/// Bends of a wave cancel out in a cell, but its crests and hollows are round.
+TEST(Remesh, WavesHaveTheCurvatureOfTheirCrests) {
+  const SurfaceMesh flat = gridCube(80);
+  SurfaceMesh wavy = flat;
+  const double top = *std::ranges::max_element(flat.points);
+  for (std::size_t i = 0; i < wavy.points.size(); i += 3) {
+    if (flat.points[i + 2] != top) continue;
+    wavy.points[i + 2] += 0.004 * top * std::sin(20.0 * std::numbers::pi * flat.points[i] / top);
+  }
+  RemeshOptions options;
+  options.minSize = 0.025 * top;
+  EXPECT_GT(remesh(wavy, options).triangles.size(), 2 * remesh(flat, options).triangles.size());
 }
 
 TEST(Remesh, ThicknessIsTheDistanceThroughTheRegion) {

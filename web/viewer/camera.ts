@@ -106,6 +106,8 @@ export class ViewCamera {
   #radius = 1;
   /** Distance from the origin up to which the scene is drawn. */
   #reach = minReach;
+  /** Scratch. */
+  readonly #direction = new Vector3();
   /** Share of the width that is not covered. */
   #freeShare = 1;
   /** The box that was fitted last; null before any. */
@@ -207,9 +209,10 @@ export class ViewCamera {
     const moved = this.controls.update(seconds);
     const distance = this.controls.distance;
     // The origin is near the model, the target anywhere.
-    const fromOrigin = this.camera.position.length();
-    this.camera.near = Math.max(Math.min(distance, fromOrigin) - this.#reach, distance * 0.004);
-    this.camera.far = Math.max(distance, fromOrigin) + this.#reach;
+    const { position } = this.camera;
+    const depthOfOrigin = -position.dot(this.camera.getWorldDirection(this.#direction));
+    this.camera.near = Math.max(Math.min(distance, depthOfOrigin) - this.#reach, distance * 0.004);
+    this.camera.far = Math.max(distance, position.length()) + this.#reach;
     this.camera.updateProjectionMatrix();
     return moved;
   }

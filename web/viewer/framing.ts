@@ -180,14 +180,12 @@ export class Framing {
     const known = this.#reached;
     if (known?.background === background && known.origin === origin) return known.reach;
     let reach = 0;
-    const add = (position: Position): void => {
-      const [x, y, z] = position;
-      reach = Math.max(reach, Math.hypot(x - origin[0], y - origin[1], z - origin[2]));
+    const add = ([x, y, z]: Position, around = 0): void => {
+      reach = Math.max(reach, Math.hypot(x - origin[0], y - origin[1], z - origin[2]) + around);
     };
     for (const { position } of background.nodes) add(position);
-    for (const { positions, distance = 0 } of background.sources ?? []) {
-      positions.forEach(add);
-      reach += distance;
+    for (const { positions, distance } of background.sources ?? []) {
+      for (const position of positions) add(position, distance);
     }
     this.#reached = { background, origin, reach };
     return reach;

@@ -55,11 +55,14 @@ export class KeptPicture {
       new WebGLRenderTarget(1, 1, {
         magFilter: NearestFilter,
         minFilter: NearestFilter,
+        resolveDepthBuffer: false,
         samples: renderer.getContext().getContextAttributes()?.antialias === true ? 4 : 0,
       }),
       { isXRRenderTarget: true },
     );
     this.#target.texture.colorSpace = renderer.outputColorSpace;
+    // As the buffer with several samples per pixel, which is copied into it: copies between unequal formats fail.
+    this.#target.texture.internalFormat = "RGBA8";
     this.#material = new ShaderMaterial({
       vertexShader,
       fragmentShader,

@@ -57,6 +57,8 @@ export class ViewCube {
     });
     this.#gizmo.addEventListener("end", () => {
       controls.enabled = true;
+      // A piece that the pointer has left is not highlighted any more.
+      this.#pictured = null;
       options.onChange();
     });
     controls.addEventListener("update", () => {

@@ -106,7 +106,7 @@ class Enclosing {
     const double volume = hasRegions() ? 0.0 : sixfoldVolumeOf(exact.mesh, isInterface_);
     for (int i = 0; i < kWeldAttempts && exact.isResolved && results.empty(); ++i) {
       const double distance = weldDistance * std::ldexp(1.0, -kWeldAttemptBits * i);
-      if (!(distance > spacing_) || isTooMuchWork()) break;
+      if (!(distance > std::max(spacing_, kWeldedSpacing * extent_)) || isTooMuchWork()) break;
       work.beginPart(1.0 - std::ldexp(0.5, -1 - i));
       co_await simplify(work, exact, distance);
       if (isSimplified(exact, volume)) results.push_back(std::move(result_));
@@ -216,6 +216,8 @@ class Enclosing {
   void begin() {
     result_.mesh.points = given_.points;
     result_.mesh.triangles = given_.triangles;
+    result_.isResolved = false;
+    areRegionsInconsistent_ = false;
     result_.deviation = 0.0;
     result_.sheetShare = 0.0;
     result_.reason = Unresolved::kNone;
@@ -233,9 +235,10 @@ class Enclosing {
   }
 
   /// Rounds the coordinates of weldable nodes to multiples of the spacing. Faces in one plane across an axis whose coordinates differ
-  /// by roundings then coincide.
-  void roundToGrid() {
-    if (!(spacing_ > 0.0)) return;
+  /// by roundings then coincide. Returns how far a node was moved at most.
+  double roundToGrid() {
+    double farthest = 0.0;
+    if (!(spacing_ > 0.0)) return farthest;
     for (std::size_t i = 0; i < isWeldable_.size(); ++i) {
       if (isWeldable_[i] == 0) continue;
       const Vec3 before = pointOf(result_.mesh, NodeId(i));
@@ -244,15 +247,16 @@ class Enclosing {
         double& x = result_.mesh.points[3 * i + k];
         x = std::round(x / spacing_) * spacing_ + 0.0;
       }
-      const double moved = glm::length(pointOf(result_.mesh, NodeId(i)) - before);
-      result_.deviation = std::max(result_.deviation, moved);
+      farthest = std::max(farthest, glm::length(pointOf(result_.mesh, NodeId(i)) - before));
     }
+    return farthest;
   }
 
-  /// Welds used nodes with equal positions, and weldable ones within the distance of this attempt.
+  /// Welds used nodes with equal positions, and weldable ones within the distance of this attempt. What moves in several steps
+  /// moves by at most the sum of their largest distances.
   Task<> weld(Work& work, double weldDistance) {
     SurfaceMesh& mesh = result_.mesh;
-    roundToGrid();
+    result_.deviation += roundToGrid();
     std::vector<std::uint8_t> isUsed(countNodes(mesh), 0);
     for (const std::uint32_t node : mesh.triangles) isUsed[node] = 1;
     std::vector<NodeId> target(isUsed.size());
@@ -268,19 +272,20 @@ class Enclosing {
         points.insert(points.end(), {p.x, p.y, p.z});
       }
       const std::vector<NodeId> found = co_await findWeldTargets(work, points, distance);
+      double farthest = 0.0;
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         const NodeId onto = nodes[found[i].index()];
         target[nodes[i].index()] = onto;
-        result_.deviation =
-            std::max(result_.deviation, glm::length(pointOf(mesh, onto) - pointOf(mesh, nodes[i])));
+        farthest = std::max(farthest, glm::length(pointOf(mesh, onto) - pointOf(mesh, nodes[i])));
       }
+      result_.deviation += farthest;
     }
     for (std::uint32_t& node : mesh.triangles) node = target[target[node].index()].value;
     if (!(weldDistance > 0.0)) co_return;
     removeTrianglesWithRepeatedNodes();
-    const LowTriangles left = removeLowTriangles(mesh, weldDistance, isWeldable_);
-    result_.deviation = std::max(result_.deviation, left.deviation);
-    keepBeside(left.parents);
+    const LowTriangles left = co_await removeLowTriangles(work, mesh, weldDistance, isWeldable_);
+    result_.deviation += left.deviation;
+    keepAttributes(left.parents);
   }
 
   void removeTrianglesWithRepeatedNodes() {
@@ -312,11 +317,11 @@ class Enclosing {
       kept.push_back(t);
     }
     mesh.triangles.resize(3 * kept.size());
-    keepBeside(kept);
+    keepAttributes(kept);
   }
 
   /// Keeps what is known about triangles. `parents`: per triangle, the one before.
-  void keepBeside(const std::vector<TriangleId>& parents) {
+  void keepAttributes(const std::vector<TriangleId>& parents) {
     std::vector<std::uint32_t> regions;
     std::vector<std::uint8_t> isInterface;
     std::vector<TriangleId> origin;

@@ -30,10 +30,12 @@ class LowTriangleRemover {
     for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) result_.parents.emplace_back(t);
   }
 
-  LowTriangles run() {
+  /// Takes one slice per pass.
+  Task<LowTriangles> run(Work& work) {
     for (int pass = 0; pass < kMaxPasses && removeSome(); ++pass) {
+      co_await work.spend(work.remaining());
     }
-    return std::move(result_);
+    co_return std::move(result_);
   }
 
  private:
@@ -47,6 +49,7 @@ class LowTriangleRemover {
     }
     if (low.empty()) return false;
     isAny_ = false;
+    highest_ = 0.0;
     const EdgeTable edges(mesh_.triangles, countNodes(mesh_), {});
     std::vector<EdgeId> edgeOf(mesh_.triangles.size());
     for (const EdgeId e : IdRange<EdgeId>(edges.edgeCount())) {
@@ -59,6 +62,7 @@ class LowTriangleRemover {
       remove(edge, edges.halfEdgesOf(edgeOf[edge.halfEdge.index()]));
     }
     if (isAny_) apply();
+    result_.deviation += highest_;
     return isAny_;
   }
 
@@ -115,7 +119,7 @@ class LowTriangleRemover {
       splitAt_[t] = h;
       middle_[t] = middle;
     }
-    result_.deviation = std::max(result_.deviation, edge.height);
+    highest_ = std::max(highest_, edge.height);
   }
 
   /// Replaces the changed triangles.
@@ -144,7 +148,8 @@ class LowTriangleRemover {
   double height_;
   std::span<const std::uint8_t> mayChange_;
   LowTriangles result_;
-  bool isAny_ = false;  ///< whether a pass has removed any
+  bool isAny_ = false;    ///< whether a pass has removed any
+  double highest_ = 0.0;  ///< largest height of a triangle that a pass has removed
   // Per triangle, in one pass.
   std::vector<std::uint8_t> isChanged_;
   std::vector<HalfEdgeId> splitAt_;  ///< the edge at which it is split, or none if it is removed
@@ -153,9 +158,11 @@ class LowTriangleRemover {
 
 }  // namespace
 
-LowTriangles removeLowTriangles(SurfaceMesh& mesh, double height,
-                                std::span<const std::uint8_t> mayChange) {
-  return LowTriangleRemover(mesh, height, mayChange).run();
+Task<LowTriangles> removeLowTriangles(Work& work, SurfaceMesh& mesh, double height,
+                                      std::span<const std::uint8_t> mayChange) {
+  LowTriangleRemover remover(mesh, height, mayChange);
+  LowTriangles left = co_await remover.run(work);
+  co_return left;
 }
 
 }  // namespace tetrafront

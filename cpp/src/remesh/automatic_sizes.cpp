@@ -29,9 +29,12 @@ constexpr double kFlatAngle = 0.002;
 constexpr double kLeastAngle = 1e-6;
 /// Angle at an edge / largest angle at an edge of the triangle below which the surface does not bend there.
 constexpr double kFlatPerLargest = 0.1;
-/// Angle in radians by which triangles in a cell bend in all from which their mean curvature counts, if no two of them
-/// bend more than kFlatAngle: rounding cancels out over many triangles.
+/// Angle in radians by which triangles in a cell bend in all from which their mean curvature counts: rounding cancels out over
+/// many triangles.
 constexpr double kCellAngle = 0.002;
+/// Sum of the absolute bends in a cell / absolute value of their sum above which the surface bends both ways there. Triangles of two
+/// tessellations of a round face that were cut along each other have 3.
+constexpr double kWavyBend = 8.0;
 /// Least area of these triangles / squared width of the cell.
 constexpr double kCellArea = 0.1;
 /// Angle in radians below which a feature line counts as straight, at a point or, where its points are closer, over
@@ -54,10 +57,10 @@ constexpr double kEdgesPerGapStep = 2.0;
 constexpr double kEdgesPerLoop = 3.0;
 /// Distance between the positions where curvature is measured / smallest size.
 constexpr double kSampleWidth = 1.0;
-/// Levels of the cells in which thickness is measured once: those of the last level are a sample wide, those of each other
+/// Levels of the cells in which curvature is averaged, and thickness is measured once: those of the last level are a sample wide, those of each other
 /// one twice as wide as those of the next. The next level is used only where the thickness / width of the cell is below
 /// this: rays are expensive.
-constexpr std::uint32_t kThicknessLevels = 3;
+constexpr std::uint32_t kCellLevels = 3;
 constexpr double kThicknessPerCell = 1.5;
 /// Area / squared diagonal below which the curvature of a triangle is rounding.
 constexpr double kLeastArea = 1e-12;
@@ -94,7 +97,7 @@ class ShapeMeasure {
   struct Sample {
     std::uint32_t piece;
     std::uint32_t level;  ///< the first one at which it is the first sample of its cell
-    double curvature;
+    double curvature;     ///< of the surface in one of its cells
   };
   /// Returns the pieces to measure. Of pieces that are very close to each other and have similar normals, only the one
   /// with the largest curvature is returned.
@@ -129,16 +132,21 @@ class ShapeMeasure {
   [[nodiscard]] double sizeForCurvature(double curvature) const {
     return std::min(rules_.anglePerEdge / curvature, std::sqrt(8.0 * rules_.tolerance / curvature));
   }
-  [[nodiscard]] double bendOf(TriangleId triangle, double flatAngle) const;
+  /// Angles at smooth edges, in radians, times the lengths of the edges.
+  struct Bend {
+    double sum = 0.0;       ///< negative where the surface is hollow
+    double absolute = 0.0;  ///< sum of the absolute values
+  };
+  [[nodiscard]] Bend bendOf(TriangleId triangle, double flatAngle) const;
   [[nodiscard]] double curvatureOf(TriangleId triangle) const;
   /// Pieces in one cell.
   struct Cluster {
     double curvature = 0.0;  ///< 0 if they are too few
     double width = 0.0;      ///< of the cell
+    bool isWavy = false;     ///< whether they bend both ways
   };
   [[nodiscard]] double widthAt(std::uint32_t level) const {
-    return static_cast<double>(1U << (kThicknessLevels - 1 - level)) * kSampleWidth *
-           rules_.minSize;
+    return static_cast<double>(1U << (kCellLevels - 1 - level)) * kSampleWidth * rules_.minSize;
   }
   [[nodiscard]] Cluster clusterOf(std::span<const std::uint32_t> pieces, double width) const;
   [[nodiscard]] double curvatureIn(std::span<const Cluster> clusters, double ofPiece) const;
@@ -154,17 +162,16 @@ class ShapeMeasure {
   const ReferenceSurface& reference_;
   ShapeSizeRules rules_;
   ShapeSizes sizes_;
-  std::array<bool, kThicknessLevels> isThin_{};  ///< the cells of the last sample
+  std::array<bool, kCellLevels> isThin_{};  ///< the cells of the last sample
   std::vector<Segment> segments_;
   BoxTree segmentTree_;
 };
 
-/// Returns half the angles at the smooth edges of a triangle, each times the length of the edge; negative where the surface
-/// is hollow. Angles up to `flatAngle` count as 0.
-double ShapeMeasure::bendOf(TriangleId triangle, double flatAngle) const {
+/// Returns the share of a triangle in the bends at its edges: half of each. Angles up to `flatAngle` count as 0.
+ShapeMeasure::Bend ShapeMeasure::bendOf(TriangleId triangle, double flatAngle) const {
   const std::array<Vec3, 3> corners = cornersOf(reference_.mesh(), triangle);
   const Vec3& normal = reference_.normalOf(triangle);
-  double sum = 0.0;
+  Bend bend;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const TriangleId other = reference_.smoothNeighbour(halfEdgeOf(triangle, k));
     if (other.isNone()) continue;
@@ -173,9 +180,11 @@ double ShapeMeasure::bendOf(TriangleId triangle, double flatAngle) const {
     if (angle <= flatAngle) continue;
     const Vec3 edge = corners[(k + 1) % 3] - corners[k];
     const double sign = glm::dot(glm::cross(normal, across), edge) < 0.0 ? -1.0 : 1.0;
-    sum += 0.5 * sign * angle * glm::length(edge);
+    const double half = 0.5 * angle * glm::length(edge);
+    bend.sum += sign * half;
+    bend.absolute += half;
   }
-  return sum;
+  return bend;
 }
 
 /// Returns the curvature across the smooth edges of a triangle. On a cylinder it is 1 / radius,
@@ -184,36 +193,40 @@ double ShapeMeasure::curvatureOf(TriangleId triangle) const {
   const double area = areaOf(cornersOf(reference_.mesh(), triangle));
   const double diagonal = reference_.diagonal();
   if (!(area > kLeastArea * diagonal * diagonal)) return 0.0;
-  return std::fabs(bendOf(triangle, kFlatAngle)) / area;
+  return std::fabs(bendOf(triangle, kFlatAngle).sum) / area;
 }
 
 /// Returns the mean curvature of the pieces in a cell of this width.
 ShapeMeasure::Cluster ShapeMeasure::clusterOf(std::span<const std::uint32_t> pieces,
                                               double width) const {
-  double bend = 0.0;
+  Bend bend;
   double area = 0.0;
   for (const std::uint32_t i : pieces) {
     const ReferenceSurface::Piece& piece = reference_.pieces()[i];
     if (reference_.patch(reference_.patchOf(piece.triangle)).isPlanar) continue;
     const double ofTriangle = areaOf(cornersOf(reference_.mesh(), piece.triangle));
     if (!(ofTriangle > 0.0)) continue;
-    bend += bendOf(piece.triangle, 0.0) * (piece.area / ofTriangle);
+    const Bend ofWhole = bendOf(piece.triangle, 0.0);
+    bend.sum += ofWhole.sum * (piece.area / ofTriangle);
+    bend.absolute += ofWhole.absolute * (piece.area / ofTriangle);
     area += piece.area;
   }
   if (!(area > kCellArea * width * width)) return {};
-  return {std::fabs(bend) / area, width};
+  return {std::fabs(bend.sum) / area, width, bend.absolute > kWavyBend * std::fabs(bend.sum)};
 }
 
 /// Returns the curvature of a sample: the mean of the widest cell in which an edge as long as the cell is wide may cross the
-/// bends. Triangles of two tessellations that were cut along each other bend by turns more and less than the surface. `ofPiece`:
-/// in narrower cells, unless the pieces bend too little to be measured one by one.
+/// bends. Triangles of two tessellations that were cut along each other bend by turns more and less than the surface, or the other
+/// way; those of waves and saddles bend as much one way as the other, and have no mean. `ofPiece`: curvature of the piece, which
+/// counts in narrower cells, unless it bends too little to be measured alone.
 double ShapeMeasure::curvatureIn(std::span<const Cluster> clusters, double ofPiece) const {
-  for (const auto& [curvature, width] : clusters) {
-    if (curvature * width > kCellAngle && sizeForCurvature(curvature) >= width) return curvature;
+  for (const auto& [curvature, width, isWavy] : clusters) {
+    const bool counts = curvature * width > kCellAngle && !isWavy;
+    if (counts && sizeForCurvature(curvature) >= width) return curvature;
   }
   if (ofPiece > 0.0) return ofPiece;
-  const auto& [curvature, width] = clusters.back();
-  return curvature * width > kCellAngle ? curvature : 0.0;
+  const Cluster& narrowest = clusters.back();
+  return narrowest.curvature * narrowest.width > kCellAngle ? narrowest.curvature : 0.0;
 }
 
 /// Returns the direction of the smooth edges at which the surface bends, if they are parallel; otherwise zero.
@@ -248,7 +261,7 @@ std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
     std::uint32_t piece;
     double curvature;
   };
-  constexpr std::uint32_t kInnerLevels = kThicknessLevels - 1;
+  constexpr std::uint32_t kInnerLevels = kCellLevels - 1;
   using Cell = std::array<std::int64_t, 3>;
   const double width = kSampleWidth * rules_.minSize;
   const auto cellOf = [&](const ReferenceSurface::Piece& piece) {
@@ -291,19 +304,19 @@ std::vector<ShapeMeasure::Sample> ShapeMeasure::findSamples() const {
   const auto levelOfDifference = [](const Place& a, const Place& b) {
     if (a.facingAndX != b.facingAndX || a.yAndZ != b.yAndZ) return 0U;
     const auto differing = std::bit_width(a.inner ^ b.inner);
-    return kThicknessLevels - (static_cast<std::uint32_t>(differing) + 2) / 3;
+    return kCellLevels - (static_cast<std::uint32_t>(differing) + 2) / 3;
   };
   stableSort(places, [](const Place& a, const Place& b) {
     return std::tie(a.facingAndX, a.yAndZ, a.inner, b.curvature) <
            std::tie(b.facingAndX, b.yAndZ, b.inner, a.curvature);
   });
   std::vector<Sample> samples;
-  std::array<Cluster, kThicknessLevels> clusters;
+  std::array<Cluster, kCellLevels> clusters;
   for (std::size_t i = 0; i < places.size(); ++i) {
     // The first level at which the cell of the place is another one than that of the place before.
     const std::uint32_t level = i == 0 ? 0 : levelOfDifference(places[i - 1], places[i]);
-    if (level == kThicknessLevels) continue;
-    for (std::uint32_t k = level; k < kThicknessLevels; ++k) {
+    if (level == kCellLevels) continue;
+    for (std::uint32_t k = level; k < kCellLevels; ++k) {
       std::vector<std::uint32_t> inCell;
       for (std::size_t j = i; j < places.size(); ++j) {
         if (levelOfDifference(places[i], places[j]) <= k) break;
@@ -331,7 +344,7 @@ void ShapeMeasure::measure(const Sample& sample) {
     const Vec3 inward = -reference_.normalOf(piece.triangle);
     const double ofThickness =
         findThickness(reference_, piece.centroid, inward, limit) / rules_.layers;
-    for (std::uint32_t level = sample.level; level < kThicknessLevels; ++level) {
+    for (std::uint32_t level = sample.level; level < kCellLevels; ++level) {
       isThin_[level] = ofThickness < kThicknessPerCell * widthAt(level);
     }
     if (ofThickness < size) axis = Vec3(0.0);

@@ -139,7 +139,7 @@ struct Remeshing {
   const bool& isStopped;
 };
 
-/// Returns true if triangles are poor, and not everywhere, unless they are those of chosen details.
+/// Returns true if triangles are poor, and not everywhere. If details are chosen, they may be poor everywhere.
 bool isWorthSteps(const Remeshing& remeshing, const SurfaceRemesh& result) {
   return !remeshing.isStopped && isComplete(result) && result.smallestAngle < kPoorAngle &&
          (remeshing.options.dropDetails > 0.0 || result.meanRadiusRatio >= kPoorRatio);
@@ -156,7 +156,8 @@ struct DetailRule {
   bool isRemeshed = false;
 };
 
-/// What came of dropping details: no surface, if there are none or too many, or one that has been remeshed.
+/// What came of dropping details: no surface, if there are none or too many, if none may be dropped, or if the work was stopped;
+/// or one that has been remeshed.
 enum class Dropped : std::uint8_t { kNone, kTooMany, kMade };
 
 /// A surface from which details have been dropped.
@@ -228,6 +229,8 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const PassSurface
   work.beginPart(1.0);
   simplified.pass = co_await remeshOnce(work, made, remeshing.sizes, options, rule.remeshing,
                                         remeshing.isStopped);
+  // Between the surface of this step and the result, not between the given one and it.
+  simplified.pass.remesh.triangleDeviation.clear();
   simplified.deviation += simplified.pass.remesh.deviation;
   co_return Dropped::kMade;
 }
@@ -326,14 +329,17 @@ Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SimplifiedSur
                         .choice = DetailChoice::kAll,
                         .remeshing = rulesOfShare(1.0, 1.0)};
   work.beginPart(0.6);
-  if (co_await simplify(work, remeshing, remeshing.given, rule, surface) == Dropped::kMade) {
+  const Dropped dropped = co_await simplify(work, remeshing, remeshing.given, rule, surface);
+  work.beginPart(1.0);
+  if (dropped == Dropped::kMade) {
     co_await improveInSteps(work, remeshing, surface);
   } else {
     co_await remeshPlain(work, remeshing, surface);
   }
 }
 
-/// Returns true if triangles across the details of the given surface that may be dropped are too flat, whatever their size.
+/// Returns true if triangles across the details of the given surface that may be dropped are poor, unless they are below the
+/// smallest size. Narrow gaps may have sizes below it, but such details are not worth so many triangles.
 bool areGivenDetailsPoor(const Remeshing& remeshing) {
   const BackgroundGrid& grid = remeshing.sizes.grid;
   if (!grid.nodes.empty() || !grid.sources.empty()) return false;
@@ -349,6 +355,7 @@ Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SimplifiedSurfa
   work.beginPart(0.6);
   if (areGivenDetailsPoor(remeshing)) {
     dropped = co_await remeshWithoutGiven(work, remeshing, surface);
+    work.beginPart(0.8);
     if (dropped == Dropped::kTooMany) surface = co_await remeshInSteps(work, remeshing);
   }
   if (dropped == Dropped::kNone || !surface.pass.remesh.diagnostics.empty()) {

@@ -23,8 +23,8 @@ export interface BestRepair<Prepared, Made> {
   readonly welded?: { readonly prepared: Prepared; readonly made: Made } | undefined;
 }
 
-/** Largest deviation of an exact repair / diagonal: it welds within far less than the step height. */
-const EXACT = 1e-5;
+/** Largest deviation of an exact repair / diagonal: it welds within at most a millionth of the largest coordinate. */
+const EXACT = 2e-6;
 
 /**
  * Returns whether the repair of a surface welded nodes, so that an exact one gives another surface. `repairDeviation`: that of

@@ -9,7 +9,7 @@ import { between, distance } from "../../document/vectors";
 import { placedApart } from "../../viewer/apart";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp, useView } from "../shared/app-context";
-import { maxNumbers, numberLabel } from "./number-label";
+import { numberLabel, numberedPoints } from "./number-label";
 import styles from "../shared/patch-roles.module.css";
 
 interface RoleLabel {
@@ -74,7 +74,8 @@ export function PatchRoleLabels({ viewer }: { readonly viewer: Viewer }) {
       : undefined;
   const labels = project && preview && patch ? labelsOf(project, preview, patch) : [];
   const hasNumbers = useView((state) => state.numbers && state.layers.points);
-  const numbered = hasNumbers && project && patch ? project.points.slice(0, maxNumbers) : [];
+  const hidden = useView((state) => state.hidden);
+  const numbered = hasNumbers && project && patch ? numberedPoints(project.points, hidden) : [];
   const isTriangle = patch?.type === "barnhill-gregory-nielson";
   const box = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {

@@ -1,7 +1,6 @@
-import { entityKey } from "../../document/entities";
 import type { Viewer } from "../../viewer/viewer";
 import { useProject, useView } from "../shared/app-context";
-import { maxNumbers } from "./number-label";
+import { numberedPoints } from "./number-label";
 import { useMarkers } from "./use-markers";
 import styles from "./drawing.module.css";
 
@@ -10,9 +9,7 @@ export function PointNumbers({ viewer }: { readonly viewer: Viewer }) {
   const isOn = useView((state) => state.numbers && state.layers.points);
   const hidden = useView((state) => state.hidden);
   const { points } = useProject();
-  const shown = isOn
-    ? points.filter(({ id }) => !hidden.has(entityKey({ kind: "point", id }))).slice(0, maxNumbers)
-    : [];
+  const shown = isOn ? numberedPoints(points, hidden) : [];
   const box = useMarkers(
     viewer,
     shown.map(({ position }) => position),

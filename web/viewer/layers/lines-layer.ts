@@ -87,7 +87,11 @@ export class LinesLayer implements HittableLayer {
     if (changes.has("viewport")) {
       for (const { material } of this.#meshes) fitLines(material, state.viewport);
     }
-    if (changes.has("preview", "origin")) this.#setPositions(state.preview, state.origin);
+    if (changes.has("preview", "origin")) {
+      this.#setPositions(state.preview, state.origin);
+      // Lines that are dragged keep theirs.
+      if (!state.viewport.isHurried) this.#isThinMade = false;
+    }
     this.#states.update(state);
     if (changes.has("preview", "origin", "hover", "selection", "hidden")) this.#setEmphasized();
     this.#choosePasses(state);
@@ -108,7 +112,7 @@ export class LinesLayer implements HittableLayer {
     emphasized.visible = isAny && !this.#thinEmphasized.visible;
   }
 
-  /** Chooses the thin lines, unless they belong to these vertices: lines that move keep theirs. */
+  /** Chooses the thin lines, unless they are known. */
   #makeThin(): void {
     if (this.#isThinMade) return;
     this.#isThinMade = true;
