@@ -44,8 +44,8 @@ struct RemeshOptions {
   /// Details below this are dropped first: where feature lines are nearer to each other, they become one. In model units;
   /// 0: all details are kept.
   double dropDetails = 0.0;
-  /// Details below a fifth of the tolerance are dropped, unless triangles can be as small: a size below them, a background
-  /// grid or sources are given. If an angle is below 10 degrees all the same, more details across which the triangles are poor
+  /// Details below a fifth of the tolerance are dropped, unless a background grid or sources are given, or the smallest size is
+  /// less than six times as large. If an angle is below 10 degrees all the same, more details across which the triangles are poor
   /// are dropped; unless the result is not better, or triangles are poor everywhere (mean radius ratio below 0.8). The
   /// tolerance is kept.
   bool dropPoorDetails = false;

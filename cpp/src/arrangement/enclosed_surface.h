@@ -53,9 +53,10 @@ struct EnclosingLimits {
   std::uint32_t rounds = 5;  ///< after the first one of each attempt
 };
 
-/// Returns the boundary of the inside. `mesh`: triangles with valid indices and finite coordinates; it must outlive the task. They may
-/// intersect, coincide and be degenerate. They should be closed and agree in orientation; triangles that enclose nothing are left out. `weldDistance`: points of
-/// intersecting triangles are welded within it, in model units, or within a quarter or a sixteenth of it, if the volume stays the same; 0 for none. Faces that nearly
+/// Returns the boundary of the inside. `mesh`: triangles with valid indices and finite coordinates; it must outlive the task. They
+/// may intersect, coincide and be degenerate. They should be closed and agree in orientation; triangles that enclose nothing are
+/// left out. `weldDistance`: points of intersecting triangles are welded within it, in model units; 0 for none. If that changes
+/// the volume by more than 0.1 %, within a quarter or a sixteenth of it, or not at all. Faces that nearly
 /// coincide otherwise leave steps as low as the rounding of their coordinates. O(n log n) for n triangles that have few
 /// others near them. Further attempts are made only while the triangles and pairs of all rounds are at most 100 times those
 /// given.

@@ -131,8 +131,8 @@ Sizes
 Small details
   Strips and steps that are much narrower than the sizes leave triangles with small angles. --drop-details merges
   sharp edges that are nearer to each other than a length, and --json lists every merge. Without this option, details
-  below a fifth of the tolerance are merged, unless sizes can be as small; and if an angle is below 10 degrees all the
-  same, more details across which triangles are poor, provided that the triangles get better. The surface stays
+  below a fifth of the tolerance are merged, unless --background or --source is given or --min-size is less than six
+  times as large; and if an angle is below 10 degrees all the same, more details across which triangles are poor, provided that the triangles get better. The surface stays
   within the tolerance. --drop-details 0 keeps all details.
 
 Rounding

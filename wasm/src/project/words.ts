@@ -57,7 +57,7 @@ export const WORDS = {
   anglePerEdge: `Largest angle that an edge may span on a curved patch; 1 to ${MAX_REMESH_ANGLE} degrees`,
   layers: `Number of elements across thin walls, 0 to ${MAX_LAYERS}; 0 ignores thickness`,
   dropDetails:
-    "Details below this length are dropped first, in model units; 0 keeps all; default: those that leave poor triangles, if no other option is set",
+    "Details below this length are dropped first, in model units; 0 keeps all; default: those below a fifth of the tolerance, and more that leave poor triangles",
   remeshGrowth: `Growth of the size per unit of distance, 0 to ${LIMITS.growth}, default ${REMESH_DEFAULTS.growth}`,
   placement: "Where the body is: the given points are scaled, then rotated, then moved",
   repairDeviation:

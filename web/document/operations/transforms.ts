@@ -141,7 +141,7 @@ const scaling = transformOperation({
 const touching = 1e-9;
 
 /**
- * Returns a plane that the image of the selection does not cross. The coordinates of its point suit every axis: 0 if the
+ * Returns a plane that no point of the image crosses. The coordinates of its point suit every axis: 0 if the
  * selection is beside the origin or touches it, as half of a symmetrical model does, otherwise the upper end of the selection.
  */
 function likelyMirror({ project, selection }: Subject): {
