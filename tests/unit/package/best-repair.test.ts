@@ -112,6 +112,25 @@ test.each([
   expect(found.result.report.status).toBe(status[taken]);
 });
 
+test.each([
+  ["is refused", "invalid-input", "done", "exact"],
+  ["is complete", "done", "done", "welded"],
+  ["is refused as the other is", "invalid-input", "invalid-input", "welded"],
+] as const)("a better surface after the welding repair %s", async (_, welded, exact, taken) => {
+  const status = { welded, exact };
+  const best = {
+    prepared: "welded",
+    made: "welded",
+    isExact: false,
+    exact: { prepared: "exact", made: "exact" },
+  };
+  const found = await filledBest<string, string, ReturnType<typeof report>>(best, (way) =>
+    Promise.resolve(report(status[way as Way])),
+  );
+  expect([found.prepared, found.isExact]).toEqual([taken, taken === "exact"]);
+  expect(found.result.report.status).toBe(status[taken]);
+});
+
 test("a surface without another way is filled once, and a cancelled one is not filled again", async () => {
   const filled: string[] = [];
   const fill = (made: string) => {

@@ -21,6 +21,8 @@ export interface BestRepair<Prepared, Made> {
   readonly isExact: boolean;
   /** Result after the repair that welds nodes, if the exact one was better. */
   readonly welded?: { readonly prepared: Prepared; readonly made: Made } | undefined;
+  /** Result after the exact repair, if it is complete and not better. */
+  readonly exact?: { readonly prepared: Prepared; readonly made: Made } | undefined;
 }
 
 /** Largest deviation of an exact repair / diagonal: it welds within at most a millionth of the largest coordinate. */
@@ -72,7 +74,7 @@ export async function remeshedBest<Prepared, Made extends { readonly remesh?: Re
   });
   if (second?.made.remesh?.isPartial === true) return stopped;
   const isTaken = second?.made.remesh !== undefined && isBetter(second.made.remesh, made.remesh);
-  return isTaken ? { ...second, isExact: true, welded: { prepared, made } } : first;
+  return isTaken ? { ...second, isExact: true, welded: { prepared, made } } : { ...first, exact: second };
 }
 
 async function other<Prepared, Made>(

@@ -29,26 +29,28 @@ export interface FilledRepair<Prepared, Made, Result> extends BestRepair<Prepare
 }
 
 /**
- * Fills the better surface. If the engine fails or stalls on that of the exact repair, fills that of the welded one, and
- * returns its result if it is complete. Rejects if it is cancelled.
+ * Fills the better surface. If the engine refuses it, fails or stalls on it, fills that of the other way, and returns its
+ * result if it is complete. Rejects if it is cancelled.
  */
 export async function filledBest<Prepared, Made, Result extends Pick<MeshResult, "report">>(
   best: BestRepair<Prepared, Made>,
   fill: (made: Made) => Promise<Result>,
 ): Promise<FilledRepair<Prepared, Made, Result>> {
-  const { welded } = best;
-  if (welded === undefined) return { ...best, result: await fill(best.made) };
-  const result = await unlessFailed(fill(best.made));
-  if (result?.report.status === "done" || result?.report.status === "cancelled") return { ...best, result };
-  if (result === undefined) return { ...welded, isExact: false, result: await fill(welded.made) };
-  // Whatever ends the second attempt, the first result is kept.
-  const second = await fill(welded.made).catch((failure: unknown) => {
-    if (failure instanceof MesherError) return undefined;
+  const other = best.welded ?? best.exact;
+  if (other === undefined) return { ...best, result: await fill(best.made) };
+  const isExact = best.welded === undefined;
+  const result = await unlessFailed(fill(best.made)).catch((failure: unknown) => {
+    if (failure instanceof InvalidInput) return undefined;
     throw failure;
   });
-  return second?.report.status === "done"
-    ? { ...welded, isExact: false, result: second }
-    : { ...best, result };
+  if (result?.report.status === "done" || result?.report.status === "cancelled") return { ...best, result };
+  if (result === undefined) return { ...other, isExact, result: await fill(other.made) };
+  // Whatever ends the second attempt, the first result is kept.
+  const second = await fill(other.made).catch((failure: unknown) => {
+    if (failure instanceof MesherError || failure instanceof InvalidInput) return undefined;
+    throw failure;
+  });
+  return second?.report.status === "done" ? { ...other, isExact, result: second } : { ...best, result };
 }
 
 export const EXACT_REPAIR =

@@ -393,7 +393,8 @@ async function mesh(
           ? withDiagnostics(await mesher.fillSurface(surface, all, control), diagnostics)
           : emptyResult("invalid-input", invalid);
       // A trace shows one front, also one that stalls.
-      const tried = meshing.recording.onTrace === undefined ? best : { ...best, welded: undefined };
+      const tried =
+        meshing.recording.onTrace === undefined ? best : { ...best, welded: undefined, exact: undefined };
       const { made, prepared, result } = await filledBest(tried, fill);
       const { surface, invalid, diagnostics: _, ...report } = made;
       if (invalid !== undefined) return { result, model, repaired: prepared };
