@@ -352,16 +352,26 @@ bool areGivenDetailsPoor(const Remeshing& remeshing) {
 /// triangles are poor all the same, drops details of the remeshed surface.
 Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
   Dropped dropped = Dropped::kNone;
+  const bool areDroppedFirst = areGivenDetailsPoor(remeshing);
   work.beginPart(0.6);
-  if (areGivenDetailsPoor(remeshing)) {
+  if (areDroppedFirst) {
     dropped = co_await remeshWithoutGiven(work, remeshing, surface);
     work.beginPart(0.8);
     if (dropped == Dropped::kTooMany) surface = co_await remeshInSteps(work, remeshing);
   }
   if (dropped == Dropped::kNone || !surface.pass.remesh.diagnostics.empty()) {
     surface = {};
-    work.beginPart(0.8);
+    work.beginPart(0.7);
     co_await remeshPlain(work, remeshing, surface);
+  }
+  if (!areDroppedFirst && isWorthSteps(remeshing, surface.pass.remesh)) {
+    work.beginPart(0.8);
+    SimplifiedSurface other;
+    dropped = co_await remeshWithoutGiven(work, remeshing, other);
+    if (dropped == Dropped::kMade && isBetter(other.pass.remesh, surface.pass.remesh)) {
+      surface = std::move(other);
+    }
+    dropped = Dropped::kNone;
   }
   work.beginPart(1.0);
   if (dropped != Dropped::kTooMany) co_await improveInSteps(work, remeshing, surface);
