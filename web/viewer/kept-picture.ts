@@ -50,7 +50,7 @@ export class KeptPicture {
   constructor(renderer: WebGLRenderer, square: Square) {
     this.#renderer = renderer;
     this.#square = square;
-    // As the canvas: for another buffer, other variants of shaders would be compiled.
+    // The buffer has the format of the canvas, so that the shaders need no other variants.
     this.#target = Object.assign(
       new WebGLRenderTarget(1, 1, {
         magFilter: NearestFilter,
@@ -61,7 +61,7 @@ export class KeptPicture {
       { isXRRenderTarget: true },
     );
     this.#target.texture.colorSpace = renderer.outputColorSpace;
-    // As the buffer with several samples per pixel, which is copied into it: copies between unequal formats fail.
+    // The buffer with several samples per pixel has this format, and is copied into the texture: both must be equal.
     this.#target.texture.internalFormat = "RGBA8";
     this.#material = new ShaderMaterial({
       vertexShader,
@@ -105,7 +105,7 @@ export class KeptPicture {
     const [left, bottom] = [width - offset - size, height - offset - size];
     renderer.autoClear = false;
     renderer.setViewport(left, bottom, size, size);
-    // As the renderer rounds its viewport.
+    // The renderer rounds its viewport in the same way.
     this.#corner.set(left, bottom).multiplyScalar(renderer.getPixelRatio()).round();
     try {
       renderer.render(this.#paper, this.#camera);

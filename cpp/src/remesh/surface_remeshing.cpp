@@ -338,8 +338,8 @@ Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SimplifiedSur
   }
 }
 
-/// Returns true if triangles across the details of the given surface that may be dropped are poor, unless they are below the
-/// smallest size. Narrow gaps may have sizes below it, but such details are not worth so many triangles.
+/// Returns true if triangles of the smallest size are poor across the details that may be dropped. In narrow gaps, automatic
+/// sizes are smaller, but these details are not worth so many triangles.
 bool areGivenDetailsPoor(const Remeshing& remeshing) {
   const BackgroundGrid& grid = remeshing.sizes.grid;
   if (!grid.nodes.empty() || !grid.sources.empty()) return false;
