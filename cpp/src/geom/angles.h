@@ -2,6 +2,8 @@
 
 /// @file Angles whose functions give the same bits on all platforms.
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace tetrafront {
@@ -20,5 +22,8 @@ constexpr double cosineOfDegrees(double degrees) {
   }
   return sum;
 }
+
+/// Returns twice the sine of half the angle of a cosine, which is about the angle itself if that is small.
+inline double chordOfCosine(double cosine) { return std::sqrt(std::max(0.0, 2.0 - 2.0 * cosine)); }
 
 }  // namespace tetrafront

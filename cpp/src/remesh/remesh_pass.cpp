@@ -120,18 +120,6 @@ void measureShapes(SurfaceRemesh& result) {
   std::swap(mesh.triangles, result.triangles);
 }
 
-/// Does a job in the slices of another one; returns false if it was stopped.
-template <class T>
-Task<bool> finishUnlessStopped(Work& work, Job<T>& job, const bool& isStopped) {
-  while (!isStopped) {
-    const bool isFinished = job.advance(work.remaining());
-    work.setFraction(job.fraction());
-    co_await work.yield();
-    if (isFinished) co_return true;
-  }
-  co_return false;
-}
-
 /// Returns about how many triangles of a size like that of the given one meet a triangle of the target size, of any place
 /// and direction: by its area, and by the edges that cross its outline.
 double countBeneath(const TriangleCorners& given, double size) {

@@ -1,0 +1,317 @@
+#include "remesh/remesh_steps.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "base/diagnostics.h"
+#include "base/mesh_access.h"
+#include "boundary/boundary.h"
+#include "boundary/surface_access.h"
+#include "geom/angles.h"
+#include "remesh/detail_merger.h"
+#include "remesh/reference_surface.h"
+
+namespace tetrafront {
+namespace {
+
+/// Smallest angle, in degrees, below which poor details are dropped.
+constexpr double kPoorAngle = 10.0;
+/// Width of a detail / size below which triangles across it have a smaller angle: the sine of it.
+constexpr double kPoorWidth = 0.1736;
+/// Mean radius ratio below which triangles are poor everywhere, not across a few details: dropping those is of no use.
+constexpr double kPoorRatio = 0.8;
+/// Mean radius ratio that a larger smallest angle may cost.
+constexpr double kRatioCost = 0.015;
+/// Merges of poor details, each followed by a remeshing around them: a merge brings other lines closer. A remeshing may make
+/// triangles better even if nothing is merged.
+constexpr int kMaxPoorMerges = 3;
+/// Smallest angle, in degrees, below which a triangle of a remeshed surface changes in the next remeshing, too; and the number
+/// of layers of triangles around it that change with it.
+constexpr double kUnsettledAngle = 20.0;
+constexpr int kUnsettledDepth = 2;
+/// Share of the given triangles at which poor details to drop are strips of needles, whose merged lines would be ragged.
+constexpr double kNeedleShare = 0.05;
+/// Details that are dropped at any share: surfaces of a few triangles have steps, too.
+constexpr double kFewDetails = 50.0;
+/// Shares of the tolerance: of the merges of details of the given surface, and of the first remeshing after them, or without
+/// them; of the merges of poor details of a remeshed surface, at most, and of the remeshing around them.
+constexpr double kGivenMergeShare = 0.2;
+constexpr double kFirstShareAfterMerges = 0.5;
+constexpr double kFirstShare = 0.6;
+constexpr double kMergeShare = 0.3;
+constexpr double kNextShare = 0.06;
+
+/// Returns what is beside the triangles; nothing if that is not given.
+std::vector<std::uint32_t> regionsOf(const PassSurface& surface,
+                                     std::span<const std::uint32_t> given) {
+  std::vector<std::uint32_t> regions;
+  if (given.empty()) return regions;
+  for (const std::size_t triangle : surface.origin) {
+    regions.push_back(given[2 * triangle]);
+    regions.push_back(given[2 * triangle + 1]);
+  }
+  return regions;
+}
+
+/// Returns true if the smallest angle is larger, without much poorer triangles on average.
+bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
+  return isComplete(one) && one.smallestAngle > other.smallestAngle &&
+         one.meanRadiusRatio > other.meanRadiusRatio - kRatioCost;
+}
+
+/// Returns true if triangles are poor, and not everywhere. If details are chosen, they may be poor everywhere.
+bool isWorthSteps(const Remeshing& remeshing, const SurfaceRemesh& result) {
+  return !remeshing.isStopped && isComplete(result) && result.smallestAngle < kPoorAngle &&
+         (remeshing.options.dropDetails > 0.0 || result.meanRadiusRatio >= kPoorRatio);
+}
+
+/// Details to drop, and the shares of the tolerance of the remeshing after that.
+struct DetailRule {
+  double distance;
+  DetailChoice choice;
+  PassRules remeshing;
+  double largestShare = 1.0;  ///< of the triangles: number of details
+  /// Whether the surface has been remeshed: its well-shaped triangles away from the details then stay, and it is remeshed even
+  /// if it has no details.
+  bool isRemeshed = false;
+};
+
+/// What came of dropping details: no surface, if there are none or too many, if none may be dropped, or if the work was stopped;
+/// or one that has been remeshed.
+enum class Dropped : std::uint8_t { kNone, kTooMany, kMade };
+
+/// Unsettles all nodes of the triangles that have an unsettled one.
+void spreadUnsettled(const SurfaceMesh& mesh, std::vector<std::uint8_t>& isSettled) {
+  const std::vector<std::uint8_t> before = isSettled;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const NodeTriple nodes = nodesOf(mesh, t);
+    if (std::ranges::all_of(nodes, [&](NodeId node) { return before[node.index()] != 0; }))
+      continue;
+    for (const NodeId node : nodes) isSettled[node.index()] = 0;
+  }
+}
+
+/// Marks the nodes of a remeshed surface around which triangles are well-shaped, and where they were before details were
+/// dropped. `parents`: per triangle, the one of `before` that it comes from. O(triangles).
+std::vector<std::uint8_t> settledNodes(const SurfaceMesh& mesh, const SurfaceMesh& before,
+                                       std::span<const TriangleId> parents) {
+  std::vector<std::uint8_t> isSettled(mesh.points.size() / 3, 1);
+  const double unsettled = cosineOfDegrees(kUnsettledAngle);
+  for (const TriangleId t : IdRange<TriangleId>(parents.size())) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh, t);
+    const bool isWhereItWas = corners == cornersOf(before, parents[t.index()]);
+    if (isWhereItWas && largestCosineOf(corners) <= unsettled) continue;
+    for (const NodeId node : nodesOf(mesh, t)) isSettled[node.index()] = 0;
+  }
+  for (int i = 0; i < kUnsettledDepth; ++i) spreadUnsettled(mesh, isSettled);
+  return isSettled;
+}
+
+/// Drops details of the given or a remeshed surface, and remeshes it, unless a given surface has none, or more than a share of
+/// the triangles. Keeps all details if a region would be left without volume.
+Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const PassSurface& surface,
+                       const DetailRule& rule, SimplifiedSurface& simplified) {
+  work.beginPart(0.2);
+  const RemeshOptions& options = remeshing.options;
+  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
+  co_await reference.prepare(work);
+  DetailMerger merger(reference, rule.distance, rule.choice);
+  Job<> merging([&](Work& inner) { return merger.run(inner); });
+  if (!co_await finishUnlessStopped(work, merging, remeshing.isStopped)) co_return Dropped::kNone;
+  const double largest =
+      std::max(kFewDetails, rule.largestShare * static_cast<double>(surface.origin.size()));
+  const auto count = static_cast<double>(merger.merged().size());
+  const bool isUseless = count == 0.0 && !rule.isRemeshed;
+  if (isUseless) co_return Dropped::kNone;
+  if (count > largest) co_return Dropped::kTooMany;
+  PassSurface made;
+  std::vector<TriangleId> parents;
+  merger.copyTo(made.mesh, parents);
+  for (const TriangleId parent : parents) {
+    made.origin.push_back(surface.origin[parent.index()]);
+    if (!surface.groups.empty()) made.groups.push_back(surface.groups[parent.index()]);
+  }
+  if (rule.isRemeshed) made.isSettled = settledNodes(made.mesh, surface.mesh, parents);
+  SurfaceMesh checked = made.mesh;
+  checked.triangleRegions = regionsOf(made, remeshing.regions);
+  BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
+  co_await work.finish(boundary);
+  if (anyError(boundary.takeDiagnostics())) co_return Dropped::kNone;
+  simplified.deviation += merger.deviation();
+  simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
+  work.beginPart(1.0);
+  simplified.pass = co_await remeshOnce(work, made, remeshing.sizes, options, rule.remeshing,
+                                        remeshing.isStopped);
+  // Between the surface of this step and the result, not between the given one and it.
+  simplified.pass.remesh.triangleDeviation.clear();
+  simplified.deviation += simplified.pass.remesh.deviation;
+  co_return Dropped::kMade;
+}
+
+/// Returns the rules of a step that has a share of the tolerance.
+PassRules rulesOfShare(double share, double plannedShare) {
+  return {.toleranceShare = share, .plannedShare = plannedShare, .samples = false};
+}
+
+/// Up to three times drops details across which triangles are poor, within the rest of the tolerance, and remeshes around them.
+/// Keeps the surface if the last one is not better.
+Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  if (!isWorthSteps(remeshing, surface.pass.remesh)) co_return;
+  const double tolerance = remeshing.lengths.tolerance;
+  SimplifiedSurface next = surface;
+  Dropped dropped = Dropped::kMade;
+  for (int i = 1; i <= kMaxPoorMerges && dropped == Dropped::kMade; ++i) {
+    if (!isWorthSteps(remeshing, next.pass.remesh)) break;
+    work.beginPart(static_cast<double>(i) / kMaxPoorMerges);
+    const PassSurface from = nextSurface(next.pass);
+    const double left = (1.0 - kNextShare) * tolerance - (next.deviation - next.ofChosen);
+    if (!(left > 0.0)) break;
+    const DetailRule rule{.distance = std::min(left, kMergeShare * tolerance),
+                          .choice = DetailChoice::kPoor,
+                          .remeshing = rulesOfShare(kNextShare, kFirstShare),
+                          .isRemeshed = true};
+    dropped = co_await simplify(work, remeshing, from, rule, next);
+  }
+  if (isBetter(next.pass.remesh, surface.pass.remesh)) surface = std::move(next);
+}
+
+/// Drops the details of the given surface below a distance, and remeshes it. Needs few triangles at a detail: if they are
+/// needles along a strip, the nodes of both lines lie anywhere, and a merged line is ragged.
+Task<Dropped> remeshWithoutGiven(Work& work, const Remeshing& remeshing,
+                                 SimplifiedSurface& surface) {
+  const DetailRule rule{
+      .distance = kGivenMergeShare * remeshing.lengths.tolerance,
+      .choice = DetailChoice::kAll,
+      .remeshing = rulesOfShare(kFirstShareAfterMerges, kFirstShareAfterMerges),
+      .largestShare = kNeedleShare,
+  };
+  work.beginPart(0.7);
+  const Dropped dropped = co_await simplify(work, remeshing, remeshing.given, rule, surface);
+  work.beginPart(1.0);
+  if (dropped == Dropped::kMade) co_await dropPoorDetails(work, remeshing, surface);
+  co_return dropped;
+}
+
+/// Remeshes the given surface with a part of the tolerance first, which makes its triangles well-shaped, and then drops details:
+/// all below RemeshOptions::dropDetails, then those across which triangles are poor. The deviations of all steps, except
+/// the one of chosen details, add up to at most the tolerance.
+Task<SimplifiedSurface> remeshInSteps(Work& work, const Remeshing& remeshing) {
+  const RemeshOptions& options = remeshing.options;
+  SimplifiedSurface surface;
+  work.beginPart(0.6);
+  surface.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options,
+                                     rulesOfShare(kFirstShare, kFirstShare), remeshing.isStopped);
+  surface.deviation = surface.pass.remesh.deviation;
+  if (options.dropDetails > 0.0 && isComplete(surface.pass.remesh)) {
+    work.beginPart(0.7);
+    const PassSurface from = nextSurface(surface.pass);
+    const DetailRule rule{.distance = options.dropDetails,
+                          .choice = DetailChoice::kAll,
+                          .remeshing = rulesOfShare(kNextShare, kFirstShare),
+                          .isRemeshed = true};
+    const double before = surface.deviation;
+    if (co_await simplify(work, remeshing, from, rule, surface) == Dropped::kMade) {
+      surface.ofChosen = surface.deviation - before - surface.pass.remesh.deviation;
+    }
+  }
+  work.beginPart(1.0);
+  co_await dropPoorDetails(work, remeshing, surface);
+  co_return surface;
+}
+
+/// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
+Task<> improveInSteps(Work& work, const Remeshing& remeshing, SimplifiedSurface& best) {
+  if (!isWorthSteps(remeshing, best.pass.remesh)) co_return;
+  work.beginPart(1.0);
+  SimplifiedSurface other = co_await remeshInSteps(work, remeshing);
+  const bool keepsChosen = remeshing.options.dropDetails > 0.0 && other.merged.empty();
+  if (isBetter(other.pass.remesh, best.pass.remesh) && !keepsChosen) best = std::move(other);
+}
+
+/// Remeshes a surface without details of the given one if the best result so far has poor triangles. Keeps the better of both.
+Task<> improveWithoutGiven(Work& work, const Remeshing& remeshing, SimplifiedSurface& best) {
+  if (!isWorthSteps(remeshing, best.pass.remesh)) co_return;
+  work.beginPart(1.0);
+  SimplifiedSurface other;
+  const Dropped dropped = co_await remeshWithoutGiven(work, remeshing, other);
+  const bool isMade = dropped == Dropped::kMade;
+  if (isMade && isBetter(other.pass.remesh, best.pass.remesh)) best = std::move(other);
+}
+
+/// Remeshes a surface with all details.
+Task<> remeshPlain(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  work.beginPart(1.0);
+  surface.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, remeshing.options, {},
+                                     remeshing.isStopped);
+  surface.deviation = surface.pass.remesh.deviation;
+}
+
+/// Remeshes a surface without the chosen details.
+Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  const DetailRule rule{.distance = remeshing.options.dropDetails,
+                        .choice = DetailChoice::kAll,
+                        .remeshing = rulesOfShare(1.0, 1.0)};
+  work.beginPart(0.6);
+  const Dropped dropped = co_await simplify(work, remeshing, remeshing.given, rule, surface);
+  work.beginPart(1.0);
+  if (dropped == Dropped::kMade) {
+    co_await improveInSteps(work, remeshing, surface);
+  } else {
+    co_await remeshPlain(work, remeshing, surface);
+  }
+}
+
+/// Returns true if triangles of the smallest size are poor across the details that may be dropped. In narrow gaps, automatic
+/// sizes are smaller, but these details are not worth so many triangles.
+bool areGivenDetailsPoor(const Remeshing& remeshing) {
+  const BackgroundGrid& grid = remeshing.sizes.grid;
+  if (!grid.nodes.empty() || !grid.sources.empty()) return false;
+  const RemeshLengths& lengths = remeshing.lengths;
+  const double smallest = std::min(lengths.minSize, remeshing.sizes.ofRegions.smallest());
+  return kGivenMergeShare * lengths.tolerance < kPoorWidth * smallest;
+}
+
+/// Remeshes a surface without the details of the given one across which triangles would be poor; otherwise with all details. If
+/// triangles are poor all the same, drops details of the remeshed surface.
+Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  const bool areDroppedFirst = areGivenDetailsPoor(remeshing);
+  Dropped dropped = Dropped::kNone;
+  work.beginPart(0.5);
+  if (areDroppedFirst) dropped = co_await remeshWithoutGiven(work, remeshing, surface);
+  work.beginPart(0.7);
+  const bool hasStrips = dropped == Dropped::kTooMany;
+  if (hasStrips) surface = co_await remeshInSteps(work, remeshing);
+  if (dropped == Dropped::kNone || !surface.pass.remesh.diagnostics.empty()) {
+    surface = {};
+    co_await remeshPlain(work, remeshing, surface);
+  }
+  work.beginPart(0.8);
+  if (!areDroppedFirst) co_await improveWithoutGiven(work, remeshing, surface);
+  work.beginPart(1.0);
+  if (!hasStrips) co_await improveInSteps(work, remeshing, surface);
+}
+
+}  // namespace
+
+bool isComplete(const SurfaceRemesh& result) {
+  return result.diagnostics.empty() && !result.isPartial;
+}
+
+Task<SimplifiedSurface> remeshAndDrop(Work& work, const Remeshing& remeshing) {
+  SimplifiedSurface surface;
+  work.beginPart(1.0);
+  if (remeshing.options.dropDetails > 0.0) {
+    co_await remeshWithoutChosen(work, remeshing, surface);
+  } else if (remeshing.options.dropPoorDetails) {
+    co_await remeshWithoutPoor(work, remeshing, surface);
+  } else {
+    co_await remeshPlain(work, remeshing, surface);
+  }
+  co_return surface;
+}
+
+}  // namespace tetrafront
