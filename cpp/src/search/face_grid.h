@@ -5,7 +5,7 @@
 /// at least as large as the face. A query visits the cells that its box touches when enlarged by
 /// half a cell. Serves steps F5.2 and F5.3 together: the faces are the obstacles, and their nodes
 /// are the candidates. It replaces the paper's octree, which needs 8 to 14 dependent loads per
-/// query; this grid needs about ten independent ones (docs/ARCHITECTURE.md, choices).
+/// query; this grid needs about ten independent ones (docs/DESIGN.md, choices).
 ///
 /// Layout: hash of a block of 4 x 4 x 4 cells -> occupancy mask and 64 list heads -> chunks of four
 /// faces with their boxes, so that a query touches few cache lines. A cell holds about two faces,
