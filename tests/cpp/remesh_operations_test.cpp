@@ -169,8 +169,8 @@ TEST(RemeshFlip, PassesOverNoNode) {
   constexpr double kHeight = 0.02;
   const auto pillow = [](double middle) {
     SurfaceMesh mesh;
-    mesh.points = {-1.0, 0.0,  kHeight, 0.0, -0.6, -kHeight, 1.0, 0.0,
-                   kHeight, 0.0, 0.6, -kHeight, 0.0, 0.0, middle};
+    mesh.points = {-1.0,    0.0, kHeight, 0.0,      -0.6, -kHeight, 1.0,   0.0,
+                   kHeight, 0.0, 0.6,     -kHeight, 0.0,  0.0,      middle};
     mesh.triangles = {0, 1, 2, 0, 2, 3, 4, 1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3};
     return mesh;
   };

@@ -57,7 +57,8 @@ void SweptVolume::collectSheets() {
   std::vector<std::uint32_t> ends;  // one triangle per edge at which a sheet ends
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     while (j < edges.size() && edges[j].isSame(edges[i])) ++j;
-    const bool isInside = edges[i].triangle >= removedCount_ || edges[j - 1].triangle < removedCount_;
+    const bool isInside =
+        edges[i].triangle >= removedCount_ || edges[j - 1].triangle < removedCount_;
     if (isInside && j - i != 2) {
       for (std::size_t k = i; k < j; ++k) ends.push_back(edges[k].triangle);
     } else {
