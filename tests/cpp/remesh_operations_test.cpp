@@ -163,6 +163,26 @@ TEST(RemeshAbsorb, PutsTheApexOnTheLine) {
   EXPECT_NEAR(enclosedVolume(now), 1.0, 1e-5);
 }
 
+/// A flat pillow: two triangles above, and four around a node below. The other diagonal of the two is below this node, so that
+/// they would not intersect the four, but pass over them.
+TEST(RemeshFlip, PassesOverNoNode) {
+  constexpr double kHeight = 0.02;
+  const auto pillow = [](double middle) {
+    SurfaceMesh mesh;
+    mesh.points = {-1.0,    0.0, kHeight, 0.0,      -0.6, -kHeight, 1.0,   0.0,
+                   kHeight, 0.0, 0.6,     -kHeight, 0.0,  0.0,      middle};
+    mesh.triangles = {0, 1, 2, 0, 2, 3, 4, 1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3};
+    return mesh;
+  };
+  EditedSurface above(pillow(0.0), 0.1, 1.0);
+  EXPECT_FALSE(above.editor().flip(NodeId(0U), NodeId(2U)));
+  EXPECT_GT(enclosedVolume(surfaceOf(above.complex())), 0.0);
+  // The flip is possible if the node is below the other diagonal.
+  EditedSurface below(pillow(-2.0 * kHeight), 0.1, 1.0);
+  EXPECT_TRUE(below.editor().flip(NodeId(0U), NodeId(2U)));
+  EXPECT_GT(enclosedVolume(surfaceOf(below.complex())), 0.0);
+}
+
 class RemeshOperations : public ::testing::TestWithParam<Body> {};
 
 TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {

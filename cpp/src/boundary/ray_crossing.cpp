@@ -22,8 +22,8 @@ Box boxOfRay(const Vec3& start) {
   return ray;
 }
 
-bool isAheadOf(const SurfaceMesh& mesh, const Vec3& start, TriangleId triangle) {
-  const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
+bool isAheadOf(const std::array<Vec3, 3>& corners, const Vec3& start) {
+  const std::array<Vec3, 3>& p = corners;
   bool isInside = false;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3* low = &p[k];

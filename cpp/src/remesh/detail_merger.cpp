@@ -234,7 +234,7 @@ bool DetailMerger::moveOnto(NodeId a, NodeId b) {
   return true;
 }
 
-/// Returns true if the added triangles are not degenerate, do not turn over, and intersect no others.
+/// Returns true if the added triangles are not degenerate, do not turn over, intersect no others and pass over none.
 bool DetailMerger::isAdmitted() {
   numbered_.clear();
   for (const Added& added : added_) {
@@ -250,9 +250,9 @@ bool DetailMerger::isAdmitted() {
     numbered_.push_back(numbered(added.nodes, corners));
   }
   grid_.setHidden(removed_, true);
-  const bool intersects = grid_.intersect(numbered_);
+  const bool collides = grid_.collide({removed_, numbered_, NodeId{}});
   grid_.setHidden(removed_, false);
-  return !intersects;
+  return !collides;
 }
 
 /// Returns false if a triangle whose node moves onto another one would go through half of a wall. The thickness is that at

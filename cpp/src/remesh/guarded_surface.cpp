@@ -100,15 +100,15 @@ bool GuardedSurface::apply(const SurfaceChange& change, bool coversSame) {
 bool GuardedSurface::isAdmitted(bool coversSame) {
   measureAdded();
   return isThickEnough() && facesAsReference() && keepsCreases() &&
-         (coversSame || isInOnePlane() || isFreeOfIntersections()) && isInEnvelope() && findHosts();
+         (coversSame || isInOnePlane() || isFreeOfCollisions()) && isInEnvelope() && findHosts();
 }
 
-bool GuardedSurface::isFreeOfIntersections() {
+bool GuardedSurface::isFreeOfCollisions() {
   uncovered_.clear();
   for (const NumberedTriangle& triangle : numbered_) {
     if (!isCovered(triangle)) uncovered_.push_back(triangle);
   }
-  return !grid_.intersect(numbered_, uncovered_);
+  return !grid_.collide({change_->removed, numbered_, change_->moved}, uncovered_);
 }
 
 /// Returns true if an added triangle b c d lies in two removed ones, a b c and a c d, exactly in one plane across an axis. No other

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file The remeshed surface. All changes go through apply(), which makes a change only if afterwards
-///   1. no triangle is degenerate, and no two intersect (exact signs);
+///   1. no triangle is degenerate, no two intersect (exact signs), and none was passed over (swept_volume.h);
 ///   2. triangles face in about the same direction as the reference surface beneath them;
 ///   3. every point of a triangle is within the tolerance of its patch (envelope.h);
 ///   4. every guest (guests.h) is within the tolerance of a triangle of its patch.
@@ -103,7 +103,7 @@ class GuardedSurface {
   [[nodiscard]] FeatureLineId lineOf(NodeId a, NodeId b) const;
   [[nodiscard]] bool keepsCrease(NodeId a, NodeId b, FeatureLineId line);
   [[nodiscard]] bool isInOnePlane() const;
-  [[nodiscard]] bool isFreeOfIntersections();
+  [[nodiscard]] bool isFreeOfCollisions();
   [[nodiscard]] bool isCovered(const NumberedTriangle& added) const;
   [[nodiscard]] bool areCovering(const std::array<TriangleId, 2>& covering,
                                  const NumberedTriangle& added, int axis, double facing) const;

@@ -12,6 +12,20 @@ Box boxAround(const std::array<Vec3, 3>& corners) {
   return Box::of(corners[0], corners[1], corners[2]);
 }
 
+void extend(Box& whole, const Box& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    whole.low[k] = std::min(whole.low[k], box.low[k]);
+    whole.high[k] = std::max(whole.high[k], box.high[k]);
+  }
+}
+
+bool isWithin(const Box& box, const Box& whole) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.low[k] < whole.low[k] || box.high[k] > whole.high[k]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 NumberedTriangle numbered(const NodeTriple& nodes, const std::array<Vec3, 3>& corners) {
@@ -36,11 +50,11 @@ void TriangleGrid::setHidden(std::span<const TriangleId> triangles, bool isHidde
   for (const TriangleId t : triangles) isHidden_[t.index()] = isHidden ? 1 : 0;
 }
 
-bool TriangleGrid::intersect(std::span<const NumberedTriangle> triangles,
-                             std::span<const NumberedTriangle> uncovered) {
-  if (triangles.empty()) return false;
-  separation_.begin(triangles);
-  return intersectEachOther(triangles) || (!uncovered.empty() && intersectsAny(uncovered));
+bool TriangleGrid::collide(const Replacement& change, std::span<const NumberedTriangle> uncovered) {
+  if (change.added.empty()) return false;
+  separation_.begin(change.added);
+  return intersectEachOther(change.added) ||
+         (!uncovered.empty() && (intersectsAny(change, uncovered) || passesOverAny(change)));
 }
 
 bool TriangleGrid::intersectEachOther(std::span<const NumberedTriangle> triangles) {
@@ -56,21 +70,21 @@ bool TriangleGrid::intersectEachOther(std::span<const NumberedTriangle> triangle
   return false;
 }
 
-bool TriangleGrid::intersectsAny(std::span<const NumberedTriangle> triangles) {
+/// Notes the triangles within the box around the change for passesOverAny(): one query serves both.
+bool TriangleGrid::intersectsAny(const Replacement& change,
+                                 std::span<const NumberedTriangle> triangles) {
   ofGiven_.clear();
   for (const NumberedTriangle& triangle : triangles)
     ofGiven_.push_back(boxAround(triangle.corners));
   Box whole = ofGiven_[0];
-  for (const Box& box : ofGiven_) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      whole.low[k] = std::min(whole.low[k], box.low[k]);
-      whole.high[k] = std::max(whole.high[k], box.high[k]);
-    }
-  }
+  for (const Box& box : ofGiven_) extend(whole, box);
+  for (const TriangleId t : change.removed) extend(whole, boxes_[t.index()]);
+  within_.clear();
   const std::size_t count = grid_.query(whole, found_);
   for (std::size_t n = 0; n < count; ++n) {
     const TriangleId t(found_[n]);
     if (isHidden(t)) continue;
+    if (isWithin(boxes_[t.index()], whole)) within_.push_back(t.value);
     const auto isNear = [&](const Box& box) { return BoxTree::overlaps(box, boxes_[t.index()]); };
     if (std::ranges::none_of(ofGiven_, isNear)) continue;
     const NumberedTriangle other = numbered(complex_.nodesOf(t), complex_.cornersOf(t));
@@ -80,6 +94,29 @@ bool TriangleGrid::intersectsAny(std::span<const NumberedTriangle> triangles) {
     }
   }
   return false;
+}
+
+/// A triangle that is passed over is within the box around the change, and no plane separates it from the change. Covered triangles lie
+/// in removed ones, so their box is not needed.
+bool TriangleGrid::passesOverAny(const Replacement& change) {
+  if (within_.empty()) return false;
+  beforeAndAfter_.clear();
+  for (const TriangleId t : change.removed) {
+    beforeAndAfter_.push_back(numbered(complex_.nodesOf(t), complex_.cornersOf(t)));
+  }
+  // The moved node is another one after the change.
+  const auto newNumber = static_cast<std::uint32_t>(complex_.nodeCount());
+  for (NumberedTriangle triangle : change.added) {
+    std::ranges::replace(triangle.nodes, change.moved.value, newNumber);
+    beforeAndAfter_.push_back(triangle);
+  }
+  separation_.begin(beforeAndAfter_);
+  swept_.begin(beforeAndAfter_, change.removed.size());
+  return std::ranges::any_of(within_, [&](std::uint32_t face) {
+    const TriangleId t(face);
+    const NumberedTriangle other = numbered(complex_.nodesOf(t), complex_.cornersOf(t));
+    return !separation_.isApart(other) && swept_.contains(other);
+  });
 }
 
 }  // namespace tetrafront

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Finds out whether new triangles of a complex would intersect others.
+/// @file Finds out whether new triangles of a complex would intersect others, or pass over them.
 
 #include <cstdint>
 #include <span>
@@ -11,6 +11,7 @@
 #include "geom/intersect.h"
 #include "remesh/separation.h"
 #include "remesh/surface_complex.h"
+#include "remesh/swept_volume.h"
 #include "search/face_grid.h"
 #include "tetrafront/vec3.h"
 
@@ -31,32 +32,42 @@ class TriangleGrid {
   void update(TriangleId triangle);
   void remove(TriangleId triangle) { grid_.remove(triangle.value); }
 
-  /// Hides triangles from intersect(), or shows them again.
+  /// Hides triangles from collide(), or shows them again.
   void setHidden(std::span<const TriangleId> triangles, bool isHidden);
   [[nodiscard]] bool isHidden(TriangleId triangle) const {
     return isHidden_[triangle.index()] != 0;
   }
 
-  /// Returns whether one of the triangles intersects another one, or one in the grid, beyond the nodes and edges that they
-  /// share. Exact.
-  [[nodiscard]] bool intersect(std::span<const NumberedTriangle> triangles) {
-    return intersect(triangles, triangles);
-  }
-  /// The same, if only `uncovered` of the triangles can intersect one in the grid.
-  [[nodiscard]] bool intersect(std::span<const NumberedTriangle> triangles,
-                               std::span<const NumberedTriangle> uncovered);
+  /// A replacement of triangles, which are hidden, by others with the same boundary.
+  struct Replacement {
+    std::span<const TriangleId> removed;
+    std::span<const NumberedTriangle> added;
+    NodeId moved{};  ///< a node that has another position in the added ones
+  };
+
+  /// Returns whether one of the added triangles intersects another one, or one in the grid, beyond the nodes and edges that they
+  /// share; or whether one in the grid lies between the removed and the added ones (swept_volume.h). Exact.
+  [[nodiscard]] bool collide(const Replacement& change) { return collide(change, change.added); }
+  /// The same, if only `uncovered` of the added triangles can intersect one in the grid.
+  [[nodiscard]] bool collide(const Replacement& change,
+                             std::span<const NumberedTriangle> uncovered);
 
  private:
   [[nodiscard]] bool intersectEachOther(std::span<const NumberedTriangle> triangles);
-  [[nodiscard]] bool intersectsAny(std::span<const NumberedTriangle> triangles);
+  [[nodiscard]] bool intersectsAny(const Replacement& change,
+                                   std::span<const NumberedTriangle> triangles);
+  [[nodiscard]] bool passesOverAny(const Replacement& change);
 
   const SurfaceComplex& complex_;
   FaceGrid grid_;
   std::vector<Box> boxes_;  ///< per triangle
   std::vector<std::uint8_t> isHidden_;
-  // Scratch of intersect().
+  // Scratch of collide().
   SeparationProof separation_;
+  SweptVolume swept_;
+  std::vector<NumberedTriangle> beforeAndAfter_;
   std::vector<Box> ofGiven_;
+  std::vector<std::uint32_t> within_;  ///< triangles within the box around a change
   std::vector<std::uint32_t> found_;
 };
 
