@@ -116,6 +116,7 @@ describe("an expression in terms of each entity's own numbers", () => {
     documents.edit(setCommonNumber(points.slice(0, 1), "position.2", 1, "r-1"));
     change(documents, "position.2", "2*z+1", points.slice(0, 1));
     change(documents, "position.2", "z+r", points.slice(1, 2));
+    expect(documents.state.getState().history.past.at(-1)?.label).toBe("Set z of 1 entity");
     expect(heights().slice(0, 2)).toEqual([3, 2]);
     documents.edit(setParameter("r", "5"));
     expect(heights().slice(0, 2)).toEqual([9, 5]);
