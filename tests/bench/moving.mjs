@@ -1,5 +1,5 @@
 // Measures moving in a browser: a point of the largest model of the gallery, and all its points, are dragged in the view.
-// Prints frames per second, how many of the frames show a new preview of lines, patches and problems, and the longest time
+// Prints frames per second, how many previews of lines and patches the worker makes, and the longest time
 // for which the page did not answer, and the processor time of the page and of the process that draws, which depend less on
 // other work. The goals are 30 frames/s and 50 ms. CHROMIUM is the path of a browser; without it,
 // the one of Playwright is used. The site must be built.
@@ -59,7 +59,7 @@ try {
     await page.mouse.up();
     const changed = await page.getByTestId("undo").getAttribute("aria-label");
     console.log(
-      `${what.padEnd(14)} frames/s ${rate.toFixed(1)}, work per frame: page ${work.toFixed(1)} ms, drawing ${drawing.toFixed(1)} ms; previews/s ${previews.toFixed(1)}, longest pause ${longest.toFixed(0)} ms (${changed})`,
+      `${what.padEnd(14)} frames/s ${rate.toFixed(1)}, work per frame: page ${work.toFixed(1)} ms, drawing ${drawing.toFixed(1)} ms; previews of the worker/s ${previews.toFixed(1)}, longest pause ${longest.toFixed(0)} ms (${changed})`,
     );
     await page.keyboard.press("Control+z");
   }

@@ -292,6 +292,41 @@ test("what to draw next is never under the notice that the mesh is out of date",
   }
 });
 
+test("the notice that the mesh is out of date is short while something is moved, and a click passes it", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.select("point-1");
+  await app.type("position-x", "0.25");
+  const badge = page.getByTestId("mesh-badge");
+  const wide = (await badge.boundingBox())?.width ?? 0;
+  await page.getByTestId("tool-move").click();
+  await expect.poll(async () => (await badge.boundingBox())?.width ?? 0).toBeLessThan(0.6 * wide);
+  const text = await badge.locator("b").boundingBox();
+  if (!text) throw new Error("The notice has no title");
+  const [x, y] = [text.x + text.width / 2, text.y + text.height / 2];
+  const under = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.tagName, [x, y] as const);
+  expect(under).toBe("CANVAS");
+  await badge.getByRole("button").click({ trial: true });
+});
+
+test("a reason for a refused coordinate takes the width of all three fields", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.select("point-1");
+  const field = page.getByTestId("position-z");
+  const [before, first] = [await field.boundingBox(), await page.getByTestId("position-x").boundingBox()];
+  await app.type("position-z", "1+");
+  const reason = await page.getByText("Enter a number, such as 0.25 or 1/3").boundingBox();
+  if (!before || !first || !reason) throw new Error("The fields or the reason are not shown");
+  expect(reason.x).toBeCloseTo(first.x, 0);
+  expect(reason.width).toBeGreaterThan(2.5 * before.width);
+  expect(reason.y).toBeGreaterThanOrEqual(before.y + before.height);
+  // The fields stay where they are.
+  expect(await field.boundingBox()).toEqual(before);
+});
+
 test("on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields", async ({
   page,
 }) => {

@@ -423,6 +423,7 @@ test("the runs of an address can be stopped on a phone, and the address names th
   await page.getByTestId("lesson-stop").click();
   await expect(page.getByTestId("lesson-stop")).toHaveCount(0);
   await expect(front(page)).toBeVisible();
+  await expect(page.getByTestId("lesson-show")).toBeFocused();
   await expect(page).not.toHaveURL(/smallest-first/);
   await page.getByTestId("lesson-show").click();
   await expect(front(page)).toHaveAttribute("data-shown", "true");

@@ -65,6 +65,16 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await page.getByTestId("tree-point-6").click({ modifiers: ["Control"] });
   await expect(page.getByTestId("common-position-y")).toHaveAttribute("placeholder", "mixed");
   await expect(page.getByTestId("common-position-z")).toHaveValue("0");
+  // Each from its own value: also where the values differ, by typing and by an arrow key.
+  const mixed = page.getByTestId("common-position-y");
+  await app.type("common-position-y", "size+1");
+  await expect(mixed).toHaveAttribute("aria-invalid", "true");
+  await app.type("common-position-y", "y+0.25");
+  await expect(mixed).toHaveAttribute("placeholder", "mixed");
+  await mixed.press("ArrowUp");
+  await expect(mixed).toHaveAttribute("placeholder", "mixed");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+z");
   await app.type("common-position-z", "1.25");
   await page.getByTestId("group-selection").click();
   await page.getByTestId("tree-point-6").click();

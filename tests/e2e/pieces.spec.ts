@@ -26,6 +26,14 @@ class PiecesPage {
     await expect(this.app.viewport).toHaveAttribute("data-status", "none");
   }
 
+  /** As `open`, and adds a box, whose patches are then selected. */
+  async openBox(): Promise<void> {
+    await this.open();
+    await this.start("Box…");
+    await this.accept();
+    await expect(this.row("patch-6")).toHaveAttribute("aria-selected", "true");
+  }
+
   async press(...keys: readonly string[]): Promise<void> {
     for (const key of keys) await this.#page.keyboard.press(key);
   }
@@ -90,9 +98,7 @@ for (const { command, expected } of [
 
 test("a cube with a hole through takes few actions", async ({ page }) => {
   const pieces = new PiecesPage(page);
-  await pieces.open();
-  await pieces.start("Box…");
-  await pieces.accept();
+  await pieces.openBox();
   await pieces.click(pieces.row("patch-2"));
   await pieces.start("Hole through…");
   await pieces.type("0.5");
@@ -106,9 +112,7 @@ test("a cylinder on a face of a box shares the face with it: one watertight mesh
   page,
 }) => {
   const pieces = new PiecesPage(page);
-  await pieces.open();
-  await pieces.start("Box…");
-  await pieces.accept();
+  await pieces.openBox();
   await pieces.click(pieces.row("patch-2"));
   await pieces.start("Cylinder…");
   await pieces.type("0.25");
@@ -126,10 +130,7 @@ test("a cylinder on a face of a box shares the face with it: one watertight mesh
 test("copies, a mirror image and an array are one step of undo each", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   const pieces = new PiecesPage(page);
-  await pieces.open();
-  await pieces.start("Box…");
-  await pieces.accept();
-  await expect(pieces.row("patch-6")).toHaveAttribute("aria-selected", "true");
+  await pieces.openBox();
   for (const { open, value, step } of [
     { open: () => pieces.start("Mirror…"), value: "1/2", step: "Mirror selection" },
     { open: () => pieces.start("Circular array…"), value: "3", step: "Add circular array" },
@@ -153,10 +154,7 @@ test("a rotation begins with the angle and a scale with the factors, so that the
   page,
 }) => {
   const pieces = new PiecesPage(page);
-  await pieces.open();
-  await pieces.start("Box…");
-  await pieces.accept();
-  await expect(pieces.row("patch-6")).toHaveAttribute("aria-selected", "true");
+  await pieces.openBox();
   await pieces.start("Rotate…");
   await expect(page.getByTestId("operation-angle")).toBeFocused();
   await pieces.type("45");

@@ -86,6 +86,41 @@ test("moving the pointer over empty space draws no frame, but over the view cube
   await nextFrame(app.viewport, () => page.mouse.move(box.x + box.width - 56, box.y + 56, { steps: 3 }));
 });
 
+test("a drag of the view cube turns the camera and may end beside it; the view then answers as before", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const box = await app.viewport.boundingBox();
+  if (!box) throw new Error("The view has no box");
+  const cube = { x: box.x + box.width - 56, y: box.y + 56 };
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const top: Position = [0.5, 0.5, 1];
+  const before = await app.at(top);
+  await page.mouse.move(cube.x, cube.y, { steps: 3 });
+  await page.mouse.down();
+  await nextFrame(app.viewport, () => page.mouse.move(cube.x - 30, cube.y + 20, { steps: 4 }));
+  await page.mouse.move(middle.x, middle.y, { steps: 6 });
+  await page.mouse.up();
+  await screenPosition(page, "patch", 6);
+  const after = await app.at(top);
+  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeGreaterThan(5);
+  // Without a pressed button, the pointer turns nothing.
+  await page.mouse.move(middle.x + 90, middle.y + 40, { steps: 4 });
+  await page.mouse.move(middle.x, middle.y, { steps: 4 });
+  expect(await app.at(top)).toEqual(after);
+  // A click selects, and a drag in the view turns the camera.
+  const hit = await screenPosition(page, "patch", 6);
+  await page.mouse.click(hit.x, hit.y);
+  await expect(page.getByTestId("tree-patch-6")).toHaveAttribute("aria-selected", "true");
+  const corner = await app.at([0, 0, 1]);
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.down({ button: "right" });
+  await nextFrame(app.viewport, () => page.mouse.move(middle.x + 80, middle.y, { steps: 4 }));
+  await page.mouse.up({ button: "right" });
+  expect(await app.at([0, 0, 1])).not.toEqual(corner);
+});
+
 test("the view cube follows the camera, the pointer and the theme, and is one draw call while nothing on it changes", async ({
   page,
 }) => {

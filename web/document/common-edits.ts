@@ -1,11 +1,15 @@
 import { SOURCE_GROWTH, type BodySurface, type LineType, type PatchType, type Project } from "tetrafront";
+import { namesIn, readNumber, withNameReplaced } from "../expressions/expression";
+import { formulaText, operandText, plus, quantity, valueOf, type Quantity } from "../expressions/quantity";
 import { stepNames } from "../strings";
 import { draftFinder } from "./draft-records";
 import type { DraftEdit } from "./edit";
 import { changeLineTypes, changePatchTypes } from "./edits";
 import { bodiesOf, recordsOf, type Entity } from "./entities";
 import { expressionFinder, keepingExpressions } from "./expression-edits";
+import { projectNumbers } from "./length-units";
 import { numberAt, recordFinder, setNumberAt, type EntityNumber } from "./number-paths";
+import { isTooLong } from "./quantity-positions";
 
 /** What several selected entities have in common, and edits that change it in all of them. */
 
@@ -81,19 +85,33 @@ function same<Value>(values: readonly (Value | undefined)[]): Value | null {
   return first !== undefined && values.every((value) => value === first) ? first : null;
 }
 
+/** What a number of one entity becomes. */
+export interface OwnChange {
+  readonly entity: Entity;
+  readonly value: number;
+  readonly expression: string | null;
+}
+
 /** Sets a number of all given entities, with the expression that was typed. Costs as much as `commonNumbers`. */
-export function setCommonNumber(
+export const setCommonNumber = (
   entities: readonly Entity[],
   field: CommonField,
   value: number,
   expression: string | null,
-): DraftEdit {
+): DraftEdit =>
+  setNumbers(
+    field,
+    entities.map((entity) => ({ entity, value, expression })),
+  );
+
+/** Sets a number of each entity to a value of its own. Costs as much as `commonNumbers`. */
+export function setNumbers(field: CommonField, changes: readonly OwnChange[]): DraftEdit {
   const edit: DraftEdit = {
-    label: stepNames.setCommon[field](entities.length),
-    mergeKey: `common-${field}-${entities.map(({ kind, id }) => `${kind}${id}`).join()}`,
+    label: stepNames.setCommon[field](changes.length),
+    mergeKey: `common-${field}-${changes.map(({ entity: { kind, id } }) => `${kind}${id}`).join()}`,
     change: ({ project }) => {
       const find = draftFinder(project);
-      for (const entity of entities) {
+      for (const { entity, value } of changes) {
         const record = find(entity);
         setNumberAt(record, field, value);
         if (field === "stretching" && record && "stretching" in record && !("direction" in record)) {
@@ -102,11 +120,95 @@ export function setCommonNumber(
       }
     },
   };
-  const paths = entities.flatMap((entity) => pathOf(entity, field) ?? []);
-  return keepingExpressions(
-    edit,
-    paths.map((path) => ({ path, expression })),
-  );
+  const kept = changes.flatMap(({ entity, expression }) => {
+    const path = pathOf(entity, field);
+    return path ? [{ path, expression }] : [];
+  });
+  return keepingExpressions(edit, kept);
+}
+
+/** The names by which an expression refers to the numbers that an entity has itself. */
+export const ownNames: { readonly [F in CommonField]: string } = {
+  "position.0": "x",
+  "position.1": "y",
+  "position.2": "z",
+  size: "size",
+  stretching: "stretching",
+  distance: "distance",
+  growth: "growth",
+  "placement.scale": "scale",
+  "remeshing.size": "size",
+  "remeshing.tolerance": "tolerance",
+};
+
+const allOwnNames: ReadonlySet<string> = new Set(Object.values(ownNames));
+
+/** Returns a function that finds a number of an entity, with its expression. */
+function ownQuantities(project: Project): (entity: Entity, field: CommonField) => Quantity | undefined {
+  const [record, textOf] = [recordFinder(project), expressionFinder(project)];
+  return (entity, field) => {
+    const value = numberAt(record(entity), field) ?? defaults[field];
+    const path = pathOf(entity, field);
+    return value === undefined ? undefined : quantity(value, path && textOf(path));
+  };
+}
+
+/**
+ * Returns what an expression in terms of each entity's own numbers, such as `z+0.1`, gives for the entities. A parameter
+ * goes before an own number of the same name. Parameters stay in the expressions of the results. Null if one result is no
+ * number; undefined if the expression uses no own numbers. Costs as much as `commonNumbers`.
+ */
+export function ownChanges(
+  project: Project,
+  entities: readonly Entity[],
+  text: string,
+): readonly OwnChange[] | null | undefined {
+  const named = projectNumbers(project);
+  const used = [...namesIn(text)].filter((name) => allOwnNames.has(name) && !named.has(name));
+  if (used.length === 0) return undefined;
+  const own = ownQuantities(project);
+  const changes: OwnChange[] = [];
+  for (const entity of entities) {
+    const values = new Map(named);
+    let expression = text.trim();
+    for (const name of used) {
+      const field = fieldsOf[entity.kind]?.find((one) => ownNames[one] === name);
+      const number = field && own(entity, field);
+      if (number === undefined) return null;
+      values.set(name, valueOf(number));
+      expression = withNameReplaced(expression, name, operandText(number));
+    }
+    const value = readNumber(text, values);
+    if (value === null) return null;
+    const isKept = namesIn(expression).size > 0 && !isTooLong(expression);
+    changes.push({ entity, value, expression: isKept ? expression : null });
+  }
+  return changes;
+}
+
+/** Returns the changes that add a step to a number of each entity; null if one of them has no such number. */
+export function steppedChanges(
+  project: Project,
+  entities: readonly Entity[],
+  field: CommonField,
+  step: number,
+): readonly OwnChange[] | null {
+  const own = ownQuantities(project);
+  const changes: OwnChange[] = [];
+  for (const entity of entities) {
+    const before = own(entity, field);
+    if (before === undefined) return null;
+    const after = plus(before, step);
+    // Ten steps of 0.1 are 1.
+    const value = Number(valueOf(after).toPrecision(12));
+    const expression = formulaText(after);
+    changes.push({
+      entity,
+      value: expression === null ? value : valueOf(after),
+      expression: isTooLong(expression) ? null : expression,
+    });
+  }
+  return changes;
 }
 
 /** Returns the type that all given lines, or all given patches, have: null if they differ, undefined for other kinds. */

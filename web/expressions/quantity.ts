@@ -122,6 +122,9 @@ export function call(name: FunctionName, a: Quantity): Quantity {
   return { value: applied(name, a.value), text: `${name}(${a.text})`, form: "atom" };
 }
 
+/** Returns a text that may replace a name in an expression. */
+export const operandText = (a: Quantity): string => textOf(a, "atom");
+
 /** Returns the text of an operand, in parentheses unless it is as tight as required. */
 function textOf(a: Quantity, required: Form): string {
   if (typeof a === "number") return a < 0 && required === "atom" ? `(${a})` : String(a);

@@ -1,20 +1,36 @@
 import type { Project, ProjectPreview } from "tetrafront";
 import { emptyProject } from "../document/create";
+import type { Position } from "../document/position";
+import { length, subtract } from "../document/vectors";
 
 /** Lines and patches of a project that differ from a sampled one, as a project of their own. */
 export interface ChangedPart {
-  readonly project: Project;
+  /** What must be sampled again; null if nothing must. */
+  readonly project: Project | null;
   /** Indices in the whole project of the lines and patches of the part. */
   readonly lines: readonly number[];
   readonly patches: readonly number[];
+  /** What has been moved without a change of shape; null if nothing has. */
+  readonly shifted: ShiftedPart | null;
 }
+
+/** Lines and patches of which all points were moved by the same offset, by their indices in the whole project. */
+export interface ShiftedPart {
+  readonly offset: Position;
+  readonly lines: ReadonlySet<number>;
+  readonly patches: ReadonlySet<number>;
+}
+
+/** Offsets of points are the same if they differ by less than this, relative to the coordinates. */
+const sameOffset = 1e-12;
 
 /** Largest part that is worth a preview of its own: patches, relative to the whole. */
 const maxShare = 0.5;
 
 /**
- * Returns what differs between a sampled project and a later one with the same lines and patches in the same order. Null if
- * nothing does, or too much, or lines and patches were added, removed or reordered. O(size).
+ * Returns what differs between a sampled project and a later one with the same lines and patches in the same order. What was
+ * moved as a whole need not be sampled again. Null if nothing differs, or too much, or lines and patches were added, removed
+ * or reordered. O(size).
  */
 export function changedPart(sampled: Project, project: Project): ChangedPart | null {
   const isAlike = (a: readonly { readonly id: number }[], b: readonly { readonly id: number }[]): boolean =>
@@ -23,39 +39,74 @@ export function changedPart(sampled: Project, project: Project): ChangedPart | n
   if (!isAlike(points, sampled.points) || !isAlike(lines, sampled.lines)) return null;
   if (!isAlike(patches, sampled.patches)) return null;
   const moved = new Set(points.flatMap((point, i) => (point === sampled.points[i] ? [] : [point.id])));
-  const bent = lines.flatMap((line, i) =>
-    line === sampled.lines[i] && !line.points.some((id) => moved.has(id)) ? [] : [i],
-  );
-  const bentIds = new Set(bent.map((i) => lines[i]?.id));
-  const changed = patches.flatMap((patch, i) =>
-    patch === sampled.patches[i] && !patch.loops.flat().some((step) => bentIds.has(Math.abs(step)))
-      ? []
-      : [i],
-  );
-  if (bent.length + changed.length === 0 || changed.length > maxShare * patches.length) return null;
+  const offset = commonOffset(sampled, project);
+  const bentIds = new Set<number>();
+  const shiftedIds = new Set<number>();
+  lines.forEach((line, i) => {
+    const isSame = line === sampled.lines[i];
+    if (isSame && !line.points.some((id) => moved.has(id))) return;
+    const isShifted = isSame && offset !== null && line.points.every((id) => moved.has(id));
+    (isShifted ? shiftedIds : bentIds).add(line.id);
+  });
+  const changed: number[] = [];
+  const shiftedPatches = new Set<number>();
+  patches.forEach((patch, i) => {
+    const around = patch.loops.flat().map(Math.abs);
+    const isSame = patch === sampled.patches[i];
+    if (isSame && !around.some((id) => bentIds.has(id) || shiftedIds.has(id))) return;
+    if (isSame && around.every((id) => shiftedIds.has(id))) shiftedPatches.add(i);
+    else changed.push(i);
+  });
+  if (bentIds.size + shiftedIds.size + changed.length === 0) return null;
+  if (changed.length > maxShare * patches.length) return null;
   const around = new Set(changed.flatMap((i) => patches[i]?.loops.flat().map(Math.abs) ?? []));
-  const own = lines.flatMap((line, i) => (bentIds.has(line.id) || around.has(line.id) ? [i] : []));
+  const indicesOf = (ids: ReadonlySet<number>, others: ReadonlySet<number> = new Set()): number[] =>
+    lines.flatMap(({ id }, i) => (ids.has(id) || others.has(id) ? [i] : []));
+  const own = indicesOf(bentIds, around);
   const partLines = own.flatMap((i) => lines[i] ?? []);
   const ends = new Set(partLines.flatMap((line) => line.points));
   return {
-    project: {
-      ...emptyProject(project.name),
-      meshing: { size: 1 },
-      points: points.filter(({ id }) => ends.has(id)),
-      lines: partLines,
-      patches: changed.flatMap((i) => patches[i] ?? []),
-    },
+    project:
+      own.length + changed.length === 0
+        ? null
+        : {
+            ...emptyProject(project.name),
+            meshing: { size: 1 },
+            points: points.filter(({ id }) => ends.has(id)),
+            lines: partLines,
+            patches: changed.flatMap((i) => patches[i] ?? []),
+          },
     lines: own,
     patches: changed,
+    shifted: offset && { offset, lines: new Set(indicesOf(shiftedIds)), patches: shiftedPatches },
   };
 }
 
-/** Returns the samples of a whole project, with those of a part in place of the former ones. The problems stay the former. */
+/** Returns the offset by which all points were moved that were moved; null if there are several, or none was moved. */
+function commonOffset({ points: before }: Project, { points: after }: Project): Position | null {
+  let offset: Position | null = null;
+  for (const [i, { position }] of after.entries()) {
+    const old = before[i]?.position;
+    if (old === undefined || after[i] === before[i]) continue;
+    const own = subtract(position, old);
+    const size = Math.max(...position.map(Math.abs), ...old.map(Math.abs));
+    offset ??= own;
+    if (length(subtract(own, offset)) > sameOffset * size) return null;
+  }
+  return offset;
+}
+
+/**
+ * Returns the samples of a whole project, with those of a part in place of the former ones, and with what was shifted. The
+ * problems stay the former.
+ */
 export function withPart(
-  whole: ProjectPreview,
-  part: ProjectPreview,
-  { lines, patches }: Pick<ChangedPart, "lines" | "patches">,
+  before: ProjectPreview,
+  part: ProjectPreview | null,
+  { lines, patches, shifted }: Omit<ChangedPart, "project">,
 ): ProjectPreview {
+  const whole = shifted ? withShift(before, shifted) : before;
+  if (part === null) return whole;
   const lineAt = new Map(lines.map((index, i) => [index, i]));
   const patchAt = new Map(patches.map((index, i) => [index, i]));
   const sourceOf = (at: ReadonlyMap<number, number>, index: number) => {
@@ -87,6 +138,25 @@ export function withPart(
     patchTriangles: joined(Uint32Array, triangles),
     patchOffsets: offsetsOf(triangles.map(({ length }) => length / 3)),
   };
+}
+
+/** Returns samples with some lines and patches shifted. */
+function withShift(whole: ProjectPreview, { offset, lines, patches }: ShiftedPart): ProjectPreview {
+  const linePoints = whole.linePoints.slice();
+  for (const line of lines) {
+    const [first = 0, end = 0] = whole.lineOffsets.subarray(line, line + 2);
+    shift(linePoints.subarray(3 * first, 3 * end), offset);
+  }
+  const patchPoints = whole.patchPoints.slice();
+  for (const patch of patches) {
+    const { first, points } = surfaceOf(whole, patch);
+    shift(patchPoints.subarray(3 * first, 3 * first + points.length), offset);
+  }
+  return { ...whole, linePoints, patchPoints };
+}
+
+function shift(positions: Float64Array, offset: Position): void {
+  positions.forEach((x, i) => (positions[i] = x + (offset[i % 3] ?? 0)));
 }
 
 /** Returns the triangles of a patch and the nodes that they use, from the first one on. */

@@ -24,7 +24,7 @@ const restMs = 80;
 /**
  * Keeps the samples of lines and patches and the diagnostics of the check up to date with the document. Makes one
  * request at a time. A newer project cancels the request, but never twice in a row, so that continuous edits still
- * get previews. If previews of the whole project are slow, only what an edit changes is sampled; the whole is checked as
+ * get previews. If previews of the whole project are slow, only what an edit changes is sampled, and what it moves as a whole is moved; the whole is checked as
  * soon as the edits rest.
  */
 export class PreviewFeed {
@@ -131,7 +131,7 @@ export class PreviewFeed {
     if (!this.#isSlow || !preview || !sampled || failure) return false;
     const part = changedPart(sampled, project);
     if (!part) return false;
-    const samples = await (await this.#mesher).previewProject(part.project);
+    const samples = part.project && (await (await this.#mesher).previewProject(part.project));
     this.state.setState({ preview: withPart(preview, samples, part), project, failure: null });
     return true;
   }

@@ -30,7 +30,10 @@ export interface SizeState {
 /** Relative difference up to which sizes are equal: interpolation rounds them. */
 const equalSizes = 1e-6;
 
-/** Time without a change before sizes are asked for, in milliseconds: an edit by dragging makes many. */
+/**
+ * Time without a change before sizes are asked for, in milliseconds: an edit by dragging makes many, whose previews would
+ * have to wait for the worker.
+ */
 const restMs = 120;
 
 const nothing: SizeState = { expected: null, without: [], shown: null };
@@ -66,6 +69,7 @@ export class SizeFeed {
   constructor(stores: Stores, mesher: Promise<Mesher>) {
     this.#stores = stores;
     this.#mesher = mesher;
+    stores.documents.onProject(() => this.#postpone());
     stores.previews.state.subscribe(() => this.#changed());
     stores.bodies.state.subscribe(() => this.#changed());
     stores.run.state.subscribe((state, before) => {
@@ -81,11 +85,35 @@ export class SizeFeed {
     if (question && this.#asked && sameQuestion(question, this.#asked)) return;
     this.#asked = question;
     this.#abort?.abort();
-    clearTimeout(this.#timer);
-    if (!question) this.state.setState(nothing);
-    else {
+    if (!question) {
+      this.#stopWaiting();
+      this.state.setState(nothing);
+    } else {
       if (!question.enabled) this.state.setState({ shown: null });
-      this.#timer = setTimeout(() => void this.#ask(question), restMs);
+      this.#wait(question);
+    }
+  }
+
+  /** Asks when nothing has changed for a while. */
+  #wait(question: Question): void {
+    this.#stopWaiting();
+    this.#timer = setTimeout(() => {
+      this.#timer = undefined;
+      void this.#ask(question);
+    }, restMs);
+  }
+
+  #stopWaiting(): void {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+  }
+
+  /** The document has changed: its preview comes first, and tells what to ask then. */
+  #postpone(): void {
+    if (this.#timer !== undefined && this.#asked) this.#wait(this.#asked);
+    else {
+      this.#abort?.abort();
+      this.#asked = null;
     }
   }
 

@@ -1,5 +1,8 @@
 import { LIMITS } from "tetrafront";
 
+const counted = (count: number, one: string, many: string): string =>
+  count === 1 ? `1 ${one}` : `${count} ${many}`;
+
 /** Names of the steps of undo: verb and object. */
 export const stepNames = {
   move: (entity: string) => `Move ${entity}`,
@@ -51,16 +54,16 @@ export const stepNames = {
   extendGroup: (name: string) => `Add to group ${name}`,
   removeGroup: (name: string) => `Remove group ${name}`,
   setCommon: {
-    "position.0": (count: number) => `Set x of ${count} entities`,
-    "position.1": (count: number) => `Set y of ${count} entities`,
-    "position.2": (count: number) => `Set z of ${count} entities`,
-    size: (count: number) => `Set size of ${count} entities`,
-    stretching: (count: number) => `Set stretching of ${count} entities`,
-    distance: (count: number) => `Set distance of ${count} entities`,
-    growth: (count: number) => `Set growth of ${count} entities`,
-    "placement.scale": (count: number) => `Scale ${count} bodies`,
-    "remeshing.size": (count: number) => `Set size of ${count} bodies`,
-    "remeshing.tolerance": (count: number) => `Set tolerance of ${count} bodies`,
+    "position.0": (count: number) => `Set x of ${counted(count, "entity", "entities")}`,
+    "position.1": (count: number) => `Set y of ${counted(count, "entity", "entities")}`,
+    "position.2": (count: number) => `Set z of ${counted(count, "entity", "entities")}`,
+    size: (count: number) => `Set size of ${counted(count, "entity", "entities")}`,
+    stretching: (count: number) => `Set stretching of ${counted(count, "entity", "entities")}`,
+    distance: (count: number) => `Set distance of ${counted(count, "entity", "entities")}`,
+    growth: (count: number) => `Set growth of ${counted(count, "entity", "entities")}`,
+    "placement.scale": (count: number) => `Scale ${counted(count, "body", "bodies")}`,
+    "remeshing.size": (count: number) => `Set size of ${counted(count, "body", "bodies")}`,
+    "remeshing.tolerance": (count: number) => `Set tolerance of ${counted(count, "body", "bodies")}`,
   },
   setCommonType: (count: number, kind: "lines" | "patches") => `Change type of ${count} ${kind}`,
   paintSize: "Paint size",

@@ -32,6 +32,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   rename: "name label title",
   deselect: "none cancel escape",
   "select-all": "everything",
+  "select-boundary": "patch lines edges border outline",
   "tool-select": "pointer arrow pick cursor lasso box selection",
   "tool-point": "vertex node dot draw snap",
   "tool-line": "edge curve polyline segment draw sketch snap rectangle",

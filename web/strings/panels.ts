@@ -100,6 +100,12 @@ export const panelStrings = {
     notANumber: "Enter a number, such as 0.25 or 1/3",
     noProjectUnit: "Choose the length unit of the project first",
     different: "mixed",
+    ownValues: (names: readonly string[]) => {
+      const last = names.at(-1) ?? "";
+      const [listed, verb] =
+        names.length > 1 ? [`${names.slice(0, -1).join(", ")} and ${last}`, "mean"] : [last, "means"];
+      return `${listed} ${verb} each entity's own value, as in ${names[0] ?? ""}*2.`;
+    },
     aboveZero: "Must be above 0",
     atLeastOne: "Must be at least 1",
     notNegative: "Must not be below 0",

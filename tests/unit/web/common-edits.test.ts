@@ -5,8 +5,11 @@ import {
   commonNumbers,
   commonSurface,
   commonType,
+  ownChanges,
   setCommonLineType,
   setCommonNumber,
+  setNumbers,
+  steppedChanges,
 } from "../../../web/document/common-edits";
 import type { Entity } from "../../../web/document/entities";
 import { keepingExpression } from "../../../web/document/expression-edits";
@@ -81,6 +84,67 @@ describe("what a selection has in common", () => {
     expect(commonType(cube, lines, "patch")).toBeUndefined();
     documents.edit(setCommonLineType(lines.slice(0, 1), "spline"));
     expect(commonType(documents.project, lines, "line")).toBeNull();
+  });
+});
+
+describe("an expression in terms of each entity's own numbers", () => {
+  const positions = (documents: DocumentStore) => documents.project.points.map(({ position }) => position);
+  const change = (documents: DocumentStore, field: "position.2" | "size", text: string, of = points) => {
+    const changes = ownChanges(documents.project, of, text);
+    expect(changes).toHaveLength(of.length);
+    documents.edit(setNumbers(field, changes ?? []));
+  };
+
+  it("gives each its own result, as one step without kept expressions", () => {
+    const { documents } = opened();
+    const before = positions(documents);
+    change(documents, "position.2", "2*x-y^2 + z + 0.1");
+    expect(positions(documents)).toEqual(
+      before.map(([x, y, z], i) => [x, y, i < 4 ? 2 * x - y ** 2 + z + 0.1 : z]),
+    );
+    expect(documents.project.expressions).toBeUndefined();
+    documents.undo();
+    expect(positions(documents)).toEqual(before);
+    const sizes = documents.project.background.nodes.map(({ size }) => size);
+    change(documents, "size", "size/2", nodes);
+    expect(documents.project.background.nodes.map(({ size }) => size)).toEqual(sizes.map((size) => size / 2));
+  });
+
+  it("keeps the parameters of the text and of the former expressions", () => {
+    const { documents, heights } = opened();
+    documents.edit(addParameter("r", "2"));
+    documents.edit(setCommonNumber(points.slice(0, 1), "position.2", 1, "r-1"));
+    change(documents, "position.2", "2*z+1", points.slice(0, 1));
+    change(documents, "position.2", "z+r", points.slice(1, 2));
+    expect(documents.state.getState().history.past.at(-1)?.label).toBe("Set z of 1 entity");
+    expect(heights().slice(0, 2)).toEqual([3, 2]);
+    documents.edit(setParameter("r", "5"));
+    expect(heights().slice(0, 2)).toEqual([9, 5]);
+  });
+
+  it("prefers a parameter of the same name, and refuses what an entity does not have", () => {
+    const { documents } = opened();
+    expect(ownChanges(documents.project, points, "size+1")).toBeNull();
+    expect(ownChanges(documents.project, [...points, ...nodes], "size+1")).toBeNull();
+    expect(ownChanges(documents.project, points, "1/(z-z)")).toBeNull();
+    expect(ownChanges(documents.project, points, "1+1")).toBeUndefined();
+    documents.edit(addParameter("z", "7"));
+    expect(ownChanges(documents.project, points, "z+1")).toBeUndefined();
+  });
+
+  it("steps each from its own value", () => {
+    const { documents, heights } = opened();
+    documents.edit(addParameter("r", "2"));
+    documents.edit(setCommonNumber(points.slice(0, 1), "position.2", 2, "r"));
+    for (let i = 0; i < 3; ++i) {
+      documents.edit(
+        setNumbers("position.2", steppedChanges(documents.project, points, "position.2", 0.1) ?? []),
+      );
+    }
+    expect(heights().slice(0, 4)).toEqual([2.3, 0.3, 0.3, 0.3]);
+    documents.edit(setParameter("r", "3"));
+    expect(heights()[0]).toBeCloseTo(3.3, 12);
+    expect(steppedChanges(documents.project, points, "size", 0.1)).toBeNull();
   });
 });
 

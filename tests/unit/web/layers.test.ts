@@ -233,9 +233,13 @@ describe("the layer of lines while a motion must hurry", () => {
     show(layer, hurry(start));
     // Two segments of line 5 in one direction, from the first vertex to the last; one segment of line 6.
     expect(drawn(layer.root.children[1] as Mesh)).toEqual([0, 7, 8, 11]);
-    const bent = preview([[0, 0, 0, 1, 1, 0, 2, 0, 0, 3, 0, 0]], []);
-    const one = { ...project, lines: project.lines.slice(0, 1) };
-    change(layer, hurry(start), hurry({ ...start, project: one, preview: { samples: bent, project: one } }));
+    // Bent, line 5 has two directions: lines and segments are as many as before.
+    const counts = { lines: samples.lineOffsets.length, points: samples.linePoints.length };
+    const linePoints = samples.linePoints.slice();
+    linePoints[4] = (linePoints[4] ?? 0) + 1;
+    const bent = { ...samples, linePoints };
+    expect({ lines: bent.lineOffsets.length, points: bent.linePoints.length }).toEqual(counts);
+    change(layer, hurry(start), hurry({ ...start, preview: { samples: bent, project } }));
     expect(drawn(layer.root.children[1] as Mesh)).toEqual([0, 3, 4, 7, 8, 11]);
   });
 

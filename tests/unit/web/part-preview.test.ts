@@ -38,6 +38,17 @@ function sampleModel(id: string): Project {
   return read.value;
 }
 
+function movePoints(project: Project, ids: ReadonlySet<number>, [dx, dy, dz]: Position): Project {
+  const points = project.points.map((point) => {
+    const [x, y, z] = point.position;
+    return ids.has(point.id) ? { ...point, position: [x + dx, y + dy, z + dz] as const } : point;
+  });
+  return { ...project, points };
+}
+
+const largestDifference = (a: Float64Array, b: Float64Array): number =>
+  a.reduce((most, x, i) => Math.max(most, Math.abs(x - (b[i] ?? Infinity))), 0);
+
 describe("the preview of the part that an edit changes", () => {
   it.each(["chain", "engine-intake", "pipe-flange", "vault", "y-pipe", "wing-in-a-tunnel"])(
     "gives the same samples as one of the whole project: %s",
@@ -50,7 +61,7 @@ describe("the preview of the part that an edit changes", () => {
         const after = movePoint(before, point, [1e-3, -2e-3, 1e-3]);
         const part = changedPart(before, after);
         if (!part) continue;
-        const samples = withPart(sampled, await mesher.previewProject(part.project), part);
+        const samples = withPart(sampled, part.project && (await mesher.previewProject(part.project)), part);
         const expected = await mesher.previewProject(after);
         // The density of the samples may depend on the whole model; the shape does not.
         expect(samples.lineOffsets).toHaveLength(expected.lineOffsets.length);
@@ -62,10 +73,52 @@ describe("the preview of the part that an edit changes", () => {
     },
   );
 
+  it.each(["chain", "engine-intake", "pipe-flange", "vault", "y-pipe", "wing-in-a-tunnel"])(
+    "moves what is moved as a whole, without a sample: %s",
+    async (id) => {
+      const before = sampleModel(id);
+      const sampled = await mesher.previewProject(before);
+      const offset = [0.125, -0.5, 0.0625] as const;
+      const after = movePoints(before, new Set(before.points.map((point) => point.id)), offset);
+      const part = changedPart(before, after);
+      if (!part) throw new Error("nothing has changed");
+      expect(part.project).toBeNull();
+      const samples = withPart(sampled, null, part);
+      const expected = await mesher.previewProject(after);
+      expect(samples.lineOffsets).toEqual(expected.lineOffsets);
+      expect(largestDifference(samples.linePoints, expected.linePoints)).toBeLessThan(1e-9);
+      areasOf(expected).forEach((area, patch) => {
+        expect((areasOf(samples)[patch] ?? 0) / area).toBeCloseTo(1, 2);
+      });
+      // The samples that were shown stay as they are.
+      expect(sampled.linePoints).toEqual((await mesher.previewProject(before)).linePoints);
+    },
+  );
+
+  it("moves some patches as a whole and samples those beside them", async () => {
+    const before = sampleModel("chain");
+    const sampled = await mesher.previewProject(before);
+    const [patch] = before.patches;
+    const around = new Set(patch?.loops.flat().map(Math.abs));
+    const ids = new Set(before.lines.filter(({ id }) => around.has(id)).flatMap(({ points }) => points));
+    const after = movePoints(before, ids, [1e-3, 2e-3, -1e-3]);
+    const part = changedPart(before, after);
+    expect(part?.shifted?.patches).toContain(0);
+    expect(part?.patches).not.toContain(0);
+    expect(part?.patches.length).toBeGreaterThan(0);
+    if (!part?.project) throw new Error("nothing is to be sampled");
+    const samples = withPart(sampled, await mesher.previewProject(part.project), part);
+    const expected = areasOf(await mesher.previewProject(after));
+    areasOf(samples).forEach((area, i) => expect(area / (expected[i] ?? 0)).toBeCloseTo(1, 2));
+  });
+
   it("is not made if nothing or too much has changed, or if there are other entities", () => {
     const project = sampleModel("chain");
     expect(changedPart(project, { ...project, name: "Copy" })).toBeNull();
-    const points = project.points.map((point) => ({ ...point }));
+    const points = project.points.map(({ position: [x, y, z], ...point }) => ({
+      ...point,
+      position: [2 * x, y, z] as const,
+    }));
     expect(changedPart(project, { ...project, points })).toBeNull();
     expect(changedPart(project, { ...project, patches: project.patches.slice(1) })).toBeNull();
     const one = changedPart(project, movePoint(project, project.points[0]?.id ?? 0, [0, 0, 1]));

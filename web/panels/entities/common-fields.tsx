@@ -12,6 +12,7 @@ import {
   commonNumbers,
   commonSurface,
   commonType,
+  ownNames,
   setCommonLineType,
   setCommonNumber,
   setCommonPatchType,
@@ -28,6 +29,7 @@ import { lineTypeNames, patchTypeNames, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
 import styles from "./selection-card.module.css";
+import { useEachNumber } from "./use-each-number";
 import { TypeSelect } from "./type-select";
 
 interface CommonFieldsProps {
@@ -42,6 +44,11 @@ export function CommonFields({ entities, project }: CommonFieldsProps) {
   const isShown = ({ field }: CommonNumber): boolean =>
     surface === "remesh" || !field.startsWith("remeshing.");
   const numbers = commonNumbers(project, entities).filter(isShown);
+  const parameters = new Set(project.parameters?.map(({ name }) => name));
+  const named = numbers
+    .filter(({ isAutomatic }) => !isAutomatic)
+    .map(({ field }) => ownNames[field])
+    .filter((name) => !parameters.has(name));
   const isPositioned = numbers.some(({ field }) => field === "position.0");
   return (
     <section className={styles["fields"]} data-testid="common-fields">
@@ -49,6 +56,7 @@ export function CommonFields({ entities, project }: CommonFieldsProps) {
       {numbers.map((number) => (
         <CommonNumberRow key={number.field} entities={entities} project={project} number={number} />
       ))}
+      {named.length > 0 && <p className={styles["hint"]}>{strings.fields.ownValues(named)}</p>}
       {surface !== undefined && <CommonTreatment entities={entities} surface={surface} />}
       <CommonTypes entities={entities} project={project} />
     </section>
@@ -61,12 +69,14 @@ function CommonPosition({
   numbers,
 }: CommonFieldsProps & { readonly numbers: readonly CommonNumber[] }) {
   const { documents } = useApp();
+  const each = useEachNumber(project, entities);
   const at = (axis: 0 | 1 | 2) => numbers.find(({ field }) => field === `position.${axis}`);
   return (
     <PositionRow
       label={strings.inspector.position}
       value={[at(0)?.value ?? null, at(1)?.value ?? null, at(2)?.value ?? null]}
       expressions={([0, 1, 2] as const).map((axis) => at(axis)?.expression)}
+      each={(axis) => each(`position.${axis}`)}
       step={stepFor(project)}
       testId="common-position"
       onCommit={(axis, value, expression) =>
@@ -134,6 +144,7 @@ function CommonNumberRow({
   number: { field, value, isAutomatic, expression },
 }: CommonFieldsProps & { readonly number: CommonNumber }) {
   const { documents } = useApp();
+  const each = useEachNumber(project, entities);
   if (field === "position.0" || field === "position.1" || field === "position.2") return null;
   const refuse = refusals[field];
   const isLength = !factors.has(field);
@@ -143,6 +154,7 @@ function CommonNumberRow({
       value={value}
       {...(isAutomatic && { placeholder: strings.bodies.treatment.automatic })}
       expression={expression}
+      each={each(field)}
       step={isLength ? sizeStep(value ?? 1) : 0.05}
       testId={`common-${field.replace(".", "-")}`}
       {...(refuse && { refuse })}

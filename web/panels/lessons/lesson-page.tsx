@@ -19,7 +19,7 @@ import styles from "./lessons.module.css";
 import { usePrintedLesson } from "./printed-lesson";
 import { QueueFigure } from "./queue-figure";
 import { SearchChart } from "./search-chart";
-import { StopRun } from "./stop-run";
+import { isFocusLost, StopRun } from "./stop-run";
 import { TaskList } from "./task-list";
 import { useLessonRuns, useProgress } from "./use-lessons";
 
@@ -124,17 +124,26 @@ function FrontState({ lesson }: { readonly lesson: Lesson }) {
   const { runs, isPreparing, lesson: prepared } = useLessonRuns((state) => state);
   const isRecording = usePlayer((state) => state.recording !== null);
   const isShown = prepared === lesson && runs.some(({ trace }) => trace === shown);
+  const show = useRef<HTMLButtonElement>(null);
+  const isStopped = useRef(false);
+  useEffect(() => {
+    if (isPreparing || !isStopped.current) return;
+    isStopped.current = false;
+    // The button that was pressed is gone; this one stands in its place.
+    if (isFocusLost()) show.current?.focus();
+  }, [isPreparing]);
   if (isPreparing)
     return (
       <div className={styles["front"]} data-unprinted>
         <span role="status">{texts.preparing}</span>
-        {isRecording && <StopRun testId="lesson-stop" />}
+        {isRecording && <StopRun testId="lesson-stop" onStop={() => (isStopped.current = true)} />}
       </div>
     );
   return (
     <p className={styles["front"]} data-testid="lesson-front" data-shown={isShown} data-unprinted>
       {!isShown && `${texts.otherModel} `}
       <Button
+        ref={show}
         size="compact-xs"
         variant="default"
         data-testid="lesson-show"

@@ -4,18 +4,22 @@ import { strings } from "../../strings";
 import { usePlayer } from "../player/use-player";
 import { useApp } from "../shared/app-context";
 
+interface StopRunProps {
+  readonly testId: string;
+  readonly onStop?: () => void;
+}
+
 /**
  * Stops the run of a lesson that is being recorded. The runs before it stay. When the run has ended, the focus of a button
  * that was pressed returns to the one that began the run, which stands before it.
  */
-export function StopRun({ testId }: { readonly testId: string }) {
+export function StopRun({ testId, onStop }: StopRunProps) {
   const button = useRef<HTMLButtonElement>(null);
   const isPressed = useRef(false);
   useEffect(() => {
     const begin = button.current?.previousElementSibling;
     return () => {
-      const isLost = document.activeElement === document.body || document.activeElement === null;
-      if (isPressed.current && begin instanceof HTMLElement && isLost) setTimeout(() => begin.focus());
+      if (isPressed.current && begin instanceof HTMLElement && isFocusLost()) setTimeout(() => begin.focus());
     };
   }, []);
   const { player } = useApp();
@@ -30,6 +34,7 @@ export function StopRun({ testId }: { readonly testId: string }) {
       data-testid={testId}
       onClick={() => {
         isPressed.current = true;
+        onStop?.();
         player.stopRecording();
       }}
     >
@@ -37,3 +42,7 @@ export function StopRun({ testId }: { readonly testId: string }) {
     </Button>
   );
 }
+
+/** Returns whether the element that had the focus is gone. */
+export const isFocusLost = (): boolean =>
+  document.activeElement === document.body || document.activeElement === null;

@@ -63,6 +63,7 @@ export function MeshBadge() {
   const failure = useRun((state) => state.failure);
   const status = useRun((state) => state.mesh?.report.status);
   const hasFront = useRun((state) => (state.mesh?.volume.front.length ?? 0) > 0);
+  const isDrawing = useView(({ tool }) => tool !== "select");
   const showsTrace = usePlayer(({ trace, recording }) => trace !== null || recording !== null);
   if (busy) return null;
   // A trace is drawn in place of the mesh, and a link to one has stopped the run.
@@ -70,7 +71,13 @@ export function MeshBadge() {
   if (!stale && !incomplete && failure === null) return null;
   const [title, hint] = badgeTexts(failure, stale, status, hasFront);
   return (
-    <div className={styles["badge"]} data-testid="mesh-badge" role="status">
+    <div
+      className={styles["badge"]}
+      data-testid="mesh-badge"
+      data-passes={isDrawing || undefined}
+      role="status"
+      {...(isDrawing && { title: hint })}
+    >
       <span>
         <b>{title}</b> <span className={styles["wide"]}>{hint}</span>
       </span>

@@ -7,6 +7,20 @@ import { NamedNumbersContext } from "./named-numbers";
 import { formatNumber } from "../format";
 import { strings } from "../../strings";
 
+/** New values of all numbers that a field stands for. */
+export interface EachChange {
+  readonly values: readonly number[];
+  readonly commit: () => void;
+}
+
+/** Changes of the numbers that a field stands for, each from the value that it has. */
+export interface EachNumber {
+  /** Returns what an expression such as `z+0.1` gives: null if that is no number, undefined if it uses no own values. */
+  readonly read: (text: string) => EachChange | null | undefined;
+  /** Returns what a step gives; null if not all have a value. */
+  readonly step: (change: number) => EachChange | null;
+}
+
 export interface NumberFieldProps {
   /** Label for screen readers; the row around the field shows a label of its own. */
   readonly label: string;
@@ -24,6 +38,8 @@ export interface NumberFieldProps {
   readonly refuse?: (value: number) => string | null;
   /** The expression is what was typed, if it is not a plain number. */
   readonly onCommit: (value: number, expression: string | null) => void;
+  /** Lets expressions use the present value, and steps change numbers that differ. */
+  readonly each?: EachNumber | undefined;
   /** Text before and after the number, for example the axis and the unit. */
   readonly leftSection?: ReactNode;
   readonly rightSection?: ReactNode;
@@ -59,7 +75,7 @@ const keptFrom = (text: string): string | null => (text === "" || isPlainNumber(
 
 /** The text that is being typed into a number field; null if the field shows its value. */
 function useNumberDraft(
-  { value, expression, minDigits, refuse, live = false, onCommit }: NumberFieldProps,
+  { value, expression, minDigits, refuse, live = false, each, onCommit }: NumberFieldProps,
   isFocused: boolean,
 ) {
   const named = useContext(NamedNumbersContext);
@@ -81,10 +97,23 @@ function useNumberDraft(
     if (next !== value || kept !== (expression ?? null)) onCommit(next, kept);
     return true;
   };
+  /** As `take`, for new values of all numbers that the field stands for. */
+  const takeEach = (change: EachChange | null, text = ""): boolean => {
+    const reasons = change?.values.map((one) => refuse?.(one) ?? null) ?? [problemOf(text, named)];
+    const reason = reasons.find((one) => one !== null) ?? null;
+    setError(reason);
+    if (change === null || reason !== null) return false;
+    setDraft(null);
+    change.commit();
+    return true;
+  };
   const commit = (): boolean => {
     if (draft === null) return true;
     const text = draft.trim();
-    if (text !== (expression ?? shown)) return take(readNumber(text, named), text);
+    if (text !== (expression ?? shown)) {
+      const change = each?.read(text);
+      return change === undefined ? take(readNumber(text, named), text) : takeEach(change, text);
+    }
     discard();
     return true;
   };
@@ -95,10 +124,12 @@ function useNumberDraft(
     const isNew = typed !== value || kept !== (expression ?? null);
     if (typed !== null && isNew && (refuse?.(typed) ?? null) === null) onCommit(typed, kept);
   };
-  const step = (change: number): boolean =>
-    take(
-      Number((((draft === null ? value : readNumber(draft, named)) ?? value ?? 0) + change).toPrecision(12)),
-    );
+  const step = (change: number): boolean => {
+    const stepped = value === null && draft === null ? each?.step(change) : null;
+    if (stepped) return takeEach(stepped);
+    const from = (draft === null ? value : readNumber(draft, named)) ?? value ?? 0;
+    return take(Number((from + change).toPrecision(12)));
+  };
   // A field that commits while it is typed in has nothing to discard once it has committed.
   const isCommitted =
     live &&

@@ -89,8 +89,8 @@ export class LinesLayer implements HittableLayer {
     }
     if (changes.has("preview", "origin")) {
       this.#setPositions(state.preview, state.origin);
-      // Lines that are dragged keep theirs.
-      if (!state.viewport.isHurried) this.#isThinMade = false;
+      // A line that is dragged may bend.
+      this.#isThinMade = false;
     }
     this.#states.update(state);
     if (changes.has("preview", "origin", "hover", "selection", "hidden")) this.#setEmphasized();
@@ -170,7 +170,7 @@ export class LinesLayer implements HittableLayer {
       offsets[line + 1] = (offsets[line] ?? 0) + segmentVertices * segments;
     }
     const count = (offsets.at(-1) ?? 0) / segmentVertices;
-    if (!this.#states.assign(preview?.project.lines ?? [], offsets)) this.#isThinMade = false;
+    this.#states.assign(preview?.project.lines ?? [], offsets);
     if (6 * count !== this.#segments.length) this.#allocate(count);
     let at = 0;
     for (let line = 0; line + 1 < lineOffsets.length; ++line) {
