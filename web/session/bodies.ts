@@ -66,6 +66,7 @@ export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
             body,
             surface: loaded.surface,
             volume: placedVolume(inspection.volume, body),
+            regions: inspection.regions,
             isPlain: inspection.regions === 1 && inspection.flippedTriangles === 0,
           },
         ]

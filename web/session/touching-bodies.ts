@@ -27,6 +27,8 @@ export interface GivenBody {
   readonly surface: PatchArrays;
   /** What it encloses at its placement. */
   readonly volume: number;
+  /** Number of regions that it encloses. */
+  readonly regions: number;
   /** Whether it is one region, and all its triangles face outward. */
   readonly isPlain: boolean;
 }
@@ -100,8 +102,9 @@ export interface JoinedBody {
 
 /**
  * Returns bodies that touch as one body: their triangles are cut where they intersect and common where they touch, which
- * leaves what each body encloses as a region. A volume that they share belongs to the first of them, as on the command line; if
- * one of them has several regions, bodies that share a volume become one region. Null if they cannot be joined.
+ * leaves what each body encloses as a region, or as several. A volume that they share belongs to the first of them, as on the command
+ * line; if one of them has several regions and a cavity, bodies that share a volume become one region. Null if they cannot be
+ * joined.
  */
 export async function joinedBody(
   mesher: Mesher,
@@ -110,18 +113,17 @@ export async function joinedBody(
   signal: AbortSignal,
 ): Promise<JoinedBody | null> {
   const bodies = group.map(({ body }) => body);
-  const parts = group.map(
-    ({ body, surface }) => [placedSurface(surface, body), body.patches.length] as const,
+  const divided: DividedBody[] = [];
+  for (const one of group) divided.push(await dividedBody(mesher, one, signal));
+  const given = joinedSurface(
+    divided.map(({ surface }, index) => [surface, bodies[index]?.patches.length ?? 0]),
   );
-  const given = joinedSurface(parts);
   const head = joinedHead(project, bodies);
   const own = joinedPatches(bodies);
   const empty = { ...head, ...joinedRepairs(bodies), points: "", triangles: "", patches: own };
   const weldIntersections = weldBeforeRemeshing(empty, boxOf(given.points));
-  const input = {
-    ...given,
-    ...(group.every(({ isPlain }) => isPlain) && { givenRegions: regionsOf(group) }),
-  };
+  const givenRegions = regionsOf(divided);
+  const input = { ...given, ...(givenRegions && { givenRegions }) };
   const repair = await mesher.repairSurface(input, { weldIntersections }, { signal });
   const patches = own.map(({ id, name = "" }) => ({ name, tag: id }));
   const { points, triangles, trianglePatch } = repairedSurface({ ...given, patches }, repair);
@@ -138,10 +140,40 @@ export async function joinedBody(
   };
 }
 
-/** Returns the regions beside the triangles of joined bodies: one per body. */
-function regionsOf(group: TouchingBodies): GivenRegions {
-  const sides = group.flatMap(({ surface }, region) =>
-    Array.from(surface.trianglePatch, () => [region, NO_REGION]).flat(),
-  );
-  return { triangleRegions: Uint32Array.from(sides), maxVolumes: new Float64Array(group.length) };
+/** Placed triangles of a body, and the regions beside them. */
+interface DividedBody {
+  readonly surface: PatchArrays;
+  readonly regions: number;
+  /** Two per triangle: the region behind it and that in front. Null if volumes of the body are empty. */
+  readonly sides: Uint32Array | null;
+}
+
+/** Finds the regions of a body. Volumes that it encloses may be empty if it is one region only. */
+async function dividedBody(
+  mesher: Mesher,
+  { body, surface, regions, isPlain }: GivenBody,
+  signal: AbortSignal,
+): Promise<DividedBody> {
+  const placed = placedSurface(surface, body);
+  if (isPlain) {
+    const sides = Uint32Array.from(Array.from(placed.trianglePatch, () => [0, NO_REGION]).flat());
+    return { surface: placed, regions, sides };
+  }
+  const patches = body.patches.map(({ id, name = "" }) => ({ name, tag: id }));
+  const { surface: located } = await mesher.locateRegions({ ...placed, patches }, { signal });
+  const sides = located.givenRegions?.triangleRegions ?? new Uint32Array();
+  const isFull = located.surfaceRegions?.regions.length === regions;
+  return isFull ? { surface: located, regions, sides } : { surface: placed, regions, sides: null };
+}
+
+/** Returns the regions beside the triangles of joined bodies, those of the first body first; null if some are unknown. */
+function regionsOf(divided: readonly DividedBody[]): GivenRegions | null {
+  const all: number[] = [];
+  let count = 0;
+  for (const { regions, sides } of divided) {
+    if (sides === null) return null;
+    for (const region of sides) all.push(region === NO_REGION ? NO_REGION : count + region);
+    count += regions;
+  }
+  return { triangleRegions: Uint32Array.from(all), maxVolumes: new Float64Array(count) };
 }

@@ -23,7 +23,7 @@ function cube(id: number, edge: number, position: [number, number, number]): Giv
   const trianglePatch = new Uint32Array(surface.triangles.length / 3);
   const made = createBody(surface, { id, firstPatchId: 10 * id, name: `cube ${id}` });
   const body: ProjectBody = { ...made, placement: { position, scale: edge } };
-  return { body, surface: { ...surface, trianglePatch }, volume: edge ** 3, isPlain: true };
+  return { body, surface: { ...surface, trianglePatch }, volume: edge ** 3, regions: 1, isPlain: true };
 }
 
 const projectOf = (given: readonly GivenBody[]): Project => ({
@@ -98,8 +98,24 @@ describe("bodies that touch", () => {
     expect(shells.map(({ volume }) => Math.round(volume * 1e9) / 1e9)).toEqual([8, 0.5]);
   });
 
-  it("that share a volume become one region, if one of them has several regions or triangles that face inward", async () => {
-    const group = [cube(1, 2, [0, 0, 0]), { ...cube(2, 1, [1.5, 0.5, 0.5]), isPlain: false }];
+  it("keep several regions of one of them where they share a volume", async () => {
+    // Two cubes with a common face, as one body, and a third cube across it.
+    const pair = [cube(1, 2, [0, 0, 0]), cube(2, 2, [2, 0, 0])];
+    const two = await joinedBody(mesher, projectOf(pair), pair, signal);
+    expect(two?.regions).toBe(2);
+    if (!two) return;
+    const divided: GivenBody = { ...two, volume: 16, isPlain: false };
+    const group = [divided, cube(3, 1, [1.5, 0.5, 1.5])];
+    const joined = await joinedBody(mesher, projectOf(group), group, signal);
+    expect(joined?.shared).toBeCloseTo(0.5, 12);
+    expect(joined?.regions).toBe(3);
+    const { shells } = await mesher.inspectSurface(joined?.surface ?? two.surface);
+    const volumes = shells.map(({ volume }) => Math.round(volume * 1e9) / 1e9);
+    expect(volumes.sort((a, b) => a - b)).toEqual([0.5, 8, 8]);
+  });
+
+  it("that share a volume become one region, if one of them has fewer regions than volumes", async () => {
+    const group = [cube(1, 2, [0, 0, 0]), { ...cube(2, 1, [1.5, 0.5, 0.5]), regions: 2, isPlain: false }];
     const joined = await joinedBody(mesher, projectOf(group), group, signal);
     expect(joined?.regions).toBe(1);
     expect(joined?.shared).toBeCloseTo(0.5, 12);
