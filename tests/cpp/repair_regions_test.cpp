@@ -100,6 +100,40 @@ TEST(RepairedRegions, BoxesThatShareALayerOfTheirSectionKeepTheirRegions) {
   }
 }
 
+/// Holes of one body are closed with its region, whether the repair fills them or closes them only to find what is enclosed.
+TEST(RepairedRegions, ABodyWithAHoleKeepsItsRegion) {
+  const SurfaceMesh closed =
+      regionsOf({gridBox({0, 0, 0}, {1, 1, 1}, {4, 4, 4}), box({0.75, 0.25, 0.25}, {2, 0.75, 0.5}),
+                 box({0, 2, 0}, {1, 3, 1})});
+  for (const std::uint32_t maxHoleEdges : {0U, 20U}) {
+    for (const std::size_t removed : {std::size_t{0}, triangleCount(closed) - 1}) {
+      SCOPED_TRACE(removed);
+      SurfaceMesh given = closed;
+      const auto at = static_cast<std::ptrdiff_t>(removed);
+      given.triangles.erase(given.triangles.begin() + 3 * at, given.triangles.begin() + 3 * at + 3);
+      given.triangleRegions.erase(given.triangleRegions.begin() + 2 * at,
+                                  given.triangleRegions.begin() + 2 * at + 2);
+      const SurfaceRepair repair =
+          repairSurface(given.points, given.triangles, {.maxHoleEdges = maxHoleEdges},
+                        given.triangleRegions);
+      SurfaceMesh made;
+      made.points = repair.points;
+      made.triangles = repair.triangles;
+      made.triangleRegions = repair.triangleRegions;
+      ASSERT_EQ(made.triangleRegions.size(), 2 * triangleCount(made));
+      const std::vector<double> volumes = regionVolumes(made);
+      ASSERT_EQ(volumes.size(), 3U);
+      EXPECT_NEAR(volumes[0], 1.0, 1e-14);
+      EXPECT_NEAR(volumes[1], 0.125, 1e-14);
+      EXPECT_NEAR(volumes[2], 1.0, 1e-14);
+      const auto isFilled = [](const RepairChange& change) {
+        return change.kind == RepairKind::kFilledHole;
+      };
+      EXPECT_EQ(std::ranges::count_if(repair.changes, isFilled), 1);
+    }
+  }
+}
+
 /// A weld makes thin steps disappear, and keeps the regions.
 TEST(RepairedRegions, AWeldKeepsTheRegions) {
   const SurfaceMesh given =

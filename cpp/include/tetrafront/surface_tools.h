@@ -114,7 +114,7 @@ enum class RepairKind : std::uint8_t {
   kSplitTriangle = 4,
   kFilledHole = 5,       ///< `second` triangles, from triangle `first` of the result on
   kFlippedTriangle = 6,  ///< triangle `first`
-  /// Triangle `first` intersected others; `second` triangles of the result are parts of it.
+  /// Triangle `first` intersected others, or was divided at their corners; `second` triangles of the result are parts of it.
   kResolvedIntersection = 7,
   kRemovedSheet = 8,  ///< triangle `first`, which bounds nothing, or lies inside
 };

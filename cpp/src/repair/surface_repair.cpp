@@ -16,6 +16,7 @@
 #include "repair/crack_welding.h"
 #include "repair/duplicate_triangles.h"
 #include "repair/hole_filling.h"
+#include "repair/hole_regions.h"
 #include "repair/shared_volumes.h"
 #include "repair/sliver_splitting.h"
 #include "repair/surface_closing.h"
@@ -86,7 +87,8 @@ class RepairedSurface {
   Task<bool> check(Work& work);
   Task<bool> closeCracks(Work& work);
   Task<bool> resolve(Work& work);
-  Task<bool> resolveRegions(Work& work, const SurfaceMesh& closed);
+  Task<bool> resolveRegions(Work& work, const SurfaceMesh& closed,
+                            const std::vector<FilledHole>& closedHoles);
   void reportUnresolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed);
   Task<bool> takeEnclosed(Work& work, const SurfaceMesh& closed,
                           const std::vector<FilledHole>& closedHoles, EnclosedSurface& enclosed);
@@ -275,9 +277,9 @@ Task<bool> RepairedSurface::resolve(Work& work) {
   closed.triangles = mesh_.triangles;
   const std::vector<FilledHole> closedHoles = closeSurface(closed);
   co_await work.yield();
-  if (!givenRegions_.empty() && closedHoles.empty() && holes_.empty()) {
+  if (!givenRegions_.empty()) {
     work.beginPart(0.4);
-    const bool isTaken = co_await resolveRegions(work, closed);
+    const bool isTaken = co_await resolveRegions(work, closed, closedHoles);
     if (isTaken) co_return true;
   }
   work.beginPart(0.7);
@@ -292,26 +294,35 @@ Task<bool> RepairedSurface::resolve(Work& work) {
   co_return false;
 }
 
-/// Replaces a surface without holes by the boundaries of its regions, if some of them share volumes. Returns false, without a change,
-/// if none do, or if the result is not accepted.
-Task<bool> RepairedSurface::resolveRegions(Work& work, const SurfaceMesh& closed) {
+/// Replaces the surface by the boundaries of its regions, if some of them share volumes. Returns false, without a change, if none
+/// do, if a hole is between different regions, or if the result is not accepted.
+Task<bool> RepairedSurface::resolveRegions(Work& work, const SurfaceMesh& closed,
+                                           const std::vector<FilledHole>& closedHoles) {
   const std::vector<TriangleId> known = origin_;
+  origin_.resize(countTriangles(closed));
   origin_.insert(origin_.end(), duplicateOrigin_.begin(), duplicateOrigin_.end());
   SurfaceMesh whole;
   whole.points = closed.points;
   whole.triangles = closed.triangles;
   whole.triangles.insert(whole.triangles.end(), duplicates_.begin(), duplicates_.end());
+  std::vector<std::uint8_t> isKnown;
   for (const TriangleId from : origin_) {
+    isKnown.push_back(from.isNone() ? 0 : 1);
     const std::size_t side = 2 * from.index();
-    whole.triangleRegions.push_back(givenRegions_[side]);
-    whole.triangleRegions.push_back(givenRegions_[side + 1]);
+    for (const std::size_t i : {side, side + 1}) {
+      whole.triangleRegions.push_back(from.isNone() ? SurfaceMesh::kNoRegion : givenRegions_[i]);
+    }
+  }
+  if (!spreadRegions(whole, std::move(isKnown))) {
+    origin_ = known;
+    co_return false;
   }
   work.beginPart(0.8);
   std::vector<EnclosedSurface> results =
       co_await encloseSurface(work, whole, options_.weldIntersections);
   work.beginPart(1.0);
   for (EnclosedSurface& enclosed : results) {
-    const bool isTaken = co_await takeEnclosed(work, whole, {}, enclosed);
+    const bool isTaken = co_await takeEnclosed(work, whole, closedHoles, enclosed);
     if (isTaken) co_return true;
   }
   origin_ = known;
@@ -390,7 +401,7 @@ void RepairedSurface::listResolved(const SurfaceMesh& closed, const EnclosedSurf
         continue;
       }
     }
-    if (enclosed.isCut[t] != 0) {
+    if (enclosed.isCut[t] != 0 || count[t] > 1) {
       addAt(RepairKind::kResolvedIntersection, TriangleId(t), TriangleId(count[t]));
     } else if (count[t] == 0) {
       addAt(RepairKind::kRemovedSheet, TriangleId(t));
