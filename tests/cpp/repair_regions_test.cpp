@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
+#include "base/ids.h"
+#include "base/mesh_access.h"
+#include "geom/measure.h"
 #include "support/random.h"
 #include "support/shape_building.h"
 #include "support/shapes.h"
@@ -113,9 +119,8 @@ TEST(RepairedRegions, ABodyWithAHoleKeepsItsRegion) {
       given.triangles.erase(given.triangles.begin() + 3 * at, given.triangles.begin() + 3 * at + 3);
       given.triangleRegions.erase(given.triangleRegions.begin() + 2 * at,
                                   given.triangleRegions.begin() + 2 * at + 2);
-      const SurfaceRepair repair =
-          repairSurface(given.points, given.triangles, {.maxHoleEdges = maxHoleEdges},
-                        given.triangleRegions);
+      const SurfaceRepair repair = repairSurface(
+          given.points, given.triangles, {.maxHoleEdges = maxHoleEdges}, given.triangleRegions);
       SurfaceMesh made;
       made.points = repair.points;
       made.triangles = repair.triangles;
@@ -144,6 +149,66 @@ TEST(RepairedRegions, AWeldKeepsTheRegions) {
   EXPECT_NEAR(made.volumes[0], 1.0, 1e-3);
   EXPECT_NEAR(made.volumes[1], 1.0, 1e-3);
   EXPECT_EQ(made.repair.sharedVolumes.size(), 1U);
+}
+
+/// Returns the length of the shortest edge.
+double shortestEdge(const SurfaceMesh& mesh) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const std::array<Vec3, 3> p = cornersOf(mesh, t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      shortest = std::min(shortest, glm::length(p[(k + 1) % 3] - p[k]));
+    }
+  }
+  return shortest;
+}
+
+/// Returns the largest distance of points spread over the triangles of a surface from another surface.
+double sampledDistance(const SurfaceMesh& from, const SurfaceMesh& to) {
+  constexpr int kSteps = 8;
+  double largest = 0.0;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(from))) {
+    const std::array<Vec3, 3> p = cornersOf(from, t);
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; i + j <= kSteps; ++j) {
+        const Vec3 position =
+            p[0] + (p[1] - p[0]) * (1.0 * i / kSteps) + (p[2] - p[0]) * (1.0 * j / kSteps);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const TriangleId other : IdRange<TriangleId>(countTriangles(to))) {
+          const auto [a, b, c] = cornersOf(to, other);
+          nearest =
+              std::min(nearest, glm::length(nearestPointOfTriangle(position, a, b, c) - position));
+        }
+        largest = std::max(largest, nearest);
+      }
+    }
+  }
+  return largest;
+}
+
+/// A step of 1e-4 disappears by a weld of 0.01 or a quarter of it, but a plate of 0.008 would by the first one.
+TEST(RepairedRegions, AQuarterOfTheWeldIsTriedIfAllOfItChangesTheVolume) {
+  const std::vector<SurfaceMesh> cubes{box({0, 0, 0}, {1, 1, 1}), box({1 - 1e-4, 0, 0}, {2, 1, 1})};
+  std::vector<SurfaceMesh> withPlate = cubes;
+  withPlate.push_back(box({-1, 0.25, 0.5}, {0.5, 0.75, 0.508}));
+  const auto volumeOf = [](const Regions& made) {
+    return std::accumulate(made.volumes.begin(), made.volumes.end(), 0.0);
+  };
+  constexpr double kWeld = 0.01;
+  for (const std::vector<SurfaceMesh>& solids : {cubes, withPlate}) {
+    const SurfaceMesh given = regionsOf(solids);
+    const Regions exact = repairRegions(given);
+    const Regions welded = repairRegions(given, kWeld);
+    expectFillable(welded, given);
+    const bool hasPlate = solids.size() > 2;
+    EXPECT_LT(shortestEdge(exact.surface), 2e-4);
+    EXPECT_GT(shortestEdge(welded.surface), 1e-3);
+    EXPECT_EQ(welded.volumes.size(), solids.size());
+    EXPECT_NEAR(volumeOf(welded), volumeOf(exact), 1e-3 * volumeOf(exact));
+    EXPECT_LT(welded.repair.deviation, hasPlate ? 2.0 * kWeld / 4.0 : 2.0 * kWeld);
+    EXPECT_LE(sampledDistance(welded.surface, given), welded.repair.deviation + 1e-12);
+    EXPECT_LE(sampledDistance(exact.surface, welded.surface), welded.repair.deviation + 1e-12);
+  }
 }
 
 TEST(RepairedRegions, WhatSharesNothingIsRepairedAsWithoutRegions) {
