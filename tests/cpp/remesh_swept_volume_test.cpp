@@ -82,29 +82,58 @@ TEST(SweptVolume, FindsSheetsWithoutNodesOfTheirOwn) {
 TEST(SweptVolume, OfThreeSheetsIsWhatOneOfThemPasses) {
   std::vector<Vec3> points{{0.0, 0.0, -1.0}, {0.0, 0.0, 1.0},  {0.0, 0.0, 0.0},  {0.3, 0.2, 0.0},
                            {1.0, 0.0, 0.0},  {-0.5, 0.9, 0.0}, {-0.5, -0.9, 0.0}};
-  const auto triangles = trianglesOf(points, {{0, 2, 4},
-                                              {2, 1, 4},
-                                              {0, 2, 5},
-                                              {2, 1, 5},
-                                              {0, 2, 6},
-                                              {2, 1, 6},  //
-                                              {0, 3, 4},
-                                              {3, 1, 4},
-                                              {0, 3, 5},
-                                              {3, 1, 5},
-                                              {0, 3, 6},
-                                              {3, 1, 6}});
+  auto triangles =
+      trianglesOf(points, {{0, 2, 4}, {2, 1, 4}, {0, 2, 5}, {2, 1, 5}, {0, 2, 6}, {2, 1, 6}});
+  const auto after =
+      trianglesOf(points, {{0, 3, 4}, {3, 1, 4}, {0, 3, 5}, {3, 1, 5}, {0, 3, 6}, {3, 1, 6}});
+  triangles.insert(triangles.end(), after.begin(), after.end());
   SweptVolume swept;
   swept.begin(triangles, 6);
-  // Between the half-plane through node 4 and its new place.
+  // Between the half-plane through node 4 before and after the move.
   EXPECT_TRUE(swept.contains(smallTriangle({0.3, 0.1, 0.001})));
-  // Between that through node 6 and its new place.
+  // Between that through node 6 before and after.
   EXPECT_TRUE(swept.contains(smallTriangle({-0.05, -0.2, 0.001})));
-  // Beyond the new places.
+  // Beyond all of them.
   EXPECT_FALSE(swept.contains(smallTriangle({0.3, 0.3, 0.001})));
   EXPECT_FALSE(swept.contains(smallTriangle({-0.6, 0.1, 0.001})));
   EXPECT_FALSE(swept.contains(smallTriangle({0.3, -0.4, 0.001})));
   EXPECT_FALSE(swept.contains(smallTriangle({-0.3, 0.02, 0.9})));
+}
+
+/// The corners of two bodies that touch along an edge of four triangles, from node 0 or 1 to node 2. The corner moves into the first
+/// body: what is there then is passed over by the triangles of both.
+TEST(SweptVolume, OfBodiesThatTouchAlongAnEdgeIsThatOfBoth) {
+  const std::vector<Vec3> points{{0.0, 0.0, 0.0}, {0.5, 0.0, 0.4},  {0.0, 0.0, 1.0},
+                                 {1.0, 1.0, 0.3}, {1.0, -1.0, 0.3}, {-1.0, -1.0, 0.3},
+                                 {-1.0, 1.0, 0.3}};
+  auto triangles =
+      trianglesOf(points, {{0, 2, 3}, {0, 3, 4}, {0, 4, 2}, {0, 2, 5}, {0, 5, 6}, {0, 6, 2}});
+  const auto after =
+      trianglesOf(points, {{1, 2, 3}, {1, 3, 4}, {1, 4, 2}, {1, 2, 5}, {1, 5, 6}, {1, 6, 2}});
+  triangles.insert(triangles.end(), after.begin(), after.end());
+  SweptVolume swept;
+  swept.begin(triangles, 6);
+  for (const double part : {0.2, 0.5, 0.8}) {
+    EXPECT_TRUE(swept.contains(smallTriangle(points[0] + (points[1] - points[0]) * part))) << part;
+  }
+  EXPECT_FALSE(swept.contains(smallTriangle({-0.5, 0.0, 0.4})));
+  EXPECT_FALSE(swept.contains(smallTriangle({0.8, 0.0, 0.5})));
+  EXPECT_FALSE(swept.contains(smallTriangle({0.0, 0.9, 0.0})));
+}
+
+/// A sheet that separates nothing moves with the corner of a sheet that it ends at: what it alone passes stays where it was.
+TEST(SweptVolume, OfASheetWithAFreeEdgeIsThatOfTheOthers) {
+  std::vector<Vec3> points{{0.0, 0.0, -1.0}, {0.0, 0.0, 1.0},  {0.0, 0.0, 0.0}, {0.0, 0.3, 0.0},
+                           {1.0, 0.0, 0.0},  {-1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}};
+  auto triangles = trianglesOf(points, {{0, 2, 4}, {2, 1, 4}, {0, 2, 5}, {2, 1, 5}, {0, 2, 6}});
+  const auto after = trianglesOf(points, {{0, 3, 4}, {3, 1, 4}, {0, 3, 5}, {3, 1, 5}, {0, 3, 6}});
+  triangles.insert(triangles.end(), after.begin(), after.end());
+  SweptVolume swept;
+  swept.begin(triangles, 5);
+  EXPECT_TRUE(swept.contains(smallTriangle({0.2, 0.1, 0.001})));
+  EXPECT_TRUE(swept.contains(smallTriangle({-0.2, 0.1, 0.001})));
+  EXPECT_FALSE(swept.contains(smallTriangle({0.2, -0.1, 0.001})));
+  EXPECT_FALSE(swept.contains(smallTriangle({0.01, -0.5, -0.1})));
 }
 
 /// A box of two regions, one on the other, with a closed gap between them: its upper sheet are two triangles, the lower one

@@ -126,8 +126,8 @@ Task<std::vector<ShapeMeasure::Sample>> ShapeMeasure::findSamples(Work& work) co
       co_await findMeanCurvatures(work, reference_, cells_, curvatureRule_);
   work.beginPart(1.0);
   const std::vector<ReferenceSurface::Piece>& pieces = reference_.pieces();
-  std::vector<PieceCells::Place> places;
-  places.reserve(pieces.size());
+  std::vector<PieceCells::Slot> slots;
+  slots.reserve(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Vec3& normal = reference_.normalOf(pieces[i].triangle);
     std::uint32_t facing = 0;
@@ -135,17 +135,16 @@ Task<std::vector<ShapeMeasure::Sample>> ShapeMeasure::findSamples(Work& work) co
       // Five directions per axis.
       facing = 5 * facing + static_cast<std::uint32_t>(2.5 + 2.49 * normal[k]);
     }
-    places.push_back(cells_.placeOf(static_cast<std::uint32_t>(i), facing, curvatures[i].largest));
+    slots.push_back(cells_.slotOf(static_cast<std::uint32_t>(i), facing, curvatures[i].largest));
   }
   co_await work.yield();
-  PieceCells::sort(places);
+  PieceCells::sort(slots);
   std::vector<Sample> samples;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    // The first level at which the cell of the place is another one than that of the place before.
-    const std::uint32_t level =
-        i == 0 ? 0 : PieceCells::levelOfDifference(places[i - 1], places[i]);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    // The first level at which the cell of the slot is another one than that of the slot before.
+    const std::uint32_t level = i == 0 ? 0 : PieceCells::levelOfDifference(slots[i - 1], slots[i]);
     if (level == PieceCells::kLevels) continue;
-    const std::uint32_t piece = places[i].piece;
+    const std::uint32_t piece = slots[i].piece;
     samples.push_back({piece, level, curvatures[piece]});
   }
   co_return samples;

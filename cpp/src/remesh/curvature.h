@@ -14,7 +14,7 @@ namespace tetrafront {
 /// Angle in radians below which two triangles count as coplanar.
 constexpr double kFlatBend = 0.002;
 
-/// Principal curvatures at a place of a surface.
+/// Principal curvatures at a position of a surface.
 struct Curvature {
   double largest = 0.0;  ///< absolute value of the larger one
   double other =

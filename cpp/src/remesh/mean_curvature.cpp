@@ -21,19 +21,19 @@ constexpr double kWavyBend = 8.0;
 constexpr double kCellArea = 0.1;
 /// Area / squared diagonal below which the curvature of a triangle is rounding.
 constexpr double kLeastArea = 1e-12;
-/// Places per unit of budget.
-constexpr std::size_t kPlacesPerUnit = 8;
+/// Slots per unit of budget.
+constexpr std::size_t kSlotsPerUnit = 8;
 
 /// Curvatures of the pieces in one of the widest cells.
 class CellCurvatures {
  public:
-  using Place = PieceCells::Place;
+  using Slot = PieceCells::Slot;
 
   CellCurvatures(const ReferenceSurface& reference, const PieceCells& cells,
                  const CurvatureRule& rule, std::vector<Curvature>& curvatures)
       : reference_(reference), cells_(cells), rule_(rule), curvatures_(curvatures) {}
 
-  void measure(std::span<const Place> places);
+  void measure(std::span<const Slot> slots);
 
  private:
   /// The bend of a piece.
@@ -43,27 +43,27 @@ class CellCurvatures {
   };
 
   void descend(std::size_t first, std::size_t last, std::uint32_t level);
-  [[nodiscard]] Curvature curvatureOf(const Place& place) const;
+  [[nodiscard]] Curvature curvatureOf(const Slot& slot) const;
 
   const ReferenceSurface& reference_;
   const PieceCells& cells_;
   CurvatureRule rule_;
   std::vector<Curvature>& curvatures_;
-  std::span<const Place> places_;
-  std::vector<Part> parts_;  ///< per place
+  std::span<const Slot> slots_;
+  std::vector<Part> parts_;  ///< per slot
 };
 
-void CellCurvatures::measure(std::span<const Place> places) {
-  places_ = places;
-  parts_.assign(places.size(), {});
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const ReferenceSurface::Piece& piece = reference_.pieces()[places[i].piece];
+void CellCurvatures::measure(std::span<const Slot> slots) {
+  slots_ = slots;
+  parts_.assign(slots.size(), {});
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const ReferenceSurface::Piece& piece = reference_.pieces()[slots[i].piece];
     const double ofTriangle = areaOf(cornersOf(reference_.mesh(), piece.triangle));
     if (!(ofTriangle > 0.0)) continue;
     parts_[i].bend.add(BendTensor(reference_, piece.triangle, 0.0), piece.area / ofTriangle);
     parts_[i].area = piece.area;
   }
-  descend(0, places.size(), 0);
+  descend(0, slots.size(), 0);
 }
 
 void CellCurvatures::descend(std::size_t first, std::size_t last, std::uint32_t level) {
@@ -79,26 +79,26 @@ void CellCurvatures::descend(std::size_t first, std::size_t last, std::uint32_t 
   const bool isBent = mean.largest * width > kCellAngle;
   const bool isWavy = bend.absolute() > kWavyBend * mean.largest * area;
   if (isBent && !isWavy && rule_.sizeFor(mean) >= width) {
-    for (std::size_t i = first; i < last; ++i) curvatures_[places_[i].piece] = mean;
+    for (std::size_t i = first; i < last; ++i) curvatures_[slots_[i].piece] = mean;
   } else if (level + 1 < PieceCells::kLevels) {
     for (std::size_t begin = first; begin < last;) {
-      const std::size_t end = PieceCells::endOfCell(places_.first(last), begin, level + 1);
+      const std::size_t end = PieceCells::endOfCell(slots_.first(last), begin, level + 1);
       descend(begin, end, level + 1);
       begin = end;
     }
   } else {
     for (std::size_t i = first; i < last; ++i) {
-      const Curvature ofPiece = curvatureOf(places_[i]);
+      const Curvature ofPiece = curvatureOf(slots_[i]);
       const bool isPieceBent = ofPiece.largest > 0.0;
-      curvatures_[places_[i].piece] = isPieceBent ? ofPiece : isBent ? mean : Curvature{};
+      curvatures_[slots_[i].piece] = isPieceBent ? ofPiece : isBent ? mean : Curvature{};
     }
   }
 }
 
-/// Returns the curvature across the smooth edges of the triangle of a place. On a cylinder the larger one is 1 / radius, even if
+/// Returns the curvature across the smooth edges of the triangle of a slot. On a cylinder the larger one is 1 / radius, even if
 /// triangles are needles.
-Curvature CellCurvatures::curvatureOf(const Place& place) const {
-  const TriangleId triangle = reference_.pieces()[place.piece].triangle;
+Curvature CellCurvatures::curvatureOf(const Slot& slot) const {
+  const TriangleId triangle = reference_.pieces()[slot.piece].triangle;
   const double area = areaOf(cornersOf(reference_.mesh(), triangle));
   const double diagonal = reference_.diagonal();
   if (!(area > kLeastArea * diagonal * diagonal)) return {};
@@ -116,29 +116,29 @@ double CurvatureRule::sizeFor(const Curvature& curvature) const {
 Task<std::vector<Curvature>> findMeanCurvatures(Work& work, const ReferenceSurface& reference,
                                                 const PieceCells& cells,
                                                 const CurvatureRule& rule) {
-  std::vector<PieceCells::Place> places;
+  std::vector<PieceCells::Slot> slots;
   const std::vector<ReferenceSurface::Piece>& pieces = reference.pieces();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const SmoothPatchId patch = reference.patchOf(pieces[i].triangle);
     if (reference.patch(patch).isPlanar) continue;
-    places.push_back(cells.placeOf(static_cast<std::uint32_t>(i),
-                                   static_cast<std::uint32_t>(patch.index()), 0.0));
+    slots.push_back(cells.slotOf(static_cast<std::uint32_t>(i),
+                                 static_cast<std::uint32_t>(patch.index()), 0.0));
   }
   co_await work.yield();
-  PieceCells::sort(places);
+  PieceCells::sort(slots);
   std::vector<Curvature> curvatures(pieces.size());
   CellCurvatures cell(reference, cells, rule, curvatures);
   std::size_t next = 0;
   co_await work.forEachBlock(
-      places.size(),
+      slots.size(),
       [&](std::size_t, std::size_t last) {
         while (next < last) {
-          const std::size_t end = PieceCells::endOfCell(places, next, 0);
-          cell.measure(std::span(places).subspan(next, end - next));
+          const std::size_t end = PieceCells::endOfCell(slots, next, 0);
+          cell.measure(std::span(slots).subspan(next, end - next));
           next = end;
         }
       },
-      kPlacesPerUnit);
+      kSlotsPerUnit);
   co_return curvatures;
 }
 

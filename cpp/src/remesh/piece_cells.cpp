@@ -12,12 +12,14 @@ namespace tetrafront {
 namespace {
 
 constexpr std::uint32_t kInnerLevels = PieceCells::kLevels - 1;
+/// Least width of a cell / diagonal of the surface: numbers of cells have 32 bits.
+constexpr double kLeastWidth = 0x1p-31;
 static_assert(3 * kInnerLevels <= std::numeric_limits<std::uint32_t>::digits);
 
 }  // namespace
 
 PieceCells::PieceCells(const ReferenceSurface& reference, double width)
-    : reference_(reference), width_(width) {
+    : reference_(reference), width_(std::max(width, kLeastWidth * reference.diagonal())) {
   lowest_.fill(std::numeric_limits<std::int64_t>::max());
   for (const ReferenceSurface::Piece& piece : reference_.pieces()) {
     const Cell cell = cellOf(piece);
@@ -34,7 +36,7 @@ PieceCells::Cell PieceCells::cellOf(const ReferenceSurface::Piece& piece) const 
   return cell;
 }
 
-PieceCells::Place PieceCells::placeOf(std::uint32_t piece, std::uint32_t key, double rank) const {
+PieceCells::Slot PieceCells::slotOf(std::uint32_t piece, std::uint32_t key, double rank) const {
   const Cell cell = cellOf(reference_.pieces()[piece]);
   std::array<std::uint64_t, 3> widest{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -49,23 +51,23 @@ PieceCells::Place PieceCells::placeOf(std::uint32_t piece, std::uint32_t key, do
   return {std::uint64_t{key} << 32 | widest[0], widest[1] << 32 | widest[2], inner, piece, rank};
 }
 
-void PieceCells::sort(std::vector<Place>& places) {
-  stableSort(places, [](const Place& a, const Place& b) {
+void PieceCells::sort(std::vector<Slot>& slots) {
+  stableSort(slots, [](const Slot& a, const Slot& b) {
     return std::tie(a.keyAndX, a.yAndZ, a.inner, b.rank) <
            std::tie(b.keyAndX, b.yAndZ, b.inner, a.rank);
   });
 }
 
-std::uint32_t PieceCells::levelOfDifference(const Place& a, const Place& b) {
+std::uint32_t PieceCells::levelOfDifference(const Slot& a, const Slot& b) {
   if (a.keyAndX != b.keyAndX || a.yAndZ != b.yAndZ) return 0;
   const auto differing = static_cast<std::uint32_t>(std::bit_width(a.inner ^ b.inner));
   return kLevels - (differing + 2) / 3;
 }
 
-std::size_t PieceCells::endOfCell(std::span<const Place> places, std::size_t first,
+std::size_t PieceCells::endOfCell(std::span<const Slot> slots, std::size_t first,
                                   std::uint32_t level) {
   std::size_t end = first + 1;
-  while (end < places.size() && levelOfDifference(places[first], places[end]) > level) ++end;
+  while (end < slots.size() && levelOfDifference(slots[first], slots[end]) > level) ++end;
   return end;
 }
 

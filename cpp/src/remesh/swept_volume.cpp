@@ -1,6 +1,7 @@
 #include "remesh/swept_volume.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/ids.h"
 #include "base/sort.h"
@@ -16,17 +17,6 @@ namespace {
 /// Distance from a triangle / largest coordinate below which the side of a rounded centroid is unknown.
 constexpr double kNear = 1e-12;
 
-/// An edge of a triangle before or after a change.
-struct SweptEdge {
-  std::uint32_t low;
-  std::uint32_t high;
-  std::uint32_t triangle;
-
-  [[nodiscard]] bool isSame(const SweptEdge& other) const {
-    return low == other.low && high == other.high;
-  }
-};
-
 }  // namespace
 
 void SweptVolume::begin(std::span<const NumberedTriangle> triangles, std::size_t removedCount) {
@@ -35,58 +25,69 @@ void SweptVolume::begin(std::span<const NumberedTriangle> triangles, std::size_t
   isPrepared_ = false;
 }
 
-/// Divides the triangles into sheets that are connected without the edges at which several move. The edges of the common boundary
-/// connect a sheet before the change with the one after it.
+/// Divides the triangles into sheets that are connected across edges of two triangles. The edges of the common boundary connect a
+/// sheet before the change with the one after it.
 void SweptVolume::collectSheets() {
   isPrepared_ = true;
   nodes_.clear();
-  std::vector<SweptEdge> edges;
+  edges_.clear();
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const std::array<std::uint32_t, 3>& nodes = triangles_[t].nodes;
     nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(nodes[k], nodes[(k + 1) % 3]);
-      edges.push_back({low, high, t});
+      edges_.push_back({low, high, t});
     }
   }
   stableSort(nodes_, [](std::uint32_t a, std::uint32_t b) { return a < b; });
-  stableSort(edges, [](const SweptEdge& a, const SweptEdge& b) {
+  stableSort(edges_, [](const Edge& a, const Edge& b) {
     return a.low != b.low ? a.low < b.low : a.high < b.high;
   });
   DisjointSets sets(triangles_.size());
-  std::vector<std::uint32_t> ends;  // one triangle per edge at which a sheet ends
-  for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
-    while (j < edges.size() && edges[j].isSame(edges[i])) ++j;
-    const bool isInside =
-        edges[i].triangle >= removedCount_ || edges[j - 1].triangle < removedCount_;
-    if (isInside && j - i != 2) {
-      for (std::size_t k = i; k < j; ++k) ends.push_back(edges[k].triangle);
+  ends_.clear();
+  std::uint32_t ended = 0;
+  for (std::size_t i = 0, j = 0; i < edges_.size(); i = j) {
+    while (j < edges_.size() && edges_[j].isSame(edges_[i])) ++j;
+    if (j - i == 2) {
+      sets.join(edges_[i].triangle, edges_[i + 1].triangle);
     } else {
-      for (std::size_t k = i + 1; k < j; ++k) sets.join(edges[i].triangle, edges[k].triangle);
+      for (std::size_t k = i; k < j; ++k) ends_.push_back({edges_[k].triangle, ended});
+      ++ended;
     }
   }
+  hasTooManyEnds_ = ended > kMaxEnds;
   sheetOf_ = sets.numbers();
-  isOpen_.assign(triangles_.size(), 0);
-  for (const std::uint32_t t : ends) isOpen_[sheetOf_[t]] = 1;
+  outlines_.assign(triangles_.size(), {});
+  if (hasTooManyEnds_) return;
+  for (const auto& [triangle, edge] : ends_) {
+    outlines_[sheetOf_[triangle]].ends ^= std::uint64_t{1} << edge;
+  }
 }
 
-/// Returns whether the position is on another side of a sheet than before. A ray from it crosses a closed sheet an odd number of
-/// times then; of open ones, it crosses some an odd number of times and others not.
+/// Returns whether the position is on another side of the sheets than before. Of sheets that together are closed, a ray from it
+/// then crosses some an odd number of times: eliminates the edges at which sheets end from their sums (modulo 2).
 bool SweptVolume::isBetween(const Vec3& position) {
-  isCrossedOdd_.assign(sheetOf_.size(), 0);
+  if (hasTooManyEnds_) return true;
+  for (Outline& outline : outlines_) outline.isCrossedOdd = false;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (isAheadOf(triangles_[t].corners, position)) isCrossedOdd_[sheetOf_[t]] ^= 1;
+    if (!isAheadOf(triangles_[t].corners, position)) continue;
+    bool& isOdd = outlines_[sheetOf_[t]].isCrossedOdd;
+    isOdd = !isOdd;
   }
-  std::array<bool, 2> areAnyOpen{};
-  for (const std::uint32_t sheet : sheetOf_) {
-    const std::uint8_t isOdd = isCrossedOdd_[sheet];
-    if (isOpen_[sheet] != 0) {
-      areAnyOpen[isOdd] = true;
-    } else if (isOdd != 0) {
-      return true;
+  std::array<Outline, kMaxEnds> withHighest{};  // per edge: a sum of which it is the highest end
+  for (Outline sum : outlines_) {
+    while (sum.ends != 0) {
+      Outline& other = withHighest[static_cast<std::size_t>(std::bit_width(sum.ends)) - 1];
+      if (other.ends == 0) {
+        other = sum;
+        break;
+      }
+      sum.ends ^= other.ends;
+      sum.isCrossedOdd = sum.isCrossedOdd != other.isCrossedOdd;
     }
+    if (sum.ends == 0 && sum.isCrossedOdd) return true;
   }
-  return areAnyOpen[0] && areAnyOpen[1];
+  return false;
 }
 
 bool SweptVolume::isNear(const Vec3& position) const {
