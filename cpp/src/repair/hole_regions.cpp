@@ -56,7 +56,8 @@ bool spreadRegions(SurfaceMesh& mesh, std::vector<std::uint8_t> isKnown) {
       const bool isFirstKnown = isKnown[first.index()] != 0;
       const TriangleId to = isFirstKnown ? second : first;
       const auto regions = regionsBeside(mesh, isFirstKnown ? first : second, areTurned);
-      std::ranges::copy(regions, mesh.triangleRegions.begin() + 2 * std::ptrdiff_t{to.value});
+      mesh.triangleRegions[2 * to.index()] = regions[0];
+      mesh.triangleRegions[2 * to.index() + 1] = regions[1];
       isKnown[to.index()] = 1;
       isChanged = true;
     }
