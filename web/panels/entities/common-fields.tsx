@@ -29,7 +29,7 @@ import { lineTypeNames, patchTypeNames, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
 import styles from "./selection-card.module.css";
-import { useEachNumber } from "./use-each-number";
+import { useOwnNumbers } from "./use-own-numbers";
 import { TypeSelect } from "./type-select";
 
 interface CommonFieldsProps {
@@ -69,14 +69,14 @@ function CommonPosition({
   numbers,
 }: CommonFieldsProps & { readonly numbers: readonly CommonNumber[] }) {
   const { documents } = useApp();
-  const each = useEachNumber(project, entities);
+  const own = useOwnNumbers(project, entities);
   const at = (axis: 0 | 1 | 2) => numbers.find(({ field }) => field === `position.${axis}`);
   return (
     <PositionRow
       label={strings.inspector.position}
       value={[at(0)?.value ?? null, at(1)?.value ?? null, at(2)?.value ?? null]}
       expressions={([0, 1, 2] as const).map((axis) => at(axis)?.expression)}
-      each={(axis) => each(`position.${axis}`)}
+      own={(axis) => own(`position.${axis}`)}
       step={stepFor(project)}
       testId="common-position"
       onCommit={(axis, value, expression) =>
@@ -144,7 +144,7 @@ function CommonNumberRow({
   number: { field, value, isAutomatic, expression },
 }: CommonFieldsProps & { readonly number: CommonNumber }) {
   const { documents } = useApp();
-  const each = useEachNumber(project, entities);
+  const own = useOwnNumbers(project, entities);
   if (field === "position.0" || field === "position.1" || field === "position.2") return null;
   const refuse = refusals[field];
   const isLength = !factors.has(field);
@@ -154,7 +154,7 @@ function CommonNumberRow({
       value={value}
       {...(isAutomatic && { placeholder: strings.bodies.treatment.automatic })}
       expression={expression}
-      each={each(field)}
+      own={own(field)}
       step={isLength ? sizeStep(value ?? 1) : 0.05}
       testId={`common-${field.replace(".", "-")}`}
       {...(refuse && { refuse })}
