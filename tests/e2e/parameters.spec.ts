@@ -70,11 +70,20 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await app.type("common-position-y", "size+1");
   await expect(mixed).toHaveAttribute("aria-invalid", "true");
   await app.type("common-position-y", "y+0.25");
-  await expect(mixed).toHaveAttribute("placeholder", "mixed");
+  await expect(mixed).not.toHaveAttribute("aria-invalid", "true");
   await mixed.press("ArrowUp");
-  await expect(mixed).toHaveAttribute("placeholder", "mixed");
+  await expect(mixed).not.toHaveAttribute("aria-invalid", "true");
+  for (const [key, y] of [
+    ["point-5", "0.26"],
+    ["point-6", "1.26"],
+  ] as const) {
+    await app.select(key);
+    await expect(page.getByTestId("position-y")).toHaveValue(y);
+  }
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Control+z");
+  await app.select("point-5");
+  await page.getByTestId("tree-point-6").click({ modifiers: ["Control"] });
   await app.type("common-position-z", "1.25");
   await page.getByTestId("group-selection").click();
   await page.getByTestId("tree-point-6").click();

@@ -46,7 +46,7 @@ export function CommonFields({ entities, project }: CommonFieldsProps) {
   const numbers = commonNumbers(project, entities).filter(isShown);
   const parameters = new Set(project.parameters?.map(({ name }) => name));
   const named = numbers
-    .filter(({ isAutomatic }) => !isAutomatic)
+    .filter(({ smallest }) => smallest !== null)
     .map(({ field }) => ownNames[field])
     .filter((name) => !parameters.has(name));
   const isPositioned = numbers.some(({ field }) => field === "position.0");
@@ -141,7 +141,7 @@ const refusals: Readonly<Partial<Record<CommonField, (value: number) => string |
 function CommonNumberRow({
   entities,
   project,
-  number: { field, value, isAutomatic, expression },
+  number: { field, value, isAutomatic, smallest, expression },
 }: CommonFieldsProps & { readonly number: CommonNumber }) {
   const { documents } = useApp();
   const own = useOwnNumbers(project, entities);
@@ -155,7 +155,7 @@ function CommonNumberRow({
       {...(isAutomatic && { placeholder: strings.bodies.treatment.automatic })}
       expression={expression}
       own={own(field)}
-      step={isLength ? sizeStep(value ?? 1) : 0.05}
+      step={isLength ? sizeStep(smallest ?? 1) : 0.05}
       testId={`common-${field.replace(".", "-")}`}
       {...(refuse && { refuse })}
       {...(isLength && unitsOf(project))}
