@@ -165,9 +165,7 @@ async function dividedBody(
   const located = await locatedRegions(mesher, { ...placed, patches }, signal);
   const sides = located?.givenRegions?.triangleRegions ?? new Uint32Array();
   const isFull = located?.surfaceRegions?.regions.length === regions;
-  return located && isFull
-    ? { surface: located, regions, sides }
-    : { surface: placed, regions, sides: null };
+  return located && isFull ? { surface: located, regions, sides } : { surface: placed, regions, sides: null };
 }
 
 /** Locates the regions of a surface. Null if it is invalid: rounding can make a body that was rotated intersect itself. */

@@ -134,7 +134,9 @@ describe("the preview of the part that an edit changes", () => {
     const areas = areasOf(expected);
     areasOf(samples).forEach((area, i) => expect(area / (areas[i] ?? 0)).toBeCloseTo(1, 2));
     const [centroids, wanted, former] = [samples, expected, sampled].map(centroidsOf);
-    const distances = wanted?.map((centroid, i) => length(subtract(centroids?.[i] ?? [NaN, NaN, NaN], centroid)));
+    const distances = wanted?.map((centroid, i) =>
+      length(subtract(centroids?.[i] ?? [NaN, NaN, NaN], centroid)),
+    );
     expect(distances?.[0]).toBeLessThan(1e-9);
     expect(former?.[0] && wanted?.[0] && length(subtract(former[0], wanted[0]))).toBeGreaterThan(1e-3);
     expect(Math.max(...(distances ?? []))).toBeLessThan(1e-3);
