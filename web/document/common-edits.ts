@@ -161,8 +161,9 @@ function ownQuantities(project: Project): (entity: Entity, field: CommonField) =
 
 /**
  * Returns what an expression in terms of each entity's own numbers, such as `z+0.1`, gives for the entities. A parameter
- * goes before an own number of the same name, also while it has no valid value. Parameters stay in the expressions of the results. Null if one result is no
- * number; undefined if the expression uses no own numbers. Costs as much as `commonNumbers`.
+ * goes before an own number of the same name, also while it has no valid value. Parameters stay in the expressions of the
+ * results. Null if one result is no number; undefined if the expression uses no own numbers. Costs as much as
+ * `commonNumbers`.
  */
 export function ownChanges(
   project: Project,
