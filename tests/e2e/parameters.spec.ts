@@ -147,8 +147,34 @@ test("bodies are edited together; their sizes use parameters, and the estimate n
   await app.page.getByTestId("new-parameter-expression").fill("0.25");
   await page.keyboard.press("Enter");
 
-  await page.getByTestId("tree-body-1").click();
-  await page.getByTestId("tree-body-2").click({ modifiers: ["Control"] });
+  const both = async (): Promise<void> => {
+    await page.getByTestId("tree-body-1").click();
+    await page.getByTestId("tree-body-2").click({ modifiers: ["Control"] });
+  };
+  const setSize = async (id: number, size: string): Promise<void> => {
+    await page.getByTestId(`tree-body-${id}`).click();
+    await app.type("remeshing-size", size);
+  };
+  // The hint names what all of them have, and a step suits the smallest of the values.
+  const hint = page.getByTestId("common-fields");
+  await setSize(1, "0.02");
+  await both();
+  await expect(hint).toContainText("scale means each entity's own value");
+  await setSize(2, "0.25");
+  await both();
+  await expect(hint).toContainText("scale and size mean each entity's own value");
+  await page.getByTestId("common-remeshing-size").press("ArrowUp");
+  for (const [id, size] of [
+    [1, "0.021"],
+    [2, "0.251"],
+  ] as const) {
+    await page.getByTestId(`tree-body-${id}`).click();
+    await expect(page.getByTestId("remeshing-size")).toHaveValue(size);
+  }
+  await page.getByTestId("viewport-canvas").focus();
+  for (let step = 0; step < 3; ++step) await page.keyboard.press("Control+z");
+
+  await both();
   await expect(page.getByTestId("common-remeshing-size")).toHaveAttribute("placeholder", "automatic");
   await app.type("common-remeshing-size", "2*h");
   await page.getByTestId("common-treatment").getByText("Keep").click();
