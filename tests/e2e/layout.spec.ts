@@ -303,6 +303,11 @@ test("the notice that the mesh is out of date is short while something is moved,
   const wide = (await badge.boundingBox())?.width ?? 0;
   await page.getByTestId("tool-move").click();
   await expect.poll(async () => (await badge.boundingBox())?.width ?? 0).toBeLessThan(0.6 * wide);
+  // What is hidden stays for screen readers, and the button, which takes the pointer, shows it.
+  const title = (await badge.getByRole("button").getAttribute("title")) ?? "";
+  expect(title).not.toBe("");
+  await expect(badge.getByText(title)).not.toHaveCSS("display", "none");
+  expect((await badge.getByText(title).boundingBox())?.width).toBe(1);
   const text = await badge.locator("b").boundingBox();
   if (!text) throw new Error("The notice has no title");
   const [x, y] = [text.x + text.width / 2, text.y + text.height / 2];

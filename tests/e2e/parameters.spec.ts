@@ -70,11 +70,20 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await app.type("common-position-y", "size+1");
   await expect(mixed).toHaveAttribute("aria-invalid", "true");
   await app.type("common-position-y", "y+0.25");
-  await expect(mixed).toHaveAttribute("placeholder", "mixed");
+  await expect(mixed).not.toHaveAttribute("aria-invalid", "true");
   await mixed.press("ArrowUp");
-  await expect(mixed).toHaveAttribute("placeholder", "mixed");
+  await expect(mixed).not.toHaveAttribute("aria-invalid", "true");
+  for (const [key, y] of [
+    ["point-5", "0.26"],
+    ["point-6", "1.26"],
+  ] as const) {
+    await app.select(key);
+    await expect(page.getByTestId("position-y")).toHaveValue(y);
+  }
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Control+z");
+  await app.select("point-5");
+  await page.getByTestId("tree-point-6").click({ modifiers: ["Control"] });
   await app.type("common-position-z", "1.25");
   await page.getByTestId("group-selection").click();
   await page.getByTestId("tree-point-6").click();
@@ -138,8 +147,34 @@ test("bodies are edited together; their sizes use parameters, and the estimate n
   await app.page.getByTestId("new-parameter-expression").fill("0.25");
   await page.keyboard.press("Enter");
 
-  await page.getByTestId("tree-body-1").click();
-  await page.getByTestId("tree-body-2").click({ modifiers: ["Control"] });
+  const both = async (): Promise<void> => {
+    await page.getByTestId("tree-body-1").click();
+    await page.getByTestId("tree-body-2").click({ modifiers: ["Control"] });
+  };
+  const setSize = async (id: number, size: string): Promise<void> => {
+    await page.getByTestId(`tree-body-${id}`).click();
+    await app.type("remeshing-size", size);
+  };
+  // The hint names what all of them have, and a step suits the smallest of the values.
+  const hint = page.getByTestId("common-fields");
+  await setSize(1, "0.02");
+  await both();
+  await expect(hint).toContainText("scale means each entity's own value");
+  await setSize(2, "0.25");
+  await both();
+  await expect(hint).toContainText("scale and size mean each entity's own value");
+  await page.getByTestId("common-remeshing-size").press("ArrowUp");
+  for (const [id, size] of [
+    [1, "0.021"],
+    [2, "0.251"],
+  ] as const) {
+    await page.getByTestId(`tree-body-${id}`).click();
+    await expect(page.getByTestId("remeshing-size")).toHaveValue(size);
+  }
+  await page.getByTestId("viewport-canvas").focus();
+  for (let step = 0; step < 3; ++step) await page.keyboard.press("Control+z");
+
+  await both();
   await expect(page.getByTestId("common-remeshing-size")).toHaveAttribute("placeholder", "automatic");
   await app.type("common-remeshing-size", "2*h");
   await page.getByTestId("common-treatment").getByText("Keep").click();

@@ -51,6 +51,8 @@ export interface CommonNumber {
   readonly value: number | null;
   /** None has the number: the program chooses it. */
   readonly isAutomatic: boolean;
+  /** The smallest of the values; null if not all entities have the number. */
+  readonly smallest: number | null;
   readonly expression: string | undefined;
 }
 
@@ -69,6 +71,10 @@ export function commonNumbers(project: Project, entities: readonly Entity[]): Co
       field,
       value: same(values),
       isAutomatic: values.every((value) => value === undefined),
+      smallest: values.reduce<number | null>(
+        (least, value) => (least === null || value === undefined ? null : Math.min(least, value)),
+        Infinity,
+      ),
       expression:
         same(
           entities.map((entity) => {
@@ -155,8 +161,9 @@ function ownQuantities(project: Project): (entity: Entity, field: CommonField) =
 
 /**
  * Returns what an expression in terms of each entity's own numbers, such as `z+0.1`, gives for the entities. A parameter
- * goes before an own number of the same name. Parameters stay in the expressions of the results. Null if one result is no
- * number; undefined if the expression uses no own numbers. Costs as much as `commonNumbers`.
+ * goes before an own number of the same name, also while it has no valid value. Parameters stay in the expressions of the
+ * results. Null if one result is no number; undefined if the expression uses no own numbers. Costs as much as
+ * `commonNumbers`.
  */
 export function ownChanges(
   project: Project,
@@ -164,7 +171,10 @@ export function ownChanges(
   text: string,
 ): readonly OwnChange[] | null | undefined {
   const named = projectNumbers(project);
-  const used = [...namesIn(text)].filter((name) => allOwnNames.has(name) && !named.has(name));
+  const parameters = new Set(project.parameters?.map(({ name }) => name));
+  const used = [...namesIn(text)].filter(
+    (name) => allOwnNames.has(name) && !named.has(name) && !parameters.has(name),
+  );
   if (used.length === 0) return undefined;
   const own = ownQuantities(project);
   const changes: OwnChange[] = [];

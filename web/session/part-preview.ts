@@ -21,7 +21,7 @@ export interface ShiftedPart {
   readonly patches: ReadonlySet<number>;
 }
 
-/** Offsets of points are the same if they differ by less than this, relative to the coordinates. */
+/** Offsets of points are the same if they differ by at most this, relative to the largest coordinate of what is moved. */
 const sameOffset = 1e-12;
 
 /** Largest part that is worth a preview of its own: patches, relative to the whole. */
@@ -84,16 +84,16 @@ export function changedPart(sampled: Project, project: Project): ChangedPart | n
 
 /** Returns the offset by which all points were moved that were moved; null if there are several, or none was moved. */
 function commonOffset({ points: before }: Project, { points: after }: Project): Position | null {
-  let offset: Position | null = null;
-  for (const [i, { position }] of after.entries()) {
-    const old = before[i]?.position;
-    if (old === undefined || after[i] === before[i]) continue;
-    const own = subtract(position, old);
-    const size = Math.max(...position.map(Math.abs), ...old.map(Math.abs));
-    offset ??= own;
-    if (length(subtract(own, offset)) > sameOffset * size) return null;
-  }
-  return offset;
+  const moves = after.flatMap((point, i) => {
+    const old = before[i];
+    return old === undefined || point === old ? [] : [[old.position, point.position] as const];
+  });
+  // The offset of any of them may be rounded as coarsely as its coordinates.
+  const size = moves.flat(2).reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+  const [offset = null, ...others] = moves.map(([from, to]) => subtract(to, from));
+  const isSame = (own: Position): boolean =>
+    offset !== null && length(subtract(own, offset)) <= sameOffset * size;
+  return others.every(isSame) ? offset : null;
 }
 
 /**

@@ -24,8 +24,8 @@ const restMs = 80;
 /**
  * Keeps the samples of lines and patches and the diagnostics of the check up to date with the document. Makes one
  * request at a time. A newer project cancels the request, but never twice in a row, so that continuous edits still
- * get previews. If previews of the whole project are slow, only what an edit changes is sampled, and what it moves as a whole is moved; the whole is checked as
- * soon as the edits rest.
+ * get previews. If previews of the whole project are slow, only what an edit changes is sampled, and the samples of what it
+ * moves by one offset are shifted; the whole is checked as soon as the edits rest.
  */
 export class PreviewFeed {
   readonly state: StoreApi<PreviewState> = createStore<PreviewState>(() => ({

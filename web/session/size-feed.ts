@@ -81,6 +81,10 @@ export class SizeFeed {
   }
 
   #changed(): void {
+    if (!this.#isPreviewed()) {
+      this.#forget();
+      return;
+    }
     const question = this.#question();
     if (question && this.#asked && sameQuestion(question, this.#asked)) return;
     this.#asked = question;
@@ -108,13 +112,25 @@ export class SizeFeed {
     this.#timer = undefined;
   }
 
-  /** The document has changed: its preview comes first, and tells what to ask then. */
+  /** The document has changed: its preview comes first, and then calls `#changed()`. It may have come already. */
   #postpone(): void {
-    if (this.#timer !== undefined && this.#asked) this.#wait(this.#asked);
-    else {
-      this.#abort?.abort();
-      this.#asked = null;
-    }
+    if (this.#asked?.project !== this.#stores.documents.project) this.#forget();
+  }
+
+  /** Drops the last question, whose answer would come too late. The sizes that are shown stay. */
+  #forget(): void {
+    this.#stopWaiting();
+    this.#abort?.abort();
+    this.#asked = null;
+    const { enabled } = this.#stores.view.state.getState().sizes;
+    if (!enabled && this.state.getState().shown) this.state.setState({ shown: null });
+  }
+
+  /** Whether there is a preview of the present project, or will be none. */
+  #isPreviewed(): boolean {
+    const { documents, previews } = this.#stores;
+    const { project, failure } = previews.state.getState();
+    return project === documents.project || failure?.project === documents.project;
   }
 
   #question(): Question | null {

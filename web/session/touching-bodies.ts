@@ -1,10 +1,12 @@
 import {
   type GivenRegions,
+  type LocatedSurface,
   type Mesher,
   NO_REGION,
   type Project,
   type ProjectBody,
   repairedSurface,
+  type SurfaceFile,
 } from "tetrafront";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
 import { joinedRepairs, sharedAbove, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
@@ -102,9 +104,9 @@ export interface JoinedBody {
 
 /**
  * Returns bodies that touch as one body: their triangles are cut where they intersect and common where they touch, which
- * leaves what each body encloses as a region, or as several. A volume that they share belongs to the first of them, as on the command
- * line; if one of them has several regions and a cavity, bodies that share a volume become one region. Null if they cannot be
- * joined.
+ * leaves what each body encloses as a region, or as several. A volume that they share belongs to the first of them, as on the
+ * command line; if a body with several regions, or with triangles that face inward, has a cavity or is invalid where it is
+ * placed, bodies that share a volume become one region. Null if they cannot be joined.
  */
 export async function joinedBody(
   mesher: Mesher,
@@ -148,7 +150,7 @@ interface DividedBody {
   readonly sides: Uint32Array | null;
 }
 
-/** Finds the regions of a body. Volumes that it encloses may be empty if it is one region only. */
+/** Finds the regions of a body. They stay unknown if it encloses other volumes too, or is invalid where it is placed. */
 async function dividedBody(
   mesher: Mesher,
   { body, surface, regions, isPlain }: GivenBody,
@@ -160,10 +162,24 @@ async function dividedBody(
     return { surface: placed, regions, sides };
   }
   const patches = body.patches.map(({ id, name = "" }) => ({ name, tag: id }));
-  const { surface: located } = await mesher.locateRegions({ ...placed, patches }, { signal });
-  const sides = located.givenRegions?.triangleRegions ?? new Uint32Array();
-  const isFull = located.surfaceRegions?.regions.length === regions;
-  return isFull ? { surface: located, regions, sides } : { surface: placed, regions, sides: null };
+  const located = await locatedRegions(mesher, { ...placed, patches }, signal);
+  const sides = located?.givenRegions?.triangleRegions ?? new Uint32Array();
+  const isFull = located?.surfaceRegions?.regions.length === regions;
+  return located && isFull ? { surface: located, regions, sides } : { surface: placed, regions, sides: null };
+}
+
+/** Locates the regions of a surface. Null if it is invalid: rounding can make a body that was rotated intersect itself. */
+async function locatedRegions(
+  mesher: Mesher,
+  surface: SurfaceFile,
+  signal: AbortSignal,
+): Promise<LocatedSurface["surface"] | null> {
+  try {
+    return (await mesher.locateRegions(surface, { signal })).surface;
+  } catch (error) {
+    if (signal.aborted) throw error;
+    return null;
+  }
 }
 
 /** Returns the regions beside the triangles of joined bodies, those of the first body first; null if some are unknown. */

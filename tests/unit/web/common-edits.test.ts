@@ -60,6 +60,7 @@ describe("what a selection has in common", () => {
       field: "position.2",
       value: 3,
       isAutomatic: false,
+      smallest: 3,
       expression: "h",
     });
     documents.edit(setParameter("h", "5"));
@@ -130,6 +131,9 @@ describe("an expression in terms of each entity's own numbers", () => {
     expect(ownChanges(documents.project, points, "1+1")).toBeUndefined();
     documents.edit(addParameter("z", "7"));
     expect(ownChanges(documents.project, points, "z+1")).toBeUndefined();
+    // Also if it has no value: the text must not mean something else until it has one again.
+    const broken = { ...documents.project, parameters: [{ name: "z", expression: "1/0" }] };
+    expect(ownChanges(broken, points, "z+1")).toBeUndefined();
   });
 
   it("steps each from its own value", () => {
@@ -174,20 +178,23 @@ describe("what bodies have in common", () => {
   it("is scale, remeshing size, tolerance and treatment, automatic until one is set", () => {
     const documents = openedBodies();
     const numbers = () =>
-      commonNumbers(documents.project, bodies).map(({ field, value, isAutomatic }) => [
+      commonNumbers(documents.project, bodies).map(({ field, value, isAutomatic, smallest }) => [
         field,
         value,
         isAutomatic,
+        smallest,
       ]);
     expect(numbers()).toEqual([
-      ["placement.scale", 1, false],
-      ["remeshing.size", null, true],
-      ["remeshing.tolerance", null, true],
+      ["placement.scale", 1, false, 1],
+      ["remeshing.size", null, true, null],
+      ["remeshing.tolerance", null, true, null],
     ]);
     documents.edit(setRemeshing(1, "size", 0.5));
-    expect(numbers()[1]).toEqual(["remeshing.size", null, false]);
+    expect(numbers()[1]).toEqual(["remeshing.size", null, false, null]);
+    documents.edit(setRemeshing(2, "size", 0.125));
+    expect(numbers()[1]).toEqual(["remeshing.size", null, false, 0.125]);
     documents.edit(setCommonNumber(bodies, "remeshing.size", 0.25, null));
-    expect(numbers()[1]).toEqual(["remeshing.size", 0.25, false]);
+    expect(numbers()[1]).toEqual(["remeshing.size", 0.25, false, 0.25]);
     expect(documents.project.bodies?.map(({ remeshing }) => remeshing)).toEqual([
       { size: 0.25 },
       { size: 0.25 },

@@ -1,6 +1,7 @@
 import { createMesher, readProject, type Mesher, type Project, type ProjectPreview } from "tetrafront";
 import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { emptyProject } from "../../../web/document/create";
 import { DocumentStore } from "../../../web/session/document-store";
 import { changedPart, withPart } from "../../../web/session/part-preview";
 import { PreviewFeed } from "../../../web/session/preview";
@@ -46,6 +47,26 @@ function movePoints(project: Project, ids: ReadonlySet<number>, [dx, dy, dz]: Po
   return { ...project, points };
 }
 
+/** Returns the mean of the triangles of each sampled patch, by their areas. */
+function centroidsOf({ patchOffsets, patchPoints, patchTriangles }: ProjectPreview): Position[] {
+  return Array.from({ length: patchOffsets.length - 1 }, (_, patch) => {
+    const sum: [number, number, number] = [0, 0, 0];
+    let total = 0;
+    for (let t = patchOffsets[patch] ?? 0; t < (patchOffsets[patch + 1] ?? 0); ++t) {
+      const corners = Array.from(patchTriangles.subarray(3 * t, 3 * t + 3), (node): Position => {
+        const [x = NaN, y = NaN, z = NaN] = patchPoints.subarray(3 * node, 3 * node + 3);
+        return [x, y, z];
+      });
+      const [a, b, c] = corners;
+      if (!a || !b || !c) throw new Error("a triangle has three corners");
+      const area = length(cross(subtract(b, a), subtract(c, a))) / 2;
+      total += area;
+      for (const axis of [0, 1, 2] as const) sum[axis] += (area * (a[axis] + b[axis] + c[axis])) / 3;
+    }
+    return [sum[0] / total, sum[1] / total, sum[2] / total];
+  });
+}
+
 const largestDifference = (a: Float64Array, b: Float64Array): number =>
   a.reduce((most, x, i) => Math.max(most, Math.abs(x - (b[i] ?? Infinity))), 0);
 
@@ -87,11 +108,12 @@ describe("the preview of the part that an edit changes", () => {
       const expected = await mesher.previewProject(after);
       expect(samples.lineOffsets).toEqual(expected.lineOffsets);
       expect(largestDifference(samples.linePoints, expected.linePoints)).toBeLessThan(1e-9);
-      areasOf(expected).forEach((area, patch) => {
-        expect((areasOf(samples)[patch] ?? 0) / area).toBeCloseTo(1, 2);
-      });
+      expect(samples.patchOffsets).toEqual(expected.patchOffsets);
+      expect(largestDifference(samples.patchPoints, expected.patchPoints)).toBeLessThan(1e-9);
       // The samples that were shown stay as they are.
-      expect(sampled.linePoints).toEqual((await mesher.previewProject(before)).linePoints);
+      const again = await mesher.previewProject(before);
+      expect(sampled.linePoints).toEqual(again.linePoints);
+      expect(sampled.patchPoints).toEqual(again.patchPoints);
     },
   );
 
@@ -108,8 +130,40 @@ describe("the preview of the part that an edit changes", () => {
     expect(part?.patches.length).toBeGreaterThan(0);
     if (!part?.project) throw new Error("nothing is to be sampled");
     const samples = withPart(sampled, await mesher.previewProject(part.project), part);
-    const expected = areasOf(await mesher.previewProject(after));
-    areasOf(samples).forEach((area, i) => expect(area / (expected[i] ?? 0)).toBeCloseTo(1, 2));
+    const expected = await mesher.previewProject(after);
+    const areas = areasOf(expected);
+    areasOf(samples).forEach((area, i) => expect(area / (areas[i] ?? 0)).toBeCloseTo(1, 2));
+    const [centroids, wanted, former] = [samples, expected, sampled].map(centroidsOf);
+    const distances = wanted?.map((centroid, i) =>
+      length(subtract(centroids?.[i] ?? [NaN, NaN, NaN], centroid)),
+    );
+    expect(distances?.[0]).toBeLessThan(1e-9);
+    expect(former?.[0] && wanted?.[0] && length(subtract(former[0], wanted[0]))).toBeGreaterThan(1e-3);
+    expect(Math.max(...(distances ?? []))).toBeLessThan(1e-3);
+    expect(sampled.patchPoints).toEqual((await mesher.previewProject(before)).patchPoints);
+  });
+
+  it("finds the offset of points far from the origin, in any order, and none if points move apart", () => {
+    // The offset of the far points is rounded by 1e-11.
+    const offset = 0.1;
+    const far = [1e5, 1e5 + 1, 1e5 + 3];
+    const project = (shift: (x: number, index: number) => number, xs: readonly number[]): Project => ({
+      ...emptyProject("points"),
+      points: xs.map((x, i) => ({ id: i + 1, position: [shift(x, i), 0, 0] })),
+      lines: [{ id: 1, type: "straight", points: [1, 2] }],
+    });
+    for (const xs of [
+      [...far, 0.1, 0.7],
+      [0.1, 0.7, ...far],
+    ]) {
+      const before = project((x) => x, xs);
+      const lines = { lines: before.lines };
+      const moved = changedPart(before, { ...project((x) => x + offset, xs), ...lines });
+      expect(moved?.shifted?.lines).toEqual(new Set([0]));
+      expect(moved?.project).toBeNull();
+      const apart = changedPart(before, { ...project((x, i) => x + offset * (1 + i * 1e-5), xs), ...lines });
+      expect(apart?.shifted ?? null).toBeNull();
+    }
   });
 
   it("is not made if nothing or too much has changed, or if there are other entities", () => {

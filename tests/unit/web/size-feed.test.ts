@@ -13,7 +13,8 @@ import { preview } from "./scene";
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-function opened() {
+/** `isImmediate`: a change has its preview before the feed of sizes is told of it. */
+function opened({ isImmediate = false } = {}) {
   const documents = new DocumentStore(cubeProject(), () => 0);
   const samples: ProjectPreview = preview([], []);
   const previews = createStore<PreviewState>(() => ({
@@ -22,6 +23,10 @@ function opened() {
     checked: documents.project,
     failure: null,
   }));
+  const answer = (): void => previews.setState({ project: documents.project });
+  if (isImmediate) documents.onProject(answer);
+  const bodies = createStore(() => ({}));
+  const view = new ViewStore();
   const asked: number[] = [];
   const mesher: Pick<Mesher, "sampleSizes"> = {
     sampleSizes: ({ points }) => {
@@ -33,9 +38,9 @@ function opened() {
     {
       documents,
       previews: { state: previews } as unknown as PreviewFeed,
-      bodies: { state: createStore(() => ({})), preparations: { allOf: () => [] } } as unknown as BodyFeed,
+      bodies: { state: bodies, preparations: { allOf: () => [] } } as unknown as BodyFeed,
       run: { state: createStore(() => ({ busy: false, mesh: null })) } as unknown as MeshRun,
-      view: new ViewStore(),
+      view,
     },
     Promise.resolve(mesher as Mesher),
   );
@@ -47,8 +52,10 @@ function opened() {
         if (first) first.position[0] = x;
       },
     });
-  const answer = (): void => previews.setState({ project: documents.project });
-  return { feed, asked, moveTo, answer };
+  const fail = (): void =>
+    previews.setState({ failure: { project: documents.project, reason: "no memory" } });
+  const changeBodies = (): void => bodies.setState({});
+  return { feed, asked, moveTo, answer, fail, changeBodies, view };
 }
 
 it("sizes are not asked for while the document changes, however slowly its previews come", async () => {
@@ -76,4 +83,37 @@ it("sizes whose document changes are asked for again, also if the change is take
   await vi.advanceTimersByTimeAsync(1000);
   expect(asked).toEqual([1, 1]);
   expect(feed.state.getState().expected).toBe(102);
+});
+
+it("sizes of a project that has changed are not asked for while its preview is awaited", async () => {
+  const { feed, asked, moveTo, answer, changeBodies, view } = opened();
+  moveTo(1);
+  answer();
+  await vi.advanceTimersByTimeAsync(60);
+  moveTo(2);
+  await vi.advanceTimersByTimeAsync(200);
+  changeBodies();
+  view.setSizes({ enabled: true });
+  await vi.advanceTimersByTimeAsync(200);
+  expect(asked).toEqual([]);
+  answer();
+  await vi.advanceTimersByTimeAsync(200);
+  expect(asked).toEqual([2]);
+  expect(feed.state.getState().expected).toBe(101);
+});
+
+it("sizes are asked for if the preview comes before the change is reported, or fails", async () => {
+  const immediate = opened({ isImmediate: true });
+  immediate.moveTo(1);
+  await vi.advanceTimersByTimeAsync(200);
+  expect(immediate.asked).toEqual([1]);
+
+  const { asked, moveTo, answer, fail } = opened();
+  moveTo(1);
+  answer();
+  moveTo(2);
+  fail();
+  await vi.advanceTimersByTimeAsync(200);
+  // Those of the last project that has a preview, which the view still shows.
+  expect(asked).toEqual([1]);
 });

@@ -121,6 +121,30 @@ describe("bodies that touch", () => {
     expect(joined?.shared).toBeCloseTo(0.5, 12);
   });
 
+  it("keep the region of one whose triangles face inward", async () => {
+    const inward = cube(2, 1, [1.5, 0.5, 0.5]);
+    const triangles = inward.surface.triangles.slice();
+    for (let i = 0; i < triangles.length; i += 3) triangles.subarray(i, i + 3).reverse();
+    const second = { ...inward, surface: { ...inward.surface, triangles }, isPlain: false };
+    const group = [cube(1, 2, [0, 0, 0]), second];
+    const joined = await joinedBody(mesher, projectOf(group), group, signal);
+    expect(joined?.shared).toBeCloseTo(0.5, 12);
+    if (!joined) throw new Error("not joined");
+    const { shells } = await mesher.inspectSurface(joined.surface);
+    expect(shells.map(({ volume }) => Math.round(volume * 1e9) / 1e9)).toEqual([8, 0.5]);
+  });
+
+  it("are joined also if the regions of one of them cannot be located, unless the work was stopped", async () => {
+    const located = vi.spyOn(mesher, "locateRegions").mockRejectedValue(new Error("intersects itself"));
+    const group = [cube(1, 2, [0, 0, 0]), { ...cube(2, 1, [1.5, 0.5, 0.5]), isPlain: false }];
+    const joined = await joinedBody(mesher, projectOf(group), group, signal);
+    expect(joined?.regions).toBe(1);
+    expect(joined?.shared).toBeCloseTo(0.5, 12);
+    const stopped = joinedBody(mesher, projectOf(group), group, AbortSignal.abort());
+    await expect(stopped).rejects.toThrow("intersects itself");
+    located.mockRestore();
+  });
+
   it("are replaced in one step of undo, with the sizes painted on them, in their groups", () => {
     const given = [cube(1, 2, [0, 0, 0]), cube(2, 1, [2, 0, 0]), cube(3, 1, [5, 0, 0])];
     const source = { id: 1, type: "point", positions: [[2, 1, 1]], size: 0.1 } as const;

@@ -29,7 +29,7 @@ import { lineTypeNames, patchTypeNames, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
 import styles from "./selection-card.module.css";
-import { useEachNumber } from "./use-each-number";
+import { useOwnNumbers } from "./use-own-numbers";
 import { TypeSelect } from "./type-select";
 
 interface CommonFieldsProps {
@@ -46,7 +46,7 @@ export function CommonFields({ entities, project }: CommonFieldsProps) {
   const numbers = commonNumbers(project, entities).filter(isShown);
   const parameters = new Set(project.parameters?.map(({ name }) => name));
   const named = numbers
-    .filter(({ isAutomatic }) => !isAutomatic)
+    .filter(({ smallest }) => smallest !== null)
     .map(({ field }) => ownNames[field])
     .filter((name) => !parameters.has(name));
   const isPositioned = numbers.some(({ field }) => field === "position.0");
@@ -69,14 +69,14 @@ function CommonPosition({
   numbers,
 }: CommonFieldsProps & { readonly numbers: readonly CommonNumber[] }) {
   const { documents } = useApp();
-  const each = useEachNumber(project, entities);
+  const own = useOwnNumbers(project, entities);
   const at = (axis: 0 | 1 | 2) => numbers.find(({ field }) => field === `position.${axis}`);
   return (
     <PositionRow
       label={strings.inspector.position}
       value={[at(0)?.value ?? null, at(1)?.value ?? null, at(2)?.value ?? null]}
       expressions={([0, 1, 2] as const).map((axis) => at(axis)?.expression)}
-      each={(axis) => each(`position.${axis}`)}
+      own={(axis) => own(`position.${axis}`)}
       step={stepFor(project)}
       testId="common-position"
       onCommit={(axis, value, expression) =>
@@ -141,10 +141,10 @@ const refusals: Readonly<Partial<Record<CommonField, (value: number) => string |
 function CommonNumberRow({
   entities,
   project,
-  number: { field, value, isAutomatic, expression },
+  number: { field, value, isAutomatic, smallest, expression },
 }: CommonFieldsProps & { readonly number: CommonNumber }) {
   const { documents } = useApp();
-  const each = useEachNumber(project, entities);
+  const own = useOwnNumbers(project, entities);
   if (field === "position.0" || field === "position.1" || field === "position.2") return null;
   const refuse = refusals[field];
   const isLength = !factors.has(field);
@@ -154,8 +154,8 @@ function CommonNumberRow({
       value={value}
       {...(isAutomatic && { placeholder: strings.bodies.treatment.automatic })}
       expression={expression}
-      each={each(field)}
-      step={isLength ? sizeStep(value ?? 1) : 0.05}
+      own={own(field)}
+      step={isLength ? sizeStep(smallest ?? 1) : 0.05}
       testId={`common-${field.replace(".", "-")}`}
       {...(refuse && { refuse })}
       {...(isLength && unitsOf(project))}

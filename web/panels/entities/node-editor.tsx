@@ -9,7 +9,7 @@ import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
 import { positionExpressions } from "../shared/kept-expressions";
-import { useEachNumber } from "./use-each-number";
+import { useOwnNumbers } from "./use-own-numbers";
 
 interface NodeEditorProps {
   readonly node: ProjectBackgroundNode;
@@ -20,7 +20,7 @@ interface NodeEditorProps {
 export function NodeEditor({ node, project }: NodeEditorProps) {
   const { documents } = useApp();
   const { id, size, stretching = 1, direction = [1, 0, 0] as const, position } = node;
-  const each = useEachNumber(project, [{ kind: "background-node", id }]);
+  const own = useOwnNumbers(project, [{ kind: "background-node", id }]);
   const path = (field: string) => ({ kind: "background-node", id, field }) as const;
   const refuseZero = (axis: 0 | 1 | 2, value: number): string | null =>
     direction.with(axis, value).every((x) => x === 0) ? strings.fields.zeroDirection : null;
@@ -34,7 +34,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
         testId="node-size"
         {...unitsOf(project)}
         expression={expressionOf(project, path("size"))}
-        each={each("size")}
+        own={own("size")}
         onCommit={(value, expression) =>
           documents.edit(keepingExpression(setNodeSize(id, value), path("size"), expression))
         }
@@ -47,7 +47,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
         testId="node-stretching"
         rightSection={<Unit>×</Unit>}
         expression={expressionOf(project, path("stretching"))}
-        each={each("stretching")}
+        own={own("stretching")}
         onCommit={(value, expression) =>
           documents.edit(keepingExpression(setNodeStretching(id, value), path("stretching"), expression))
         }
@@ -71,7 +71,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
         label={strings.inspector.position}
         value={position}
         step={stepFor(project)}
-        each={(axis) => each(`position.${axis}`)}
+        own={(axis) => own(`position.${axis}`)}
         testId="position"
         expressions={positionExpressions(project, path("position"))}
         onCommit={(axis, value, expression) =>

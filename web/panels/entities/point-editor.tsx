@@ -6,19 +6,19 @@ import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { stepFor } from "../shared/size-fields";
 import { positionExpressions } from "../shared/kept-expressions";
-import { useEachNumber } from "./use-each-number";
+import { useOwnNumbers } from "./use-own-numbers";
 
 /** The position of a point. */
 export function PointEditor({ point, project }: { readonly point: ProjectPoint; readonly project: Project }) {
   const app = useApp();
-  const each = useEachNumber(project, [{ kind: "point", id: point.id }]);
+  const own = useOwnNumbers(project, [{ kind: "point", id: point.id }]);
   const path = { kind: "point", id: point.id, field: "position" } as const;
   return (
     <PositionRow
       label={strings.inspector.position}
       value={point.position}
       step={stepFor(project)}
-      each={(axis) => each(`position.${axis}`)}
+      own={(axis) => own(`position.${axis}`)}
       testId="position"
       expressions={positionExpressions(project, path)}
       onCommit={(axis, value, expression) =>

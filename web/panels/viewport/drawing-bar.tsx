@@ -41,7 +41,13 @@ export function DrawingBar() {
   const hint =
     isCircle && circleBy === "points" ? words.hints.circleThrough : hintOf(tool, lineType, sourceType);
   return (
-    <div className={styles["bar"]} role="group" aria-label={words.bar} data-passes data-testid="drawing-bar">
+    <div
+      className={styles["bar"]}
+      role="group"
+      aria-label={words.bar}
+      data-lets-through
+      data-testid="drawing-bar"
+    >
       <div className={styles["choices"]}>
         {tool === "line" && <LineTypeChoice value={lineType} circleBy={circleBy} />}
         {isCircle && !isPhone && <CircleChoice value={circleBy} />}

@@ -17,7 +17,7 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   const app = useApp();
   const problems = useProblems((state) => state.problems);
   const severityOf = useShownSeverity();
-  const isDrawing = useView(({ tool }) => tool !== "select");
+  const isToolActive = useView(({ tool }) => tool !== "select");
   const placed = problems
     .filter((problem) => problem.position !== null && severityOf(problem) !== "expected")
     .slice(0, maxMarkers);
@@ -33,7 +33,7 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
           type="button"
           className={styles["marker"]}
           data-severity={problem.severity}
-          data-lets-through={isDrawing}
+          data-lets-through={isToolActive || undefined}
           data-testid={`marker-${index}`}
           aria-label={problem.message}
           title={problem.message}

@@ -63,7 +63,7 @@ export function MeshBadge() {
   const failure = useRun((state) => state.failure);
   const status = useRun((state) => state.mesh?.report.status);
   const hasFront = useRun((state) => (state.mesh?.volume.front.length ?? 0) > 0);
-  const isDrawing = useView(({ tool }) => tool !== "select");
+  const isToolActive = useView(({ tool }) => tool !== "select");
   const showsTrace = usePlayer(({ trace, recording }) => trace !== null || recording !== null);
   if (busy) return null;
   // A trace is drawn in place of the mesh, and a link to one has stopped the run.
@@ -74,14 +74,18 @@ export function MeshBadge() {
     <div
       className={styles["badge"]}
       data-testid="mesh-badge"
-      data-passes={isDrawing || undefined}
+      data-lets-through={isToolActive || undefined}
       role="status"
-      {...(isDrawing && { title: hint })}
     >
       <span>
         <b>{title}</b> <span className={styles["wide"]}>{hint}</span>
       </span>
-      <Button size="compact-xs" variant="default" onClick={() => void generateMesh(app)}>
+      <Button
+        size="compact-xs"
+        variant="default"
+        {...(isToolActive && { title: hint })}
+        onClick={() => void generateMesh(app)}
+      >
         {strings.viewport.update}
       </Button>
     </div>

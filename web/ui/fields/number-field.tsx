@@ -8,17 +8,17 @@ import { formatNumber } from "../format";
 import { strings } from "../../strings";
 
 /** New values of all numbers that a field stands for. */
-export interface EachChange {
+export interface OwnValues {
   readonly values: readonly number[];
   readonly commit: () => void;
 }
 
 /** Changes of the numbers that a field stands for, each from the value that it has. */
-export interface EachNumber {
+export interface OwnNumber {
   /** Returns what an expression such as `z+0.1` gives: null if that is no number, undefined if it uses no own values. */
-  readonly read: (text: string) => EachChange | null | undefined;
-  /** Returns what a step gives; null if not all have a value. */
-  readonly step: (change: number) => EachChange | null;
+  readonly read: (text: string) => OwnValues | null | undefined;
+  /** Returns what a step gives; null if not all have a value. Then an arrow key changes nothing. */
+  readonly step: (change: number) => OwnValues | null;
 }
 
 export interface NumberFieldProps {
@@ -38,8 +38,8 @@ export interface NumberFieldProps {
   readonly refuse?: (value: number) => string | null;
   /** The expression is what was typed, if it is not a plain number. */
   readonly onCommit: (value: number, expression: string | null) => void;
-  /** Lets expressions use the present value, and steps change numbers that differ. */
-  readonly each?: EachNumber | undefined;
+  /** Changes from each entity's own value: by expressions, and by steps where the values differ. */
+  readonly own?: OwnNumber | undefined;
   /** Text before and after the number, for example the axis and the unit. */
   readonly leftSection?: ReactNode;
   readonly rightSection?: ReactNode;
@@ -75,7 +75,7 @@ const keptFrom = (text: string): string | null => (text === "" || isPlainNumber(
 
 /** The text that is being typed into a number field; null if the field shows its value. */
 function useNumberDraft(
-  { value, expression, minDigits, refuse, live = false, each, onCommit }: NumberFieldProps,
+  { value, expression, minDigits, refuse, live = false, own, onCommit }: NumberFieldProps,
   isFocused: boolean,
 ) {
   const named = useContext(NamedNumbersContext);
@@ -98,7 +98,7 @@ function useNumberDraft(
     return true;
   };
   /** As `take`, for new values of all numbers that the field stands for. */
-  const takeEach = (change: EachChange | null, text = ""): boolean => {
+  const takeOwn = (change: OwnValues | null, text = ""): boolean => {
     const reasons = change?.values.map((one) => refuse?.(one) ?? null) ?? [problemOf(text, named)];
     const reason = reasons.find((one) => one !== null) ?? null;
     setError(reason);
@@ -111,8 +111,8 @@ function useNumberDraft(
     if (draft === null) return true;
     const text = draft.trim();
     if (text !== (expression ?? shown)) {
-      const change = each?.read(text);
-      return change === undefined ? take(readNumber(text, named), text) : takeEach(change, text);
+      const change = own?.read(text);
+      return change === undefined ? take(readNumber(text, named), text) : takeOwn(change, text);
     }
     discard();
     return true;
@@ -125,10 +125,12 @@ function useNumberDraft(
     if (typed !== null && isNew && (refuse?.(typed) ?? null) === null) onCommit(typed, kept);
   };
   const step = (change: number): boolean => {
-    const stepped = value === null && draft === null ? each?.step(change) : null;
-    if (stepped) return takeEach(stepped);
-    const from = (draft === null ? value : readNumber(draft, named)) ?? value ?? 0;
-    return take(Number((from + change).toPrecision(12)));
+    // What was typed in terms of own values counts, before any step.
+    if (draft !== null && own?.read(draft.trim()) !== undefined) return commit();
+    const from = (draft === null ? null : readNumber(draft, named)) ?? value;
+    if (from !== null) return take(Number((from + change).toPrecision(12)));
+    const stepped = own?.step(change) ?? null;
+    return stepped !== null && takeOwn(stepped);
   };
   // A field that commits while it is typed in has nothing to discard once it has committed.
   const isCommitted =

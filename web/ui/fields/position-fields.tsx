@@ -1,4 +1,4 @@
-import { NumberField, type EachNumber } from "./number-field";
+import { NumberField, type OwnNumber } from "./number-field";
 import styles from "./position-fields.module.css";
 
 const axes = ["x", "y", "z"] as const;
@@ -10,8 +10,8 @@ export interface PositionFieldsProps {
   readonly value: readonly [number | null, number | null, number | null];
   /** What the coordinates were computed from. */
   readonly expressions?: readonly (string | undefined)[] | undefined;
-  /** Lets expressions use the present values. */
-  readonly each?: ((axis: 0 | 1 | 2) => EachNumber) | undefined;
+  /** Changes of a coordinate from each entity's own value. */
+  readonly own?: ((axis: 0 | 1 | 2) => OwnNumber) | undefined;
   readonly step: number;
   /** Returns why a coordinate is invalid, or null if it is valid. */
   readonly refuse?: (axis: 0 | 1 | 2, value: number) => string | null;
@@ -29,7 +29,7 @@ export function PositionFields({
   label,
   value: position,
   expressions = [],
-  each,
+  own,
   step,
   refuse,
   onCommit,
@@ -45,7 +45,7 @@ export function PositionFields({
           label={`${label} ${axes[axis]}`}
           value={position[axis]}
           expression={expressions[axis]}
-          each={each?.(axis)}
+          own={own?.(axis)}
           step={step}
           live={live}
           first={first === true && axis === 0}

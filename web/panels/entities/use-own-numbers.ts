@@ -7,17 +7,17 @@ import {
   type OwnChange,
 } from "../../document/common-edits";
 import type { Entity } from "../../document/entities";
-import type { EachChange, EachNumber } from "../../ui/fields/number-field";
+import type { OwnValues, OwnNumber } from "../../ui/fields/number-field";
 import { useApp } from "../shared/app-context";
 
 /** Returns how a number of entities changes from the value that each of them has. */
-export function useEachNumber(
+export function useOwnNumbers(
   project: Project,
   entities: readonly Entity[],
-): (field: CommonField) => EachNumber {
+): (field: CommonField) => OwnNumber {
   const { documents } = useApp();
   return (field) => {
-    const changeOf = (changes: readonly OwnChange[]): EachChange => ({
+    const changeOf = (changes: readonly OwnChange[]): OwnValues => ({
       values: changes.map(({ value }) => value),
       commit: () => documents.edit(setNumbers(field, changes)),
     });
