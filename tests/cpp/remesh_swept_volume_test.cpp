@@ -31,7 +31,7 @@ std::vector<NumberedTriangle> trianglesOf(
   return triangles;
 }
 
-/// A triangle of which the first node is at the position.
+/// A small triangle with its first node at the position.
 NumberedTriangle smallTriangle(const Vec3& position) {
   constexpr double kSmall = 1e-3;
   const Vec3 side(kSmall, 0.0, 0.0);
@@ -77,7 +77,7 @@ TEST(SweptVolume, FindsSheetsWithoutNodesOfTheirOwn) {
   }
 }
 
-/// Three half-planes, at 120 degrees around an edge of which the middle moves: what is between the old and the new middle is
+/// Three half-planes at 120 degrees around an edge. The middle of the edge moves: what is between the old and the new middle is
 /// passed over by one of them.
 TEST(SweptVolume, OfThreeSheetsIsWhatOneOfThemPasses) {
   std::vector<Vec3> points{{0.0, 0.0, -1.0}, {0.0, 0.0, 1.0},  {0.0, 0.0, 0.0},  {0.3, 0.2, 0.0},

@@ -14,7 +14,7 @@ export interface ChangedPart {
   readonly shifted: ShiftedPart | null;
 }
 
-/** Lines and patches of which all points were moved by the same offset, by their indices in the whole project. */
+/** Lines and patches whose points were all moved by the same offset, by their indices in the whole project. */
 export interface ShiftedPart {
   readonly offset: Position;
   readonly lines: ReadonlySet<number>;

@@ -19,7 +19,8 @@ constexpr double kCellAngle = 0.002;
 constexpr double kWavyBend = 8.0;
 /// Least area of the triangles in a cell / squared width of the cell.
 constexpr double kCellArea = 0.1;
-/// Area / squared diagonal below which the curvature of a triangle is rounding.
+/// Area / squared diagonal below which the curvature of a triangle is rounding: coordinates are rounded by about 1e-16 of the
+/// diagonal, so the normal of a needle as long as the diagonal and 1e-12 as wide is known to 1e-4.
 constexpr double kLeastArea = 1e-12;
 /// Slots per unit of budget.
 constexpr std::size_t kSlotsPerUnit = 8;

@@ -265,8 +265,8 @@ Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SimplifiedSur
   }
 }
 
-/// Returns true if triangles of the smallest size are poor across the details that may be dropped. In narrow gaps, automatic
-/// sizes are smaller, but these details are not worth so many triangles.
+/// Returns true if triangles of the smallest size are poor across the details that may be dropped. Automatic sizes
+/// are smaller in narrow gaps, but would only fill these details with many small triangles.
 bool areGivenDetailsPoor(const Remeshing& remeshing) {
   const BackgroundGrid& grid = remeshing.sizes.grid;
   if (!grid.nodes.empty() || !grid.sources.empty()) return false;

@@ -14,7 +14,8 @@
 namespace tetrafront {
 namespace {
 
-/// Distance from a triangle / largest coordinate below which the side of a rounded centroid is unknown.
+/// Distance from a triangle / largest coordinate below which it is unknown on which side a centroid is. Its rounding is about 1e-16;
+/// the limit is far above it, because it costs no more than a few changes.
 constexpr double kNear = 1e-12;
 
 }  // namespace
@@ -74,7 +75,7 @@ bool SweptVolume::isBetween(const Vec3& position) {
     bool& isOdd = outlines_[sheetOf_[t]].isCrossedOdd;
     isOdd = !isOdd;
   }
-  std::array<Outline, kMaxEnds> withHighest{};  // per edge: a sum of which it is the highest end
+  std::array<Outline, kMaxEnds> withHighest{};  // per edge: a sum whose highest end it is
   for (Outline sum : outlines_) {
     while (sum.ends != 0) {
       Outline& other = withHighest[static_cast<std::size_t>(std::bit_width(sum.ends)) - 1];

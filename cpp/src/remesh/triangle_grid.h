@@ -47,7 +47,7 @@ class TriangleGrid {
 
   /// Returns whether one of the added triangles intersects another one, or one in the grid, beyond the nodes and edges that they
   /// share; or whether one in the grid lies between the removed and the added ones (swept_volume.h). Exact, except
-  /// that the latter may be taken for true where roundings decide.
+  /// that a triangle may count as lying between them where roundings decide.
   [[nodiscard]] bool collide(const Replacement& change) { return collide(change, change.added); }
   /// The same, if only `uncovered` of the added triangles can intersect one in the grid.
   [[nodiscard]] bool collide(const Replacement& change,

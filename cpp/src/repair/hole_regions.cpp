@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "base/ids.h"
 #include "base/mesh_access.h"
@@ -12,7 +14,7 @@
 namespace tetrafront {
 namespace {
 
-/// Two triangles at an edge, of which at least one has no known regions.
+/// Two triangles at an edge. One of them, or both, have no known regions.
 struct Neighbours {
   TriangleId first;
   TriangleId second;
@@ -45,8 +47,7 @@ std::array<std::uint32_t, 2> regionsBeside(const SurfaceMesh& mesh, TriangleId n
   return areTurned ? std::array{second, first} : std::array{first, second};
 }
 
-}  // namespace
-
+/// Gives triangles without known regions those of their neighbours.
 bool spreadRegions(SurfaceMesh& mesh, std::vector<std::uint8_t> isKnown) {
   const std::vector<Neighbours> all = findNeighbours(mesh, isKnown);
   for (bool isChanged = true; isChanged;) {
@@ -67,6 +68,22 @@ bool spreadRegions(SurfaceMesh& mesh, std::vector<std::uint8_t> isKnown) {
     return regionsBeside(mesh, pair.first, false) ==
            regionsBeside(mesh, pair.second, pair.areTurned);
   });
+}
+
+}  // namespace
+
+bool assignRegions(SurfaceMesh& mesh, std::span<const TriangleId> origin,
+                   std::span<const std::uint32_t> given) {
+  mesh.triangleRegions.assign(2 * origin.size(), SurfaceMesh::kNoRegion);
+  std::vector<std::uint8_t> isKnown(origin.size(), 0);
+  for (std::size_t t = 0; t < origin.size(); ++t) {
+    if (origin[t].isNone()) continue;
+    isKnown[t] = 1;
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      mesh.triangleRegions[2 * t + side] = given[2 * origin[t].index() + side];
+    }
+  }
+  return spreadRegions(mesh, std::move(isKnown));
 }
 
 }  // namespace tetrafront

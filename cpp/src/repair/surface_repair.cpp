@@ -305,15 +305,7 @@ Task<bool> RepairedSurface::resolveRegions(Work& work, const SurfaceMesh& closed
   whole.points = closed.points;
   whole.triangles = closed.triangles;
   whole.triangles.insert(whole.triangles.end(), duplicates_.begin(), duplicates_.end());
-  std::vector<std::uint8_t> isKnown;
-  for (const TriangleId from : origin_) {
-    isKnown.push_back(from.isNone() ? 0 : 1);
-    const std::size_t side = 2 * from.index();
-    for (const std::size_t i : {side, side + 1}) {
-      whole.triangleRegions.push_back(from.isNone() ? SurfaceMesh::kNoRegion : givenRegions_[i]);
-    }
-  }
-  if (!spreadRegions(whole, std::move(isKnown))) {
+  if (!assignRegions(whole, origin_, givenRegions_)) {
     origin_ = known;
     co_return false;
   }

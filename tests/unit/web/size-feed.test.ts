@@ -13,7 +13,7 @@ import { preview } from "./scene";
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-/** `isImmediate`: a change has its preview before the feed of sizes is told of it. */
+/** `isImmediate`: the preview of a change comes before the size feed hears of the change. */
 function opened({ isImmediate = false } = {}) {
   const documents = new DocumentStore(cubeProject(), () => 0);
   const samples: ProjectPreview = preview([], []);
