@@ -17,6 +17,7 @@
 #include "repair/duplicate_triangles.h"
 #include "repair/hole_filling.h"
 #include "repair/hole_regions.h"
+#include "repair/resolved_changes.h"
 #include "repair/shared_volumes.h"
 #include "repair/sliver_splitting.h"
 #include "repair/surface_closing.h"
@@ -90,6 +91,9 @@ class RepairedSurface {
   Task<bool> resolveRegions(Work& work, const SurfaceMesh& closed,
                             const std::vector<FilledHole>& closedHoles);
   void reportUnresolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed);
+  Task<bool> takeAny(Work& work, const SurfaceMesh& closed,
+                     const std::vector<FilledHole>& closedHoles,
+                     std::vector<EnclosedSurface>& results);
   Task<bool> takeEnclosed(Work& work, const SurfaceMesh& closed,
                           const std::vector<FilledHole>& closedHoles, EnclosedSurface& enclosed);
 
@@ -106,7 +110,6 @@ class RepairedSurface {
   void orientIfManifold(SurfaceMesh& oriented) const;
   void keepHoles(const SurfaceMesh& mesh, const std::vector<FilledHole>& holes);
   void takeResolved(const SurfaceMesh& closed, EnclosedSurface& enclosed);
-  void listResolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed);
 
   void add(RepairKind kind, std::uint32_t first, std::uint32_t second, const Vec3& position) {
     changes_.push_back({kind, first, second, position});
@@ -282,15 +285,23 @@ Task<bool> RepairedSurface::resolve(Work& work) {
     const bool isTaken = co_await resolveRegions(work, closed, closedHoles);
     if (isTaken) co_return true;
   }
-  work.beginPart(0.7);
+  work.beginPart(0.8);
   std::vector<EnclosedSurface> results =
       co_await encloseSurface(work, closed, options_.weldIntersections);
   work.beginPart(1.0);
+  const bool isTaken = co_await takeAny(work, closed, closedHoles, results);
+  if (!isTaken) reportUnresolved(closed, results.back());
+  co_return isTaken;
+}
+
+/// Replaces the surface by the first result that is accepted. Returns false, without a change, if none is.
+Task<bool> RepairedSurface::takeAny(Work& work, const SurfaceMesh& closed,
+                                    const std::vector<FilledHole>& closedHoles,
+                                    std::vector<EnclosedSurface>& results) {
   for (EnclosedSurface& enclosed : results) {
     const bool isTaken = co_await takeEnclosed(work, closed, closedHoles, enclosed);
     if (isTaken) co_return true;
   }
-  reportUnresolved(closed, results.back());
   co_return false;
 }
 
@@ -313,12 +324,9 @@ Task<bool> RepairedSurface::resolveRegions(Work& work, const SurfaceMesh& closed
   std::vector<EnclosedSurface> results =
       co_await encloseSurface(work, whole, options_.weldIntersections);
   work.beginPart(1.0);
-  for (EnclosedSurface& enclosed : results) {
-    const bool isTaken = co_await takeEnclosed(work, whole, closedHoles, enclosed);
-    if (isTaken) co_return true;
-  }
-  origin_ = known;
-  co_return false;
+  const bool isTaken = co_await takeAny(work, whole, closedHoles, results);
+  if (!isTaken) origin_ = known;
+  co_return isTaken;
 }
 
 /// Says why the surface stays as it is, and where.
@@ -368,37 +376,10 @@ Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
   keepHoles(closed, closedHoles);
   triangleRegions_ = std::move(regions);
   sharedVolumes_ = findSharedVolumes(enclosed.shared);
-  listResolved(closed, enclosed);
+  const std::vector<RepairChange> resolved = resolvedChanges(mesh_, origin_, enclosed);
+  changes_.insert(changes_.end(), resolved.begin(), resolved.end());
   takeResolved(closed, enclosed);
   co_return true;
-}
-
-/// Lists what became of the triangles of the surface, to which `closed` added some.
-void RepairedSurface::listResolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed) {
-  std::vector<std::uint32_t> count(countTriangles(closed), 0);
-  std::vector<TriangleId> last(count.size());
-  for (std::uint32_t t = 0; t < enclosed.origin.size(); ++t) {
-    ++count[enclosed.origin[t].index()];
-    last[enclosed.origin[t].index()] = TriangleId(t);
-  }
-  for (std::uint32_t t = 0; t < countTriangles(mesh_); ++t) {
-    if (origin_[t].isNone()) continue;
-    const NodeTriple given = nodesOf(mesh_, TriangleId(t));
-    if (count[t] == 1) {
-      const NodeTriple left = nodesOf(enclosed.mesh, last[t]);
-      if (sorted(left) == sorted(given)) {
-        const auto first = std::ranges::find(left, given[0]) - left.begin();
-        const bool isFlipped = left[static_cast<std::size_t>(first + 1) % 3] != given[1];
-        if (isFlipped) addAt(RepairKind::kFlippedTriangle, TriangleId(t));
-        continue;
-      }
-    }
-    if (enclosed.isCut[t] != 0 || count[t] > 1) {
-      addAt(RepairKind::kResolvedIntersection, TriangleId(t), TriangleId(count[t]));
-    } else if (count[t] == 0) {
-      addAt(RepairKind::kRemovedSheet, TriangleId(t));
-    }
-  }
 }
 
 void RepairedSurface::takeResolved(const SurfaceMesh& closed, EnclosedSurface& enclosed) {
