@@ -1,15 +1,28 @@
 /** The files of an assembly, which `tetrafront mesh --join` meshes as one model. */
 import { readFileSync } from "node:fs";
-import { readMesh } from "tetrafront";
+import { readMesh, type SurfaceInput } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { sixfoldVolume } from "../../support/block-mesh.js";
 import { boxSolid, stepFile } from "../../support/step-files.js";
 import { offFile, smeshFile } from "../../support/surface-files.js";
-import { boxSurface, joined } from "../../support/surfaces.js";
+import { boxSurface, joined, turned } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const { save, run, inFolder } = temporaryFolder();
+
+/** Returns the volumes of the tetrahedra of a file, by the name of their region. */
+async function tetrahedronVolumesIn(fileName: string): Promise<ReadonlyMap<string, readonly number[]>> {
+  const read = await readMesh(readFileSync(inFolder(fileName)), { fileName });
+  if (!read.success) throw new Error(read.errors[0].message);
+  const { points, tetrahedra, tetrahedronRegion, regions } = read.value;
+  const volumes = regions.map((): number[] => []);
+  tetrahedronRegion.forEach((region, t) => {
+    const corners = [...tetrahedra.subarray(4 * t, 4 * t + 4)];
+    volumes[region]?.push(Math.abs(sixfoldVolume(points, corners)) / 6);
+  });
+  return new Map(regions.map(({ name }, region) => [name, volumes[region] ?? []]));
+}
 
 describe("files of an assembly", () => {
   const parts = {
@@ -86,27 +99,14 @@ describe("files of an assembly", () => {
     const args = ["mesh", "shell.smesh", "core.smesh", "--join", "-o", "joined.msh", "--report", "r.json"];
     const { code, stderr } = await run(...args);
     expect([code, stderr]).toEqual([0, expect.not.stringContaining("error")]);
-    const read = await readMesh(readFileSync(inFolder("joined.msh")), { fileName: "joined.msh" });
-    if (!read.success) throw new Error(read.errors[0].message);
-    const { regions, tetrahedra, tetrahedronRegion, points } = read.value;
-    expect(regions.map(({ name }) => name)).toEqual(["shell", "core"]);
-    const volumes: [number[], number[]] = [[], []];
-    tetrahedronRegion.forEach((region, t) => {
-      const corners = [...tetrahedra.subarray(4 * t, 4 * t + 4)];
-      volumes[region === 0 ? 0 : 1].push(Math.abs(sixfoldVolume(points, corners)) / 6);
-    });
+    const volumes = await tetrahedronVolumesIn("joined.msh");
+    expect([...volumes.keys()]).toEqual(["shell", "core"]);
     const sum = (all: readonly number[]) => all.reduce((total, volume) => total + volume, 0);
-    expect(volumes.map(sum)).toEqual([expect.closeTo(1 - 1 / 64, 9), expect.closeTo(1 / 64, 9)]);
-    expect(Math.max(...volumes[1])).toBeLessThanOrEqual(0.0005);
-  });
-
-  test("say that largest volumes of regions are lost if a part is open", async () => {
-    const inner = boxSurface(1, [0.25, 0.25, 0.25], [0.5, 0.5, 0.5]);
-    const { points, triangles } = boxSurface(2);
-    save("open.off", offFile({ points, triangles: triangles.subarray(3) }));
-    save("core.smesh", smeshFile(inner, "0\n1\n1 0.3 0.3 0.3 7 0.0005\n"));
-    const { stderr } = await run("mesh", "open.off", "core.smesh", "--join", "-o", "joined.msh");
-    expect(stderr).toContain("largest volumes of regions have no effect, because not all solids are closed");
+    expect([...volumes.values()].map(sum)).toEqual([
+      expect.closeTo(1 - 1 / 64, 9),
+      expect.closeTo(1 / 64, 9),
+    ]);
+    expect(Math.max(...(volumes.get("core") ?? []))).toBeLessThanOrEqual(0.0005);
   });
 });
 
@@ -172,6 +172,43 @@ describe("solids of joined files", () => {
     expect(stderr).not.toContain("not meshed");
     expect(volumeIn("r.json")).toBeCloseTo(1.99, 4);
     expect(regionVolumesIn("r.json")).toEqual([expect.closeTo(1, 4), expect.closeTo(0.99, 4)]);
+  });
+
+  describe.each([
+    ["outward", (surface: SurfaceInput) => surface],
+    ["inward", turned],
+  ])("of which one has a hole and faces %s", (_, facing) => {
+    const { points, triangles } = boxSurface(4);
+    const open = facing({ points, triangles: triangles.subarray(9) });
+    const args = ["--join", "-o", "a.msh", "--report", "r.json", "--surface", "remesh"];
+
+    test.each([
+      ["lie apart", [1.5, 0, 0], 0],
+      ["touch in a whole face", [1, 0, 0], 0],
+      ["touch in a part of a face", [1, 0.125, 0.125], 0],
+      ["overlap", [0.8, 0.125, 0.125], 0.2 * 0.75 ** 2],
+    ] as const)("keep both regions if they %s", async (_, [x, low, lowToo], shared) => {
+      const other = boxSurface(4, [x, low, lowToo], [x + 1, 1 - low, 1 - lowToo]);
+      save("open.off", offFile(open));
+      save("other.off", offFile(other));
+      const { code, stderr } = await run("mesh", "open.off", "other.off", ...args);
+      expect([code, stderr]).toEqual([0, expect.stringContaining('not closed: "open"')]);
+      expect(stderr).not.toContain("not meshed");
+      expect(regionVolumesIn("r.json")).toEqual([
+        expect.closeTo(1, 3),
+        expect.closeTo((1 - 2 * low) ** 2 - shared, 3),
+      ]);
+    });
+
+    test("keep the largest volumes of regions", async () => {
+      const core = boxSurface(1, [1.5, 0, 0], [2, 0.5, 0.5]);
+      save("open.off", offFile(open));
+      save("core.smesh", smeshFile(core, "0\n1\n1 1.6 0.1 0.1 7 0.0005\n"));
+      const { code, stderr } = await run("mesh", "open.off", "core.smesh", ...args);
+      expect([code, stderr]).toEqual([0, expect.not.stringContaining("largest volumes")]);
+      const volumes = await tetrahedronVolumesIn("a.msh");
+      expect(Math.max(...(volumes.get("core") ?? []))).toBeLessThanOrEqual(0.0005);
+    });
   });
 
   test("leave a closed gap between them empty, and do not make a region of it", async () => {

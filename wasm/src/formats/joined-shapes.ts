@@ -1,6 +1,17 @@
 /** Shapes that were triangulated by themselves, in common arrays: welding and orientation. */
 import { plural } from "../base/plural.js";
 import { inRanges, type Steps, stepwise } from "../base/steps.js";
+import {
+  type Corners,
+  cross,
+  dot,
+  lengthOf,
+  minus,
+  normalOf,
+  plus,
+  pointOf,
+  type Vector,
+} from "../base/vectors.js";
 import type { FileGroup } from "../mesh/file-mesh.js";
 import { listed } from "./groups.js";
 import { diagonalOf, weldWithin } from "./near-points.js";
@@ -165,15 +176,19 @@ function hasOddRun(sorted: Float64Array): boolean {
   return false;
 }
 
-/** Flips closed shapes whose triangles face inward: mirrored parts of an assembly. `open`: the shapes that are not closed. */
-export function* orientShapes(joined: JoinedShapes, open: ReadonlySet<number>): Steps<void> {
+/**
+ * Smallest volume about the centre of a shape that is turned / area^(3/2): that of a flat or far from closed one has no sign.
+ */
+const SMALLEST_VOLUME = 1e-9;
+
+/** Flips shapes whose triangles face inward: mirrored parts of an assembly. */
+export function* orientShapes(joined: JoinedShapes): Steps<void> {
   const { names, triangles, shapeOf, isDropped } = joined;
-  const volumes = new Float64Array(names.length);
+  const sums = names.map(() => new VolumeSum());
   yield* stepwise(shapeOf.length, (t) => {
-    const s = shapeOf[t] ?? 0;
-    if (isDropped[t] === 0) volumes[s] = (volumes[s] ?? 0) + sixfoldVolumeBelow(joined, t);
+    if (isDropped[t] === 0) sums[shapeOf[t] ?? 0]?.add(cornersOf(joined, t));
   });
-  const flipped = [...volumes.keys()].filter((s) => (volumes[s] ?? 0) < 0 && !open.has(s));
+  const flipped = [...sums.keys()].filter((s) => sums[s]?.isInverted() === true);
   if (flipped.length === 0) return;
   const isFlipped = new Set(flipped);
   yield* inRanges(shapeOf.length, (begin, end) => {
@@ -187,39 +202,49 @@ export function* orientShapes(joined: JoinedShapes, open: ReadonlySet<number>): 
   joined.notes.push(`flipped: ${namesOf(joined, flipped)}`);
 }
 
+/** Sums up the volume that the triangles of a shape enclose with the centre of them all, which also open shapes have. */
+class VolumeSum {
+  #count = 0;
+  #doubledArea = 0;
+  #sixfoldVolume = 0;
+  #normal: Vector = [0, 0, 0];
+  #corners: Vector = [0, 0, 0];
+
+  add(corners: Corners): void {
+    const [a, b, c] = corners;
+    const normal = normalOf(corners);
+    this.#count += 3;
+    this.#doubledArea += lengthOf(normal);
+    this.#sixfoldVolume += dot(a, cross(b, c));
+    this.#normal = plus(this.#normal, normal);
+    this.#corners = corners.reduce(plus, this.#corners);
+  }
+
+  /** Returns whether the triangles face inward. */
+  isInverted(): boolean {
+    const volume = (this.#sixfoldVolume - dot(this.#corners, this.#normal) / this.#count) / 6;
+    return volume < -SMALLEST_VOLUME * (this.#doubledArea / 2) ** 1.5;
+  }
+}
+
 /** Returns the names of shapes, in quotes. */
 export function namesOf({ names }: JoinedShapes, shapes: Iterable<number>): string {
   return listed([...shapes].map((s) => `"${names[s] ?? ""}"`));
 }
 
-type Vector = readonly [number, number, number];
-
 /** Returns the corners of a triangle, relative to the first node of all. */
-export function cornersOf({ points, triangles }: JoinedShapes, t: number): readonly [Vector, Vector, Vector] {
-  const corner = (k: number): Vector => {
-    const node = triangles[3 * t + k] ?? 0;
-    const part = (axis: number) => (points[3 * node + axis] ?? 0) - (points[axis] ?? 0);
-    return [part(0), part(1), part(2)];
-  };
+export function cornersOf({ points, triangles }: JoinedShapes, t: number): Corners {
+  const first = pointOf(points, 0);
+  const corner = (k: number): Vector => minus(pointOf(points, triangles[3 * t + k] ?? 0), first);
   return [corner(0), corner(1), corner(2)];
 }
 
 /** Returns six times the signed volume of the tetrahedron of a triangle and the first node of all. */
 export function sixfoldVolumeBelow(joined: JoinedShapes, t: number): number {
-  const [[ax, ay, az], b, c] = cornersOf(joined, t);
-  const [x, y, z] = cross(b, c);
-  return ax * x + ay * y + az * z;
+  const [a, b, c] = cornersOf(joined, t);
+  return dot(a, cross(b, c));
 }
 
 /** Returns twice the area of a triangle. */
-export function doubledAreaOf(joined: JoinedShapes, t: number): number {
-  const [a, b, c] = cornersOf(joined, t);
-  const [x, y, z] = cross(minus(b, a), minus(c, a));
-  return Math.sqrt(x * x + y * y + z * z);
-}
-
-const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-
-function cross([ax, ay, az]: Vector, [bx, by, bz]: Vector): Vector {
-  return [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
-}
+export const doubledAreaOf = (joined: JoinedShapes, t: number): number =>
+  lengthOf(normalOf(cornersOf(joined, t)));

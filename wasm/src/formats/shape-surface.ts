@@ -28,7 +28,7 @@ export function* joinedSurface(
 ): Steps<{ readonly mesh: FileMesh; readonly closedShapes: number }> {
   const joined = joinedShapes(shapes);
   const open = yield* weldShapes(joined);
-  yield* orientShapes(joined, open);
+  yield* orientShapes(joined);
   if (open.size > 0) joined.notes.push(`not closed: ${namesOf(joined, open)}`);
   if (shapes.length > 1) {
     yield* shareFaces(joined);
@@ -36,22 +36,17 @@ export function* joinedSurface(
     yield* sharePlanarPieces(joined);
   }
   const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);
-  if (isLimited && open.size > 0) joined.notes.push(LIMITS_LOST);
   const mesh = yield* meshOf(joined, shapes);
-  const hasRegions = (shapes.length > 1 || isLimited) && open.size === 0;
+  const hasRegions = shapes.length > 1 || isLimited;
   return {
     mesh: hasRegions ? withGivenRegions(mesh, shapes) : mesh,
     closedShapes: shapes.length - open.size,
   };
 }
 
-/** Without closed solids it is unknown where a largest volume holds. */
-const LIMITS_LOST =
-  "largest volumes of regions have no effect, because not all solids are closed; --max-volume limits all tetrahedra";
-
 /**
- * Several solids state what is meshed on either side: a solid may fill a cavity of another. One solid does so for the largest
- * volume of its tetrahedra.
+ * Several solids state what is meshed on either side: a solid may fill a cavity of another, and one that is not closed keeps
+ * its region when a repair closes it. One solid does so for the largest volume of its tetrahedra.
  */
 function withGivenRegions(mesh: FileMesh, shapes: readonly Shape[]): FileMesh {
   const { triangleRegions = new Uint32Array() } = mesh.surfaceRegions ?? {};
