@@ -7,8 +7,11 @@ import type { SurfaceInput } from "../mesh/mesh.js";
 /** Figures of a remeshing by which two are compared. */
 export type RemeshShapes = Pick<SurfaceRemesh, "isPartial" | "smallestAngle" | "meanRadiusRatio">;
 
-/** Smallest angle, in degrees, below which triangles are poor. */
-const POOR_ANGLE = 10;
+/**
+ * Smallest angle, in degrees, below which triangles are so poor that another way is worth its time. Above, the dihedral angles of
+ * the tetrahedra do not depend on the way: of 60 random unions of bodies, none was below 20°.
+ */
+const POOR_ANGLE = 5;
 
 /** Difference of the mean radius ratio that does not matter. */
 const RATIO_NOISE = 0.005;
