@@ -8,7 +8,7 @@ import { stlBinary, stlText } from "../support/surface-files";
 import { boxSurface, steppedBlock } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
-import { dropBytes } from "./drop-bytes";
+import { dropBytes, dropFiles } from "./drop-bytes";
 
 const plate = { half: 5, thickness: 1, radius: 2, corners: 24 } as const;
 const surface = plateSurface(plate);
@@ -507,4 +507,29 @@ test("a body outside the background grid is a problem before a mesh is generated
   await expect(page.getByTestId("body-preview").getByRole("alert")).toContainText(
     "outside the background grid",
   );
+});
+
+test("a body with a hole that overlaps another is repaired and joined by one Generate mesh, pressed at once", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const { points, triangles } = boxSurface(4);
+  const whole = boxSurface(4, [0.8, 0.125, 0.125], [1.8, 0.875, 0.875]);
+  await dropFiles(page, {
+    "open.stl": stlBinary({ points, triangles: triangles.subarray(9) }),
+    "whole.stl": stlBinary(whole),
+  });
+  await expect(page.getByTestId("tree-body-2")).toContainText("whole");
+  await page.getByTestId("generate").click();
+  await expect(app.viewport).toHaveAttribute("data-busy", "true");
+  await app.meshed();
+  await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
+  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(volume).toBeCloseTo(1 + 0.8 * 0.75 ** 2, 3);
+  for (const step of ["Join open and whole", "Repair open"]) {
+    await page.getByRole("button", { name: `Undo: ${step}` }).click();
+  }
+  await expect(page.getByTestId("tree-body-2")).toContainText("whole");
 });

@@ -12,12 +12,12 @@ import { rulesNamed } from "../lessons/run-rules";
 import type { PlayerState } from "../player/player";
 import type { RecordingChoices } from "../player/recording";
 import { settledProject } from "../session/document-store";
+import { untilState } from "../session/until-state";
 import { strings } from "../strings";
 import { addressStrings } from "../strings/address";
 import { showAddressProblems } from "./address-problems";
 import { showFailure } from "./messages";
 import { showModel } from "./project-actions";
-import { runEnd } from "./run-end";
 
 /** A recorded front of the model of a lesson. */
 export interface LessonRun {
@@ -129,7 +129,7 @@ export async function showLessonModel(
     const model = shownModel(app);
     store.setState({ model });
     app.shell.setState({ bottomTab: "front", drawer: "right" });
-    await runEnd(app);
+    await untilState(app.run.state, ({ busy }) => !busy);
     if (!isPresent() || !isShownModel(app, model)) return;
     const own = await recordRun(app, lesson, "");
     if (!own) {

@@ -3,9 +3,11 @@ import { placedVolume, repairGroups } from "../document/body-repair";
 import { bodyLabel } from "../document/entities";
 import { hasSizes, proposedSize } from "../document/operations/sizes";
 import { setMeshing } from "../document/size-edits";
-import { canBeFilled, isFillable } from "../session/bodies";
+import { type BodiesState, canBeFilled, isFillable } from "../session/bodies";
 import { hideNotice, showNotice } from "../session/shell";
+import type { RunPreparation } from "../session/run";
 import type { Improvement } from "../session/shown-mesh";
+import { untilState } from "../session/until-state";
 import { improvementText, strings } from "../strings";
 import { formatShort } from "../ui/format";
 import { showFailure, showMessage } from "./messages";
@@ -17,17 +19,50 @@ import { joinTouchingBodies, repairBody } from "./surface-actions";
  */
 export async function generateMesh(app: App): Promise<void> {
   app.view.setLayer("mesh", true);
+  const hasBodies = app.bodies.state.getState().byId.size > 0;
+  if (!hasBodies) proposeSize(app);
+  await app.run.generate("user", hasBodies ? (control) => validBodies(app, control) : undefined);
+}
+
+/** Repairs and joins bodies for a run. Returns null if another document is opened meanwhile. */
+async function validBodies(
+  app: App,
+  { signal, onPart }: Parameters<RunPreparation>[0],
+): Promise<readonly string[] | null> {
+  const documentId = (): string => app.documents.state.getState().id;
+  const id = documentId();
+  const inspect = async (): Promise<void> => {
+    onPart(parts.inspect);
+    await app.bodies.settled(signal);
+  };
+  await inspect();
+  onPart(parts.repair);
+  const notes = await repairBodies(app, signal);
+  // Only bodies that are known to be valid are joined.
+  await inspect();
+  if (documentId() === id) {
+    onPart(parts.join);
+    await joinTouchingBodies(app, signal, (sentence) => notes.push(sentence)).catch((error: unknown) => {
+      if (signal.aborted) throw error;
+      showFailure(app, parts.join, error);
+    });
+  }
+  if (documentId() !== id) return null;
+  proposeSize(app);
+  return notes;
+}
+
+const parts = strings.bodies.preparing;
+
+/** Applies the proposed repairs that make bodies valid. Returns what they did. */
+async function repairBodies(app: App, signal: AbortSignal): Promise<string[]> {
   const notes: string[] = [];
   for (const id of repairableBodies(app)) {
-    await comparisonOfRepairs(app, id);
+    await comparisonOfRepairs(app, id, signal);
     notes.push(...repairNotes(app, id));
     await repairBody(app, id);
   }
-  if (joining.has(app)) return;
-  proposeSize(app);
-  // Without bodies that could touch, the run begins at once.
-  const joined = app.bodies.state.getState().byId.size < 2 ? [] : await joinedBodies(app);
-  if (joined) await app.run.generate("user", [...notes, ...joined]);
+  return notes;
 }
 
 /** Returns what the proposed repair of a body will do, for the log. */
@@ -42,44 +77,6 @@ function repairNotes({ bodies }: App, id: number): string[] {
   const volume = formatShort(placedVolume(shared, body));
   return shared > 0 ? [...notes, strings.bodies.repair.shared(volume)] : notes;
 }
-
-/** The apps that join bodies: a second command must not begin meanwhile. */
-const joining = new WeakSet<App>();
-
-/** Joins bodies that touch. Returns what was done; null if the user has stopped it, or opened another document. */
-async function joinedBodies(app: App): Promise<string[] | null> {
-  const documentId = (): string => app.documents.state.getState().id;
-  const id = documentId();
-  const abort = new AbortController();
-  const key = "repair";
-  const wait = setTimeout(
-    () =>
-      showNotice(app.shell, {
-        key,
-        tone: "warning",
-        text: strings.bodies.touching.joining,
-        action: { label: strings.notices.stop, run: () => abort.abort() },
-      }),
-    noticeDelayMs,
-  );
-  joining.add(app);
-  const sentences: string[] = [];
-  try {
-    await joinTouchingBodies(app, abort.signal, (sentence) => sentences.push(sentence));
-    return documentId() === id ? sentences : null;
-  } catch (error) {
-    if (abort.signal.aborted) return null;
-    showFailure(app, strings.bodies.touching.joining, error);
-    return sentences;
-  } finally {
-    joining.delete(app);
-    clearTimeout(wait);
-    hideNotice(app.shell, key);
-  }
-}
-
-/** Time in milliseconds after which a notice says what the user waits for. */
-const noticeDelayMs = 500;
 
 /** Gives a drawn model that lacks nothing else a uniform size that fits it, as a step of undo. */
 function proposeSize({ documents, problems }: App): void {
@@ -98,10 +95,13 @@ function repairableBodies({ bodies }: App): number[] {
     .map(({ body }) => body.id);
 }
 
-/** Resolves when it is known which of two repairs of a body is the better one, or that the user does not wait for it. */
-async function comparisonOfRepairs({ bodies, shell }: App, id: number): Promise<void> {
-  const isComparing = (): boolean => (bodies.state.getState().byId.get(id)?.comparing ?? null) !== null;
-  if (!isComparing()) return;
+/**
+ * Resolves when it is known which of two repairs of a body is the better one, or that the user does not wait for it. Rejects if
+ * it is aborted.
+ */
+async function comparisonOfRepairs({ bodies, shell }: App, id: number, signal: AbortSignal): Promise<void> {
+  const isCompared = ({ byId }: BodiesState): boolean => (byId.get(id)?.comparing ?? null) === null;
+  if (isCompared(bodies.state.getState())) return;
   const key = "repair";
   showNotice(shell, {
     key,
@@ -109,14 +109,11 @@ async function comparisonOfRepairs({ bodies, shell }: App, id: number): Promise<
     text: strings.notices.comparingRepairs,
     action: { label: strings.notices.repairNow, run: () => bodies.cancelComparison(id) },
   });
-  await new Promise<void>((resolve) => {
-    const stop = bodies.state.subscribe(() => {
-      if (isComparing()) return;
-      stop();
-      resolve();
-    });
-  });
-  hideNotice(shell, key);
+  try {
+    await untilState(bodies.state, isCompared, signal);
+  } finally {
+    hideNotice(shell, key);
+  }
 }
 
 /** Improves the elements of the shown mesh, and reports what was gained. */

@@ -7,13 +7,13 @@ import { firstState } from "../player/phases";
 import { isUntouched } from "../session/document-store";
 import { loadModel } from "../session/gallery";
 import { showNotice } from "../session/shell";
+import { untilState } from "../session/until-state";
 import { addressStrings } from "../strings/address";
 import { shareStrings as texts } from "../strings/share";
 import { breakpoints } from "../ui/theme/theme";
 import type { Viewer } from "../viewer/viewer";
 import { showAddressProblems } from "./address-problems";
 import { showFailure, showMessage } from "./messages";
-import { runEnd } from "./run-end";
 
 /**
  * Shows the state that an address names if its model is open and unchanged. After a reload, another document may be open.
@@ -27,7 +27,7 @@ export async function showSharedIfOpen(app: App, shared: SharedFront): Promise<v
 export async function showShared(app: App, shared: SharedFront): Promise<void> {
   app.shell.setState({ bottomTab: "front", drawer: "bottom" });
   app.run.cancel();
-  await runEnd(app);
+  await untilState(app.run.state, ({ busy }) => !busy);
   const recorded = await app.player.record({ order: shared.order ?? undefined });
   if (recorded?.kind !== "recorded") return;
   const { player } = app;

@@ -23,6 +23,7 @@ import { canCompare, comparedRepair, proposedRepair } from "./body-repairs";
 import { BodySurfaces } from "./body-surfaces";
 import type { DocumentStore } from "./document-store";
 import { failureText } from "./failure-text";
+import { untilState } from "./until-state";
 
 /** What is known of a body of the document. */
 export interface BodyState {
@@ -56,6 +57,10 @@ export const isFillable = ({ inspection }: BodyState): boolean => inspection?.is
 /** Whether a body can be filled as it is, or after the proposed repair. */
 export const canBeFilled = (state: BodyState): boolean =>
   isFillable(state) || state.repair?.after.isFillable === true;
+
+/** Whether it is known if a body can be filled, and what a repair would change otherwise. */
+const isSettled = ({ inspection, repair, failure }: BodyState): boolean =>
+  failure !== null || inspection?.isFillable === true || (inspection !== null && repair !== null);
 
 /** Returns the bodies that can be filled as they are. */
 export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
@@ -183,6 +188,14 @@ export class BodyFeed {
     const same = bodiesOf(present).find(({ id }) => id === body.id);
     if (!preparation || !same || preparedKey(present, same) !== preparation.key) return;
     this.#setFor(same, { preparation, ...noFailure });
+  }
+
+  /**
+   * Resolves when it is known of each body whether it can be filled, and what a repair would change otherwise. Rejects if it is
+   * aborted.
+   */
+  settled(signal: AbortSignal): Promise<void> {
+    return untilState(this.state, ({ byId }) => [...byId.values()].every(isSettled), signal);
   }
 
   /** Makes a preview as soon as the surface is known to be valid, unless it is large. */

@@ -6,6 +6,7 @@ import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
 import { agreement } from "../document/expression-edits";
 import { paintedSizes } from "../document/painted-sizes";
 import { addStep, commit, redo, startHistory, stepFrom, undo, type History, type Step } from "./history";
+import { untilState } from "./until-state";
 
 /** The file that Save writes to. */
 export interface ProjectFile {
@@ -123,13 +124,8 @@ export class DocumentStore {
   /** Resolves when no gesture is under way: work that ends during a drag must not cut it short with its edit. */
   async afterGesture(): Promise<void> {
     while (this.#gesture) {
-      await new Promise<void>((resolve) => {
-        const stop = this.state.subscribe(({ gestureStart }, before) => {
-          if (gestureStart === before.gestureStart) return;
-          stop();
-          resolve();
-        });
-      });
+      const { gestureStart: start } = this.state.getState();
+      await untilState(this.state, ({ gestureStart }) => gestureStart !== start);
     }
   }
 

@@ -29,6 +29,8 @@ export interface RunState {
   readonly busy: boolean;
   /** What the active run does, or the last one has done. */
   readonly task: "mesh" | "improve";
+  /** What is done to the model before it is meshed; null while nothing is. */
+  readonly preparing: string | null;
   /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
   readonly progress: Progress | null;
@@ -71,12 +73,22 @@ export interface PreparedBodies {
   readonly keep: (project: Project, prepared: PreparedBody) => void;
 }
 
+/**
+ * Changes the model before a run meshes it. Calls `onPart` with what it does next. Returns what was done, for the log; null if
+ * the model must not be meshed. Rejects if it is aborted.
+ */
+export type RunPreparation = (control: {
+  readonly signal: AbortSignal;
+  readonly onPart: (text: string) => void;
+}) => Promise<readonly string[] | null>;
+
 /** Who has asked for a run. Only the runs of the user are steps of undo. */
 export type RunOrigin = "user" | "app";
 
 const emptyRun: RunState = {
   busy: false,
   task: "mesh",
+  preparing: null,
   cancelling: false,
   progress: null,
   front: null,
@@ -139,17 +151,37 @@ export class MeshRun {
     documents.onSettled((content) => this.#showCached(content));
   }
 
-  /**
-   * Meshes the current project, unless a run is active. Resolves when the run has ended. `notes`: what was done to the
-   * project before, for the log.
-   */
-  generate(by: RunOrigin = "user", notes: readonly string[] = []): Promise<void> {
-    if (!this.#abort) this.#running = this.#mesh(by, notes);
+  /** Meshes the current project, unless a run is active. Resolves when the run has ended. */
+  generate(by: RunOrigin = "user", prepare?: RunPreparation): Promise<void> {
+    if (!this.#abort) this.#running = this.#generate(by, prepare);
     return this.#running;
   }
 
-  async #mesh(by: RunOrigin, notes: readonly string[]): Promise<void> {
+  async #generate(by: RunOrigin, prepare: RunPreparation | undefined): Promise<void> {
     const abort = this.#begin("mesh");
+    try {
+      const notes = prepare ? await this.#prepared(prepare, abort.signal) : [];
+      if (notes) await this.#mesh(by, notes, abort.signal);
+    } finally {
+      this.#end();
+    }
+  }
+
+  /** Prepares the model. Returns null if it must not be meshed. */
+  async #prepared(prepare: RunPreparation, signal: AbortSignal): Promise<readonly string[] | null> {
+    const onPart = (preparing: string): void => this.state.setState({ preparing });
+    try {
+      return await prepare({ signal, onPart });
+    } catch (error) {
+      if (signal.aborted) this.#log(0, "warning", logStrings.cancelledBefore);
+      else this.#fail(error, 0);
+      return null;
+    } finally {
+      this.state.setState({ preparing: null });
+    }
+  }
+
+  async #mesh(by: RunOrigin, notes: readonly string[], signal: AbortSignal): Promise<void> {
     const project = settledProject(this.#documents.state.getState());
     // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
@@ -167,7 +199,7 @@ export class MeshRun {
         input,
         { ...options, ...(preparedBodies.length > 0 && { preparedBodies }) },
         {
-          signal: abort.signal,
+          signal,
           onProgress: (progress) => {
             elapsedSeconds = progress.elapsedSeconds;
             this.#report(progress, log);
@@ -186,12 +218,14 @@ export class MeshRun {
       await this.#documents.afterGesture();
       if (isShowable(result)) this.#replaceVersion(key, by);
     } catch (error) {
-      const failure = failureText(error);
-      this.state.setState({ failure });
-      log("error", failure);
-    } finally {
-      this.#end();
+      this.#fail(error, elapsedSeconds);
     }
+  }
+
+  #fail(error: unknown, seconds: number): void {
+    const failure = failureText(error);
+    this.state.setState({ failure });
+    this.#log(seconds, "error", failure);
   }
 
   #begin(task: RunState["task"]): AbortController {
@@ -202,8 +236,8 @@ export class MeshRun {
 
   #end(): void {
     this.#abort = null;
-    const ended = { busy: false, cancelling: false, progress: null, front: null, unoptimized: null };
-    this.state.setState(ended);
+    const ended = { busy: false, preparing: null, cancelling: false, progress: null, front: null };
+    this.state.setState({ ...ended, unoptimized: null });
   }
 
   /**

@@ -211,11 +211,15 @@ export const bodyStrings = {
     cancel: "Cancel",
     merge: "Merge patches",
   },
+  preparing: {
+    inspect: "Inspecting bodies",
+    repair: "Repairing bodies",
+    join: "Joining bodies that touch",
+  },
   touching: {
     message: (names: readonly string[]) => `${listed(names)} touch or intersect`,
     remedy:
       "“Generate mesh” joins them into one body with common triangles where they touch. To keep them apart, move one under Placement.",
-    joining: "Joining bodies that touch",
     /** `shared`: the volume that several bodies enclose. */
     joined: (names: readonly string[], regions: number, shared: string) =>
       [

@@ -68,6 +68,7 @@ export const logStrings = {
   done: (size: string, seconds: string, fingerprint: string) =>
     `Done: ${size} in ${seconds}; fingerprint ${fingerprint}`,
   cancelled: (size: string, seconds: string) => `Cancelled after ${seconds}; ${size} so far`,
+  cancelledBefore: "Cancelled before anything was meshed",
   stalled: (size: string, seconds: string) =>
     `Stalled after ${seconds}; ${size}, the remaining front is shown`,
   invalid: "Not meshed: the model has errors",

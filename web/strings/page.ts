@@ -119,7 +119,6 @@ export const pageStrings = {
     understood: "OK",
     comparingRepairs: "Two repairs of the surface are compared. The better one is made, and then the mesh.",
     repairNow: "Do not wait",
-    stop: "Stop",
     improvementDiscarded: "The improvement was discarded, because the model has changed meanwhile.",
     showQuality: "Show quality",
   },

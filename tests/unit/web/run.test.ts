@@ -272,7 +272,7 @@ it("a run says what became of each body, and leaves it as its preview", async ()
     keep: (_, prepared) => void kept.push(prepared),
   });
   const texts = () => run.state.getState().log.map(({ text }) => text);
-  await run.generate("user", ["box, repaired"]);
+  await run.generate("user", () => Promise.resolve(["box, repaired"]));
   expect(kept).toHaveLength(1);
   const count = ((kept[0]?.triangles.length ?? 0) / 3).toLocaleString("en-US");
   const line = texts().find((text) => text.startsWith("box: remeshed"));
@@ -345,4 +345,47 @@ it("a mesh of a body that was moved while the run was under way is of others", a
   documents.undo();
   expect(isOfOtherBodies(run.state.getState(), documents.state.getState())).toBe(false);
   mesher.dispose();
+});
+
+describe("a run that prepares the model", () => {
+  const cancelled = (signal: AbortSignal): Promise<never> =>
+    new Promise((_, reject) => signal.addEventListener("abort", () => reject(signal.reason as Error)));
+
+  it("is busy from the start, says what it does, and meshes what was made of the model", async () => {
+    const mesher = await createMesher();
+    const documents = new DocumentStore(emptyProject("a"));
+    const run = new MeshRun(documents, Promise.resolve(mesher));
+    const running = run.generate("user", ({ onPart }) => {
+      onPart("Adding a body");
+      documents.edit({ label: "Add", replace: [[["project", "bodies"], [bodyOf(1)]]] });
+      return Promise.resolve(["a body was added"]);
+    });
+    expect(run.state.getState()).toMatchObject({ busy: true, preparing: "Adding a body" });
+    await running;
+    const { busy, preparing, mesh, log } = run.state.getState();
+    expect([busy, preparing, mesh?.report.status]).toEqual([false, null, "done"]);
+    expect(log[1]?.text).toBe("a body was added");
+    mesher.dispose();
+  });
+
+  it("is cancelled, or ended by the preparation, without a mesh", async () => {
+    const mesher = new Promise<never>(() => undefined);
+    const run = new MeshRun(new DocumentStore(emptyProject("a")), mesher);
+    const running = run.generate("user", ({ signal }) => cancelled(signal));
+    run.cancel();
+    await running;
+    expect(run.state.getState()).toMatchObject({ busy: false, preparing: null, failure: null, mesh: null });
+    expect(run.state.getState().log.map(({ text }) => text)).toEqual([
+      "Cancelled before anything was meshed",
+    ]);
+    await run.generate("user", () => Promise.resolve(null));
+    expect(run.state.getState()).toMatchObject({ busy: false, failure: null, log: [] });
+  });
+
+  it("says why the preparation has failed", async () => {
+    const mesher = new Promise<never>(() => undefined);
+    const run = new MeshRun(new DocumentStore(emptyProject("a")), mesher);
+    await run.generate("user", () => Promise.reject(new Error("no memory")));
+    expect(run.state.getState()).toMatchObject({ busy: false, failure: "no memory" });
+  });
 });

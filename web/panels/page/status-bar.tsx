@@ -125,8 +125,9 @@ function RunProgress() {
   const cancelling = useRun((state) => state.cancelling);
   const percent = Math.round((progress?.fraction ?? 0) * 100);
   const task = useRun((state) => state.task);
+  const preparing = useRun((state) => state.preparing);
   const phase = progress ? phaseText(task, progress) : strings.header.busy[task];
-  const text = cancelling ? strings.status.cancelling[task] : `${phase} ${percent} %`;
+  const text = cancelling ? strings.status.cancelling[task] : (preparing ?? `${phase} ${percent} %`);
   const announced = useThrottled(text, announceEveryMs);
   return (
     <>
