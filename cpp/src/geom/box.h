@@ -50,6 +50,20 @@ struct Box {
     return grew;
   }
 
+  void include(const Box& other) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], other.low[k]);
+      high[k] = std::max(high[k], other.high[k]);
+    }
+  }
+
+  [[nodiscard]] bool contains(const Box& other) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (other.low[k] < low[k] || other.high[k] > high[k]) return false;
+    }
+    return true;
+  }
+
   /// Returns the squared distance of a position from the box; 0 inside.
   [[nodiscard]] double squaredDistance(const Vec3& position) const {
     double sum = 0.0;

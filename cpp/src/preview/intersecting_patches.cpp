@@ -61,12 +61,7 @@ class SampledPatches {
       if (sampled.isConforming[patch] == 0 || begin(patch) == end(patch)) continue;
       patches_.push_back(patch);
       Box box = boxes_[begin(patch)];
-      for (std::uint32_t t = begin(patch); t < end(patch); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          box.low[k] = std::min(box.low[k], boxes_[t].low[k]);
-          box.high[k] = std::max(box.high[k], boxes_[t].high[k]);
-        }
-      }
+      for (std::uint32_t t = begin(patch); t < end(patch); ++t) box.include(boxes_[t]);
       patchBoxes_.push_back(box);
     }
     patchTree_ = BoxTree(patchBoxes_);

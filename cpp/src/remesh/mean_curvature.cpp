@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "base/mesh_access.h"
 #include "boundary/surface_access.h"
@@ -22,19 +23,31 @@ constexpr double kCellArea = 0.1;
 /// Area / squared diagonal below which the curvature of a triangle is rounding: coordinates are rounded by about 1e-16 of the
 /// diagonal, so the normal of a needle as long as the diagonal and 1e-12 as wide is known to 1e-4.
 constexpr double kLeastArea = 1e-12;
-/// Slots per unit of budget.
+/// Slots per unit of budget: to measure bends, and to sum them up in cells.
 constexpr std::size_t kSlotsPerUnit = 8;
+constexpr std::size_t kCellSlotsPerUnit = 64;
 
-/// Curvatures of the pieces in one of the widest cells.
+/// Curvatures of pieces by the cells that they lie in.
 class CellCurvatures {
  public:
   using Slot = PieceCells::Slot;
 
+  /// Everything must outlive this. `slots`: sorted.
   CellCurvatures(const ReferenceSurface& reference, const PieceCells& cells,
-                 const CurvatureRule& rule, std::vector<Curvature>& curvatures)
-      : reference_(reference), cells_(cells), rule_(rule), curvatures_(curvatures) {}
+                 const CurvatureRule& rule, std::span<const Slot> slots)
+      : reference_(reference),
+        cells_(cells),
+        rule_(rule),
+        slots_(slots),
+        parts_(slots.size()),
+        curvatures_(reference.pieces().size()) {}
 
-  void measure(std::span<const Slot> slots);
+  /// Measures the bends of a range of slots; first of all.
+  void measure(std::size_t first, std::size_t last);
+  /// Finds the curvatures of the slots in the widest cell that begins at a slot. Returns the end of the cell.
+  std::size_t findInCell(std::size_t first);
+  /// Per piece.
+  [[nodiscard]] std::vector<Curvature> take() { return std::move(curvatures_); }
 
  private:
   /// The bend of a piece.
@@ -49,22 +62,25 @@ class CellCurvatures {
   const ReferenceSurface& reference_;
   const PieceCells& cells_;
   CurvatureRule rule_;
-  std::vector<Curvature>& curvatures_;
   std::span<const Slot> slots_;
   std::vector<Part> parts_;  ///< per slot
+  std::vector<Curvature> curvatures_;
 };
 
-void CellCurvatures::measure(std::span<const Slot> slots) {
-  slots_ = slots;
-  parts_.assign(slots.size(), {});
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const ReferenceSurface::Piece& piece = reference_.pieces()[slots[i].piece];
+void CellCurvatures::measure(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const ReferenceSurface::Piece& piece = reference_.pieces()[slots_[i].piece];
     const double ofTriangle = areaOf(cornersOf(reference_.mesh(), piece.triangle));
     if (!(ofTriangle > 0.0)) continue;
     parts_[i].bend.add(BendTensor(reference_, piece.triangle, 0.0), piece.area / ofTriangle);
     parts_[i].area = piece.area;
   }
-  descend(0, slots.size(), 0);
+}
+
+std::size_t CellCurvatures::findInCell(std::size_t first) {
+  const std::size_t last = PieceCells::endOfCell(slots_, first, 0);
+  descend(first, last, 0);
+  return last;
 }
 
 void CellCurvatures::descend(std::size_t first, std::size_t last, std::uint32_t level) {
@@ -127,20 +143,20 @@ Task<std::vector<Curvature>> findMeanCurvatures(Work& work, const ReferenceSurfa
   }
   co_await work.yield();
   PieceCells::sort(slots);
-  std::vector<Curvature> curvatures(pieces.size());
-  CellCurvatures cell(reference, cells, rule, curvatures);
+  CellCurvatures curvatures(reference, cells, rule, slots);
+  work.beginPart(0.9);
+  co_await work.forEachBlock(
+      slots.size(), [&](std::size_t first, std::size_t last) { curvatures.measure(first, last); },
+      kSlotsPerUnit);
+  work.beginPart(1.0);
   std::size_t next = 0;
   co_await work.forEachBlock(
       slots.size(),
       [&](std::size_t, std::size_t last) {
-        while (next < last) {
-          const std::size_t end = PieceCells::endOfCell(slots, next, 0);
-          cell.measure(std::span(slots).subspan(next, end - next));
-          next = end;
-        }
+        while (next < last) next = curvatures.findInCell(next);
       },
-      kSlotsPerUnit);
-  co_return curvatures;
+      kCellSlotsPerUnit);
+  co_return curvatures.take();
 }
 
 double meanCurvatureAlong(const FeatureLine& line, const LineTurns& turns, std::size_t point,

@@ -12,20 +12,6 @@ Box boxAround(const std::array<Vec3, 3>& corners) {
   return Box::of(corners[0], corners[1], corners[2]);
 }
 
-void extend(Box& whole, const Box& box) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    whole.low[k] = std::min(whole.low[k], box.low[k]);
-    whole.high[k] = std::max(whole.high[k], box.high[k]);
-  }
-}
-
-bool isWithin(const Box& box, const Box& whole) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (box.low[k] < whole.low[k] || box.high[k] > whole.high[k]) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 NumberedTriangle numbered(const NodeTriple& nodes, const std::array<Vec3, 3>& corners) {
@@ -77,14 +63,14 @@ bool TriangleGrid::intersectsAny(const Replacement& change,
   for (const NumberedTriangle& triangle : triangles)
     ofGiven_.push_back(boxAround(triangle.corners));
   Box whole = ofGiven_[0];
-  for (const Box& box : ofGiven_) extend(whole, box);
-  for (const TriangleId t : change.removed) extend(whole, boxes_[t.index()]);
+  for (const Box& box : ofGiven_) whole.include(box);
+  for (const TriangleId t : change.removed) whole.include(boxes_[t.index()]);
   within_.clear();
   const std::size_t count = grid_.query(whole, found_);
   for (std::size_t n = 0; n < count; ++n) {
     const TriangleId t(found_[n]);
     if (isHidden(t)) continue;
-    if (isWithin(boxes_[t.index()], whole)) within_.push_back(t.value);
+    if (whole.contains(boxes_[t.index()])) within_.push_back(t.value);
     const auto isNear = [&](const Box& box) { return BoxTree::overlaps(box, boxes_[t.index()]); };
     if (std::ranges::none_of(ofGiven_, isNear)) continue;
     const NumberedTriangle other = numbered(complex_.nodesOf(t), complex_.cornersOf(t));

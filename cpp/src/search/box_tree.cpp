@@ -13,11 +13,8 @@ Box emptyBox() {
 }
 
 Box hull(const Box& a, const Box& b) {
-  Box result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    result.low[k] = std::min(a.low[k], b.low[k]);
-    result.high[k] = std::max(a.high[k], b.high[k]);
-  }
+  Box result = a;
+  result.include(b);
   return result;
 }
 
