@@ -1,24 +1,11 @@
 // @vitest-environment happy-dom
 import { MantineProvider } from "@mantine/core";
 import { act } from "react";
-import { createRoot, type Root } from "react-dom/client";
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { describe, expect, it } from "vitest";
 import { NumberField, type OwnNumber } from "../../../web/ui/fields/number-field";
+import { rootPerTest } from "../../support/react-root";
 
-let root: Root;
-
-beforeEach(() => {
-  vi.stubGlobal("IS_REACT_ACT_ENVIRONMENT", true);
-  const host = document.createElement("div");
-  document.body.append(host);
-  root = createRoot(host);
-});
-
-afterEach(() => {
-  act(() => root.unmount());
-  document.body.replaceChildren();
-  vi.unstubAllGlobals();
-});
+const render = rootPerTest();
 
 /** A field for the z of points, which differ if there are several. Returns what it commits. */
 function fieldOf(values: readonly number[], canStep = true) {
@@ -38,12 +25,10 @@ function fieldOf(values: readonly number[], canStep = true) {
   const onCommit = (value: number): void => void commits.push(values.map(() => value));
   const [first = 0, ...others] = values;
   const value = others.length > 0 ? null : first;
-  act(() =>
-    root.render(
-      <MantineProvider>
-        <NumberField label="z" value={value} step={0.5} own={own} onCommit={onCommit} />
-      </MantineProvider>,
-    ),
+  render(
+    <MantineProvider>
+      <NumberField label="z" value={value} step={0.5} own={own} onCommit={onCommit} />
+    </MantineProvider>,
   );
   const input = document.querySelector("input");
   if (!input) throw new Error("no field");

@@ -1,27 +1,14 @@
 // @vitest-environment happy-dom
 import { act, useRef, type ReactNode } from "react";
-import { createRoot, type Root } from "react-dom/client";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { useFirstFocus } from "../../../web/panels/operations/use-first-focus";
+import { rootPerTest } from "../../support/react-root";
 
 /** The first field of a panel gets the focus; of a choice, the chosen option. */
 
-let root: Root;
-
-beforeEach(() => {
-  vi.useFakeTimers();
-  vi.stubGlobal("IS_REACT_ACT_ENVIRONMENT", true);
-  const host = document.createElement("div");
-  document.body.append(host);
-  root = createRoot(host);
-});
-
-afterEach(() => {
-  act(() => root.unmount());
-  document.body.replaceChildren();
-  vi.useRealTimers();
-  vi.unstubAllGlobals();
-});
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+const render = rootPerTest();
 
 function Panel({ children }: { readonly children: ReactNode }) {
   const box = useRef<HTMLElement>(null);
@@ -62,7 +49,7 @@ it.each<readonly [string, ReactNode, string]>([
     "first",
   ],
 ])("gives the focus to %s", (_, children, id) => {
-  act(() => root.render(<Panel>{children}</Panel>));
+  render(<Panel>{children}</Panel>);
   act(() => void vi.runAllTimers());
   expect(document.activeElement?.id).toBe(id);
 });
