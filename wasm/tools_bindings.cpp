@@ -16,7 +16,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   using namespace tetrafront;
   using namespace tetrafront::border;
 
-  registerTypes<Doubles, Indices, double, Model, VolumeMesh, BackgroundGrid, CoverShape,
+  registerTypes<Doubles, Indices, bool, double, Model, VolumeMesh, BackgroundGrid, CoverShape,
                 MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions,
                 BodySurfaces, GivenRegions>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
@@ -36,7 +36,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
   registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions,
                GivenRegions>("Remesh", "remeshSurface");
-  registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions>("Preview", "previewModel");
+  registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions, bool>("Preview", "previewModel");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/check_model.h"
 #include "support/models.h"
 #include "support/random.h"
 #include "tetrafront/preview.h"
@@ -143,6 +144,25 @@ TEST(SurfacePreview, AcceptsAnyInput) {
     }
     expectConsistent(previewModel(model, BackgroundGrid{}), model);
   }
+}
+
+TEST(ModelPreviewer, OfSamplesOnlyHasTheSamplesAndTheProblemsOfTheParts) {
+  // An open box with a line that does not exist, and without sizes.
+  Model model = boxModel({0, 0, 0}, {1, 1, 1});
+  model.patches.pop_back();
+  model.lines.push_back(model.lines.front());
+  model.lines.back().points = {1000, 1001};
+  ModelPreviewer previewer(model, BackgroundGrid{}, {}, true);
+  while (!previewer.advance(1)) {
+  }
+  const ModelPreview whole = previewModel(model, BackgroundGrid{});
+  EXPECT_EQ(previewer.result().patchPoints, whole.patchPoints);
+  EXPECT_EQ(previewer.result().patchTriangles, whole.patchTriangles);
+  EXPECT_EQ(previewer.result().linePoints, whole.linePoints);
+  const std::vector<Diagnostic> ofParts = diagnoseModel(model);
+  EXPECT_FALSE(ofParts.empty());
+  EXPECT_EQ(previewer.result().diagnostics.size(), ofParts.size());
+  EXPECT_LT(ofParts.size(), whole.diagnostics.size());
 }
 
 TEST(ModelPreviewer, SlicesDoNotChangeThePreview) {

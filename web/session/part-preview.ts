@@ -71,7 +71,6 @@ export function changedPart(sampled: Project, project: Project): ChangedPart | n
         ? null
         : {
             ...emptyProject(project.name),
-            meshing: { size: 1 },
             points: points.filter(({ id }) => ends.has(id)),
             lines: partLines,
             patches: changed.flatMap((i) => patches[i] ?? []),

@@ -131,7 +131,8 @@ export class PreviewFeed {
     if (!this.#isSlow || !preview || !sampled || failure) return false;
     const part = changedPart(sampled, project);
     if (!part) return false;
-    const samples = part.project && (await (await this.#mesher).previewProject(part.project));
+    const mesher = await this.#mesher;
+    const samples = part.project && (await mesher.previewProject(part.project, { samplesOnly: true }));
     this.state.setState({ preview: withPart(preview, samples, part), project, failure: null });
     return true;
   }

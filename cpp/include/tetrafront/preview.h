@@ -36,8 +36,10 @@ struct ModelPreview {
 /// Does the work of previewModel() in slices, so that a preview can be cancelled.
 class ModelPreviewer : public SlicedTool<ModelPreview> {
  public:
-  /// The arguments are copied.
-  ModelPreviewer(Model model, BackgroundGrid grid, const MeshOptions& options = {});
+  /// The arguments are copied. `samplesOnly`: checks neither the surface that the patches form nor the sizes; the diagnostics are
+  /// those of points, lines and patches by themselves.
+  ModelPreviewer(Model model, BackgroundGrid grid, const MeshOptions& options = {},
+                 bool samplesOnly = false);
 };
 
 }  // namespace tetrafront

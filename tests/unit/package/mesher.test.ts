@@ -378,6 +378,21 @@ describe("a preview", () => {
     expect(preview.diagnostics.map(({ entities }) => entities[0]?.label)).toContain('patch "bottom"');
   });
 
+  test("of samples only has the same samples, and the problems of single parts alone", async () => {
+    const cube = cubeProject();
+    const patches = cube.patches.flatMap((p) =>
+      p.id === 1 ? [] : p.id === 2 ? [{ ...p, loops: [[1, 2]] }] : [p],
+    );
+    const broken = { ...cube, patches };
+    const { diagnostics, ...samples } = await mesher.previewProject(broken, { samplesOnly: true });
+    const { diagnostics: all, ...expected } = await mesher.previewProject(broken);
+    expect(samples).toEqual(expected);
+    const codes = new Set(diagnostics.map(({ code }) => code));
+    expect(codes).toContain("loop-not-closed");
+    expect(codes).not.toContain("open-edge");
+    expect(all.map(({ code }) => code)).toContain("open-edge");
+  });
+
   test("names a missing background node", async () => {
     const cube = cubeProject();
     const [first = [1, 2, 3, 4], ...rest] = cube.background.tetrahedra;

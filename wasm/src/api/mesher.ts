@@ -260,6 +260,7 @@ class WorkerMesher implements Mesher {
       model: drawn.model,
       grid,
       options: engineOptions(wrong.length > 0 ? {} : { size: isAlone ? (size ?? 1) : size, innerShells }),
+      samplesOnly: unusable.length === 0 && options.samplesOnly === true,
     } as const;
     const name = projectNamer(project);
     const answer = await this.#client.ask(question, control);

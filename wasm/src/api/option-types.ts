@@ -127,6 +127,11 @@ export interface PreviewOptions {
   readonly innerShells?: InnerShells | undefined;
   /** Background grid with which the project will be meshed instead of its own, as in `MeshOptions`. */
   readonly background?: BackgroundArrays | undefined;
+  /**
+   * Whether lines and patches are only sampled, which is faster: the diagnostics are those of points, lines and patches by
+   * themselves. Default false.
+   */
+  readonly samplesOnly?: boolean | undefined;
 }
 
 /** Options of `inspectSurface`. */

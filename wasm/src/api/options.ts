@@ -222,6 +222,7 @@ const previewSchema = objectWith({
   size: meshEntries.size,
   innerShells,
   background,
+  samplesOnly: switchOption("choice of sampling only", false),
 } satisfies EntriesOf<PreviewOptions>);
 
 const inspectionSchema = objectWith({

@@ -49,6 +49,7 @@ export type Question =
       readonly model: ModelArrays;
       readonly grid: GridArrays;
       readonly options: EngineOptions;
+      readonly samplesOnly: boolean;
     }
   /** `shape`: index in `COVER_SHAPES`. */
   | {

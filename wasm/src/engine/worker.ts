@@ -162,7 +162,7 @@ async function answer(question: Question, makeTool: () => EngineTool | null): Pr
 function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
   switch (question.kind) {
     case "preview":
-      return tools.previewModel(question.model, question.grid, question.options);
+      return tools.previewModel(question.model, question.grid, question.options, question.samplesOnly);
     case "cover":
       return tools.cover(question.model, question.size, question.shape);
     case "propose":
