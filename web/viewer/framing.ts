@@ -41,6 +41,12 @@ function sampledPositions(state: SceneState): readonly Position[] {
   ]);
 }
 
+/** Returns the radius of the model; 0 without extent. */
+function projectRadius({ project, bodies }: SceneState): number {
+  const { empty, radius } = projectBounds(project, bodies);
+  return empty ? 0 : radius;
+}
+
 /** Decides what the camera is fitted to, and when it follows the model. Keeps the local coordinates small. */
 export class Framing {
   readonly #view: ViewCamera;
@@ -60,6 +66,9 @@ export class Framing {
   } | null = null;
   /** Whether what was fitted last is the whole model, or what is shown instead of it. */
   #isWholeFitted = false;
+  /** While the pointer is held, the camera does not follow the model. */
+  #isHeld = false;
+  #hasMissedChange = false;
 
   constructor(view: ViewCamera, scene: FramedScene, motion: boolean, coveredLeft: number) {
     this.#view = view;
@@ -76,9 +85,7 @@ export class Framing {
   /** Starts again after another model was opened: fits it without motion. */
   reset(): void {
     const { project, bodies } = this.#scene.state;
-    const { empty, radius } = projectBounds(project, bodies);
     const roomy = roomyBounds(project, bodies);
-    this.#fittedRadius = empty ? 0 : radius;
     this.#scene.update({ origin: roomy.centre });
     this.#view.setModelRadius(roomy.radius, this.#backgroundReach());
     this.fit(null, false);
@@ -139,18 +146,39 @@ export class Framing {
     this.fit(null);
   }
 
-  /** Follows a changed model: keeps local coordinates small, and fits the model if it has outgrown the view. */
+  /**
+   * Follows a changed model: keeps local coordinates small, and fits the model if it has outgrown the view. A model that only
+   * moves may leave the view.
+   */
   followModel(): void {
+    if (this.#isHeld) {
+      this.#hasMissedChange = true;
+      return;
+    }
     const { project, bodies, origin } = this.#scene.state;
     const bounds = projectBounds(project, bodies);
     const { empty, radius } = bounds;
     const roomy = roomyBounds(project, bodies);
     const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius && !this.#showsModel(bounds);
-    if (isOutgrown || empty) this.#fittedRadius = empty ? 0 : radius;
+    if (isOutgrown || empty) this.#fittedRadius = projectRadius(this.#scene.state);
     const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
-    if (isOutgrown || drift > 2 * roomy.radius) this.#scene.update({ origin: roomy.centre });
+    if (isOutgrown || drift > 2 * roomy.radius) {
+      this.#view.shift(roomy.centre.map((x, k) => (origin[k] ?? 0) - x) as [number, number, number]);
+      this.#scene.update({ origin: roomy.centre });
+    }
     this.#view.setModelRadius(roomy.radius, this.#backgroundReach());
     if (isOutgrown) this.fit(null);
+  }
+
+  /**
+   * Keeps the camera from following the model while a tool drags something by the pointer: what lies under the pointer must
+   * stay there. The camera follows as soon as the pointer is released.
+   */
+  hold(isHeld: boolean): void {
+    this.#isHeld = isHeld;
+    if (isHeld || !this.#hasMissedChange) return;
+    this.#hasMissedChange = false;
+    this.followModel();
   }
 
   /**
@@ -230,6 +258,7 @@ export class Framing {
     this.#isWholeFitted = target.empty || target === this.#replaced;
     const { state } = this.#scene;
     const whole = shownBounds(state);
+    if (target.empty) this.#fittedRadius = projectRadius(state);
     const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, state.origin);
     this.#view.fit(from, to, animate);
     this.#scene.request();

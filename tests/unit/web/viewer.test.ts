@@ -175,6 +175,26 @@ it("fits a circle of a new model whose points are in view, as soon as it is samp
   expect(viewer.pose).toEqual(close(fitted));
 });
 
+it("follows a model that outgrows the view by a drag only after the release, and not one that only moves", async () => {
+  const { viewer, resize } = await shownProject(emptyProject("Test"));
+  resize(900, 600);
+  const cube = cubeProject();
+  const changed = (change: (position: readonly [number, number, number]) => [number, number, number]) => ({
+    ...cube,
+    points: cube.points.map((point) => ({ ...point, position: change(point.position) })),
+  });
+  viewer.show({ project: cube });
+  viewer.framing.fit(null, false);
+  const fitted = viewer.pose;
+  viewer.show({ project: changed(([x, y, z]) => [x + 3, y, z]) });
+  expect(viewer.pose).toEqual(close(fitted));
+  viewer.framing.hold(true);
+  viewer.show({ project: changed(([x, y, z]) => [4 * x, 4 * y, 4 * z]) });
+  expect(viewer.pose).toEqual(close(fitted));
+  viewer.framing.hold(false);
+  expect(viewer.pose).not.toEqual(close(fitted));
+});
+
 it("draws states out of sight while the view is at rest, each followed by the present one, until it is ended", async () => {
   const { viewer } = await shownProject();
   let finishShaders: () => void = () => undefined;

@@ -206,6 +206,7 @@ function connect(
       state.moving === before.moving;
     if (!isSame) show(state);
   });
+  const stopHolding = tools.state.subscribe(({ hasGesture }) => viewer.framing.hold(hasGesture));
   const stopPointer = followPointer(canvas, stores);
   const stopReplay = followPlayer(app, viewer);
   app.viewer.setState({ viewer });
@@ -213,6 +214,7 @@ function connect(
     keys.drop();
     stopReplay();
     stopPointer();
+    stopHolding();
     stop();
     stopTools();
     tools.dispose();
