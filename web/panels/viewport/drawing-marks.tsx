@@ -11,6 +11,7 @@ import { strings } from "../../strings";
 import type { ScreenPoint } from "../../viewer/screen";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp } from "../shared/app-context";
+import { BesidePointer } from "./beside-pointer";
 import { useMarkers } from "./use-markers";
 import styles from "./drawing.module.css";
 
@@ -52,20 +53,18 @@ function SnapMark({ viewer }: { readonly viewer: Viewer }) {
   );
 }
 
-/** By how much a drag changes the selection, beside the pointer. */
+/** By how much a drag changes the selection, or what a handle changes: beside the pointer. */
 function DragAmount() {
   const app = useApp();
   const amount = useStore(app.drawing.state, (state) => (state.typed === null ? state.amount : null));
   const pointer = useStore(app.drawing.state, (state) => state.pointer);
   if (amount === null) return null;
   return (
-    <span
-      className={styles["amount"]}
-      style={{ left: `min(${pointer.x}px, 100% - 150px)`, top: pointer.y }}
-      data-testid="amount"
-    >
-      {amount}
-    </span>
+    <BesidePointer at={pointer}>
+      <span className={styles["amount"]} data-testid="amount">
+        {amount}
+      </span>
+    </BesidePointer>
   );
 }
 
