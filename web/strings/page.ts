@@ -162,7 +162,7 @@ export const pageStrings = {
       ["Double click", "edit the entity under the pointer; elsewhere, and by a finger, fit the view"],
       [
         "Left drag",
-        "select in a box: to the right what lies inside, to the left what is touched; with Alt a lasso",
+        "select in a box: to the right what lies inside, to the left what is touched; with Alt a lasso: clockwise what lies inside, counter-clockwise what is touched",
       ],
       ["Right click", "menu of the selection"],
       ["Right drag", "orbit"],
