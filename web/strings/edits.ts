@@ -52,6 +52,7 @@ export const stepNames = {
   renameGroup: (name: string) => `Rename group ${name}`,
   colorGroup: (name: string) => `Set colour of group ${name}`,
   extendGroup: (name: string) => `Add to group ${name}`,
+  reduceGroup: (name: string) => `Take out of group ${name}`,
   removeGroup: (name: string) => `Remove group ${name}`,
   setCommon: {
     "position.0": (count: number) => `Set x of ${counted(count, "entity", "entities")}`,

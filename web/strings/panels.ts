@@ -68,6 +68,7 @@ export const panelStrings = {
     one: "Group",
     make: "Group selection",
     add: (name: string) => `Add selection to ${name}`,
+    takeOut: (name: string) => `Take selection out of ${name}`,
     name: (name: string) => `Name of group ${name}`,
     color: (name: string) => `Colour of group ${name}`,
     select: (name: string, count: number) => `Select the ${count} entities of ${name}`,
