@@ -1,6 +1,7 @@
 import type { Project } from "tetrafront";
 import { linePaths } from "./line-paths";
 import { drawnLoops } from "./loop-search";
+import type { ViewState } from "./selection";
 import { dependentsOf, entityKey, findRecord, recordsOf, type DrawnKind, type Entity } from "./entities";
 
 const selectable: readonly DrawnKind[] = ["point", "line", "patch", "body"];
@@ -10,13 +11,29 @@ export function allEntities(project: Project): Entity[] {
   return selectable.flatMap((kind) => recordsOf(project, kind).map(({ id }): Entity => ({ kind, id })));
 }
 
+const layersOfKinds: { readonly [K in DrawnKind]: keyof ViewState["layers"] } = {
+  point: "points",
+  line: "lines",
+  patch: "patches",
+  body: "bodies",
+  "body-patch": "bodies",
+  "background-node": "background",
+  source: "sources",
+};
+
+/** Returns the entities that the view shows. */
+export function shownAmong(
+  entities: readonly Entity[],
+  { layers, hidden }: Pick<ViewState, "layers" | "hidden">,
+): Entity[] {
+  return entities.filter((entity) => layers[layersOfKinds[entity.kind]] && !hidden.has(entityKey(entity)));
+}
+
 /** Returns everything that is not selected, of the selected kinds; without a selection, everything. */
 export function invertedSelection(project: Project, selection: readonly Entity[]): Entity[] {
-  const kinds = new Set(selection.map(({ kind }) => kind));
+  if (selection.length === 0) return allEntities(project);
   const selected = new Set(selection.map(entityKey));
-  return allEntities(project).filter(
-    (entity) => (kinds.size === 0 || kinds.has(entity.kind)) && !selected.has(entityKey(entity)),
-  );
+  return sameKinds(project, selection).filter((entity) => !selected.has(entityKey(entity)));
 }
 
 /** Returns all entities of the selected kinds. */

@@ -102,6 +102,28 @@ describe("the commands", () => {
     }
   });
 
+  it("select all and invert leave out what is hidden, and invert nodes among nodes", () => {
+    const { app, run } = openApp();
+    const { view } = app;
+    const count = () => view.state.getState().selection.length;
+    const all = 8 + 12 + 6;
+    run("select-all");
+    expect(count()).toBe(all);
+    view.setHidden([{ kind: "patch", id: 1 }, { kind: "line", id: 1 }], true); // prettier-ignore
+    run("select-all");
+    expect(count()).toBe(all - 2);
+    view.setLayer("points", false);
+    view.select({ kind: "patch", id: 2 });
+    run("select-inverse");
+    expect(count()).toBe(4);
+    view.clear();
+    run("select-inverse");
+    expect(count()).toBe(11 + 5);
+    view.selectAll([{ kind: "background-node", id: 1 }]);
+    run("select-inverse");
+    expect(count()).toBe(app.documents.project.background.nodes.length - 1);
+  });
+
   it("do nothing while they are disabled", () => {
     const { app, run } = openApp();
     const { history } = app.documents.state.getState();
