@@ -126,6 +126,7 @@ export const parameterProblems = {
   taken: (name: string) => `There is already a parameter ${name}`,
   longer: (name: string) => `With ${name}, an expression has more than ${LIMITS.expression} characters`,
   expression: "Enter a number or a formula, such as 2*r",
+  unknown: (name: string) => `There is no parameter ${name}`,
   cycle: (name: string) => `Uses ${name} itself`,
 } as const;
 

@@ -99,6 +99,7 @@ export const panelStrings = {
   },
   fields: {
     notANumber: "Enter a number, such as 0.25 or 1/3",
+    unknownName: (name: string) => `There is no parameter ${name}`,
     noProjectUnit: "Choose the length unit of the project first",
     different: "mixed",
     ownValues: (names: readonly string[]) => {
