@@ -195,6 +195,33 @@ it("follows a model that outgrows the view by a drag only after the release, and
   expect(viewer.pose).not.toEqual(close(fitted));
 });
 
+it("fits a model that shrinks to a dot, as by a change of units, unless it was zoomed to before", async () => {
+  const cube = cubeProject();
+  const points = cube.points.map((point) => ({
+    ...point,
+    position: point.position.map((x) => 0.001 * x) as [number, number, number],
+  }));
+  const small = { ...cube, points };
+  const { viewer, resize } = await shownProject(cube);
+  resize(900, 600);
+  viewer.framing.fit(null, false);
+  viewer.requestFrame();
+  await nextFrame();
+  viewer.show({ project: small });
+  const other = await shownProject(small);
+  other.resize(900, 600);
+  other.viewer.framing.fit(null, false);
+  expect(viewer.pose).toEqual(close(other.viewer.pose));
+  // The parts that are shown remain where they are if only larger ones are deleted.
+  const zoomed = await shownProject({ ...small, points: [...points, ...cube.points.slice(7)] });
+  const { pose } = other.viewer;
+  zoomed.viewer.setPose(pose);
+  zoomed.viewer.requestFrame();
+  await nextFrame();
+  zoomed.viewer.show({ project: small });
+  expect(zoomed.viewer.pose).toEqual(close(pose));
+});
+
 it("draws states out of sight while the view is at rest, each followed by the present one, until it is ended", async () => {
   const { viewer } = await shownProject();
   let finishShaders: () => void = () => undefined;
