@@ -1,3 +1,4 @@
+import type { ProjectBody } from "tetrafront";
 import { beforeEach, expect, it } from "vitest";
 import { moveEntity } from "../../../web/document/edits";
 import { ViewStore } from "../../../web/document/selection";
@@ -227,4 +228,34 @@ it("keeps to the axis of a key, for the pointer and for numbers", () => {
   expect(past()).toBe(1);
   // The release after Enter is no click.
   expect(passed).toEqual([]);
+});
+
+it("moves a body by its patches, and leaves it selected by a click", () => {
+  const body: ProjectBody = {
+    id: 7,
+    name: "ball",
+    points: "",
+    triangles: "",
+    trianglePatch: "",
+    patches: [{ id: 70 }],
+  };
+  documents = new DocumentStore({ ...cubeProject(), bodies: [body] });
+  tool = new DragTool(stores(), other);
+  const patch: Target = { kind: "body-patch", id: 70 };
+  const selected = () => view.state.getState().selection;
+  expect(tool.down(pointer(0, 0, patch))).toBe(true);
+  tool.up(pointer(0, 0, patch, { isDrag: false }));
+  expect(selected()).toEqual([{ kind: "body", id: 7 }]);
+  expect(passed).toEqual([]);
+  expect(past()).toBe(0);
+  drag(patch, [0.5, 0.2]);
+  expect(documents.project.bodies?.[0]?.placement?.position).toEqual([0.5, 0.2, 0]);
+  expect(selected()).toEqual([{ kind: "body", id: 7 }]);
+});
+
+it("leaves the selection to the other tool by a press on what cannot be moved", () => {
+  const patch: Target = { kind: "body-patch", id: 999 };
+  view.select({ kind: "point", id: first().id });
+  expect(tool.down(pointer(0, 0, patch))).toBe(false);
+  expect(view.state.getState().selection).toEqual([{ kind: "point", id: first().id }]);
 });
