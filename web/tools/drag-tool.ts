@@ -45,8 +45,13 @@ interface Drag {
   readonly start: Position;
   /** The plane of the drag, through `start`. */
   readonly plane: Frame;
-  /** What does not move, to snap to. */
+  /** What does not move, for a point to snap to. */
   readonly targets: SnapTargets;
+  /**
+   * The pointer is on a point, which goes to the grid, or to the model. A place on anything else is an accident: it moves by
+   * steps of the grid.
+   */
+  readonly isPoint: boolean;
   /** The pointer is on a body. */
   readonly isBody: boolean;
 }
@@ -177,8 +182,9 @@ export class DragTool implements Tool {
     const isFlat = Math.abs(dot(sight, this.#frame.z)) < flattest;
     const plane = { ...this.#frame, origin: start, ...(isFlat && { z: sight }) };
     motion.start({ mode: "translate", selection, base: start, axis: null, isHeld: true });
+    const isPoint = held !== undefined;
     const isBody = target.kind === "body";
-    return { start, plane, targets: targetsBeside(project, selection), isBody };
+    return { start, plane, targets: targetsBeside(project, selection), isPoint, isBody };
   }
 
   /** Returns what a drag of an entity moves; null if it moves nothing. */
@@ -204,22 +210,24 @@ export class DragTool implements Tool {
     return view.state.getState().selection;
   }
 
-  #offsetAt(pointer: ToolPointer, { start, plane, targets }: Drag): Position | null {
+  #offsetAt(pointer: ToolPointer, { start, plane, targets, isPoint }: Drag): Position | null {
     const { view, viewer, motion } = this.#stores;
     const { snapping } = view.state.getState();
     const seen = viewer.seenFrom(pointer.at);
     const step = snapping.grid && !pointer.mod ? this.#step : 0;
+    const steppedFrom = (to: number, from: number): number =>
+      isPoint ? stepped(to, from, step) : stepped(to - from, 0, step);
     if (motion.axis !== null) {
       const at = onLine(seen.ray, start, axisDirections[motion.axis]);
-      return at && (at.map((x, k) => stepped(x, start[k] ?? 0, step)) as [number, number, number]);
+      return at && (at.map((x, k) => steppedFrom(x, start[k] ?? 0)) as [number, number, number]);
     }
-    const snap = snapping.model && !pointer.mod ? snapToModel(targets, seen) : null;
+    const snap = isPoint && snapping.model && !pointer.mod ? snapToModel(targets, seen) : null;
     if (snap) return subtract(snap.position, start);
     const at = onPlane(seen.ray, plane);
     if (!at) return null;
-    const moved = toFrame(this.#frame, at);
+    const to = toFrame(this.#frame, at);
     const from = toFrame(this.#frame, start);
-    const offset = moved.map((x, k) => stepped(x, from[k] ?? 0, step)) as [number, number, number];
+    const offset = to.map((x, k) => steppedFrom(x, from[k] ?? 0)) as [number, number, number];
     return this.#fromPlane(pointer.shift ? alongOneAxis(offset) : offset);
   }
 }

@@ -248,7 +248,10 @@ it("moves a body by its patches, and leaves it selected by a click", () => {
   expect(selected()).toEqual([{ kind: "body", id: 7 }]);
   expect(passed).toEqual([]);
   expect(past()).toBe(0);
-  drag(patch, [0.5, 0.2]);
+  // Wherever it is taken, it moves by steps of the grid.
+  expect(tool.down(pointer(0.0123, 0.0456, patch))).toBe(true);
+  tool.move(pointer(0.51, 0.24, null));
+  tool.up(pointer(0.51, 0.24, null));
   expect(documents.project.bodies?.[0]?.placement?.position).toEqual([0.5, 0.2, 0]);
   expect(selected()).toEqual([{ kind: "body", id: 7 }]);
 });

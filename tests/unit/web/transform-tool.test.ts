@@ -180,6 +180,25 @@ describe("the handles of a selection", () => {
     expect(drawing.state.getState()).toMatchObject({ amount: null, refused: null });
   });
 
+  it("show the selection as it was while typed numbers are refused, and keep the field open", async () => {
+    const cube = centred();
+    const [a, b, c] = cube.points.map(({ id }) => id);
+    if (!a || !b || !c) throw new Error("the cube has no points");
+    await shown({ ...cube, lines: [{ id: 99, type: "arc", points: [a, b, c] }], patches: [] }, "scale");
+    pressKeys(tool, "2");
+    expect(positions()).not.toEqual(before);
+    pressKeys(tool, ",", "1", ",", "1");
+    expect(positions()).toEqual(before);
+    pressKeys(tool, "Enter");
+    expect(drawing.state.getState()).toMatchObject({ typed: "2,1,1", mistake: "refused" });
+    expect(drawing.state.getState().refused).toMatch(/round/);
+    drawing.type("2");
+    expect(positions()).not.toEqual(before);
+    drawing.submit();
+    expect(drawing.state.getState().typed).toBeNull();
+    expect(documents.state.getState().history.past).toHaveLength(1);
+  });
+
   it("leave everything else to the other tool", async () => {
     await shown(centred(), "translate");
     expect(tool.down(pointer(1, 1))).toBe(false);

@@ -97,6 +97,7 @@ function CoordinateField({ typed }: { readonly typed: string }) {
   const app = useApp();
   const pointer = useStore(app.drawing.state, (state) => state.pointer);
   const mistake = useStore(app.drawing.state, (state) => state.mistake);
+  const refused = useStore(app.drawing.state, (state) => state.refused);
   const motion = useStore(app.drawing.state, (state) => state.motion);
   const axis = useStore(app.drawing.state, (state) => state.axis);
   const texts = motion ? words.motions[motion] : words;
@@ -124,7 +125,7 @@ function CoordinateField({ typed }: { readonly typed: string }) {
         autoComplete="off"
         spellCheck={false}
         value={typed}
-        error={mistake && words.mistakes[mistake]}
+        error={mistake === "refused" ? refused : mistake && words.mistakes[mistake]}
         onChange={(event) => app.drawing.type(event.currentTarget.value)}
         onPaste={(event) => {
           const text = event.clipboardData.getData("text");
