@@ -84,7 +84,7 @@ export class Framing {
   } | null = null;
   /** Whether what was fitted last is the whole model, or what is shown instead of it. */
   #isWholeFitted = false;
-  /** While the pointer is held, the camera does not follow the model. */
+  /** While something is moved, the camera does not follow the model. */
   #isHeld = false;
   #hasMissedChange = false;
 
@@ -190,8 +190,8 @@ export class Framing {
   }
 
   /**
-   * Keeps the camera from following the model while a tool drags something by the pointer: what lies under the pointer must
-   * stay there. The camera follows as soon as the pointer is released.
+   * Keeps the camera from following the model while a tool moves something: what lies under the pointer must stay there. The
+   * camera follows as soon as it is no longer held.
    */
   hold(isHeld: boolean): void {
     this.#isHeld = isHeld;

@@ -206,7 +206,10 @@ function connect(
       state.moving === before.moving;
     if (!isSame) show(state);
   });
-  const stopHolding = tools.state.subscribe(({ hasGesture }) => viewer.framing.hold(hasGesture));
+  // A motion by typed numbers may show several results before it is accepted.
+  const hold = (): void =>
+    viewer.framing.hold(tools.state.getState().hasGesture || drawing.state.getState().motion !== null);
+  const stopsHolding = [tools.state.subscribe(hold), drawing.state.subscribe(hold)];
   const stopPointer = followPointer(canvas, stores);
   const stopReplay = followPlayer(app, viewer);
   app.viewer.setState({ viewer });
@@ -214,7 +217,7 @@ function connect(
     keys.drop();
     stopReplay();
     stopPointer();
-    stopHolding();
+    for (const stopHolding of stopsHolding) stopHolding();
     stop();
     stopTools();
     tools.dispose();
