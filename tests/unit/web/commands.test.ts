@@ -12,7 +12,7 @@ import {
   save,
 } from "../../../web/commands/project-actions";
 import { commandNamed, commands, keyNames, runCommand } from "../../../web/commands/registry";
-import { moveEntity, renameProject } from "../../../web/document/edits";
+import { deleteEntities, moveEntity, renameProject } from "../../../web/document/edits";
 import { templates } from "../../../web/document/templates";
 import { DocumentLibrary } from "../../../web/session/document-library";
 import { newDocument } from "../../../web/session/document-store";
@@ -122,6 +122,30 @@ describe("the commands", () => {
     view.selectAll([{ kind: "background-node", id: 1 }]);
     run("select-inverse");
     expect(count()).toBe(app.documents.project.background.nodes.length - 1);
+  });
+
+  it("leave nothing selected or hidden that is removed: new entities may have the same ids", () => {
+    const { app, run } = openApp();
+    const { documents, view } = app;
+    const removed = { kind: "patch", id: 6 } as const;
+    const add = (): void =>
+      documents.edit({
+        label: "Add",
+        change: ({ project }) => void project.patches.push({ id: 6, type: "planar", loops: [[1, 2, 3, 4]] }),
+      });
+    view.setHidden([removed], true);
+    view.selectAll([removed, { kind: "patch", id: 1 }]);
+    documents.edit(deleteEntities(documents.project, [removed]));
+    expect(view.state.getState().selection).toEqual([{ kind: "patch", id: 1 }]);
+    expect(view.state.getState().hidden.size).toBe(0);
+    add();
+    expect(view.state.getState().selection).toEqual([{ kind: "patch", id: 1 }]);
+    // Redo would bring it back: until another step, it stays selected.
+    view.select(removed);
+    run("undo");
+    expect(view.state.getState().selection).toEqual([removed]);
+    add();
+    expect(view.state.getState().selection).toEqual([]);
   });
 
   it("do nothing while they are disabled", () => {
