@@ -36,6 +36,8 @@ export interface DragStores {
 
 /** Smallest step of a drag and of an arrow key, in CSS pixels. */
 const stepPixels = 10;
+/** A smaller offset, relative to the coordinates, is their rounding error: a drag in a plane does not leave it. */
+const roundingShare = 1e-13;
 /** Below this sine of the angle between the line of sight and the work plane, a drag moves parallel to the view. */
 const flattest = 0.2;
 
@@ -227,7 +229,11 @@ export class DragTool implements Tool {
     if (!at) return null;
     const to = toFrame(this.#frame, at);
     const from = toFrame(this.#frame, start);
-    const offset = to.map((x, k) => steppedFrom(x, from[k] ?? 0)) as [number, number, number];
+    const noise = roundingShare * Math.max(...[...to, ...from].map(Math.abs));
+    const offset = to.map((x, k) => {
+      const moved = steppedFrom(x, from[k] ?? 0);
+      return Math.abs(moved) <= noise ? 0 : moved;
+    }) as [number, number, number];
     return this.#fromPlane(pointer.shift ? alongOneAxis(offset) : offset);
   }
 }

@@ -103,6 +103,29 @@ it("keeps to one axis with Shift, and moves freely with Ctrl", () => {
   expect(first().position[0]).toBeCloseTo(x + 0.312, 12);
 });
 
+it("stays exactly in the work plane without steps", () => {
+  const { id, position } = first();
+  documents.edit(moveEntity("point", id, 2, 1));
+  /** In perspective, from an eye that is fixed. */
+  const tilted: Viewer["seenFrom"] = (at) => {
+    const origin = [0.3, -5, 4.1] as const;
+    const [x, y, z] = [at.x / 100 - origin[0], at.y / 100 - origin[1], 1 - origin[2]];
+    const length = Math.hypot(x, y, z);
+    return { ...fromAbove(at), ray: { origin, direction: [x / length, y / length, z / length] } };
+  };
+  const motion = makeMotion({ documents, view, drawing, seenFrom: tilted });
+  tool = new DragTool({ documents, view, motion, viewer: { seenFrom: tilted, pixelLength: 0.01 } }, other);
+  for (let i = 1; i <= 40; ++i) {
+    const [x = 0, y = 0] = first().position;
+    const to = [x + Math.sin(i), y + Math.cos(i)] as const;
+    expect(tool.down(pointer(x, y, { kind: "point", id }))).toBe(true);
+    tool.move(pointer(...to, null, { mod: true }));
+    tool.up(pointer(...to, null, { mod: true }));
+    expect(first().position[2]).toBe(1);
+    expect(first().position).not.toEqual(position);
+  }
+});
+
 it("restores everything when a drag is cancelled, and changes nothing by a click", () => {
   const { id, position } = first();
   tool.down(pointer(position[0] ?? 0, position[1] ?? 0, { kind: "point", id }));
