@@ -178,6 +178,10 @@ export const pageStrings = {
         "while drawing: open the field for coordinates. So does a letter that begins a parameter or function; if it is a hotkey, too, its command runs after a moment or by Enter",
       ],
       ["Arrow keys", "in the view: orbit; Shift pans; + − zoom"],
+      [
+        "Arrow keys, Page ↑ ↓",
+        "in the move tool: move the selection by a step of the grid; Shift × 10, Alt ÷ 10",
+      ],
     ],
     about:
       "Tetrafront fills shapes with tetrahedra by the advancing-front method of R. Löhner and P. Parikh, “Generation of three-dimensional unstructured grids by the advancing-front method”, Int. J. Numer. Methods Fluids 8 (1988).",
