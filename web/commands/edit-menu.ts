@@ -7,8 +7,10 @@ import {
   connectedTo,
   invertedSelection,
   sameKinds,
+  shownAmong,
 } from "../document/select-related";
 import type { Entity } from "../document/entities";
+import type { ViewState } from "../document/selection";
 import { commandLabels, paletteStrings } from "../strings";
 import { define, type Command, type Extra } from "./command";
 import { hasHighlight, hasSelection, needsSelection, selectionNeeded } from "./conditions";
@@ -36,14 +38,17 @@ const needsNothing = { enabled: () => true };
 /** A command that replaces the selection by related entities. */
 const select = (
   id: keyof typeof commandLabels.selecting,
-  related: (project: Project, selection: readonly Entity[]) => readonly Entity[],
+  related: (project: Project, selection: readonly Entity[], view: ViewState) => readonly Entity[],
   keys: readonly string[],
   condition: Pick<Extra, "enabled" | "needs"> = needsSelection,
 ): Command =>
   define("edit", 2)(
     `select-${id}`,
     commandLabels.selecting[id],
-    ({ documents, view }) => view.selectAll(related(documents.project, view.state.getState().selection)),
+    ({ documents, view }) => {
+      const state = view.state.getState();
+      view.selectAll(related(documents.project, state.selection, state));
+    },
     { keys, ...condition },
   );
 
@@ -91,8 +96,14 @@ export const editMenu: readonly Command[] = [
     keys: ["Escape"],
     enabled: (app) => hasSelection(app) || hasHighlight(app) || hasTool(app) || hasOperation(app),
   }),
-  select("all", (project) => allEntities(project), ["mod+A"], needsNothing),
-  select("inverse", invertedSelection, ["mod+I"], needsNothing),
+  // What the user does not see must not be changed or deleted with the rest.
+  select("all", (project, _, view) => shownAmong(allEntities(project), view), ["mod+A"], needsNothing),
+  select(
+    "inverse",
+    (project, selection, view) => shownAmong(invertedSelection(project, selection), view),
+    ["mod+I"],
+    needsNothing,
+  ),
   select("same-kind", sameKinds, []),
   select("connected", connectedTo, []),
   select("boundary", boundaryOf, []),

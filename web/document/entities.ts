@@ -123,10 +123,28 @@ export function findRecord<K extends DrawnKind>(
   return recordsOf(project, kind).find((record) => record.id === id);
 }
 
+/** Returns those of the entities that a project has. O(records of their kinds + entities). */
+export function existingIn(project: Project, entities: readonly Entity[]): readonly Entity[] {
+  const ids = new Map<DrawnKind, ReadonlySet<number>>();
+  const idsOf = (kind: DrawnKind): ReadonlySet<number> => {
+    const known = ids.get(kind) ?? new Set(recordsOf(project, kind).map(({ id }) => id));
+    ids.set(kind, known);
+    return known;
+  };
+  return entities.filter(({ kind, id }) => idsOf(kind).has(id));
+}
+
 /** The user's own name of the entity, if it has one. */
 export function entityName(project: Project, entity: Entity): string | undefined {
   const record = findRecord(project, entity.kind, entity.id);
   return record && "name" in record ? record.name : undefined;
+}
+
+/** Returns the entity that `entityKey` has named. */
+export function entityOfKey(key: string): Entity {
+  const end = key.lastIndexOf("-");
+  const kind = drawnKinds.find((one) => one === key.slice(0, end)) ?? "point";
+  return { kind, id: Number(key.slice(end + 1)) };
 }
 
 /** Index of each id in its list: the engine addresses entities by index, the project file by id. */

@@ -103,6 +103,24 @@ export const extendGroup = (project: Project, id: number, entities: readonly Ent
     return added.length === 0 ? group : { ...group, members: [...group.members, ...added] };
   });
 
+/** Takes entities out of a group, and removes a group of which nothing is left. O(members + entities). */
+export function reduceGroup(project: Project, id: number, entities: readonly Entity[]): ProjectEdit {
+  const leaving = new Set(groupableMembers(entities).map(memberKey));
+  const staysIn = ({ members }: ProjectGroup) => members.filter((member) => !leaving.has(memberKey(member)));
+  const group = project.groups?.find((one) => one.id === id);
+  if (group && staysIn(group).length === 0) return removeGroup(project, id);
+  return changeGroup(project, id, stepNames.reduceGroup, (one) => ({ ...one, members: staysIn(one) }));
+}
+
+/** Returns how many of the entities that groups can hold belong to a group. O(members + entities). */
+export function membershipIn(group: ProjectGroup, entities: readonly Entity[]): "all" | "some" | "none" {
+  const known = new Set(group.members.map(memberKey));
+  const members = groupableMembers(entities);
+  const count = members.filter((member) => known.has(memberKey(member))).length;
+  if (count === 0) return "none";
+  return count === members.length ? "all" : "some";
+}
+
 /** Removes a group; its members stay in the model. */
 export function removeGroup({ groups = [] }: Project, id: number): ProjectEdit {
   const rest = groups.filter((group) => group.id !== id);

@@ -4,6 +4,7 @@ import {
   type NamedNumbers,
   namesIn,
   readNumber,
+  unknownNameIn,
   withNameReplaced,
 } from "../expressions/expression";
 import { dependentParameters } from "../expressions/parameters";
@@ -38,7 +39,10 @@ export function expressionProblem(project: Project, name: string, expression: st
   const { parameters = [] } = project;
   const dependents = dependentParameters(parameters, name);
   if ([...namesIn(expression)].some((used) => dependents.has(used))) return parameterProblems.cycle(name);
-  return readNumber(expression, projectNumbers(project)) === null ? parameterProblems.expression : null;
+  const named = projectNumbers(project);
+  if (readNumber(expression, named) !== null) return null;
+  const unknown = unknownNameIn(expression, named);
+  return unknown === undefined ? parameterProblems.expression : parameterProblems.unknown(unknown);
 }
 
 /** Returns a name that no parameter has: `p1`, `p2` and so on. */

@@ -1,6 +1,7 @@
 import type { Project } from "tetrafront";
 import { linePaths } from "./line-paths";
-import { drawnLoops } from "./loop-search";
+import { drawnLoops, keyOf } from "./loop-search";
+import type { ViewState } from "./selection";
 import { dependentsOf, entityKey, findRecord, recordsOf, type DrawnKind, type Entity } from "./entities";
 
 const selectable: readonly DrawnKind[] = ["point", "line", "patch", "body"];
@@ -10,13 +11,29 @@ export function allEntities(project: Project): Entity[] {
   return selectable.flatMap((kind) => recordsOf(project, kind).map(({ id }): Entity => ({ kind, id })));
 }
 
+const layersOfKinds: { readonly [K in DrawnKind]: keyof ViewState["layers"] } = {
+  point: "points",
+  line: "lines",
+  patch: "patches",
+  body: "bodies",
+  "body-patch": "bodies",
+  "background-node": "background",
+  source: "sources",
+};
+
+/** Returns the entities that the view shows. */
+export function shownAmong(
+  entities: readonly Entity[],
+  { layers, hidden }: Pick<ViewState, "layers" | "hidden">,
+): Entity[] {
+  return entities.filter((entity) => layers[layersOfKinds[entity.kind]] && !hidden.has(entityKey(entity)));
+}
+
 /** Returns everything that is not selected, of the selected kinds; without a selection, everything. */
 export function invertedSelection(project: Project, selection: readonly Entity[]): Entity[] {
-  const kinds = new Set(selection.map(({ kind }) => kind));
+  if (selection.length === 0) return allEntities(project);
   const selected = new Set(selection.map(entityKey));
-  return allEntities(project).filter(
-    (entity) => (kinds.size === 0 || kinds.has(entity.kind)) && !selected.has(entityKey(entity)),
-  );
+  return sameKinds(project, selection).filter((entity) => !selected.has(entityKey(entity)));
 }
 
 /** Returns all entities of the selected kinds. */
@@ -40,14 +57,26 @@ export function boundaryOf(project: Project, selection: readonly Entity[]): Enti
   return unique(selection.flatMap((entity) => partsOf(project, entity)));
 }
 
-/** Returns the lines of the smallest loop that all selected lines belong to; the selection if there is none. */
+/**
+ * Returns the lines of the smallest loop that all selected lines belong to, the first selected line first; the selection if
+ * there is none. If a whole loop is selected, returns the next one through its first line.
+ */
 export function loopAround(project: Project, selection: readonly Entity[]): Entity[] {
   const lines = selection.flatMap(({ kind, id }) => (kind === "line" ? [id] : []));
+  const [first] = lines;
+  if (first === undefined) return [...selection];
   const loops = drawnLoops(linePaths(project, null))
     .map((loop) => loop.lines.map(Math.abs))
-    .filter((loop) => lines.length > 0 && lines.every((line) => loop.includes(line)));
-  const [smallest] = loops.toSorted((a, b) => a.length - b.length);
-  return smallest ? smallest.map((id) => ({ kind: "line", id })) : [...selection];
+    .filter((loop) => loop.includes(first))
+    .toSorted((a, b) => a.length - b.length);
+  const selected = loops.findIndex((loop) => keyOf(loop) === keyOf(lines));
+  const found =
+    selected >= 0
+      ? loops[(selected + 1) % loops.length]
+      : loops.find((loop) => lines.every((line) => loop.includes(line)));
+  if (!found) return [...selection];
+  const start = found.indexOf(first);
+  return [...found.slice(start), ...found.slice(0, start)].map((id) => ({ kind: "line", id }));
 }
 
 /** Returns the selected entities with everything that they are built on. */

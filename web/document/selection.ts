@@ -1,8 +1,9 @@
+import type { Project } from "tetrafront";
 import type { LineType, SourceType } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";
-import { entityKey, sameEntity, type Entity } from "./entities";
+import { entityKey, entityOfKey, existingIn, sameEntity, type Entity } from "./entities";
 import type { Position } from "./position";
 import type { CircleBy, HandleMode, Snapping, ToolName } from "./tools";
 import { principalPlane, type WorkPlane } from "./work-plane";
@@ -279,6 +280,17 @@ export class ViewStore {
       }
       return { hidden: next };
     });
+  }
+
+  /** Forgets what a project does not have: new entities may get the ids of removed ones. */
+  forgetRemoved(project: Project): void {
+    const { selection, hidden } = this.state.getState();
+    const selected = existingIn(project, selection);
+    if (selected.length < selection.length) this.state.setState({ selection: selected });
+    if (hidden.size === 0) return;
+    const stillHidden = existingIn(project, [...hidden].map(entityOfKey));
+    if (stillHidden.length < hidden.size)
+      this.state.setState({ hidden: new Set(stillHidden.map(entityKey)) });
   }
 
   showAll(): void {

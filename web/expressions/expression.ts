@@ -65,6 +65,16 @@ export function namesIn(expression: string): ReadonlySet<string> {
   return new Set(names.map(([token]) => token));
 }
 
+/** Stands for a number that is not known: one by which hardly any expression divides by zero. */
+const anyNumber = 0.7183;
+
+/** Returns the first name that has no number, in an expression that is a number otherwise; undefined if there is none. */
+export function unknownNameIn(expression: string, named: NamedNumbers): string | undefined {
+  const unknown = [...namesIn(expression)].filter((name) => !named.has(name));
+  const known = new Map([...named, ...unknown.map((name) => [name, anyNumber] as const)]);
+  return readNumber(expression, known) === null ? undefined : unknown[0];
+}
+
 /** Returns whether a name is that of a function or constant. */
 export const isReservedName = (name: string): boolean =>
   isFunction(name.toLowerCase()) || Object.hasOwn(constants, name.toLowerCase());
@@ -82,12 +92,18 @@ function sine(angle: number): number {
   return exact ?? Math.sin(angle * degrees);
 }
 
+/** Returns the tangent of an angle in degrees; exact for multiples of 45°: infinite for a right angle. */
+function tangent(angle: number): number {
+  const eighths = (((angle % 180) + 180) % 180) / 45;
+  return [0, 1, Infinity, -1][eighths] ?? Math.tan(angle * degrees);
+}
+
 const functions = {
   sqrt: Math.sqrt,
   abs: Math.abs,
   sin: sine,
   cos: (angle: number) => sine(angle + 90),
-  tan: (angle: number) => Math.tan(angle * degrees),
+  tan: tangent,
   asin: (x: number) => Math.asin(x) / degrees,
   acos: (x: number) => Math.acos(x) / degrees,
   atan: (x: number) => Math.atan(x) / degrees,

@@ -1,6 +1,5 @@
-import type { Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { findRecord, type Entity } from "../document/entities";
+import { existingIn, type Entity } from "../document/entities";
 import {
   changedExpressions,
   type FieldExpressions,
@@ -136,8 +135,3 @@ export class Operations {
 }
 
 const changesProject = (tool: ToolName): boolean => isDrawingTool(tool) && tool !== "measure";
-
-/** Returns those of the entities that a project has. */
-function existingIn(project: Project, entities: readonly Entity[]): readonly Entity[] {
-  return entities.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
-}

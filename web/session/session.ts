@@ -11,6 +11,7 @@ import {
   type DocumentState,
   type OpenDocument,
   type ProjectFile,
+  settledProject,
 } from "./document-store";
 import { Operations } from "./operations";
 import { PreviewFeed } from "./preview";
@@ -59,6 +60,13 @@ export class Session {
     this.sizes = new SizeFeed(this, previewMesher);
     this.library = library;
     this.autosave = library && new Autosave(this.documents, library.storage);
+    this.documents.state.subscribe(({ history, gestureStart }, before) => {
+      const isNewStep = history.past !== before.history.past && history.future.length === 0;
+      if (gestureStart !== null || !isNewStep) return;
+      // Undo may have removed entities before. What the step has added may have their ids.
+      for (const project of [settledProject(before), history.present.project])
+        this.view.forgetRemoved(project);
+    });
     this.run.state.subscribe((state, before) => {
       if (state.mesh !== before.mesh || state.outcome !== before.outcome) this.view.unmark();
       if (regionCount(state) !== regionCount(before)) this.view.showAllRegions();

@@ -17,6 +17,8 @@ export const drawingStrings = {
     rotate: (degrees: string) => `${degrees}°`,
     scale: (factors: string) => `× ${factors}`,
   },
+  /** A handle: what it changes, with the present value. */
+  grip: (name: string, value: string) => `${name} ${value}`,
   plane: "Work plane",
   planes: { xy: "XY", xz: "XZ", yz: "YZ" },
   /** In a list of values, if none of them is chosen. */

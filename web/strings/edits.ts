@@ -52,6 +52,7 @@ export const stepNames = {
   renameGroup: (name: string) => `Rename group ${name}`,
   colorGroup: (name: string) => `Set colour of group ${name}`,
   extendGroup: (name: string) => `Add to group ${name}`,
+  reduceGroup: (name: string) => `Take out of group ${name}`,
   removeGroup: (name: string) => `Remove group ${name}`,
   setCommon: {
     "position.0": (count: number) => `Set x of ${counted(count, "entity", "entities")}`,
@@ -125,6 +126,7 @@ export const parameterProblems = {
   taken: (name: string) => `There is already a parameter ${name}`,
   longer: (name: string) => `With ${name}, an expression has more than ${LIMITS.expression} characters`,
   expression: "Enter a number or a formula, such as 2*r",
+  unknown: (name: string) => `There is no parameter ${name}`,
   cycle: (name: string) => `Uses ${name} itself`,
 } as const;
 

@@ -86,7 +86,8 @@ export const operationStrings = {
   },
   refusals: {
     nothingSelected: "Select points, lines, patches, bodies or sources.",
-    bodies: "Bodies can be moved, rotated and scaled equally along all axes; deselect the bodies.",
+    bodies:
+      "Bodies can be moved, rotated and scaled by equal factors only. Use equal factors, or deselect the bodies.",
     arcs: "Arcs and circles stay round only with equal factors. Use equal factors, or draw them as splines first.",
     flat: "A factor must not be 0.",
     refusedLine: (line: string) =>

@@ -161,7 +161,7 @@ export const pageStrings = {
       ["Double click", "edit the entity under the pointer; elsewhere, and by a finger, fit the view"],
       [
         "Left drag",
-        "select in a box: to the right what lies inside, to the left what is touched; with Alt a lasso",
+        "select in a box: to the right what lies inside, to the left what is touched; with Alt a lasso: clockwise what lies inside, counter-clockwise what is touched",
       ],
       ["Right click", "menu of the selection"],
       ["Right drag", "orbit"],
@@ -177,6 +177,10 @@ export const pageStrings = {
         "while drawing: open the field for coordinates. So does a letter that begins a parameter or function; if it is a hotkey, too, its command runs after a moment or by Enter",
       ],
       ["Arrow keys", "in the view: orbit; Shift pans; + − zoom"],
+      [
+        "Arrow keys, Page ↑ ↓",
+        "in the move tool: move the selection by a step of the grid; Shift × 10, Alt ÷ 10",
+      ],
     ],
     about:
       "Tetrafront fills shapes with tetrahedra by the advancing-front method of R. Löhner and P. Parikh, “Generation of three-dimensional unstructured grids by the advancing-front method”, Int. J. Numer. Methods Fluids 8 (1988).",

@@ -68,6 +68,7 @@ export const panelStrings = {
     one: "Group",
     make: "Group selection",
     add: (name: string) => `Add selection to ${name}`,
+    takeOut: (name: string) => `Take selection out of ${name}`,
     name: (name: string) => `Name of group ${name}`,
     color: (name: string) => `Colour of group ${name}`,
     select: (name: string, count: number) => `Select the ${count} entities of ${name}`,
@@ -98,6 +99,7 @@ export const panelStrings = {
   },
   fields: {
     notANumber: "Enter a number, such as 0.25 or 1/3",
+    unknownName: (name: string) => `There is no parameter ${name}`,
     noProjectUnit: "Choose the length unit of the project first",
     different: "mixed",
     ownValues: (names: readonly string[]) => {

@@ -7,6 +7,8 @@ const remesh = "Select Remesh for the body, or export the surface with more unif
 const remedies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
   "empty-background-grid":
     "Set a uniform size in the mesh settings, or create a background grid that covers the model.",
+  "patches-intersect":
+    "Combine the bodies (Edit, Combine bodies), move them apart, or split both patches along a common line. Remove parts that lie inside, unless they are interfaces between two regions.",
   "coarse-surface": "Select Remesh or Refine for the body, or use larger elements.",
   "needle-surface": remesh,
   "large-tetrahedra": "Select Remesh or Refine for the body, or permit a larger volume.",

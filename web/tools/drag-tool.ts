@@ -1,5 +1,5 @@
 import type { Project } from "tetrafront";
-import { findRecord, sameEntity, type Entity } from "../document/entities";
+import { bodyOfPatch, findRecord, sameEntity, type Entity } from "../document/entities";
 import { linePaths } from "../document/line-paths";
 import type { Position } from "../document/position";
 import type { ViewStore } from "../document/selection";
@@ -36,6 +36,8 @@ export interface DragStores {
 
 /** Smallest step of a drag and of an arrow key, in CSS pixels. */
 const stepPixels = 10;
+/** A smaller offset, relative to the coordinates, is their rounding error: a drag in a plane does not leave it. */
+const roundingShare = 1e-13;
 /** Below this sine of the angle between the line of sight and the work plane, a drag moves parallel to the view. */
 const flattest = 0.2;
 
@@ -45,8 +47,15 @@ interface Drag {
   readonly start: Position;
   /** The plane of the drag, through `start`. */
   readonly plane: Frame;
-  /** What does not move, to snap to. */
+  /** What does not move, for a point to snap to. */
   readonly targets: SnapTargets;
+  /**
+   * The pointer is on a point, which goes to the grid, or to the model. A place on anything else is an accident: it moves by
+   * steps of the grid.
+   */
+  readonly isPoint: boolean;
+  /** The pointer is on a body. */
+  readonly isBody: boolean;
 }
 
 /** Moves per arrow key, in the axes of the work plane. */
@@ -104,7 +113,8 @@ export class DragTool implements Tool {
     // Enter may have ended the motion before.
     if (drag && (pointer.isDrag || motion.isTyping || !motion.isRunning)) return motion.release();
     if (drag) motion.cancel();
-    this.#otherwise.up(pointer);
+    // The body, not its patch, is what can be moved.
+    if (drag?.isBody !== true) this.#otherwise.up(pointer);
   }
 
   cancel(): void {
@@ -161,12 +171,12 @@ export class DragTool implements Tool {
     if (documents.state.getState().gestureStart !== null) return null;
     const hit = pointer.hit();
     if (!hit || hit.target.kind === "element") return null;
-    const target: Entity = hit.target;
     const { project } = documents;
-    const selection = this.#selectionFor(project, target);
-    if (!selection) return null;
+    const target = movedBy(project, hit.target);
+    const moved = this.#movedWith(project, target);
     const none = { label: "", join: false };
-    if (!offerTransform(project, selection, translation(zero), none).possible) return null;
+    if (!moved || !offerTransform(project, moved, translation(zero), none).possible) return null;
+    const selection = this.#draggable === "all" ? this.#selected(target) : moved;
     const held = target.kind === "point" ? findRecord(project, "point", target.id)?.position : undefined;
     const start = held ?? hit.position;
     const { ray } = viewer.seenFrom(pointer.at);
@@ -174,11 +184,13 @@ export class DragTool implements Tool {
     const isFlat = Math.abs(dot(sight, this.#frame.z)) < flattest;
     const plane = { ...this.#frame, origin: start, ...(isFlat && { z: sight }) };
     motion.start({ mode: "translate", selection, base: start, axis: null, isHeld: true });
-    return { start, plane, targets: targetsBeside(project, selection) };
+    const isPoint = held !== undefined;
+    const isBody = target.kind === "body";
+    return { start, plane, targets: targetsBeside(project, selection), isPoint, isBody };
   }
 
-  /** Returns what a drag of an entity moves, and selects it with the move tool; null if it moves nothing. */
-  #selectionFor(project: Project, target: Entity): readonly Entity[] | null {
+  /** Returns what a drag of an entity moves; null if it moves nothing. */
+  #movedWith(project: Project, target: Entity): readonly Entity[] | null {
     const { view } = this.#stores;
     const { selection, several } = view.state.getState();
     const isSelected = selection.some((entity) => sameEntity(entity, target));
@@ -190,28 +202,46 @@ export class DragTool implements Tool {
       );
       return isOfLine ? [target] : null;
     }
-    if (!isSelected) view.select(target);
+    return isSelected ? selection : [target];
+  }
+
+  /** Selects an entity that is not selected. Returns the selection. */
+  #selected(target: Entity): readonly Entity[] {
+    const { view } = this.#stores;
+    if (!view.state.getState().selection.some((entity) => sameEntity(entity, target))) view.select(target);
     return view.state.getState().selection;
   }
 
-  #offsetAt(pointer: ToolPointer, { start, plane, targets }: Drag): Position | null {
+  #offsetAt(pointer: ToolPointer, { start, plane, targets, isPoint }: Drag): Position | null {
     const { view, viewer, motion } = this.#stores;
     const { snapping } = view.state.getState();
     const seen = viewer.seenFrom(pointer.at);
     const step = snapping.grid && !pointer.mod ? this.#step : 0;
+    const steppedFrom = (to: number, from: number): number =>
+      isPoint ? stepped(to, from, step) : stepped(to - from, 0, step);
     if (motion.axis !== null) {
       const at = onLine(seen.ray, start, axisDirections[motion.axis]);
-      return at && (at.map((x, k) => stepped(x, start[k] ?? 0, step)) as [number, number, number]);
+      return at && (at.map((x, k) => steppedFrom(x, start[k] ?? 0)) as [number, number, number]);
     }
-    const snap = snapping.model && !pointer.mod ? snapToModel(targets, seen) : null;
+    const snap = isPoint && snapping.model && !pointer.mod ? snapToModel(targets, seen) : null;
     if (snap) return subtract(snap.position, start);
     const at = onPlane(seen.ray, plane);
     if (!at) return null;
-    const moved = toFrame(this.#frame, at);
+    const to = toFrame(this.#frame, at);
     const from = toFrame(this.#frame, start);
-    const offset = moved.map((x, k) => stepped(x, from[k] ?? 0, step)) as [number, number, number];
+    const noise = roundingShare * Math.max(...[...to, ...from].map(Math.abs));
+    const offset = to.map((x, k) => {
+      const moved = steppedFrom(x, from[k] ?? 0);
+      return Math.abs(moved) <= noise ? 0 : moved;
+    }) as [number, number, number];
     return this.#fromPlane(pointer.shift ? alongOneAxis(offset) : offset);
   }
+}
+
+/** Returns what a drag of an entity moves: a patch of a body moves with its body. */
+function movedBy(project: Project, entity: Entity): Entity {
+  const body = entity.kind === "body-patch" ? bodyOfPatch(project, entity.id) : undefined;
+  return body ? { kind: "body", id: body.id } : entity;
 }
 
 /** Returns how far a coordinate moves: to a multiple of the step, unless it stays within half a step. */

@@ -9,6 +9,7 @@ import type { Layer } from "../viewer/layers/layer";
 import { SizeGlyphLayer } from "../viewer/layers/size-glyph-layer";
 import type { SceneChanges } from "../viewer/scene-state";
 import type { Viewer } from "../viewer/viewer";
+import type { Drawing } from "./drawing/drawing";
 import type { Grip, GripDrag, Grips } from "./handles/grips";
 import { operationGrips } from "./handles/operation-grips";
 import { sizeGrips } from "./handles/size-handles";
@@ -18,6 +19,7 @@ export interface HandleStores {
   readonly documents: DocumentStore;
   readonly operations: Operations;
   readonly view: ViewStore;
+  readonly drawing: Drawing;
   readonly viewer: Pick<Viewer, "seenFrom" | "pixelLength" | "requestFrame" | "onDrawn">;
 }
 
@@ -45,6 +47,7 @@ export class HandleTool implements Tool {
   #layer: SizeGlyphLayer | null = null;
   #drag: Drag | null = null;
   #hovered: number | null = null;
+  #isDescribed = false;
   /** As they are drawn. */
   #grips: Grips | null = null;
   /** Length of a pixel when they were placed. */
@@ -59,16 +62,23 @@ export class HandleTool implements Tool {
   down(pointer: ToolPointer): boolean {
     const isPlain = pointer.button === "left" && !pointer.shift && !pointer.mod;
     this.#drag = isPlain ? this.#begin(pointer) : null;
-    return this.#drag !== null || this.#otherwise.down(pointer);
+    if (!this.#drag) return this.#otherwise.down(pointer);
+    // A finger presses without having been over the handle before.
+    this.#hover(this.#indexAt(pointer));
+    this.#describe(pointer);
+    return true;
   }
 
   move(pointer: ToolPointer | null): void {
     if (pointer && this.#drag) {
       if (pointer.isDrag) this.#dragTo(pointer, this.#drag);
+      this.#describe(pointer);
       return;
     }
-    this.#hover(pointer ? this.#indexAt(pointer) : null);
-    this.#otherwise.move(pointer);
+    // During another drag, the handles do not react.
+    this.#hover(pointer?.button === null ? this.#indexAt(pointer) : null);
+    this.#describe(pointer);
+    this.#otherwise.move(this.#hovered === null ? pointer : null);
   }
 
   up(pointer: ToolPointer): void {
@@ -77,11 +87,14 @@ export class HandleTool implements Tool {
     if (!drag) return this.#otherwise.up(pointer);
     if (pointer.isDrag) drag.commit();
     else drag.cancel();
+    this.#hover(pointer.touch ? null : this.#indexAt(pointer));
+    this.#describe(pointer);
   }
 
   cancel(): void {
     this.#drag?.cancel();
     this.#drag = null;
+    this.#describe(null);
     this.#otherwise.cancel();
   }
 
@@ -145,6 +158,15 @@ export class HandleTool implements Tool {
     this.#stores.viewer.requestFrame();
   }
 
+  /** Shows beside the pointer what the handle under it changes. */
+  #describe(pointer: ToolPointer | null): void {
+    const grip = this.#hovered === null ? undefined : this.#grips?.grips[this.#hovered];
+    const { state } = this.#stores.drawing;
+    if (grip && pointer) state.setState({ amount: grip.label, pointer: pointer.at });
+    else if (this.#isDescribed) state.setState({ amount: null });
+    this.#isDescribed = grip !== undefined && pointer !== null;
+  }
+
   #followZoom(): void {
     const factor = this.#stores.viewer.pixelLength / this.#pixel;
     if (!this.#grips || this.#drag || (factor < zoomStep && factor > 1 / zoomStep)) return;
@@ -158,6 +180,10 @@ export class HandleTool implements Tool {
     const { selection } = view.state.getState();
     this.#grips = operationGrips(operations, this.#pixel) ?? sizeGrips(documents, selection, this.#pixel);
     const { glyphs, grips } = this.#grips ?? { glyphs: [], grips: [] };
+    if (this.#hovered !== null && !grips[this.#hovered]) {
+      this.#hovered = null;
+      this.#describe(null);
+    }
     this.#layer?.show(
       this.#grips && {
         glyphs,

@@ -170,6 +170,7 @@ export class Motion implements TypedInput {
     if (!this.#run) return null;
     const read = this.#read(this.#run, text);
     if (!read.success) return read.reason;
+    if (!this.#show(this.#run, read.map, false).possible) return "refused";
     this.#accept(this.#run, read.map);
     return null;
   }
@@ -222,6 +223,10 @@ export class Motion implements TypedInput {
     if (offer.possible) {
       run.gesture ??= documents.begin(label);
       run.gesture.update(offer.creation.edit);
+    } else {
+      // What was shown before would look like the result.
+      run.gesture?.cancel();
+      run.gesture = null;
     }
     const refused = offer.possible ? null : offer.reason;
     if (drawing.state.getState().refused !== refused) drawing.state.setState({ refused });

@@ -17,15 +17,23 @@ export interface Outline {
 }
 
 /**
- * Returns the outline of a drag: the box between two corners, or a lasso through more. A drag to the right selects what
- * lies inside, a drag to the left also what is touched.
+ * Returns the outline of a drag: the box between two corners, or a lasso through more. A drag to the right, or a clockwise
+ * lasso, selects what lies inside; a drag to the left, or a counter-clockwise lasso, also what is touched.
  */
 export function outlineOf(corners: readonly ScreenPoint[]): Outline {
   const [a = { x: 0, y: 0 }, b = a] = corners;
-  const last = corners.at(-1) ?? a;
-  const touching = last.x < a.x;
-  if (corners.length > 2) return { points: corners, touching };
-  return { points: [a, { x: b.x, y: a.y }, b, { x: a.x, y: b.y }], touching };
+  // Where a lasso ends says nothing: that is near its beginning.
+  if (corners.length > 2) return { points: corners, touching: !isClockwise(corners) };
+  return { points: [a, { x: b.x, y: a.y }, b, { x: a.x, y: b.y }], touching: b.x < a.x };
+}
+
+/** Returns whether a closed outline runs clockwise on the screen, where y points down. */
+function isClockwise(points: readonly ScreenPoint[]): boolean {
+  const doubleArea = points.reduce((sum, { x, y }, i) => {
+    const next = points[(i + 1) % points.length] ?? { x, y };
+    return sum + x * next.y - next.x * y;
+  }, 0);
+  return doubleArea >= 0;
 }
 
 /** An entity with the polylines that it consists of; a point has one position. */

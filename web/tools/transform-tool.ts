@@ -94,6 +94,8 @@ export class TransformTool implements Tool {
     if (!this.#pressed) return this.#otherwise.up(pointer);
     this.#pressed = null;
     this.#handles?.release(this.#normalized(pointer.at));
+    // What was typed during the drag differs from where the pointer has left the handles.
+    if (this.#placed) this.#place(this.#placed);
     this.#stores.motion.release();
   }
 

@@ -189,6 +189,15 @@ export class ViewCamera {
     void this.controls.setLookAt(...eye, ...target, false);
   }
 
+  /** Moves with the scene, whose coordinates all change by an offset. A running motion of the target ends. */
+  shift(offset: readonly [number, number, number]): void {
+    const by = new Vector3(...offset);
+    const { x, y, z } = this.controls.getTarget(new Vector3(), true).add(by);
+    void this.controls.moveTo(x, y, z, false);
+    if (!this.#fitted) return;
+    for (const position of [this.#fitted.low, this.#fitted.high, this.#fitted.target]) position.add(by);
+  }
+
   /** Rotates by angles in degrees. */
   rotate(azimuth: number, polar: number, animate: boolean): void {
     void this.controls.rotate(azimuth * degrees, polar * degrees, animate);

@@ -16,7 +16,7 @@ import { closeUpBox } from "./close-up";
 import { elementCorners, selectedCorners } from "./highlight-corners";
 import type { Target } from "./layers/layer";
 import type { SceneState, Viewport } from "./scene-state";
-import { screenProjection } from "./screen";
+import { screenProjection, type ScreenPoint } from "./screen";
 
 /** The scene that is framed. */
 export interface FramedScene {
@@ -28,6 +28,9 @@ export interface FramedScene {
 
 /** If the model has grown by this factor since it was last fitted, and beyond the view, it is fitted again. */
 const outgrowth = 1.5;
+/** If it has shrunk by this factor, and appears smaller than this share of the view, too: as by a change of units. */
+const shrinkage = 5;
+const lostShare = 0.2;
 /** A model that appears smaller than this, in CSS pixels, is fitted too. */
 const minPixels = 40;
 
@@ -39,6 +42,27 @@ function sampledPositions(state: SceneState): readonly Position[] {
     points[3 * i + 1] ?? 0,
     points[3 * i + 2] ?? 0,
   ]);
+}
+
+/** Returns the radius of the model; 0 without extent. */
+function projectRadius({ project, bodies }: SceneState): number {
+  const { empty, radius } = projectBounds(project, bodies);
+  return empty ? 0 : radius;
+}
+
+/** Returns the corners of a box. */
+const cornersOf = ({ low, high }: Bounds): readonly Position[] =>
+  [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [
+    i & 1 ? high[0] : low[0],
+    i & 2 ? high[1] : low[1],
+    i & 4 ? high[2] : low[2],
+  ]);
+
+/** Returns the width or height of what appears at positions of the screen, whichever is larger. */
+function extentOf(seen: readonly (ScreenPoint | null)[]): number {
+  const shown = new Bounds();
+  for (const at of seen) if (at) shown.add(at.x, at.y, 0);
+  return Math.max(shown.high[0] - shown.low[0], shown.high[1] - shown.low[1]);
 }
 
 /** Decides what the camera is fitted to, and when it follows the model. Keeps the local coordinates small. */
@@ -60,6 +84,9 @@ export class Framing {
   } | null = null;
   /** Whether what was fitted last is the whole model, or what is shown instead of it. */
   #isWholeFitted = false;
+  /** While something is moved, the camera does not follow the model. */
+  #isHeld = false;
+  #hasMissedChange = false;
 
   constructor(view: ViewCamera, scene: FramedScene, motion: boolean, coveredLeft: number) {
     this.#view = view;
@@ -76,9 +103,7 @@ export class Framing {
   /** Starts again after another model was opened: fits it without motion. */
   reset(): void {
     const { project, bodies } = this.#scene.state;
-    const { empty, radius } = projectBounds(project, bodies);
     const roomy = roomyBounds(project, bodies);
-    this.#fittedRadius = empty ? 0 : radius;
     this.#scene.update({ origin: roomy.centre });
     this.#view.setModelRadius(roomy.radius, this.#backgroundReach());
     this.fit(null, false);
@@ -139,18 +164,40 @@ export class Framing {
     this.fit(null);
   }
 
-  /** Follows a changed model: keeps local coordinates small, and fits the model if it has outgrown the view. */
+  /**
+   * Follows a changed model: keeps local coordinates small, and fits the model if it has outgrown the view, or shrunk to
+   * a dot in it. A model that only moves may leave the view.
+   */
   followModel(): void {
+    if (this.#isHeld) {
+      this.#hasMissedChange = true;
+      return;
+    }
     const { project, bodies, origin } = this.#scene.state;
     const bounds = projectBounds(project, bodies);
     const { empty, radius } = bounds;
     const roomy = roomyBounds(project, bodies);
     const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius && !this.#showsModel(bounds);
-    if (isOutgrown || empty) this.#fittedRadius = empty ? 0 : radius;
+    const isShrunk = radius > 0 && shrinkage * radius < this.#fittedRadius && this.#isTiny(bounds);
+    if (isOutgrown || isShrunk || empty) this.#fittedRadius = projectRadius(this.#scene.state);
     const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
-    if (isOutgrown || drift > 2 * roomy.radius) this.#scene.update({ origin: roomy.centre });
+    if (isOutgrown || isShrunk || drift > 2 * roomy.radius) {
+      this.#view.shift(roomy.centre.map((x, k) => (origin[k] ?? 0) - x) as [number, number, number]);
+      this.#scene.update({ origin: roomy.centre });
+    }
     this.#view.setModelRadius(roomy.radius, this.#backgroundReach());
-    if (isOutgrown) this.fit(null);
+    if (isOutgrown || isShrunk) this.fit(null);
+  }
+
+  /**
+   * Keeps the camera from following the model while a tool moves something: what lies under the pointer must stay there. The
+   * camera follows as soon as it is no longer held.
+   */
+  hold(isHeld: boolean): void {
+    this.#isHeld = isHeld;
+    if (isHeld || !this.#hasMissedChange) return;
+    this.#hasMissedChange = false;
+    this.followModel();
   }
 
   /**
@@ -192,13 +239,18 @@ export class Framing {
   }
 
   /** Returns whether a box is in view and large enough to see. */
-  #showsAll({ low, high }: Bounds): boolean {
-    const corner = (i: number): Position => [
-      i & 1 ? high[0] : low[0],
-      i & 2 ? high[1] : low[1],
-      i & 4 ? high[2] : low[2],
-    ];
-    return this.#shows([0, 1, 2, 3, 4, 5, 6, 7].map(corner));
+  #showsAll(bounds: Bounds): boolean {
+    return this.#shows(cornersOf(bounds));
+  }
+
+  /** Returns whether a box appears much smaller than the view, wherever it is. */
+  #isTiny(bounds: Bounds): boolean {
+    const { viewport, origin } = this.#scene.state;
+    const seen = cornersOf(bounds).map(screenProjection(this.#view.camera, viewport, origin));
+    return (
+      seen.every((at) => at !== null) &&
+      extentOf(seen) < lostShare * Math.min(viewport.width, viewport.height)
+    );
   }
 
   /** Returns whether positions are in view, and far enough apart to see. */
@@ -209,9 +261,7 @@ export class Framing {
     const left = this.#coveredLeft;
     const isInView = seen.every((at) => at && at.x >= left && at.y >= 0 && at.x <= width && at.y <= height);
     if (!isInView) return false;
-    const shown = new Bounds();
-    for (const at of seen) if (at) shown.add(at.x, at.y, 0);
-    return Math.max(shown.high[0] - shown.low[0], shown.high[1] - shown.low[1]) >= minPixels;
+    return extentOf(seen) >= minPixels;
   }
 
   /**
@@ -230,6 +280,7 @@ export class Framing {
     this.#isWholeFitted = target.empty || target === this.#replaced;
     const { state } = this.#scene;
     const whole = shownBounds(state);
+    if (target.empty) this.#fittedRadius = projectRadius(state);
     const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, state.origin);
     this.#view.fit(from, to, animate);
     this.#scene.request();

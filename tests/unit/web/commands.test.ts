@@ -12,7 +12,7 @@ import {
   save,
 } from "../../../web/commands/project-actions";
 import { commandNamed, commands, keyNames, runCommand } from "../../../web/commands/registry";
-import { moveEntity, renameProject } from "../../../web/document/edits";
+import { deleteEntities, moveEntity, renameProject } from "../../../web/document/edits";
 import { templates } from "../../../web/document/templates";
 import { DocumentLibrary } from "../../../web/session/document-library";
 import { newDocument } from "../../../web/session/document-store";
@@ -100,6 +100,52 @@ describe("the commands", () => {
       expect(sections.length).toBeGreaterThan(0);
       expect(sections).toEqual([...sections].sort((a, b) => a - b));
     }
+  });
+
+  it("select all and invert leave out what is hidden, and invert nodes among nodes", () => {
+    const { app, run } = openApp();
+    const { view } = app;
+    const count = () => view.state.getState().selection.length;
+    const all = 8 + 12 + 6;
+    run("select-all");
+    expect(count()).toBe(all);
+    view.setHidden([{ kind: "patch", id: 1 }, { kind: "line", id: 1 }], true); // prettier-ignore
+    run("select-all");
+    expect(count()).toBe(all - 2);
+    view.setLayer("points", false);
+    view.select({ kind: "patch", id: 2 });
+    run("select-inverse");
+    expect(count()).toBe(4);
+    view.clear();
+    run("select-inverse");
+    expect(count()).toBe(11 + 5);
+    view.selectAll([{ kind: "background-node", id: 1 }]);
+    run("select-inverse");
+    expect(count()).toBe(app.documents.project.background.nodes.length - 1);
+  });
+
+  it("leave nothing selected or hidden that is removed: new entities may have the same ids", () => {
+    const { app, run } = openApp();
+    const { documents, view } = app;
+    const removed = { kind: "patch", id: 6 } as const;
+    const add = (): void =>
+      documents.edit({
+        label: "Add",
+        change: ({ project }) => void project.patches.push({ id: 6, type: "planar", loops: [[1, 2, 3, 4]] }),
+      });
+    view.setHidden([removed], true);
+    view.selectAll([removed, { kind: "patch", id: 1 }]);
+    documents.edit(deleteEntities(documents.project, [removed]));
+    expect(view.state.getState().selection).toEqual([{ kind: "patch", id: 1 }]);
+    expect(view.state.getState().hidden.size).toBe(0);
+    add();
+    expect(view.state.getState().selection).toEqual([{ kind: "patch", id: 1 }]);
+    // Redo would bring it back: until another step, it stays selected.
+    view.select(removed);
+    run("undo");
+    expect(view.state.getState().selection).toEqual([removed]);
+    add();
+    expect(view.state.getState().selection).toEqual([]);
   });
 
   it("do nothing while they are disabled", () => {

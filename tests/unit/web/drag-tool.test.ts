@@ -1,3 +1,4 @@
+import type { ProjectBody } from "tetrafront";
 import { beforeEach, expect, it } from "vitest";
 import { moveEntity } from "../../../web/document/edits";
 import { ViewStore } from "../../../web/document/selection";
@@ -100,6 +101,29 @@ it("keeps to one axis with Shift, and moves freely with Ctrl", () => {
   documents.undo();
   drag({ kind: "point", id }, [x + 0.312, y - 0.188], { mod: true });
   expect(first().position[0]).toBeCloseTo(x + 0.312, 12);
+});
+
+it("stays exactly in the work plane without steps", () => {
+  const { id, position } = first();
+  documents.edit(moveEntity("point", id, 2, 1));
+  /** In perspective, from an eye that is fixed. */
+  const tilted: Viewer["seenFrom"] = (at) => {
+    const origin = [0.3, -5, 4.1] as const;
+    const [x, y, z] = [at.x / 100 - origin[0], at.y / 100 - origin[1], 1 - origin[2]];
+    const length = Math.hypot(x, y, z);
+    return { ...fromAbove(at), ray: { origin, direction: [x / length, y / length, z / length] } };
+  };
+  const motion = makeMotion({ documents, view, drawing, seenFrom: tilted });
+  tool = new DragTool({ documents, view, motion, viewer: { seenFrom: tilted, pixelLength: 0.01 } }, other);
+  for (let i = 1; i <= 40; ++i) {
+    const [x = 0, y = 0] = first().position;
+    const to = [x + Math.sin(i), y + Math.cos(i)] as const;
+    expect(tool.down(pointer(x, y, { kind: "point", id }))).toBe(true);
+    tool.move(pointer(...to, null, { mod: true }));
+    tool.up(pointer(...to, null, { mod: true }));
+    expect(first().position[2]).toBe(1);
+    expect(first().position).not.toEqual(position);
+  }
 });
 
 it("restores everything when a drag is cancelled, and changes nothing by a click", () => {
@@ -227,4 +251,37 @@ it("keeps to the axis of a key, for the pointer and for numbers", () => {
   expect(past()).toBe(1);
   // The release after Enter is no click.
   expect(passed).toEqual([]);
+});
+
+it("moves a body by its patches, and leaves it selected by a click", () => {
+  const body: ProjectBody = {
+    id: 7,
+    name: "ball",
+    points: "",
+    triangles: "",
+    trianglePatch: "",
+    patches: [{ id: 70 }],
+  };
+  documents = new DocumentStore({ ...cubeProject(), bodies: [body] });
+  tool = new DragTool(stores(), other);
+  const patch: Target = { kind: "body-patch", id: 70 };
+  const selected = () => view.state.getState().selection;
+  expect(tool.down(pointer(0, 0, patch))).toBe(true);
+  tool.up(pointer(0, 0, patch, { isDrag: false }));
+  expect(selected()).toEqual([{ kind: "body", id: 7 }]);
+  expect(passed).toEqual([]);
+  expect(past()).toBe(0);
+  // Wherever it is taken, it moves by steps of the grid.
+  expect(tool.down(pointer(0.0123, 0.0456, patch))).toBe(true);
+  tool.move(pointer(0.51, 0.24, null));
+  tool.up(pointer(0.51, 0.24, null));
+  expect(documents.project.bodies?.[0]?.placement?.position).toEqual([0.5, 0.2, 0]);
+  expect(selected()).toEqual([{ kind: "body", id: 7 }]);
+});
+
+it("leaves the selection to the other tool by a press on what cannot be moved", () => {
+  const patch: Target = { kind: "body-patch", id: 999 };
+  view.select({ kind: "point", id: first().id });
+  expect(tool.down(pointer(0, 0, patch))).toBe(false);
+  expect(view.state.getState().selection).toEqual([{ kind: "point", id: first().id }]);
 });

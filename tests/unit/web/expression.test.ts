@@ -18,6 +18,14 @@ describe("readNumber", () => {
     expect(readNumber(text)).toBeCloseTo(value, 14);
   });
 
+  it("has exact tangents of multiples of 45 degrees, and none of a right angle", () => {
+    expect(["tan(45)", "tan(-45)", "tan(180)", "tan(225)"].map((text) => readNumber(text))).toEqual([
+      1, -1, 0, 1,
+    ]);
+    expect(readNumber("tan(30)")).toBeCloseTo(1 / Math.sqrt(3), 14);
+    expect(["tan(90)", "tan(-90)"].map((text) => readNumber(text))).toEqual([null, null]);
+  });
+
   it.each(["", "abc", "1 2", "1/", "(1", "1)", "1/0", "2pi", "sqrt 4", "sqrt(-1)", "1,5", "0x10", "--"])(
     "rejects %j",
     (text) => {

@@ -9,6 +9,8 @@ import {
   extendGroup,
   groupEntities,
   groupTints,
+  membershipIn,
+  reduceGroup,
   removeGroup,
   renameGroup,
 } from "../../../web/document/groups";
@@ -23,6 +25,24 @@ function opened(project: Project = cubeProject()) {
 }
 
 describe("a group", () => {
+  it("is left by entities that are taken out of it, and removed with the last one", () => {
+    const { documents, group } = opened();
+    const lines = [1, 2, 3].map((id) => ({ kind: "line", id }) as const);
+    documents.edit(addGroup(documents.project, lines));
+    const membership = (ids: readonly number[]) => {
+      const [known] = documents.project.groups ?? [];
+      return known && membershipIn(known, ids.map((id) => ({ kind: "line", id }) as const)); // prettier-ignore
+    };
+    expect([[1, 2], [2, 4], [4]].map(membership)).toEqual(["all", "some", "none"]);
+    documents.edit(reduceGroup(documents.project, 1, [{ kind: "line", id: 2 }, { kind: "line", id: 4 }])); // prettier-ignore
+    expect(group(1)?.members).toEqual([lines[0], lines[2]]);
+    documents.edit(reduceGroup(documents.project, 1, lines));
+    expect(documents.project.groups).toBeUndefined();
+    documents.undo();
+    documents.undo();
+    expect(group(1)?.members).toEqual(lines);
+  });
+
   it("has a colour that means nothing else in the view, and differs from those of the groups before it", () => {
     const { documents } = opened();
     const used = Object.values(viewerColors).flatMap(({ front, selection, hover }) =>

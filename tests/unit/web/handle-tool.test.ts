@@ -2,6 +2,7 @@ import { expect, it } from "vitest";
 import { ViewStore } from "../../../web/document/selection";
 import { DocumentStore } from "../../../web/session/document-store";
 import { Operations } from "../../../web/session/operations";
+import { Drawing } from "../../../web/tools/drawing/drawing";
 import { HandleTool } from "../../../web/tools/handle-tool";
 import type { Tool, ToolPointer } from "../../../web/tools/tool";
 import { SceneChanges } from "../../../web/viewer/scene-state";
@@ -51,10 +52,9 @@ it("takes hold of the handles of a node, unless an operation has a preview", () 
     requestFrame: () => undefined,
     onDrawn: () => () => undefined,
   };
-  const tool = new HandleTool(
-    { documents, operations: new Operations(documents, view), view, viewer },
-    otherwise,
-  );
+  const drawing = new Drawing();
+  const operations = new Operations(documents, view);
+  const tool = new HandleTool({ documents, operations, view, drawing, viewer }, otherwise);
   const state = sceneState({ ...view.state.getState(), project });
   tool.overlay().update(new SceneChanges(state, null));
   const [x, y] = [100 * node.position[0], 100 * node.position[1]];
@@ -68,6 +68,12 @@ it("takes hold of the handles of a node, unless an operation has a preview", () 
   }
   if (!held) throw new Error("there is no handle");
   tool.cancel();
+
+  // What a handle changes is shown beside the pointer, until it leaves.
+  tool.move({ ...held, button: null });
+  expect(drawing.state.getState().amount).toMatch(/^(Size|Stretching) \d/);
+  tool.move({ ...pointer(-9000, 0), button: null });
+  expect(drawing.state.getState().amount).toBeNull();
 
   const preview = documents.begin("Preview of an operation");
   const { gestureStart } = documents.state.getState();

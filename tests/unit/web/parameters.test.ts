@@ -104,6 +104,9 @@ describe("parameters", () => {
     for (const text of ["", "r", "2*s", "t", "1/0"])
       expect(expressionProblem(project, "r", text)).not.toBeNull();
     expect(expressionProblem(project, "s", "3*r")).toBeNull();
+    expect(expressionProblem(project, "s", "r + 2*q")).toBe("There is no parameter q");
+    for (const text of ["a tenth", "2*q+", "1/0"])
+      expect(expressionProblem(project, "s", text)).toMatch(/^Enter a number/);
   });
 
   it("move the points that use them, as one step of undo", () => {

@@ -6,7 +6,14 @@ import type { ProjectEdit } from "../../../web/document/edit";
 import { deleteEntities, moveEntity, renameEntity, setLineType } from "../../../web/document/edits";
 import { drawnKinds, recordsOf, type Entity } from "../../../web/document/entities";
 import { keepingExpression } from "../../../web/document/expression-edits";
-import { addGroup, colorGroup, extendGroup, removeGroup, renameGroup } from "../../../web/document/groups";
+import {
+  addGroup,
+  colorGroup,
+  extendGroup,
+  reduceGroup,
+  removeGroup,
+  renameGroup,
+} from "../../../web/document/groups";
 import { lineTypes } from "../../../web/document/line-types";
 import type { Operation } from "../../../web/document/operations/operation";
 import { pieceOperations } from "../../../web/document/operations/pieces";
@@ -169,6 +176,7 @@ export class RandomUser {
       this.#choose([
         addGroup(this.#project, this.#selection),
         extendGroup(this.#project, id, this.#selection),
+        reduceGroup(this.#project, id, this.#selection),
         colorGroup(this.#project, id, [this.#below(1), 0, 1]),
         renameGroup(this.#project, id, "renamed"),
         removeGroup(this.#project, id),

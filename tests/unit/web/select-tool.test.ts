@@ -142,9 +142,24 @@ it("a box selects bodies by all their triangles, where they are placed, unless t
   expect(selected()).toEqual([]);
 });
 
-it("a lasso selects what lies inside", () => {
-  drag([-10, -10], [120, -10], [-10, 120], [-9, -5]);
-  expect(kinds()).toEqual({ point: 6, line: 7, patch: 2 });
+it("a clockwise lasso selects what lies inside, a counter-clockwise one what it touches, wherever they end", () => {
+  const inside = { point: 6, line: 7, patch: 2 };
+  for (const end of [
+    [-9, -5],
+    [-11, -5],
+  ] as const) {
+    // prettier-ignore
+    drag([-10, -10], [120, -10], [-10, 120], end);
+    expect(kinds()).toEqual(inside);
+  }
+  for (const end of [
+    [-5, -9],
+    [-15, -9],
+  ] as const) {
+    // prettier-ignore
+    drag([-10, -10], [-10, 120], [120, -10], end);
+    expect(kinds()["line"]).toBeGreaterThan(inside.line);
+  }
 });
 
 it("a click selects an entity; with Shift it adds, with Ctrl it toggles, and on nothing it clears the selection", () => {

@@ -1,3 +1,4 @@
+import { PerspectiveCamera, Vector3 } from "three";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Project } from "tetrafront";
 import { moveEntity } from "../../../web/document/edits";
@@ -5,6 +6,7 @@ import { ViewStore } from "../../../web/document/selection";
 import type { HandleMode } from "../../../web/document/tools";
 import { DocumentStore } from "../../../web/session/document-store";
 import { Drawing } from "../../../web/tools/drawing/drawing";
+import { TransformHandles } from "../../../web/tools/handles/transform-handles";
 import type { Tool, ToolPointer } from "../../../web/tools/tool";
 import { TransformTool } from "../../../web/tools/transform-tool";
 import { pointerView } from "../../../web/viewer/pointer-view";
@@ -178,6 +180,25 @@ describe("the handles of a selection", () => {
     expect(drawing.state.getState()).toMatchObject({ amount: null, refused: null });
   });
 
+  it("show the selection as it was while typed numbers are refused, and keep the field open", async () => {
+    const cube = centred();
+    const [a, b, c] = cube.points.map(({ id }) => id);
+    if (!a || !b || !c) throw new Error("the cube has no points");
+    await shown({ ...cube, lines: [{ id: 99, type: "arc", points: [a, b, c] }], patches: [] }, "scale");
+    pressKeys(tool, "2");
+    expect(positions()).not.toEqual(before);
+    pressKeys(tool, ",", "1", ",", "1");
+    expect(positions()).toEqual(before);
+    pressKeys(tool, "Enter");
+    expect(drawing.state.getState()).toMatchObject({ typed: "2,1,1", mistake: "refused" });
+    expect(drawing.state.getState().refused).toMatch(/round/);
+    drawing.type("2");
+    expect(positions()).not.toEqual(before);
+    drawing.submit();
+    expect(drawing.state.getState().typed).toBeNull();
+    expect(documents.state.getState().history.past).toHaveLength(1);
+  });
+
   it("leave everything else to the other tool", async () => {
     await shown(centred(), "translate");
     expect(tool.down(pointer(1, 1))).toBe(false);
@@ -275,4 +296,34 @@ describe("the handles of a selection", () => {
     pressKeys(tool, "-", "<", "Enter");
     expect(drawing.state.getState().mistake).toBe(mode === "rotate" ? "no-angle" : "no-factor");
   });
+});
+
+it("squares of two axes are taken where they are drawn, although arrows reach there, too", () => {
+  const camera = new PerspectiveCamera(35, 1.5, 0.1, 100);
+  camera.up.set(0, 0, 1);
+  camera.position.set(3.5, -4.5, 2.8);
+  camera.lookAt(0, 0, 0);
+  camera.updateMatrixWorld();
+  const handles = new TransformHandles(camera);
+  handles.setMode("translate");
+  handles.place([0, 0, 0], [0, 0, 0]);
+  // The middles of the squares lie at 0.15 of this length along both axes.
+  const length = (camera.position.length() * 1.9 * Math.tan((35 / 360) * Math.PI)) / 4;
+  for (const [a, b] of [
+    [0, 1],
+    [1, 2],
+    [0, 2],
+  ] as const) {
+    // prettier-ignore
+    const middle = [0, 0, 0];
+    middle[a] = middle[b] = 0.15 * length;
+    const at = new Vector3(...middle).project(camera);
+    expect(handles.hover(at)).toBe(true);
+    handles.press(at);
+    const { numbers } = handles.drag({ x: at.x + 0.1, y: at.y + 0.17 }, { length: 0, angle: 0, factor: 0 });
+    handles.release(at);
+    handles.place([0, 0, 0], [0, 0, 0]);
+    expect(numbers.map((number) => number !== 0)).toEqual([0, 1, 2].map((k) => k === a || k === b));
+  }
+  handles.dispose();
 });

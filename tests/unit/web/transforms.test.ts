@@ -99,6 +99,12 @@ describe("affine maps", () => {
     }
   });
 
+  it("put a point on an axis at 0 there, without the rounding errors of an eighth of a turn", () => {
+    const eighth = rotationAbout([0, 0, 0.5], [0, 0, 1], 45);
+    expect(mapPosition(eighth, [-0.5, -0.5, 0])).toEqual([0, expect.closeTo(-Math.SQRT1_2, 15), 0]);
+    expect(mapPosition(translation([-0.3, 0, 1e-30]), [0.1 + 0.2, 0, 0])).toEqual([0, 0, 1e-30]);
+  });
+
   it("four quarter turns are exact", () => {
     const quarter = rotationAbout([1, 0, 0], [0, 0, 1], 90);
     const turned = Array.from({ length: 4 }).reduce<Position>((at) => mapPosition(quarter, at), [3, 4, 5]);

@@ -175,6 +175,53 @@ it("fits a circle of a new model whose points are in view, as soon as it is samp
   expect(viewer.pose).toEqual(close(fitted));
 });
 
+it("follows a model that outgrows the view by a drag only after the release, and not one that only moves", async () => {
+  const { viewer, resize } = await shownProject(emptyProject("Test"));
+  resize(900, 600);
+  const cube = cubeProject();
+  const changed = (change: (position: readonly [number, number, number]) => [number, number, number]) => ({
+    ...cube,
+    points: cube.points.map((point) => ({ ...point, position: change(point.position) })),
+  });
+  viewer.show({ project: cube });
+  viewer.framing.fit(null, false);
+  const fitted = viewer.pose;
+  viewer.show({ project: changed(([x, y, z]) => [x + 3, y, z]) });
+  expect(viewer.pose).toEqual(close(fitted));
+  viewer.framing.hold(true);
+  viewer.show({ project: changed(([x, y, z]) => [4 * x, 4 * y, 4 * z]) });
+  expect(viewer.pose).toEqual(close(fitted));
+  viewer.framing.hold(false);
+  expect(viewer.pose).not.toEqual(close(fitted));
+});
+
+it("fits a model that shrinks to a dot, as by a change of units, unless it was zoomed to before", async () => {
+  const cube = cubeProject();
+  const points = cube.points.map((point) => ({
+    ...point,
+    position: point.position.map((x) => 0.001 * x) as [number, number, number],
+  }));
+  const small = { ...cube, points };
+  const { viewer, resize } = await shownProject(cube);
+  resize(900, 600);
+  viewer.framing.fit(null, false);
+  viewer.requestFrame();
+  await nextFrame();
+  viewer.show({ project: small });
+  const other = await shownProject(small);
+  other.resize(900, 600);
+  other.viewer.framing.fit(null, false);
+  expect(viewer.pose).toEqual(close(other.viewer.pose));
+  // The parts that are shown remain where they are if only larger ones are deleted.
+  const zoomed = await shownProject({ ...small, points: [...points, ...cube.points.slice(7)] });
+  const { pose } = other.viewer;
+  zoomed.viewer.setPose(pose);
+  zoomed.viewer.requestFrame();
+  await nextFrame();
+  zoomed.viewer.show({ project: small });
+  expect(zoomed.viewer.pose).toEqual(close(pose));
+});
+
 it("draws states out of sight while the view is at rest, each followed by the present one, until it is ended", async () => {
   const { viewer } = await shownProject();
   let finishShaders: () => void = () => undefined;

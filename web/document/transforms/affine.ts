@@ -30,8 +30,17 @@ export function mapDirection({ columns: [x, y, z] }: Affine, direction: Position
   return add(add(scale(x, direction[0]), scale(y, direction[1])), scale(z, direction[2]));
 }
 
+/** A coordinate below this share of the terms that it is the sum of is the rounding error of a 0. */
+const roundingShare = 2 ** -50;
+
 export function mapPosition(map: Affine, position: Position): Position {
-  return add(mapDirection(map, position), map.offset);
+  const mapped = add(mapDirection(map, position), map.offset);
+  const withoutNoise = (k: 0 | 1 | 2): number => {
+    const terms = map.columns.map((column, i) => Math.abs(column[k] * (position[i] ?? 0)));
+    const size = terms.reduce((sum, term) => sum + term, Math.abs(map.offset[k]));
+    return Math.abs(mapped[k]) <= roundingShare * size ? 0 : mapped[k];
+  };
+  return [withoutNoise(0), withoutNoise(1), withoutNoise(2)];
 }
 
 /** Returns by how much the map enlarges volumes; negative if it mirrors. */

@@ -29,7 +29,10 @@ function CoverForm({ onClose }: { readonly onClose: () => void }) {
   const app = useApp();
   const hasGrid = useProject().background.nodes.length > 0;
   const [shape, setShape] = useState<"box" | "tetrahedron">("box");
-  const [size, setSize] = useState(() => likelySize(app.documents.project));
+  const [size, setSize] = useState(() => {
+    const { project } = app.documents;
+    return project.meshing?.size ?? likelySize(project);
+  });
   return (
     <DialogForm
       onApply={() => {

@@ -12,6 +12,8 @@ import {
   groupedColor,
   groupEntities,
   isGroupable,
+  membershipIn,
+  reduceGroup,
   removeGroup,
   renameGroup,
 } from "../../document/groups";
@@ -93,11 +95,16 @@ function GroupRow({ group }: { readonly group: ProjectGroup }) {
   );
 }
 
-/** Buttons that make a group of the selection, or add it to the groups that there are. */
+/** Buttons that make a group of the selection, add it to the groups that there are, or take it out of them. */
 export function GroupButtons({ selection }: { readonly selection: readonly Entity[] }) {
   const app = useApp();
+  const { documents } = app;
   const project = useProject();
   if (!selection.some(isGroupable)) return null;
+  const memberships = (project.groups ?? []).map((group) => ({
+    ...group,
+    membership: membershipIn(group, selection),
+  }));
   return (
     <div className={styles["buttons"]}>
       <Button
@@ -108,17 +115,32 @@ export function GroupButtons({ selection }: { readonly selection: readonly Entit
       >
         {texts.make}
       </Button>
-      {(project.groups ?? []).map(({ id, name }) => (
-        <Button
-          key={id}
-          size="compact-xs"
-          variant="default"
-          data-testid={`extend-group-${id}`}
-          onClick={() => app.documents.edit(extendGroup(project, id, selection))}
-        >
-          {texts.add(name)}
-        </Button>
-      ))}
+      {memberships
+        .filter(({ membership }) => membership !== "all")
+        .map(({ id, name }) => (
+          <Button
+            key={id}
+            size="compact-xs"
+            variant="default"
+            data-testid={`extend-group-${id}`}
+            onClick={() => documents.edit(extendGroup(project, id, selection))}
+          >
+            {texts.add(name)}
+          </Button>
+        ))}
+      {memberships
+        .filter(({ membership }) => membership !== "none")
+        .map(({ id, name }) => (
+          <Button
+            key={id}
+            size="compact-xs"
+            variant="default"
+            data-testid={`reduce-group-${id}`}
+            onClick={() => documents.edit(reduceGroup(project, id, selection))}
+          >
+            {texts.takeOut(name)}
+          </Button>
+        ))}
     </div>
   );
 }

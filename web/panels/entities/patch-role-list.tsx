@@ -1,10 +1,12 @@
 import { Text, UnstyledButton } from "@mantine/core";
 import { IconArrowBackUp } from "@tabler/icons-react";
 import type { Project } from "tetrafront";
+import type { Entity } from "../../document/entities";
 import { Chip } from "../../ui/chip";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { entityTitle } from "../shared/entity-chips";
+import { useEntityHover } from "../shared/use-entity-hover";
 import styles from "../shared/patch-roles.module.css";
 
 export interface PatchRoleListProps {
@@ -16,7 +18,6 @@ export interface PatchRoleListProps {
 
 /** The lines of a Barnhill–Gregory–Nielson patch with their roles F1, F2 and F3 in equation (14). */
 export function PatchRoleList({ project, loop, onSecond }: PatchRoleListProps) {
-  const app = useApp();
   return (
     <>
       <ol className={styles["list"]} aria-label={strings.inspector.lines}>
@@ -33,14 +34,7 @@ export function PatchRoleList({ project, loop, onSecond }: PatchRoleListProps) {
               >
                 F{index + 1}
               </b>
-              <UnstyledButton
-                className={styles["line"]}
-                onClick={() => app.view.select(entity)}
-                onMouseEnter={() => app.view.setHover(entity)}
-                onMouseLeave={() => app.view.setHover(null)}
-              >
-                {title}
-              </UnstyledButton>
+              <LineButton entity={entity} title={title} />
               {step < 0 && <IconArrowBackUp size={14} role="img" aria-label={strings.inspector.reversed} />}
               {!isSecond && (
                 <Chip
@@ -59,5 +53,18 @@ export function PatchRoleList({ project, loop, onSecond }: PatchRoleListProps) {
         {strings.inspector.secondRole}
       </Text>
     </>
+  );
+}
+
+function LineButton({ entity, title }: { readonly entity: Entity; readonly title: string }) {
+  const { view } = useApp();
+  return (
+    <UnstyledButton
+      className={styles["line"]}
+      onClick={() => view.select(entity)}
+      {...useEntityHover(entity)}
+    >
+      {title}
+    </UnstyledButton>
   );
 }

@@ -86,10 +86,13 @@ export function CreateFromSelection({ selection, explain = false }: CreateFromSe
   const possible = offers.filter(({ offer }) => offer.possible);
   // Of a large selection of all kinds, the reasons say nothing new.
   const isExplained = explain && (kinds.size === 1 || selection.length <= maxExplained);
-  const refused = offers.flatMap(({ maker, offer }) =>
-    offer.possible || maker.quiet || !isExplained ? [] : [`${maker.label}: ${offer.reason}`],
-  );
-  if (possible.length === 0 && refused.length === 0) return null;
+  const refused = new Map<string, string>();
+  for (const { maker, offer } of offers) {
+    if (offer.possible || maker.quiet || !isExplained) continue;
+    // The same reason often refuses patches of all types: the first maker, of any type, stands for them.
+    if (!refused.has(offer.reason)) refused.set(offer.reason, maker.label);
+  }
+  if (possible.length === 0 && refused.size === 0) return null;
   return (
     <section data-testid="create-from-selection">
       <SectionTitle>{strings.inspector.createFrom}</SectionTitle>
@@ -106,9 +109,9 @@ export function CreateFromSelection({ selection, explain = false }: CreateFromSe
           </Button>
         ))}
       </div>
-      {refused.map((text) => (
-        <Text key={text} size="xs" c="dimmed" mt={3}>
-          {text}
+      {[...refused].map(([reason, label]) => (
+        <Text key={reason} size="xs" c="dimmed" mt={3}>
+          {`${label}: ${reason}`}
         </Text>
       ))}
     </section>

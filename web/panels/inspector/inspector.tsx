@@ -1,7 +1,7 @@
 import { Text } from "@mantine/core";
 import type { Unit } from "tetrafront";
 import { renameProject } from "../../document/edits";
-import { findRecord } from "../../document/entities";
+import { existingIn } from "../../document/entities";
 import { qualityIn } from "../../document/mesh-quality";
 import { hasLengths, setProjectUnit, unitOf } from "../../document/length-units";
 import { FieldRow } from "../../ui/fields/field-row";
@@ -27,7 +27,7 @@ export function Inspector() {
   const element = useView((state) => state.element);
   const project = useProject();
   // The selection may hold entities that undo has removed.
-  const existing = selection.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
+  const existing = existingIn(project, selection);
   const [only] = existing;
   return (
     <ScrollPanel label={strings.inspector.title} data-testid="inspector">

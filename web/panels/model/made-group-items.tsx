@@ -4,7 +4,7 @@ import type { ProjectGroup } from "tetrafront";
 import { groupedColor, cssColor, groupEntities } from "../../document/groups";
 import { strings } from "../../strings";
 import { formatCount } from "../../ui/format";
-import { useApp, useProject } from "../shared/app-context";
+import { useProject } from "../shared/app-context";
 import styles from "./model-tree.module.css";
 import { EntitiesEye, IsolateButton, ShowAllButton } from "./tree-actions";
 import { headings, type TreeRow } from "./tree-rows";
@@ -52,7 +52,6 @@ export function MadeGroupItem({
   readonly row: RowOf<"made-group">;
   readonly common: Common;
 }) {
-  const app = useApp();
   const project = useProject();
   const { group } = row;
   const entities = useMemo(() => groupEntities(project, group), [project, group]);
@@ -64,7 +63,6 @@ export function MadeGroupItem({
       aria-setsize={row.siblings}
       aria-posinset={row.ordinal}
       title={strings.groups.select(group.name, entities.length)}
-      onMouseEnter={() => app.view.setHover(null)}
     >
       <Swatch color={group.color ?? groupedColor} />
       <span className={styles["title"]}>{group.name}</span>

@@ -4,7 +4,7 @@ import { useMemo, useRef, useState } from "react";
 import { isEmptyProject } from "../../document/entities";
 import panel from "../../ui/frames/panel.module.css";
 import { strings } from "../../strings";
-import { useApp, useProject } from "../shared/app-context";
+import { useProject } from "../shared/app-context";
 import styles from "./model-tree.module.css";
 import { TreeItem } from "./tree-item";
 import { TreeRows, rowKey } from "./tree-rows";
@@ -16,7 +16,6 @@ const rowHeight = 24;
 
 /** All entities of the model, grouped by kind. The page holds only the rows in sight. */
 export function ModelTree() {
-  const app = useApp();
   const project = useProject();
   const [filter, setFilter] = useState("");
   const [closed, setClosed] = useState<ReadonlySet<string>>(() => new Set(["point"]));
@@ -54,7 +53,6 @@ export function ModelTree() {
           className={styles["rows"]}
           style={{ height: rows.length * rowHeight }}
           onKeyDown={onKeyDown}
-          onMouseLeave={() => app.view.setHover(null)}
         >
           {rows.slice(first, last).map((row, index) => (
             <TreeItem

@@ -9,6 +9,7 @@ import { formatCount } from "../../ui/format";
 import { entityWords, strings } from "../../strings";
 import { useApp, useProblems, useProject, useView } from "../shared/app-context";
 import { useShownSeverity } from "../shared/problem-severity";
+import { useEntityHover } from "../shared/use-entity-hover";
 import { EntityIcon } from "../shared/entity-icon";
 import styles from "./model-tree.module.css";
 import { AddButton, EntityEye, GroupEye } from "./tree-actions";
@@ -107,7 +108,7 @@ function EntityItem({ row, common, onToggle }: EntityItemProps) {
       aria-selected={isSelected}
       aria-setsize={row.siblings}
       aria-posinset={row.ordinal}
-      onMouseEnter={() => app.view.setHover(row.entity)}
+      {...useEntityHover(row.entity)}
       onDoubleClick={() => rename(app)}
     >
       {row.open !== null && <Opener isOpen={row.open} onToggle={onToggle} />}

@@ -3,6 +3,7 @@ import { entityKey, entityName, type Entity } from "../../document/entities";
 import { Chip } from "../../ui/chip";
 import { defaultName, strings } from "../../strings";
 import { useApp } from "./app-context";
+import { useEntityHover } from "./use-entity-hover";
 import styles from "./entity-chips.module.css";
 
 /** Largest number of buttons; the other entities are counted. */
@@ -28,19 +29,31 @@ export function EntityChips({ entities, project, paddingTop = 2, onChoose }: Ent
   return (
     <div className={styles["chips"]} style={{ paddingTop }}>
       {entities.slice(0, maxChips).map((entity, index) => (
-        <Chip
+        <EntityChip
           // A closed chain of points ends with its first one again.
           key={`${index}-${entityKey(entity)}`}
-          onClick={() => choose(entity)}
-          onMouseEnter={() => app.view.setHover(entity)}
-          onMouseLeave={() => app.view.setHover(null)}
-        >
-          {entityTitle(project, entity)}
-        </Chip>
+          entity={entity}
+          title={entityTitle(project, entity)}
+          onChoose={choose}
+        />
       ))}
       {entities.length > maxChips && (
         <span className={styles["more"]}>{strings.inspector.more(entities.length - maxChips)}</span>
       )}
     </div>
+  );
+}
+
+interface EntityChipProps {
+  readonly entity: Entity;
+  readonly title: string;
+  readonly onChoose: (entity: Entity) => void;
+}
+
+function EntityChip({ entity, title, onChoose }: EntityChipProps) {
+  return (
+    <Chip onClick={() => onChoose(entity)} {...useEntityHover(entity)}>
+      {title}
+    </Chip>
   );
 }

@@ -11,6 +11,7 @@ import { strings } from "../../strings";
 import type { ScreenPoint } from "../../viewer/screen";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp } from "../shared/app-context";
+import { BesidePointer } from "./beside-pointer";
 import { useMarkers } from "./use-markers";
 import styles from "./drawing.module.css";
 
@@ -52,20 +53,18 @@ function SnapMark({ viewer }: { readonly viewer: Viewer }) {
   );
 }
 
-/** By how much a drag changes the selection, beside the pointer. */
+/** By how much a drag changes the selection, or what a handle changes: beside the pointer. */
 function DragAmount() {
   const app = useApp();
   const amount = useStore(app.drawing.state, (state) => (state.typed === null ? state.amount : null));
   const pointer = useStore(app.drawing.state, (state) => state.pointer);
   if (amount === null) return null;
   return (
-    <span
-      className={styles["amount"]}
-      style={{ left: `min(${pointer.x}px, 100% - 150px)`, top: pointer.y }}
-      data-testid="amount"
-    >
-      {amount}
-    </span>
+    <BesidePointer at={pointer}>
+      <span className={styles["amount"]} data-testid="amount">
+        {amount}
+      </span>
+    </BesidePointer>
   );
 }
 
@@ -98,6 +97,7 @@ function CoordinateField({ typed }: { readonly typed: string }) {
   const app = useApp();
   const pointer = useStore(app.drawing.state, (state) => state.pointer);
   const mistake = useStore(app.drawing.state, (state) => state.mistake);
+  const refused = useStore(app.drawing.state, (state) => state.refused);
   const motion = useStore(app.drawing.state, (state) => state.motion);
   const axis = useStore(app.drawing.state, (state) => state.axis);
   const texts = motion ? words.motions[motion] : words;
@@ -125,7 +125,7 @@ function CoordinateField({ typed }: { readonly typed: string }) {
         autoComplete="off"
         spellCheck={false}
         value={typed}
-        error={mistake && words.mistakes[mistake]}
+        error={mistake === "refused" ? refused : mistake && words.mistakes[mistake]}
         onChange={(event) => app.drawing.type(event.currentTarget.value)}
         onPaste={(event) => {
           const text = event.clipboardData.getData("text");

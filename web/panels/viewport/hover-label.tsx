@@ -4,6 +4,7 @@ import { lineTypeNames, patchTypeNames } from "../../strings";
 import type { Hover } from "../../tools/select-tool";
 import { useProject } from "../shared/app-context";
 import { entityTitle } from "../shared/entity-chips";
+import { BesidePointer } from "./beside-pointer";
 import styles from "./hover-label.module.css";
 
 /** The name and type of the entity under the pointer. */
@@ -30,13 +31,10 @@ export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover })
     }
   };
   return (
-    <div
-      className={styles["label"]}
-      style={{ transform: `translate(${at.x + 14}px, ${at.y + 14}px)` }}
-      aria-hidden
-      data-testid="hover-label"
-    >
-      <b>{entityTitle(project, entity)}</b> {describe()}
-    </div>
+    <BesidePointer at={at}>
+      <div className={styles["label"]} aria-hidden data-testid="hover-label">
+        <b>{entityTitle(project, entity)}</b> {describe()}
+      </div>
+    </BesidePointer>
   );
 }

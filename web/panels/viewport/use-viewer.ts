@@ -206,6 +206,10 @@ function connect(
       state.moving === before.moving;
     if (!isSame) show(state);
   });
+  // A motion by typed numbers may show several results before it is accepted.
+  const hold = (): void =>
+    viewer.framing.hold(tools.state.getState().hasGesture || drawing.state.getState().motion !== null);
+  const stopsHolding = [tools.state.subscribe(hold), drawing.state.subscribe(hold)];
   const stopPointer = followPointer(canvas, stores);
   const stopReplay = followPlayer(app, viewer);
   app.viewer.setState({ viewer });
@@ -213,6 +217,7 @@ function connect(
     keys.drop();
     stopReplay();
     stopPointer();
+    for (const stopHolding of stopsHolding) stopHolding();
     stop();
     stopTools();
     tools.dispose();

@@ -17,9 +17,8 @@ export interface DrawingState {
   readonly typed: string | null;
   /** A letter that may begin coordinates, and the command that it runs otherwise; null without one. */
   readonly waiting: { readonly letter: string; readonly command: string } | null;
-  /** Why the typed text is no position. */
-  readonly mistake:
-    "syntax" | "no-last-place" | "no-radius" | "short-radius" | "no-motion" | "no-angle" | "no-factor" | null;
+  /** Why the typed text cannot be used; `refused` has the reason if the text is right, but not possible. */
+  readonly mistake: Mistake | null;
   /** What is moved, rotated or scaled by what is typed; null for coordinates. */
   readonly motion: HandleMode | null;
   /** The axis along which or about which it is moved; null without a chosen one. */
@@ -61,6 +60,16 @@ const idle: DrawingState = {
   amount: null,
   refused: null,
 };
+
+export type Mistake =
+  | "syntax"
+  | "no-last-place"
+  | "no-radius"
+  | "short-radius"
+  | "no-motion"
+  | "no-angle"
+  | "no-factor"
+  | "refused";
 
 /** The field is closed, and nothing is moved. A letter may wait. */
 const closed = {

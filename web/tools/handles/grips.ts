@@ -10,6 +10,8 @@ export interface Grip {
   readonly from: Position;
   /** Where it moves: along a direction, parallel to the view, or parallel to the work plane. */
   readonly moves: Position | "view" | "work-plane";
+  /** What it changes, with the present value: "Size 0.2". */
+  readonly label: string;
 }
 
 /** A drag of a grip. */

@@ -3,6 +3,8 @@ import type { Position } from "../../document/position";
 import { addScaled, distance, dot, subtract } from "../../document/vectors";
 import { roundTo } from "../../document/work-plane";
 import type { OpenOperation, Operations } from "../../session/operations";
+import { strings } from "../../strings";
+import { formatPosition } from "../../ui/format";
 import { onGrid, type Grips } from "./grips";
 
 /** Smallest distance of a grip from the beginning of its line, in CSS pixels. */
@@ -19,10 +21,11 @@ export function operationGrips(operations: Operations, pixel: number): Grips | n
   const positions = handles.map((handle) => shownAt(handle, leastPixels * pixel));
   return {
     glyphs: [],
-    grips: handles.map(({ from, along }, index) => ({
-      from,
-      position: positions[index] ?? from,
-      moves: along ?? "work-plane",
+    grips: handles.map((handle, index) => ({
+      from: handle.from,
+      position: positions[index] ?? handle.from,
+      moves: handle.along ?? "work-plane",
+      label: labelOf(open, handle),
     })),
     begin: (index) => {
       const [handle, position] = [handles[index], positions[index]];
@@ -42,6 +45,13 @@ export function operationGrips(operations: Operations, pixel: number): Grips | n
       };
     },
   };
+}
+
+function labelOf({ operation, values, subject }: OpenOperation, { key }: OperationHandle): string {
+  const field = operation.fields(values, subject).find((one) => one.key === key);
+  const value = values[key];
+  const numbers = typeof value === "number" ? [value] : typeof value === "object" ? value : [];
+  return strings.drawing.grip(field?.label ?? "", formatPosition(numbers));
 }
 
 /** A handle of a short length is drawn beside its line, where it can be seen and taken. */

@@ -14,6 +14,8 @@ import { findRecord, type Entity } from "../../document/entities";
 import type { Position } from "../../document/position";
 import type { DocumentStore } from "../../session/document-store";
 import type { Glyph } from "../../viewer/layers/size-glyph-layer";
+import { strings } from "../../strings";
+import { formatPosition, formatShort } from "../../ui/format";
 import { onGrid, type Grips } from "./grips";
 import { add, cross, distance, frameAlong, length, scale, subtract, unit } from "../../document/vectors";
 
@@ -94,7 +96,12 @@ export function sizeGrips(
   const handles = handlesOf(handled, pixel);
   return {
     glyphs: [glyphOf(handled)],
-    grips: handles.map(({ from, position }) => ({ from, position, moves: "view" })),
+    grips: handles.map(({ role, from, position }) => ({
+      from,
+      position,
+      moves: "view",
+      label: labelOf(handled, role),
+    })),
     begin: (index) => {
       const handle = handles[index];
       // A press must not end the preview of an operation.
@@ -109,6 +116,19 @@ export function sizeGrips(
       };
     },
   };
+}
+
+function labelOf({ kind, shape }: Handled, role: HandleRole): string {
+  const { inspector, drawing } = strings;
+  if (role === "size") return drawing.grip(inspector.size, formatShort(shape.size));
+  if (kind === "node") {
+    const { stretching, direction } = shape;
+    return `${drawing.grip(inspector.stretching, formatShort(stretching))}, ${drawing.grip(inspector.direction, formatPosition(direction))}`;
+  }
+  const { positions } = shape;
+  if (typeof role !== "object") return drawing.grip(inspector.distance, formatShort(shape.distance));
+  const name = inspector.cornerPosition(role.corner, positions.length);
+  return drawing.grip(name, formatPosition(positions[role.corner] ?? []));
 }
 
 /** Returns the ellipsoid of a node, or the sphere of the size of a source at its first corner. */

@@ -1,5 +1,5 @@
-import { Group, Object3D, type PerspectiveCamera } from "three";
-import { TransformControls } from "three/addons/controls/TransformControls.js";
+import { Group, Object3D, Raycaster, Vector2, type PerspectiveCamera } from "three";
+import { TransformControls, type TransformControlsGizmo } from "three/addons/controls/TransformControls.js";
 import type { Position } from "../../document/position";
 import type { HandleMode } from "../../document/tools";
 import { rotationAbout, scalingAbout, translation, type Affine } from "../../document/transforms/affine";
@@ -31,6 +31,9 @@ const minFactor = 0.05;
 /** Rounding errors of the handles: what is smaller counts as no change. */
 const precision = 1e-9;
 
+/** Handles of the modes that move and scale, as three names them. */
+const handleNames = ["X", "Y", "Z", "XY", "YZ", "XZ", "XYZ"] as const;
+
 const axisIndices: Readonly<Record<string, 0 | 1 | 2>> = { X: 0, Y: 1, Z: 2 };
 
 /**
@@ -41,6 +44,8 @@ export class TransformHandles {
   readonly root = new Group();
   readonly #target = new Object3D();
   readonly #controls: TransformControls;
+  readonly #gizmo: TransformControlsGizmo | undefined;
+  readonly #raycaster = new Raycaster();
   /** In model coordinates, when the drag began. */
   #middle: Position = [0, 0, 0];
   #origin: Position = [0, 0, 0];
@@ -48,7 +53,9 @@ export class TransformHandles {
   constructor(camera: PerspectiveCamera) {
     this.#controls = new TransformControls(camera);
     this.#controls.setSpace("world");
-    this.root.add(this.#target, this.#controls.getHelper());
+    const helper = this.#controls.getHelper();
+    this.#gizmo = helper.children.find((child): child is TransformControlsGizmo => "gizmo" in child);
+    this.root.add(this.#target, helper);
     this.#controls.attach(this.#target);
   }
 
@@ -79,6 +86,8 @@ export class TransformHandles {
   /** Highlights the handle under the pointer. Returns whether there is one. */
   hover(pointer: NormalizedPointer): boolean {
     this.#controls.pointerHover(asEvent(pointer));
+    // Three lets the arrows be taken far beside them, also on the squares of two axes.
+    if (this.#controls.mode !== "rotate") this.#controls.axis = this.#drawnAt(pointer) ?? this.#controls.axis;
     // The middle of the arrows belongs to what is selected there: it is dragged in the work plane, with snapping.
     if (this.#controls.mode === "translate" && this.#controls.axis === "XYZ") this.#controls.axis = null;
     return this.#controls.axis !== null;
@@ -103,6 +112,16 @@ export class TransformHandles {
   dispose(): void {
     this.#controls.detach();
     this.#controls.getHelper().dispose();
+  }
+
+  /** Returns the name of the handle that is drawn under the pointer; null for none. */
+  #drawnAt({ x, y }: NormalizedPointer): TransformControls["axis"] {
+    const { camera, mode, dragging } = this.#controls;
+    if (!this.#gizmo || dragging) return null;
+    this.#raycaster.setFromCamera(new Vector2(x, y), camera);
+    const hits = this.#raycaster.intersectObject(this.#gizmo.gizmo[mode]);
+    const name = hits.find(({ object }) => object.visible)?.object.name;
+    return handleNames.find((handle) => handle === name) ?? null;
   }
 
   #translation(step: number): HandleMotion {

@@ -1,7 +1,14 @@
 import { TextInput } from "@mantine/core";
 import { useContext, useLayoutEffect, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import { UNITS } from "tetrafront";
-import { isPlainNumber, readNumber, unitKey, unitsIn, type NamedNumbers } from "../../expressions/expression";
+import {
+  isPlainNumber,
+  readNumber,
+  unitKey,
+  unitsIn,
+  unknownNameIn,
+  type NamedNumbers,
+} from "../../expressions/expression";
 import { useFormField } from "../frames/dialog-form";
 import { NamedNumbersContext } from "./named-numbers";
 import { formatNumber } from "../format";
@@ -62,12 +69,14 @@ function stepOf(event: KeyboardEvent, step: number): number {
 const textOf = (value: number | null, minDigits = 0): string =>
   value === null ? "" : formatNumber(value).padStart(minDigits, "0");
 
-/** Returns why a text is no number. */
-function problemOf(text: string, named: NamedNumbers): string {
+/** Returns why a text is no number. `isOwn`: it may use the names of own values. */
+function problemOf(text: string, named: NamedNumbers, isOwn: boolean): string {
   const lacksUnit = [...unitsIn(text)].some(
     (word) => UNITS.some((unit) => unit === word) && !named.has(unitKey(word)),
   );
-  return lacksUnit ? strings.fields.noProjectUnit : strings.fields.notANumber;
+  if (lacksUnit) return strings.fields.noProjectUnit;
+  const unknown = isOwn ? undefined : unknownNameIn(text, named);
+  return unknown === undefined ? strings.fields.notANumber : strings.fields.unknownName(unknown);
 }
 
 /** Returns a typed text if it is an expression; null for a plain number. */
@@ -89,7 +98,7 @@ function useNumberDraft(
   };
   /** Commits a number, unless it is invalid: then returns false and keeps the text, with the reason. */
   const take = (next: number | null, text = ""): boolean => {
-    const reason = next === null ? problemOf(text, named) : (refuse?.(next) ?? null);
+    const reason = next === null ? problemOf(text, named, false) : (refuse?.(next) ?? null);
     setError(reason);
     if (next === null || reason !== null) return false;
     setDraft(null);
@@ -99,7 +108,7 @@ function useNumberDraft(
   };
   /** As `take`, for new values of all numbers that the field stands for. */
   const takeOwn = (change: OwnValues | null, text = ""): boolean => {
-    const reasons = change?.values.map((one) => refuse?.(one) ?? null) ?? [problemOf(text, named)];
+    const reasons = change?.values.map((one) => refuse?.(one) ?? null) ?? [problemOf(text, named, true)];
     const reason = reasons.find((one) => one !== null) ?? null;
     setError(reason);
     if (change === null || reason !== null) return false;

@@ -42,7 +42,8 @@ export const cssVariables: CSSVariablesResolver = () => ({
   variables: {},
   light: {
     "--mantine-color-dimmed": "#526071",
-    "--mantine-color-placeholder": "#66737f",
+    "--mantine-color-placeholder": "#5f6c78",
+    "--mantine-color-error": "#c92a2a",
     "--tf-panel": "#fbfcfd",
     "--tf-line": "#d5dbe3",
     "--tf-rise": "#eef1f5",
@@ -65,6 +66,7 @@ export const cssVariables: CSSVariablesResolver = () => ({
   dark: {
     "--mantine-color-dimmed": dark[2],
     "--mantine-color-placeholder": "#8894a5",
+    "--mantine-color-error": "#ff8787",
     "--tf-panel": dark[7],
     "--tf-line": "#343c48",
     "--tf-rise": dark[6],
