@@ -157,10 +157,15 @@ test("a uniform size replaces the background grid and removes its problems", asy
   await app.type("uniform-size", "0.1");
   const finer = await app.generate();
   expect(finer.tets).toBeGreaterThan(1.4 * before.tets);
-  await page.getByTestId("element-size").getByText("Background grid").click();
+  const sizes = page.getByTestId("element-size");
+  await sizes.getByText("Background grid").click();
   await expect(page.getByTestId("problems-outside-background-grid")).toBeVisible();
   await page.getByTestId("undo").click();
   expect(await app.meshed()).toEqual(finer);
+  // The size is remembered.
+  await sizes.getByText("Background grid").click();
+  await sizes.getByText("Uniform").click();
+  await expect(page.getByTestId("uniform-size")).toHaveValue("0.1");
 });
 
 test("proposed sizes show the expected number of tetrahedra before they are applied", async ({ page }) => {

@@ -109,6 +109,11 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await expect(page.getByTestId("tree-point-6").getByRole("button", { name: /^Hide/ })).toBeVisible();
   await page.getByTestId("groups-show-all").click();
   await expect(other.getByRole("button", { name: /^Hide/ })).toBeVisible();
+  await expect(page.getByTestId("show-hidden")).toBeHidden();
+  const hide = row.getByRole("button", { name: "Hide top edge" });
+  await hide.click();
+  await page.getByRole("button", { name: "Show 2 hidden" }).click();
+  await expect(hide).toBeVisible();
   await page.getByTestId("tree-point-7").click();
   await row.click();
   await expect(page.getByText("2 entities selected")).toBeVisible();

@@ -107,10 +107,23 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
   }
 }
 
+/** The uniform size that the document of an app had last. */
+const lastSizes = new WeakMap<App, { readonly documentId: string; readonly size: number }>();
+
+/** Chooses a uniform size, the one that the document had last, or the sizes of the background grid. */
+export function setUniform(app: App, isUniform: boolean): void {
+  const { project } = app.documents;
+  const { id: documentId } = app.documents.state.getState();
+  const size = project.meshing?.size;
+  if (size !== undefined) lastSizes.set(app, { documentId, size });
+  const last = lastSizes.get(app);
+  const wanted = last?.documentId === documentId ? last.size : likelySize(project);
+  app.documents.edit(setMeshing("size", isUniform ? wanted : null));
+}
+
 /** Switches between a uniform size and the sizes of the background grid. */
 export function toggleUniformSize(app: App): void {
-  const on = app.documents.project.meshing?.size === undefined;
-  app.documents.edit(setMeshing("size", on ? likelySize(app.documents.project) : null));
+  setUniform(app, app.documents.project.meshing?.size === undefined);
   app.view.clear();
   app.shell.setState({ rightTab: "inspector" });
 }

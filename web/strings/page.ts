@@ -35,6 +35,7 @@ export const pageStrings = {
     label: "Three-dimensional view",
     tools: "Tools",
     menu: "Selection",
+    showHidden: (count: number) => `Show ${count} hidden`,
     openEdges: (count: number) => (count === 1 ? "1 open edge" : `${count} open edges`),
     roles: "Roles and directions of the selected patch's lines in the paper's equation",
     stale: "Out of date",

@@ -1,7 +1,7 @@
 import { LIMITS } from "tetrafront";
 import { Button, Group, SegmentedControl, Switch, Text } from "@mantine/core";
+import { setUniform } from "../../commands/background-actions";
 import { commandNamed, runCommand } from "../../commands/registry";
-import { likelySize } from "../../document/extent";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { uniformSizePath } from "../../document/number-paths";
 import { setMeshing } from "../../document/size-edits";
@@ -35,11 +35,7 @@ export function ElementSize() {
             { value: "uniform", label: texts.uniform },
           ]}
           value={uniformSize === undefined ? "grid" : "uniform"}
-          onChange={(value) =>
-            app.documents.edit(
-              setMeshing("size", value === "uniform" ? likelySize(app.documents.project) : null),
-            )
-          }
+          onChange={(value) => setUniform(app, value === "uniform")}
         />
         {uniformSize === undefined ? <GridCounts /> : <UniformSize size={uniformSize} />}
       </div>

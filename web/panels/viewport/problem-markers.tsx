@@ -1,11 +1,10 @@
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
 import type { MouseEvent } from "react";
 import type { App } from "../../app/app";
-import { strings } from "../../strings";
 import { showProblem } from "../../commands/selection-actions";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp, useProblems, useView } from "../shared/app-context";
-import { useIsMeshed, useShownSeverity } from "../shared/problem-severity";
+import { useShownSeverity } from "../shared/problem-severity";
 import { useMarkers } from "./use-markers";
 import styles from "./problem-markers.module.css";
 
@@ -53,31 +52,11 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   );
 }
 
-const openEdge = "open-edge";
-
 /** Adds what lies below a marker to the selection. */
 function selectBelow(app: App, viewer: Viewer, { currentTarget, clientX, clientY }: MouseEvent): void {
   const box = currentTarget.closest("[data-testid=viewport]")?.getBoundingClientRect();
   const target = box && viewer.hit({ x: clientX - box.left, y: clientY - box.top })?.target;
   if (target && target.kind !== "element") app.view.select(target, "add");
-}
-
-/** The number of open edges while the model is drawn. A click lists them. */
-export function OpenEdges() {
-  const app = useApp();
-  const isMeshed = useIsMeshed();
-  const count = useProblems(({ problems }) => problems.filter(({ code }) => code === openEdge).length);
-  if (isMeshed || count === 0) return null;
-  return (
-    <button
-      type="button"
-      className={styles["openEdges"]}
-      data-testid="open-edges"
-      onClick={() => app.shell.setState({ bottomTab: "problems", drawer: "bottom" })}
-    >
-      {strings.viewport.openEdges(count)}
-    </button>
-  );
 }
 
 /** A ring around the position that was picked in a list. */

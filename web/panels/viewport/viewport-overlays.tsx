@@ -4,7 +4,8 @@ import type { MeshStatus } from "tetrafront";
 import { generateMesh } from "../../commands/mesh-actions";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
-import { useApp, useRun, useStale, useView } from "../shared/app-context";
+import { useApp, useProblems, useRun, useStale, useView } from "../shared/app-context";
+import { useIsMeshed } from "../shared/problem-severity";
 import { usePlayer } from "../player/use-player";
 import { CutAxisControl, CutSlider } from "./cut-controls";
 import type { Trouble } from "./use-viewer";
@@ -89,6 +90,46 @@ export function MeshBadge() {
         {strings.viewport.update}
       </Button>
     </div>
+  );
+}
+
+/** What the view does not show at a glance: hidden entities, and open edges while the model is drawn. */
+export function CornerNotes() {
+  return (
+    <div className={styles["notes"]}>
+      <HiddenEntities />
+      <OpenEdges />
+    </div>
+  );
+}
+
+/** The number of hidden entities. A click shows them. */
+function HiddenEntities() {
+  const { view } = useApp();
+  const count = useView(({ hidden }) => hidden.size);
+  if (count === 0) return null;
+  return (
+    <button type="button" className={styles["note"]} data-testid="show-hidden" onClick={() => view.showAll()}>
+      {strings.viewport.showHidden(count)}
+    </button>
+  );
+}
+
+/** The number of open edges. A click lists them. */
+function OpenEdges() {
+  const { shell } = useApp();
+  const isMeshed = useIsMeshed();
+  const count = useProblems(({ problems }) => problems.filter(({ code }) => code === "open-edge").length);
+  if (isMeshed || count === 0) return null;
+  return (
+    <button
+      type="button"
+      className={styles["note"]}
+      data-testid="open-edges"
+      onClick={() => shell.setState({ bottomTab: "problems", drawer: "bottom" })}
+    >
+      {strings.viewport.openEdges(count)}
+    </button>
   );
 }
 

@@ -10,8 +10,8 @@ import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
 import { PatchRoleLabels } from "./patch-role-labels";
 import { PointNumbers } from "./point-numbers";
-import { OpenEdges, PositionMarker, ProblemMarkers } from "./problem-markers";
-import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
+import { PositionMarker, ProblemMarkers } from "./problem-markers";
+import { CornerNotes, CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "../shared/use-layout";
 import { SizeBar } from "./size-bar";
 import { ToolColumn } from "./tool-column";
@@ -91,7 +91,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {/* On a wide screen, the panel of an operation takes this place. */}
         {!hasOperation && <MeshBadge />}
       </div>
-      <OpenEdges />
+      <CornerNotes />
       <ContextMenu />
       {!trouble && <Legend />}
       {layout !== "phone" && !showsPlane && <MouseHint />}
