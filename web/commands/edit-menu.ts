@@ -97,10 +97,15 @@ export const editMenu: readonly Command[] = [
     enabled: (app) => hasSelection(app) || hasHighlight(app) || hasTool(app) || hasOperation(app),
   }),
   // What the user does not see must not be changed or deleted with the rest.
-  select("all", (project, _, view) => shownAmong(allEntities(project), view), ["mod+A"], needsNothing),
+  select(
+    "all",
+    (project, _, view) => shownAmong(project, allEntities(project), view),
+    ["mod+A"],
+    needsNothing,
+  ),
   select(
     "inverse",
-    (project, selection, view) => shownAmong(invertedSelection(project, selection), view),
+    (project, selection, view) => shownAmong(project, invertedSelection(project, selection), view),
     ["mod+I"],
     needsNothing,
   ),

@@ -47,6 +47,8 @@ async function validBodies(
       showFailure(app, parts.join, error);
     });
   }
+  await app.documents.afterGesture();
+  signal.throwIfAborted();
   if (documentId() !== id) return null;
   proposeSize(app);
   return notes;
@@ -58,7 +60,9 @@ const parts = strings.bodies.preparing;
 async function repairBodies(app: App, signal: AbortSignal): Promise<string[]> {
   const notes: string[] = [];
   for (const id of repairableBodies(app)) {
+    signal.throwIfAborted();
     await comparisonOfRepairs(app, id, signal);
+    signal.throwIfAborted();
     notes.push(...repairNotes(app, id));
     await repairBody(app, id);
   }

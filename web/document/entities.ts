@@ -140,11 +140,11 @@ export function entityName(project: Project, entity: Entity): string | undefined
   return record && "name" in record ? record.name : undefined;
 }
 
-/** Returns the entity that `entityKey` has named. */
-export function entityOfKey(key: string): Entity {
+/** Returns the entity that `entityKey` has named; undefined for another string. */
+export function entityOfKey(key: string): Entity | undefined {
   const end = key.lastIndexOf("-");
-  const kind = drawnKinds.find((one) => one === key.slice(0, end)) ?? "point";
-  return { kind, id: Number(key.slice(end + 1)) };
+  const kind = drawnKinds.find((one) => one === key.slice(0, end));
+  return kind && { kind, id: Number(key.slice(end + 1)) };
 }
 
 /** Index of each id in its list: the engine addresses entities by index, the project file by id. */

@@ -2,7 +2,15 @@ import type { Project } from "tetrafront";
 import { linePaths } from "./line-paths";
 import { drawnLoops, keyOf } from "./loop-search";
 import type { ViewState } from "./selection";
-import { dependentsOf, entityKey, findRecord, recordsOf, type DrawnKind, type Entity } from "./entities";
+import {
+  bodiesOf,
+  dependentsOf,
+  entityKey,
+  findRecord,
+  recordsOf,
+  type DrawnKind,
+  type Entity,
+} from "./entities";
 
 const selectable: readonly DrawnKind[] = ["point", "line", "patch", "body"];
 
@@ -11,7 +19,8 @@ export function allEntities(project: Project): Entity[] {
   return selectable.flatMap((kind) => recordsOf(project, kind).map(({ id }): Entity => ({ kind, id })));
 }
 
-const layersOfKinds: { readonly [K in DrawnKind]: keyof ViewState["layers"] } = {
+/** The layer of the view that shows a kind. */
+export const layersOfKinds: { readonly [K in DrawnKind]: keyof ViewState["layers"] } = {
   point: "points",
   line: "lines",
   patch: "patches",
@@ -21,12 +30,20 @@ const layersOfKinds: { readonly [K in DrawnKind]: keyof ViewState["layers"] } = 
   source: "sources",
 };
 
-/** Returns the entities that the view shows. */
+/** Returns the entities that the view shows. A hidden body hides its patches. */
 export function shownAmong(
+  project: Project,
   entities: readonly Entity[],
   { layers, hidden }: Pick<ViewState, "layers" | "hidden">,
 ): Entity[] {
-  return entities.filter((entity) => layers[layersOfKinds[entity.kind]] && !hidden.has(entityKey(entity)));
+  const hiddenBodies = bodiesOf(project).filter(({ id }) => hidden.has(entityKey({ kind: "body", id })));
+  const hiddenPatches = new Set(hiddenBodies.flatMap(({ patches }) => patches.map(({ id }) => id)));
+  return entities.filter(
+    (entity) =>
+      layers[layersOfKinds[entity.kind]] &&
+      !hidden.has(entityKey(entity)) &&
+      !(entity.kind === "body-patch" && hiddenPatches.has(entity.id)),
+  );
 }
 
 /** Returns everything that is not selected, of the selected kinds; without a selection, everything. */

@@ -288,7 +288,10 @@ export class ViewStore {
     const selected = existingIn(project, selection);
     if (selected.length < selection.length) this.state.setState({ selection: selected });
     if (hidden.size === 0) return;
-    const stillHidden = existingIn(project, [...hidden].map(entityOfKey));
+    const stillHidden = existingIn(
+      project,
+      [...hidden].flatMap((key) => entityOfKey(key) ?? []),
+    );
     if (stillHidden.length < hidden.size)
       this.state.setState({ hidden: new Set(stillHidden.map(entityKey)) });
   }

@@ -361,7 +361,10 @@ export class BodyFeed {
       const inspection = await mesher.inspectSurface(loaded.surface);
       this.#setFor(body, { inspection });
       this.#prepareAwaited();
-      if (!inspection.isFillable) await this.proposeRepair(body);
+      // A proposal for a surface that was replaced meanwhile would end that for the present one.
+      const present = this.state.getState().byId.get(body.id)?.body;
+      const isPresent = present !== undefined && hasSameSurface(present, body);
+      if (isPresent && !inspection.isFillable) await this.proposeRepair(body);
     } catch (error) {
       this.#setFor(body, { failure: failureText(error) });
     }

@@ -66,7 +66,8 @@ export class Operations {
     this.cancel();
     const { tool, brush, moving } = this.#view.state.getState();
     if (isDrawingTool(tool) || brush !== null || moving !== null) this.#view.setTool("select");
-    this.#forgetRemoved();
+    // What the operation adds may get the ids of entities that undo has removed.
+    this.#view.forgetRemoved(this.#documents.project);
     const { selection } = this.#view.state.getState();
     const subject = { project: this.#documents.project, selection };
     this.#gesture = this.#documents.begin(operation.step);
@@ -99,13 +100,6 @@ export class Operations {
     const gesture = this.#gesture;
     this.#close();
     gesture?.cancel();
-  }
-
-  /** Entities that undo has removed are no longer selected: what the operation adds may get their ids. */
-  #forgetRemoved(): void {
-    const { selection } = this.#view.state.getState();
-    const existing = existingIn(this.#documents.project, selection);
-    if (existing.length < selection.length) this.#view.selectAll(existing);
   }
 
   #close(): void {

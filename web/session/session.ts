@@ -61,8 +61,9 @@ export class Session {
     this.library = library;
     this.autosave = library && new Autosave(this.documents, library.storage);
     this.documents.state.subscribe(({ history, gestureStart }, before) => {
-      const isNewStep = history.past !== before.history.past && history.future.length === 0;
-      if (gestureStart !== null || !isNewStep) return;
+      const isLast = history.past !== before.history.past && history.future.length === 0;
+      const isRedone = before.history.future[0]?.forward === history.past.at(-1)?.forward;
+      if (gestureStart !== null || !isLast || isRedone) return;
       // Undo may have removed entities before. What the step has added may have their ids.
       for (const project of [settledProject(before), history.present.project])
         this.view.forgetRemoved(project);

@@ -21,7 +21,7 @@ import { onLine, onPlane, roundStep, roundTo } from "../document/work-plane";
 import type { DocumentStore } from "../session/document-store";
 import { strings } from "../strings";
 import { formatPosition } from "../ui/format";
-import type { Layer } from "../viewer/layers/layer";
+import type { Hit, Layer } from "../viewer/layers/layer";
 import type { Viewer } from "../viewer/viewer";
 import { snapToModel, type SnapTargets } from "./drawing/snapping";
 import type { Motion } from "./motion";
@@ -47,15 +47,11 @@ interface Drag {
   readonly start: Position;
   /** The plane of the drag, through `start`. */
   readonly plane: Frame;
-  /** What does not move, for a point to snap to. */
-  readonly targets: SnapTargets;
   /**
-   * The pointer is on a point, which goes to the grid, or to the model. A place on anything else is an accident: it moves by
-   * steps of the grid.
+   * What does not move, for a point under the pointer to snap to: its position goes to the grid or to the model. Null if
+   * something else is under the pointer, which moves by multiples of the grid's step.
    */
-  readonly isPoint: boolean;
-  /** The pointer is on a body. */
-  readonly isBody: boolean;
+  readonly targets: SnapTargets | null;
 }
 
 /** Moves per arrow key, in the axes of the work plane. */
@@ -94,7 +90,7 @@ export class DragTool implements Tool {
 
   down(pointer: ToolPointer): boolean {
     this.#drag = pointer.button === "left" && !pointer.mod && !pointer.shift ? this.#begin(pointer) : null;
-    return this.#drag !== null || this.#otherwise.down(pointer);
+    return this.#drag !== null || this.#otherwise.down(this.#passed(pointer));
   }
 
   move(pointer: ToolPointer | null): void {
@@ -113,8 +109,7 @@ export class DragTool implements Tool {
     // Enter may have ended the motion before.
     if (drag && (pointer.isDrag || motion.isTyping || !motion.isRunning)) return motion.release();
     if (drag) motion.cancel();
-    // The body, not its patch, is what can be moved.
-    if (drag?.isBody !== true) this.#otherwise.up(pointer);
+    this.#otherwise.up(this.#passed(pointer));
   }
 
   cancel(): void {
@@ -137,6 +132,18 @@ export class DragTool implements Tool {
 
   overlay(): Layer | null {
     return this.#draggable === "all" ? null : this.#otherwise.overlay();
+  }
+
+  /** Returns the pointer for the other tool: where all can be dragged, a body is taken in place of its patch. */
+  #passed(pointer: ToolPointer): ToolPointer {
+    if (this.#draggable !== "all") return pointer;
+    const { project } = this.#stores.documents;
+    const hit = (): Hit | null => {
+      const found = pointer.hit();
+      if (found?.target.kind !== "body-patch") return found;
+      return { ...found, target: movedBy(project, found.target) };
+    };
+    return { ...pointer, hit };
   }
 
   get #step(): number {
@@ -185,8 +192,8 @@ export class DragTool implements Tool {
     const plane = { ...this.#frame, origin: start, ...(isFlat && { z: sight }) };
     motion.start({ mode: "translate", selection, base: start, axis: null, isHeld: true });
     const isPoint = held !== undefined;
-    const isBody = target.kind === "body";
-    return { start, plane, targets: targetsBeside(project, selection), isPoint, isBody };
+    const targets = isPoint ? targetsBeside(project, selection) : null;
+    return { start, plane, targets };
   }
 
   /** Returns what a drag of an entity moves; null if it moves nothing. */
@@ -212,18 +219,18 @@ export class DragTool implements Tool {
     return view.state.getState().selection;
   }
 
-  #offsetAt(pointer: ToolPointer, { start, plane, targets, isPoint }: Drag): Position | null {
+  #offsetAt(pointer: ToolPointer, { start, plane, targets }: Drag): Position | null {
     const { view, viewer, motion } = this.#stores;
     const { snapping } = view.state.getState();
     const seen = viewer.seenFrom(pointer.at);
     const step = snapping.grid && !pointer.mod ? this.#step : 0;
     const steppedFrom = (to: number, from: number): number =>
-      isPoint ? stepped(to, from, step) : stepped(to - from, 0, step);
+      targets ? stepped(to, from, step) : stepped(to - from, 0, step);
     if (motion.axis !== null) {
       const at = onLine(seen.ray, start, axisDirections[motion.axis]);
       return at && (at.map((x, k) => steppedFrom(x, start[k] ?? 0)) as [number, number, number]);
     }
-    const snap = isPoint && snapping.model && !pointer.mod ? snapToModel(targets, seen) : null;
+    const snap = targets && snapping.model && !pointer.mod ? snapToModel(targets, seen) : null;
     if (snap) return subtract(snap.position, start);
     const at = onPlane(seen.ray, plane);
     if (!at) return null;

@@ -94,6 +94,7 @@ export class HandleTool implements Tool {
   cancel(): void {
     this.#drag?.cancel();
     this.#drag = null;
+    this.#hover(null);
     this.#describe(null);
     this.#otherwise.cancel();
   }
@@ -180,10 +181,11 @@ export class HandleTool implements Tool {
     const { selection } = view.state.getState();
     this.#grips = operationGrips(operations, this.#pixel) ?? sizeGrips(documents, selection, this.#pixel);
     const { glyphs, grips } = this.#grips ?? { glyphs: [], grips: [] };
-    if (this.#hovered !== null && !grips[this.#hovered]) {
+    const hovered = this.#hovered === null ? undefined : grips[this.#hovered];
+    if (!hovered) {
       this.#hovered = null;
       this.#describe(null);
-    }
+    } else if (this.#isDescribed) this.#stores.drawing.state.setState({ amount: hovered.label });
     this.#layer?.show(
       this.#grips && {
         glyphs,

@@ -185,6 +185,7 @@ export class Motion implements TypedInput {
   #preview(run: Run, text: string): void {
     if (text.trim() === "") {
       if (run.gesture) this.#show(run, translation(zero), false);
+      else this.#refuse(null);
       return;
     }
     const read = this.#read(run, text);
@@ -217,20 +218,23 @@ export class Motion implements TypedInput {
 
   /** Shows what a motion gives, or says why it is not possible. */
   #show(run: Run, map: Affine, join: boolean): Offer {
-    const { documents, drawing } = this.#stores;
+    const { documents } = this.#stores;
     const label = transformStep(changes[run.mode], run.selection);
     const offer = offerTransform(run.project, run.selection, map, { label, join });
     if (offer.possible) {
       run.gesture ??= documents.begin(label);
       run.gesture.update(offer.creation.edit);
     } else {
-      // What was shown before would look like the result.
-      run.gesture?.cancel();
-      run.gesture = null;
+      // What was shown before would look like the result. The gesture goes on: others must not edit the project meanwhile.
+      run.gesture?.update({ change: () => undefined });
     }
-    const refused = offer.possible ? null : offer.reason;
-    if (drawing.state.getState().refused !== refused) drawing.state.setState({ refused });
+    this.#refuse(offer.possible ? null : offer.reason);
     return offer;
+  }
+
+  #refuse(refused: string | null): void {
+    const { state } = this.#stores.drawing;
+    if (state.getState().refused !== refused) state.setState({ refused });
   }
 
   #end(): void {

@@ -179,7 +179,7 @@ export class Framing {
     const roomy = roomyBounds(project, bodies);
     const isOutgrown = !empty && radius > outgrowth * this.#fittedRadius && !this.#showsModel(bounds);
     const isShrunk = radius > 0 && shrinkage * radius < this.#fittedRadius && this.#isTiny(bounds);
-    if (isOutgrown || isShrunk || empty) this.#fittedRadius = projectRadius(this.#scene.state);
+    if (isOutgrown || isShrunk || empty) this.#fittedRadius = empty ? 0 : radius;
     const drift = Math.hypot(...roomy.centre.map((x, k) => x - (origin[k] ?? 0)));
     if (isOutgrown || isShrunk || drift > 2 * roomy.radius) {
       this.#view.shift(roomy.centre.map((x, k) => (origin[k] ?? 0) - x) as [number, number, number]);

@@ -140,10 +140,13 @@ describe("the commands", () => {
     expect(view.state.getState().hidden.size).toBe(0);
     add();
     expect(view.state.getState().selection).toEqual([{ kind: "patch", id: 1 }]);
-    // Redo would bring it back: until another step, it stays selected.
+    // Redo brings it back: until another step, it stays selected.
     view.select(removed);
     run("undo");
     expect(view.state.getState().selection).toEqual([removed]);
+    run("redo");
+    expect(view.state.getState().selection).toEqual([removed]);
+    run("undo");
     add();
     expect(view.state.getState().selection).toEqual([]);
   });

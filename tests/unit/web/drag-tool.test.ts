@@ -263,13 +263,20 @@ it("moves a body by its patches, and leaves it selected by a click", () => {
     patches: [{ id: 70 }],
   };
   documents = new DocumentStore({ ...cubeProject(), bodies: [body] });
-  tool = new DragTool(stores(), other);
+  const clicked: (Target | undefined)[] = [];
+  const note = (at: ToolPointer): void => void clicked.push(at.hit()?.target);
+  tool = new DragTool(stores(), { ...other, down: (at) => (note(at), false), up: note });
   const patch: Target = { kind: "body-patch", id: 70 };
   const selected = () => view.state.getState().selection;
   expect(tool.down(pointer(0, 0, patch))).toBe(true);
   tool.up(pointer(0, 0, patch, { isDrag: false }));
   expect(selected()).toEqual([{ kind: "body", id: 7 }]);
-  expect(passed).toEqual([]);
+  // The other tool sees the body, also with a key.
+  expect(tool.down(pointer(0, 0, patch, { shift: true }))).toBe(false);
+  expect(clicked).toEqual([
+    { kind: "body", id: 7 },
+    { kind: "body", id: 7 },
+  ]);
   expect(past()).toBe(0);
   // Wherever it is taken, it moves by steps of the grid.
   expect(tool.down(pointer(0.0123, 0.0456, patch))).toBe(true);

@@ -1,7 +1,10 @@
 import { expect, it } from "vitest";
-import { loopAround } from "../../../web/document/select-related";
+import { invertedSelection, loopAround, shownAmong } from "../../../web/document/select-related";
 import type { Entity } from "../../../web/document/entities";
+import { createBody } from "tetrafront";
 import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
+import { ViewStore } from "../../../web/document/selection";
 
 const ids = (entities: readonly Entity[]): readonly number[] => entities.map(({ id }) => id);
 
@@ -22,4 +25,18 @@ it("a loop is selected around a line, then the other loops through this line in 
   if (!other) throw new Error("the loop has one line");
   expect(ids(loopAround(project, [line, other])).toSorted()).toEqual(ids(second).toSorted());
   expect(loopAround(project, [{ kind: "point", id: 1 }])).toEqual([{ kind: "point", id: 1 }]);
+});
+
+it("what the view does not show is not among what is shown: hidden entities, patches of hidden bodies, layers", () => {
+  const bodies = [7, 8].map((id) => createBody(boxSurface(1), { id, firstPatchId: 10 * id }));
+  const project = { ...cubeProject(), bodies };
+  const view = new ViewStore();
+  const shown = (selected: Entity) =>
+    shownAmong(project, invertedSelection(project, [selected]), view.state.getState());
+  expect(ids(shown({ kind: "body-patch", id: 999 }))).toEqual([70, 80]);
+  view.setHidden([{ kind: "body", id: 7 }], true);
+  expect(ids(shown({ kind: "body-patch", id: 999 }))).toEqual([80]);
+  expect(ids(shown({ kind: "body", id: 999 }))).toEqual([8]);
+  view.setLayer("points", false);
+  expect(shown({ kind: "point", id: 1 })).toEqual([]);
 });

@@ -192,6 +192,11 @@ describe("the handles of a selection", () => {
     pressKeys(tool, "Enter");
     expect(drawing.state.getState()).toMatchObject({ typed: "2,1,1", mistake: "refused" });
     expect(drawing.state.getState().refused).toMatch(/round/);
+    // Others must not edit the model meanwhile: what is typed next would replace their edits.
+    expect(documents.state.getState().gestureStart).not.toBeNull();
+    drawing.type("");
+    expect(drawing.state.getState().refused).toBeNull();
+    drawing.type("2,1,1");
     drawing.type("2");
     expect(positions()).not.toEqual(before);
     drawing.submit();

@@ -176,9 +176,7 @@ function hasOddRun(sorted: Float64Array): boolean {
   return false;
 }
 
-/**
- * Smallest volume about the centre of a shape that is turned / area^(3/2): that of a flat or far from closed one has no sign.
- */
+/** Volume / area^(3/2) below which the sign is rounding, as of a flat shape: such a shape is not flipped. */
 const SMALLEST_VOLUME = 1e-9;
 
 /** Flips shapes whose triangles face inward: mirrored parts of an assembly. */

@@ -33,14 +33,17 @@ export function mapDirection({ columns: [x, y, z] }: Affine, direction: Position
 /** A coordinate below this share of the terms that it is the sum of is the rounding error of a 0. */
 const roundingShare = 2 ** -50;
 
-export function mapPosition(map: Affine, position: Position): Position {
-  const mapped = add(mapDirection(map, position), map.offset);
-  const withoutNoise = (k: 0 | 1 | 2): number => {
-    const terms = map.columns.map((column, i) => Math.abs(column[k] * (position[i] ?? 0)));
-    const size = terms.reduce((sum, term) => sum + term, Math.abs(map.offset[k]));
-    return Math.abs(mapped[k]) <= roundingShare * size ? 0 : mapped[k];
-  };
-  return [withoutNoise(0), withoutNoise(1), withoutNoise(2)];
+/** Returns the image of a position. Coordinates that would be 0 without rounding are 0. */
+export function mapPosition({ columns: [a, b, c], offset }: Affine, [x, y, z]: Position): Position {
+  const coordinate = (k: 0 | 1 | 2): number => sumWithoutNoise(a[k] * x, b[k] * y, c[k] * z, offset[k]);
+  return [coordinate(0), coordinate(1), coordinate(2)];
+}
+
+/** Returns the sum of the terms; 0 if it is their rounding error. */
+function sumWithoutNoise(a: number, b: number, c: number, d: number): number {
+  const sum = a + b + c + d;
+  const size = Math.abs(a) + Math.abs(b) + Math.abs(c) + Math.abs(d);
+  return Math.abs(sum) <= roundingShare * size ? 0 : sum;
 }
 
 /** Returns by how much the map enlarges volumes; negative if it mirrors. */

@@ -6,6 +6,7 @@ import { createOrHint, lineMakers, patchMakers } from "../../commands/create-men
 import { isolate } from "../../commands/selection-actions";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { entityKey, type DrawnKind, type Entity } from "../../document/entities";
+import { layersOfKinds } from "../../document/select-related";
 import { commandLabels, entityWords, strings } from "../../strings";
 import { useApp, useView } from "../shared/app-context";
 import styles from "./model-tree.module.css";
@@ -106,20 +107,10 @@ export function EntityEye({ entity, title }: { readonly entity: Entity; readonly
   return <Eye isHidden={isHidden} name={title} onToggle={() => app.view.setHidden([entity], !isHidden)} />;
 }
 
-const layerOfKind = {
-  point: "points",
-  line: "lines",
-  patch: "patches",
-  body: "bodies",
-  "body-patch": "bodies",
-  "background-node": "background",
-  source: "sources",
-} as const;
-
 /** Hides and shows all entities of a kind. */
 export function GroupEye({ kind }: { readonly kind: DrawnKind }) {
   const app = useApp();
-  const layer = layerOfKind[kind];
+  const layer = layersOfKinds[kind];
   const isVisible = useView((state) => state.layers[layer]);
   const name = entityWords[kind].many.toLowerCase();
   return <Eye isHidden={!isVisible} name={name} onToggle={() => app.view.setLayer(layer, !isVisible)} />;

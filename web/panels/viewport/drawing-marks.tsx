@@ -69,7 +69,7 @@ function DragAmount() {
 }
 
 /** Beside the pointer, but neither outside the view nor under the tools at its edges, where the pointer may be at first. */
-const besidePointer = ({ x, y }: ScreenPoint) => ({
+const fieldPosition = ({ x, y }: ScreenPoint) => ({
   left: `clamp(58px, ${x + 16}px, 100% - 200px)`,
   top: `clamp(118px, ${y + 16}px, 100% - 60px)`,
 });
@@ -83,7 +83,7 @@ function WaitingLetter() {
   return (
     <span
       className={styles["waiting"]}
-      style={besidePointer(pointer)}
+      style={fieldPosition(pointer)}
       role="status"
       data-testid="waiting-letter"
     >
@@ -112,7 +112,7 @@ function CoordinateField({ typed }: { readonly typed: string }) {
     };
   }, []);
   return (
-    <div className={styles["field"]} style={besidePointer(pointer)}>
+    <div className={styles["field"]} style={fieldPosition(pointer)}>
       <TextInput
         ref={field}
         size="xs"

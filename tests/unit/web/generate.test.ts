@@ -1,0 +1,103 @@
+/** What "Generate mesh" does to bodies before the run. */
+import { createBody, type Mesher, type ProjectBody } from "tetrafront";
+import { beforeEach, expect, it, vi } from "vitest";
+import { App } from "../../../web/app/app";
+import { generateMesh } from "../../../web/commands/mesh-actions";
+import { emptyProject } from "../../../web/document/create";
+import type { RepairProposal } from "../../../web/document/body-repair";
+import type { BodyState } from "../../../web/session/bodies";
+import { newDocument } from "../../../web/session/document-store";
+import { boxSurface } from "../../support/surfaces";
+
+/** A mesher that never answers. */
+const busyMesher = Promise.resolve({
+  previewProject: () => new Promise(() => undefined),
+  inspectSurface: () => new Promise(() => undefined),
+} as unknown as Mesher);
+
+const bodies = [1, 2, 3].map((id) =>
+  createBody(boxSurface(1), { id, firstPatchId: 10 * id, name: `box ${id}` }),
+);
+
+let app: App;
+
+beforeEach(() => {
+  vi.stubGlobal(
+    "Worker",
+    class {
+      postMessage(): void {
+        // Never answers.
+      }
+      terminate(): void {
+        // There is no worker to end.
+      }
+    },
+  );
+  const first = { document: newDocument({ ...emptyProject("a"), bodies }) };
+  app = new App(
+    { first, mesher: busyMesher, previewMesher: busyMesher, library: null },
+    { gallery: { opening: "", models: [] }, generate: false, still: true },
+  );
+});
+
+/** Each body has a hole, and a repair is known that fills it. */
+function proposeRepairs(): void {
+  const none = new Uint32Array();
+  const surface = { points: new Float64Array(), triangles: none, trianglePatch: none };
+  const repair = { after: { isFillable: true }, changes: [], shared: 0, surface, hasFilled: false };
+  const byId = new Map(app.bodies.state.getState().byId);
+  for (const [id, state] of byId) {
+    byId.set(id, {
+      ...state,
+      inspection: { isFillable: false, diagnostics: [] as const } as unknown as BodyState["inspection"],
+      repair: repair as unknown as RepairProposal,
+    });
+  }
+  app.bodies.state.setState({ byId });
+}
+
+/** Stands in for the worker: returns a body with other triangles. */
+function repairTo(onRepair: () => void) {
+  return vi.spyOn(app.bodies, "replaced").mockImplementation((body: ProjectBody) => {
+    onRepair();
+    return Promise.resolve({ ...body, triangles: `${body.triangles} ` });
+  });
+}
+
+const steps = () => app.documents.state.getState().history.past.map(({ label }) => label);
+const log = () => app.run.state.getState().log.map(({ text }) => text);
+
+it("waits until all bodies are inspected, and is cancelled meanwhile", async () => {
+  const repair = repairTo(() => undefined);
+  const run = generateMesh(app);
+  await vi.waitFor(() => expect(app.run.state.getState().preparing).toBe("Inspecting bodies"));
+  app.run.cancel();
+  await run;
+  expect(repair).not.toHaveBeenCalled();
+  expect(log()).toEqual(["Cancelled before anything was meshed"]);
+});
+
+it("repairs no further body after it was cancelled", async () => {
+  proposeRepairs();
+  const repair = repairTo(() => app.run.cancel());
+  await generateMesh(app);
+  expect(repair).toHaveBeenCalledOnce();
+  expect(steps()).toHaveLength(1);
+  expect(app.run.state.getState()).toMatchObject({ busy: false, preparing: null });
+  expect(log()).toEqual(["Cancelled before anything was meshed"]);
+});
+
+it("repairs all bodies, each as a step of undo, before they are inspected again", async () => {
+  proposeRepairs();
+  const repair = repairTo(() => undefined);
+  const run = generateMesh(app);
+  await vi.waitFor(() => expect(steps()).toHaveLength(bodies.length));
+  expect(repair).toHaveBeenCalledTimes(bodies.length);
+  await vi.waitFor(() => expect(app.run.state.getState().preparing).toBe("Inspecting bodies"));
+  // A second command waits for the same run.
+  void generateMesh(app);
+  expect(app.run.state.getState().busy).toBe(true);
+  app.run.cancel();
+  await run;
+  expect(steps()).toHaveLength(bodies.length);
+});
