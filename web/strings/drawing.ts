@@ -55,7 +55,7 @@ export const drawingStrings = {
       segment: "Click both ends of the source. Enter after the first one makes a point source.",
       triangle: "Click the three corners of the source.",
     },
-    move: "Drag a handle or the selection, or type a number; X, Y, Z choose an axis. Ctrl turns steps off, G changes the handles.",
+    move: "Drag a handle or the selection, or type a number; X, Y, Z choose an axis. Ctrl during a drag turns steps off, G changes the handles.",
     measure: "Click two places for a distance, a third one for an angle.",
   },
   noCircle: "The three places lie on one straight line.",
