@@ -127,6 +127,19 @@ export class AppPage {
     await this.page.getByTestId(testId).press("Enter");
   }
 
+  /** Returns a picture of the view at rest: edges become smooth some time after the last motion. */
+  async stillView(): Promise<Buffer> {
+    let picture = await this.viewport.screenshot();
+    await expect
+      .poll(async () => {
+        const before = picture;
+        picture = await this.viewport.screenshot();
+        return picture.equals(before);
+      })
+      .toBe(true);
+    return picture;
+  }
+
   async generate(): Promise<MeshState> {
     await this.page.getByTestId("generate").click();
     return this.meshed();

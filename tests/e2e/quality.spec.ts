@@ -49,7 +49,7 @@ test("a click on one of the worst elements moves the camera to it and highlights
   await app.openCube();
   const { quality } = await reportOf(app);
   await page.getByTestId("tab-quality").click();
-  const whole = await app.viewport.screenshot();
+  const whole = await app.stillView();
   for (const index of [0, 9]) {
     const row = page.getByTestId(`worst-${index}`);
     const element = quality.worst[index];

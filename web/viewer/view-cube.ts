@@ -28,6 +28,7 @@ export class ViewCube {
   readonly #renderer: WebGLRenderer;
   readonly #gizmo: ViewportGizmo;
   readonly #fixed: GizmoOptions;
+  readonly #requestFrame: () => void;
   readonly #listening = new AbortController();
   readonly #picture: KeptPicture;
   /** What the picture shows; null if it is to be drawn again. */
@@ -43,6 +44,7 @@ export class ViewCube {
     options: { readonly container: HTMLElement; readonly animated: boolean; readonly onChange: () => void },
   ) {
     this.#renderer = renderer;
+    this.#requestFrame = options.onChange;
     this.#fixed = { container: options.container, animated: options.animated };
     this.#picture = new KeptPicture(renderer, { size, offset });
     this.#gizmo = new ViewportGizmo(camera, renderer, { ...styleOf(colors), ...this.#fixed });
@@ -105,6 +107,8 @@ export class ViewCube {
   render(): void {
     // The library turns the camera of the view when it draws.
     if (this.#gizmo.animating || this.#isNew) {
+      // The kept picture differs by roundings: the view must end with it, however few frames are drawn.
+      if (this.#isNew) this.#requestFrame();
       this.#pictured = null;
       this.#isNew = false;
       this.#showFront();
