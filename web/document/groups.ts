@@ -103,7 +103,7 @@ export const extendGroup = (project: Project, id: number, entities: readonly Ent
     return added.length === 0 ? group : { ...group, members: [...group.members, ...added] };
   });
 
-/** Takes entities out of a group, and removes a group of which nothing is left. O(members + entities). */
+/** Takes entities out of a group. If no member is left, the group is removed. O(members + entities). */
 export function reduceGroup(project: Project, id: number, entities: readonly Entity[]): ProjectEdit {
   const leaving = new Set(groupableMembers(entities).map(memberKey));
   const staysIn = ({ members }: ProjectGroup) => members.filter((member) => !leaving.has(memberKey(member)));

@@ -177,7 +177,7 @@ describe("solids of joined files", () => {
   describe.each([
     ["outward", (surface: SurfaceInput) => surface],
     ["inward", turned],
-  ])("of which one has a hole and faces %s", (_, facing) => {
+  ])("one of which has a hole and faces %s", (_, facing) => {
     const { points, triangles } = boxSurface(4);
     const open = facing({ points, triangles: triangles.subarray(9) });
     const args = ["--join", "-o", "a.msh", "--report", "r.json", "--surface", "remesh"];

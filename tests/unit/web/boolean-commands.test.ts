@@ -13,6 +13,7 @@ import * as manifold from "../../../web/session/manifold";
 import { pieceOperations } from "../../../web/document/operations/pieces";
 import { operationStrings } from "../../../web/strings";
 import { cubeProject } from "../../support/projects";
+import { SilentWorker } from "../../support/silent-worker";
 
 /** What the command waits for: the library, or its failure. */
 let end: (library: Promise<ManifoldToplevel>) => void;
@@ -21,14 +22,7 @@ let sample: Mesher["previewProject"];
 let app: App;
 
 beforeEach(async () => {
-  vi.stubGlobal(
-    "Worker",
-    class {
-      postMessage(): void {
-        // Never answers.
-      }
-    },
-  );
+  vi.stubGlobal("Worker", SilentWorker);
   vi.stubGlobal("document", { baseURI: "https://example.org/" });
   const loading = new Promise<ManifoldToplevel>((resolve) => (end = resolve));
   vi.spyOn(manifold, "loadManifold").mockImplementation(() => loading);

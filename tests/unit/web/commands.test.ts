@@ -17,6 +17,7 @@ import { templates } from "../../../web/document/templates";
 import { DocumentLibrary } from "../../../web/session/document-library";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
+import { SilentWorker } from "../../support/silent-worker";
 import { MemoryLocks, MemoryStorage, MemoryTab } from "./storage-doubles";
 
 const saved: { readonly name: string; readonly file: string | undefined }[] = [];
@@ -62,17 +63,7 @@ const noticeKeys = (app: App) => app.shell.getState().notices.map(({ key }) => k
 const labels = (app: App) => app.documents.state.getState().history.past.map(({ label }) => label);
 
 beforeEach(() => {
-  vi.stubGlobal(
-    "Worker",
-    class {
-      postMessage(): void {
-        // Never answers.
-      }
-      terminate(): void {
-        // There is no worker to end.
-      }
-    },
-  );
+  vi.stubGlobal("Worker", SilentWorker);
   saved.length = 0;
   disk.clear();
 });

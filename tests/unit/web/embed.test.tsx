@@ -12,6 +12,7 @@ import type { SharedFront } from "../../../web/player/shared-front";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
+import { SilentWorker } from "../../support/silent-worker";
 
 vi.mock("../../../web/viewer/viewer", () => ({
   Viewer: class {
@@ -49,17 +50,7 @@ const button = (testId: string): HTMLElement | null => host.querySelector(`[data
 const until = (check: () => void): Promise<void> => vi.waitFor(check, { timeout: 60_000 });
 
 beforeEach(async () => {
-  vi.stubGlobal(
-    "Worker",
-    class {
-      postMessage(): void {
-        // Never answers.
-      }
-      terminate(): void {
-        // Does nothing.
-      }
-    },
-  );
+  vi.stubGlobal("Worker", SilentWorker);
   vi.stubGlobal("fetch", () => Promise.resolve(new Response(writeProject(model))));
   app = new App(
     {

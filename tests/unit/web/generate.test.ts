@@ -8,6 +8,7 @@ import type { RepairProposal } from "../../../web/document/body-repair";
 import type { BodyState } from "../../../web/session/bodies";
 import { newDocument } from "../../../web/session/document-store";
 import { boxSurface } from "../../support/surfaces";
+import { SilentWorker } from "../../support/silent-worker";
 
 /** A mesher that never answers. */
 const busyMesher = Promise.resolve({
@@ -22,17 +23,7 @@ const bodies = [1, 2, 3].map((id) =>
 let app: App;
 
 beforeEach(() => {
-  vi.stubGlobal(
-    "Worker",
-    class {
-      postMessage(): void {
-        // Never answers.
-      }
-      terminate(): void {
-        // There is no worker to end.
-      }
-    },
-  );
+  vi.stubGlobal("Worker", SilentWorker);
   const first = { document: newDocument({ ...emptyProject("a"), bodies }) };
   app = new App(
     { first, mesher: busyMesher, previewMesher: busyMesher, library: null },

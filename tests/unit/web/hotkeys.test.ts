@@ -7,6 +7,7 @@ import { PageApps } from "../../../web/tools/page-apps";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
+import { SilentWorker } from "../../support/silent-worker";
 
 /** A mesher whose previews never end. */
 const busyMesher = Promise.resolve({
@@ -40,14 +41,7 @@ const press = (target: EventTarget, key: string, ctrlKey = false, shiftKey = fal
   }) as never;
 
 beforeEach(() => {
-  vi.stubGlobal(
-    "Worker",
-    class {
-      postMessage(): void {
-        // Never answers.
-      }
-    },
-  );
+  vi.stubGlobal("Worker", SilentWorker);
 });
 
 /** Two apps on one page, each with a button and a field. */

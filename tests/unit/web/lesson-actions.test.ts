@@ -10,6 +10,7 @@ import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
+import { SilentWorker } from "../../support/silent-worker";
 
 const { bytes } = starTrace(starSurface(boxSurface(2, [-1, -1, -1], [1, 1, 1])));
 const idleMesher = Promise.resolve({
@@ -36,14 +37,7 @@ let app: App;
 let recorded: { readonly name: string; readonly x: number | undefined }[];
 
 beforeEach(() => {
-  vi.stubGlobal(
-    "Worker",
-    class {
-      postMessage(): void {
-        // Never answers.
-      }
-    },
-  );
+  vi.stubGlobal("Worker", SilentWorker);
   vi.stubGlobal("document", { baseURI: "https://example.org/" });
   vi.stubGlobal("fetch", () => Promise.resolve(new Response(writeProject(cube))));
   app = new App(

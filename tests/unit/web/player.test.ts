@@ -20,6 +20,7 @@ import { cubeProject } from "../../support/projects";
 import { randomSource } from "../../support/random";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace, traceBytes, TraceBytes, writeFirstFaces } from "../../support/traces";
+import { SilentWorker } from "../../support/silent-worker";
 
 const { bytes } = starTrace({
   ...starSurface(boxSurface(3, [-1, -1, -1], [1, 1, 1])),
@@ -67,14 +68,7 @@ beforeEach(() => {
     frames = [];
   });
   vi.stubGlobal("matchMedia", () => ({ matches: false }));
-  vi.stubGlobal(
-    "Worker",
-    class {
-      postMessage(): void {
-        // Never answers.
-      }
-    },
-  );
+  vi.stubGlobal("Worker", SilentWorker);
 });
 
 afterEach(() => vi.unstubAllGlobals());

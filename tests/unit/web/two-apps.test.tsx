@@ -10,6 +10,7 @@ import { listenForPalette } from "../../../web/panels/shared/palette";
 import { newDocument } from "../../../web/session/document-store";
 import { strings } from "../../../web/strings";
 import { cubeProject } from "../../support/projects";
+import { SilentWorker } from "../../support/silent-worker";
 
 /**
  * Two apps on one page, as React renders them: a dropped file and a command of the palette reach one app only. Without
@@ -94,17 +95,7 @@ function dragged(type: "dragover" | "drop", projectName: string): Event {
 const isInvited = ({ host }: PageApp): boolean => host.textContent.includes(strings.viewport.drop);
 
 beforeEach(async () => {
-  vi.stubGlobal(
-    "Worker",
-    class {
-      postMessage(): void {
-        // Never answers.
-      }
-      terminate(): void {
-        // Does nothing.
-      }
-    },
-  );
+  vi.stubGlobal("Worker", SilentWorker);
   apps = [open("Left"), open("Right")];
   await until(() => expect(apps.map(({ host }) => panelsOf(host))).toHaveLength(2));
 });
