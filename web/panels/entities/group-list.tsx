@@ -101,10 +101,21 @@ export function GroupButtons({ selection }: { readonly selection: readonly Entit
   const { documents } = app;
   const project = useProject();
   if (!selection.some(isGroupable)) return null;
-  const memberships = (project.groups ?? []).map((group) => ({
-    ...group,
-    membership: membershipIn(group, selection),
-  }));
+  const { groups = [] } = project;
+  const additions = groups
+    .filter((group) => membershipIn(group, selection) !== "all")
+    .map(({ id, name }) => ({
+      key: `extend-group-${id}`,
+      label: texts.add(name),
+      edit: () => extendGroup(project, id, selection),
+    }));
+  const removals = groups
+    .filter((group) => membershipIn(group, selection) !== "none")
+    .map(({ id, name }) => ({
+      key: `reduce-group-${id}`,
+      label: texts.takeOut(name),
+      edit: () => reduceGroup(project, id, selection),
+    }));
   return (
     <div className={styles["buttons"]}>
       <Button
@@ -115,32 +126,17 @@ export function GroupButtons({ selection }: { readonly selection: readonly Entit
       >
         {texts.make}
       </Button>
-      {memberships
-        .filter(({ membership }) => membership !== "all")
-        .map(({ id, name }) => (
-          <Button
-            key={id}
-            size="compact-xs"
-            variant="default"
-            data-testid={`extend-group-${id}`}
-            onClick={() => documents.edit(extendGroup(project, id, selection))}
-          >
-            {texts.add(name)}
-          </Button>
-        ))}
-      {memberships
-        .filter(({ membership }) => membership !== "none")
-        .map(({ id, name }) => (
-          <Button
-            key={id}
-            size="compact-xs"
-            variant="default"
-            data-testid={`reduce-group-${id}`}
-            onClick={() => documents.edit(reduceGroup(project, id, selection))}
-          >
-            {texts.takeOut(name)}
-          </Button>
-        ))}
+      {[...additions, ...removals].map(({ key, label, edit }) => (
+        <Button
+          key={key}
+          size="compact-xs"
+          variant="default"
+          data-testid={key}
+          onClick={() => documents.edit(edit())}
+        >
+          {label}
+        </Button>
+      ))}
     </div>
   );
 }
