@@ -45,8 +45,6 @@ export interface LessonRuns {
   readonly runs: readonly LessonRun[];
   /** True while the model is being loaded and its front recorded. */
   readonly isPreparing: boolean;
-  /** Whether the time of the lesson's own run was measured in an engine that had already meshed the model. */
-  readonly isTimed: boolean;
 }
 
 const stores = new WeakMap<App, StoreApi<LessonRuns>>();
@@ -60,7 +58,6 @@ export function lessonRuns(app: App): StoreApi<LessonRuns> {
     model: null,
     runs: [],
     isPreparing: false,
-    isTimed: false,
   }));
   stores.set(app, made);
   app.player.state.subscribe((state, before) => noteShown(made.getState(), state, before));
@@ -120,7 +117,7 @@ export async function showLessonModel(
   app.shell.setState({ lessonRuns: others });
   const openings = store.getState().openings + 1;
   const isPresent = (): boolean => store.getState().openings === openings;
-  store.setState({ lesson, openings, model: null, runs: [], isPreparing: true, isTimed: false });
+  store.setState({ lesson, openings, model: null, runs: [], isPreparing: true });
   try {
     const project = await loadLessonModel(lesson, app.gallery);
     // Another lesson was opened meanwhile, or this one again.
@@ -183,7 +180,6 @@ async function addRun(app: App, lesson: Lesson, name: string): Promise<boolean> 
   const store = lessonRuns(app);
   const rules = rulesNamed(name);
   if (!rules) return false;
-  if (!(await timeOwnRun(app, lesson))) return false;
   const { order, filters, relaxation, tolerance, search } = rules;
   const experiment = { relaxation, tolerance, search };
   const run = await recordRun(app, lesson, name, { order: order ?? undefined, filters, experiment });
@@ -192,20 +188,6 @@ async function addRun(app: App, lesson: Lesson, name: string): Promise<boolean> 
   store.setState({ runs: [...others, run] });
   const named = app.shell.getState().lessonRuns;
   if (name !== "" && !named.includes(name)) app.shell.setState({ lessonRuns: [...named, name] });
-  return true;
-}
-
-/**
- * Repeats the lesson's own run before the first one by other rules: while the engine meshes for the first time, the browser still
- * compiles it, and the times could not be compared. Returns whether this has succeeded.
- */
-async function timeOwnRun(app: App, lesson: Lesson): Promise<boolean> {
-  const store = lessonRuns(app);
-  if (store.getState().isTimed) return true;
-  const own = await recordRun(app, lesson, "");
-  if (!own) return false;
-  const others = store.getState().runs.filter(({ name }) => name !== "");
-  store.setState({ runs: [own, ...others], isTimed: true });
   return true;
 }
 
@@ -224,7 +206,7 @@ async function recordRun(
   if (!isShownModel(app, model)) return null;
   const before = shownRun(app);
   const recorded = await app.player.record(choices);
-  if (store.getState().openings !== openings || recorded === null) return null;
+  if (store.getState().openings !== openings || !isShownModel(app, model) || recorded === null) return null;
   if (recorded.isStopped) {
     if (before) app.player.show(before.trace, before.file);
     else app.player.close();

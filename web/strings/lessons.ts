@@ -3,6 +3,10 @@ import type { FrontOrder } from "tetrafront";
 
 const number = (value: number): string => value.toLocaleString("en-US");
 
+/** A large number in few letters: 74.9M. */
+const short = (value: number): string =>
+  value.toLocaleString("en-US", { notation: "compact", maximumFractionDigits: 1 });
+
 const targets = {
   postponed: "a postponed face",
   line: "a line that is divided",
@@ -43,7 +47,7 @@ export const lessonStrings = {
   failed: (reason: string) =>
     `The lessons could not be loaded: ${reason}. Check the connection and try again.`,
   retry: "Try again",
-  errors: "These files have errors",
+  errors: (count: number) => (count === 1 ? "A lesson has an error" : "Lessons have errors"),
   all: "All lessons",
   previous: "Previous lesson",
   next: "Next lesson",
@@ -87,7 +91,7 @@ export const lessonStrings = {
     title: "Experiments",
     intro:
       "Run the model of this lesson with other rules and compare. The link in the address bar opens the same runs again.",
-    hint: "Time: seconds for the front of the volume, with its recording. Each is measured once, after the engine has meshed this model a first time, because the browser still compiles the engine during the first run. Postp.: postponed faces. Recov.: steps of recovery. Angle: smallest dihedral angle. Ratio: mean radius ratio. Angle and ratio are those before any optimization. Filters and search change the time only.",
+    hint: "Faces: faces that the search has looked at. Tests: faces that were tested for crossings side by side. Postp.: postponed faces. Recov.: steps of recovery. Angle: smallest dihedral angle. Ratio: mean radius ratio. Angle and ratio are those before any optimization. Filters and search change only the first two: the work, not the mesh.",
     order: "Order",
     relaxation: "Relaxed rules",
     filters: "Filters",
@@ -99,7 +103,8 @@ export const lessonStrings = {
     times: (factor: number) =>
       factor === 0 ? "never" : factor === 1 ? "usual distance" : `${factor} × the distance`,
     run: "Run with these rules",
-    columns: ["Rules", "Time", "Postp.", "Recov.", "Angle", "Ratio"],
+    columns: ["Rules", "Faces", "Tests", "Postp.", "Recov.", "Angle", "Ratio"],
+    count: short,
     name: (parts: readonly string[], order: FrontOrder) =>
       parts.map((part) => (part === "" ? orders[order] : (rules[part] ?? orderName(part)))).join(", "),
     show: (name: string) => `Show the front of the run: ${name}`,
@@ -113,8 +118,7 @@ export const lessonStrings = {
     `For ${number(elements)} elements, a linear search compares ${number(linear)} faces; the search in space returns ${number(near)}.`,
   costAxes: { across: "elements made", up: "faces compared" },
   /** A number on an axis. */
-  axisNumber: (value: number) =>
-    value.toLocaleString("en-US", { notation: "compact", maximumFractionDigits: 1 }),
+  axisNumber: short,
   queue: {
     picture: (faces: number, first: number | null) =>
       first === null

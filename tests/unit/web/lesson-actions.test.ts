@@ -126,16 +126,6 @@ it.each([true, false])("does not compare a run that was stopped (in the front: %
   expect(step).toBe(3);
 });
 
-it("repeats the lesson's own run for its time again if this was stopped", async () => {
-  await showLessonModel(app, lesson);
-  const [own] = lessonRuns(app).getState().runs;
-  stopAfter(0);
-  expect(await compareRun(app, "random")).toBe(false);
-  const { runs, isTimed } = lessonRuns(app).getState();
-  expect(runs).toEqual([own]);
-  expect(isTimed).toBe(false);
-});
-
 it("shows no front if the lesson's own run was stopped", async () => {
   stopAfter(0);
   await showLessonModel(app, lesson, ["random"]);
@@ -145,8 +135,8 @@ it("shows no front if the lesson's own run was stopped", async () => {
 });
 
 it("keeps the runs of an address before the one that was stopped", async () => {
-  // The lesson's own run, its repetition for the time, and one by other rules.
-  stopAfter(3);
+  // The lesson's own run, and one by other rules.
+  stopAfter(2);
   await showLessonModel(app, lesson, ["random", "first-in", "strict"]);
   const { runs, isPreparing } = lessonRuns(app).getState();
   expect(runs.map(({ name }) => name)).toEqual(["", "random"]);
@@ -177,7 +167,7 @@ it("does not end the opening of a lesson because it was opened before", async ()
   expect(app.shell.getState().lessonRuns).toEqual(["random"]);
   endSecond();
   await second;
-  expect(lessonRuns(app).getState()).toMatchObject({ isPreparing: false, isTimed: true });
+  expect(lessonRuns(app).getState()).toMatchObject({ isPreparing: false });
   expect(
     lessonRuns(app)
       .getState()
@@ -188,7 +178,6 @@ it("does not end the opening of a lesson because it was opened before", async ()
 it("runs no model that was changed while another run was recorded", async () => {
   await showLessonModel(app, lesson);
   const whole = vi.mocked(app.player).record.getMockImplementation();
-  // The repetition of the lesson's own run, for its time.
   vi.mocked(app.player).record.mockImplementationOnce(async (choices) => {
     const made = (await whole?.(choices)) ?? null;
     app.documents.edit(moveEntity("point", 1, 0, -2));
@@ -232,27 +221,15 @@ it("are compared without opening the model again", async () => {
   const { id } = app.documents.state.getState();
   expect(await compareRun(app, "first-in")).toBe(true);
   expect(app.documents.state.getState().id).toBe(id);
-  expect(recorded).toEqual([own, own, own]);
+  expect(recorded).toEqual([own, own]);
   expect(orders()).toEqual(["layered", "first-in"]);
-});
-
-it("are timed after the engine has meshed the model: the lesson's own run is repeated before the first other one", async () => {
-  await showLessonModel(app, lesson);
-  const [cold] = lessonRuns(app).getState().runs;
-  await compareRun(app, "first-in");
-  const [timed] = lessonRuns(app).getState().runs;
-  expect(timed?.trace).not.toBe(cold?.trace);
-  expect(vi.mocked(app.player).record.mock.calls[1]).toEqual([{}]);
-  await compareRun(app, "random");
-  expect(lessonRuns(app).getState().runs[0]).toBe(timed);
-  expect(recorded).toHaveLength(4);
 });
 
 it("are of the lesson's model if another document was opened", async () => {
   await showLessonModel(app, lesson);
   app.showProject({ ...cubeProject(), name: "Mine" });
   expect(await compareRun(app, "first-in")).toBe(true);
-  expect(recorded).toEqual([own, own, own, own]);
+  expect(recorded).toEqual([own, own, own]);
   expect(app.documents.project.name).toBe("Cube");
   expect(orders()).toEqual(["layered", "first-in"]);
 });
@@ -261,7 +238,7 @@ it("are of the lesson's model if it was changed", async () => {
   await showLessonModel(app, lesson);
   app.documents.edit(moveEntity("point", 1, 0, -2));
   expect(await compareRun(app, "first-in")).toBe(true);
-  expect(recorded).toEqual([own, own, own, own]);
+  expect(recorded).toEqual([own, own, own]);
 });
 
 it("are not compared if the lesson's model cannot be opened", async () => {

@@ -5,6 +5,7 @@ import { readTrace, type Trace } from "tetrafront";
 import { isRight, isShown, numberIn } from "../../../web/lessons/check-task";
 import { finishTask, isFinished, progress, progressIn, restart } from "../../../web/lessons/course";
 import { parseLesson, type Lesson, type LessonTask, type TaskOf } from "../../../web/lessons/lesson";
+import { frontErrors } from "../../../web/lessons/front-errors";
 import { lessonBeside, listOf, loadCourse } from "../../../web/lessons/lesson-files";
 import { flatAngle, runMeasures } from "../../../web/lessons/run-measures";
 import { searchCost } from "../../../web/lessons/search-cost";
@@ -309,5 +310,33 @@ describe("the list of the lessons", () => {
 
   it("is refused if it is no list of markdown files", () => {
     for (const content of ["{}", '["a.txt"]', "[1]"]) expect(() => listOf(content)).toThrow(/must be a list/);
+  });
+});
+
+describe("what the front of a lesson does not have", () => {
+  const trace = readStar();
+  const errorsOfFront = (change: Partial<Lesson>): readonly string[] =>
+    frontErrors({ ...lessonOf(withHead(fields)), ...change }, trace);
+  const reach = (kind: TaskOf<"step">["reach"]) => ({
+    tasks: [taskOf(`  - kind: step\n    ask: Go.\n    reach: ${kind}`)],
+  });
+
+  it("is named: a step beyond its states, with those that it has", () => {
+    expect(errorsOfFront({ step: 0 })).toEqual([]);
+    expect(errorsOfFront({ step: trace.stepCount })).toEqual([]);
+    for (const step of [-1, trace.stepCount + 1, 99_999]) {
+      const [error] = errorsOfFront({ step });
+      expect(error).toContain('new.md: field "step"');
+      expect(error).toContain(`from 0 to ${trace.stepCount}`);
+      expect(error).toContain(`is ${step}`);
+    }
+  });
+
+  it("is named: a task that no step completes, with the kinds that there are", () => {
+    expect(errorsOfFront(reach("postponed"))).toEqual([]);
+    expect(errorsOfFront(reach("end"))).toEqual([]);
+    const [error] = errorsOfFront(reach("patch"));
+    expect(error).toContain('field "tasks.0.reach" is "patch"');
+    expect(error).toContain("postponed");
   });
 });

@@ -4,7 +4,8 @@ import { FRONT_ORDERS } from "tetrafront";
 import { compareRun, showRun, type LessonRun } from "../../commands/lesson-actions";
 import type { Lesson } from "../../lessons/lesson";
 import { runMeasures } from "../../lessons/run-measures";
-import { nameOfRules, tolerances, usualRules, type RunRules } from "../../lessons/run-rules";
+import { nameOfRules, rulesNamed, tolerances, usualRules, type RunRules } from "../../lessons/run-rules";
+import { searchCost } from "../../lessons/search-cost";
 import { lessonStrings } from "../../strings/lessons";
 import tables from "../../ui/table.module.css";
 import { usePlayer } from "../player/use-player";
@@ -110,6 +111,13 @@ function RuleChoices({ lesson }: { readonly lesson: Lesson }) {
   );
 }
 
+/** Returns how many faces the search of a run has looked at. */
+function facesCompared({ name, trace }: LessonRun): number {
+  const { linear, near } = searchCost(trace, 1);
+  const counts = rulesNamed(name)?.search === "linear" ? linear : near;
+  return counts.at(-1) ?? 0;
+}
+
 function RunTable({ runs }: { readonly runs: readonly LessonRun[] }) {
   return (
     <table
@@ -138,10 +146,12 @@ function Row({ run }: { readonly run: LessonRun }) {
   const app = useApp();
   const isShown = usePlayer((state) => state.trace === run.trace);
   const { postponed, recoveries } = useMemo(() => runMeasures(run.trace), [run.trace]);
-  const { seconds, dihedral, radiusRatio } = run.report;
+  const compared = useMemo(() => facesCompared(run), [run]);
+  const { front, dihedral, radiusRatio } = run.report;
   const name = texts.name(run.name.split("+"), run.order);
   const values = [
-    seconds.volume.toFixed(2),
+    texts.count(compared),
+    texts.count(front.facesAnalysed),
     lessonStrings.number(postponed),
     lessonStrings.number(recoveries),
     texts.degrees(dihedral.min),

@@ -5,6 +5,7 @@ import { isFinished } from "../../lessons/course";
 import type { Course } from "../../lessons/lesson-files";
 import { lessonStrings as texts } from "../../strings/lessons";
 import { useApp } from "../shared/app-context";
+import { LessonErrors } from "./lesson-errors";
 import styles from "./lessons.module.css";
 import { useProgress } from "./use-lessons";
 
@@ -36,14 +37,7 @@ export function LessonList({ course: { lessons, errors } }: { readonly course: C
           );
         })}
       </ol>
-      {errors.length > 0 && (
-        <div role="alert" className={styles["errors"]} data-testid="lesson-errors">
-          <b>{texts.errors}</b>
-          {errors.map((error) => (
-            <p key={error}>{error}</p>
-          ))}
-        </div>
-      )}
+      {errors.length > 0 && <LessonErrors errors={errors} />}
     </>
   );
 }

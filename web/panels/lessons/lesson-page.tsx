@@ -1,9 +1,10 @@
 import { Button } from "@mantine/core";
 import { IconChevronLeft, IconChevronRight, IconList, IconPrinter } from "@tabler/icons-react";
-import { useEffect, useRef } from "react";
+import { useEffect, useMemo, useRef } from "react";
 import type { App } from "../../app/app";
 import { lessonRuns, openLesson, showBeginning, showLessonModel } from "../../commands/lesson-actions";
 import { isFinished, restart } from "../../lessons/course";
+import { frontErrors } from "../../lessons/front-errors";
 import type { Lesson } from "../../lessons/lesson";
 import { lessonBeside, type Course } from "../../lessons/lesson-files";
 import { showOwnRun } from "../../lessons/own-run";
@@ -13,6 +14,7 @@ import { IconButton } from "../../ui/icon-button";
 import { usePlayer } from "../player/use-player";
 import { useApp } from "../shared/app-context";
 import { Experiments } from "./experiments";
+import { LessonErrors } from "./lesson-errors";
 import { LessonPlayer } from "./lesson-player";
 import { LessonText } from "./lesson-text";
 import styles from "./lessons.module.css";
@@ -56,6 +58,7 @@ export function LessonPage({ lesson, number, course }: LessonPageProps) {
         , {texts.section(lesson.paper)}
       </p>
       <FrontState lesson={lesson} />
+      <FrontErrors lesson={lesson} />
       <LessonPlayer />
       <LessonText text={lesson.text} />
       {lesson.figure.includes("queue") && <QueueFigure />}
@@ -115,6 +118,15 @@ function LessonBar({ number, course }: Omit<LessonPageProps, "lesson">) {
 function goToBeginning(app: App, lesson: Lesson): void {
   showOwnRun(app.player, lessonRuns(app).getState().runs);
   showBeginning(app, lesson);
+}
+
+/** The errors of a lesson that only its front shows. */
+function FrontErrors({ lesson }: { readonly lesson: Lesson }) {
+  const own = useLessonRuns((state) =>
+    state.lesson === lesson ? state.runs.find(({ name }) => name === "") : undefined,
+  );
+  const errors = useMemo(() => (own ? frontErrors(lesson, own.trace) : []), [lesson, own]);
+  return errors.length > 0 && <LessonErrors errors={errors} />;
 }
 
 /** Says if the view shows something else than the front of the lesson, and brings it back. */

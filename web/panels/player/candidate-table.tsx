@@ -8,7 +8,8 @@ const texts = strings.player;
 /** A candidate: the number of its node, null for a new one; and the verdict in words. */
 export interface CandidateRow {
   readonly name: number | null;
-  readonly score: number;
+  /** With the digits that it has. */
+  readonly score: string;
   readonly verdict: string;
 }
 
@@ -51,7 +52,7 @@ export function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTabl
                   {texts.candidateName(i + 1, name)}
                 </button>
               </th>
-              <td>{score.toFixed(3)}</td>
+              <td>{score}</td>
               <td>{verdict}</td>
             </tr>
           ))}

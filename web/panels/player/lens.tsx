@@ -4,6 +4,7 @@ import type { AdvanceStep } from "tetrafront";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
+import { recordedScore } from "../../player/recorded-score";
 import { recoveryCounts } from "../../player/recovery-counts";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
@@ -125,7 +126,7 @@ function StepUnderLens() {
 const rowsOf = ({ candidates }: AdvanceStep): readonly CandidateRow[] =>
   candidates.map(({ node, isNew, score, verdict, culprit }) => ({
     name: isNew ? null : node,
-    score,
+    score: recordedScore(score),
     verdict: texts.verdictAt(texts.verdicts[verdict], culprit),
   }));
 

@@ -94,7 +94,7 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
   ];
   const rows = step.candidates.map((candidate) => ({
     name: candidate.isNew ? null : candidate.node,
-    score: scoreOf(front, step, candidate),
+    score: scoreOf(front, step, candidate).toFixed(3),
     verdict: texts.verdictAt(texts.patch.verdicts[candidate.verdict], candidate.culprit),
   }));
   return (
