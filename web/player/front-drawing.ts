@@ -52,7 +52,9 @@ const digits = 2;
 interface DrawnFace {
   readonly points: string;
   readonly depth: number;
-  readonly fill: string;
+  /** Colour of the scale, and its brightness. */
+  readonly color: string;
+  readonly light: number;
 }
 
 /** Returns the drawing, with the faces far from the eye first and the base face of the step outlined. O(n log n). */
@@ -71,14 +73,13 @@ export function frontDrawing(trace: Trace, state: DrawnState, view: DrawingView)
     // Counter-clockwise seen from the empty side.
     if (points === null || (faces === "inside" && dot(normal, toEye) <= 0)) continue;
     const light = lightOf(normal, toEye);
-    const color = shaded(viridisAt(shadeOf(values, values.valueOf(face), step)), light);
-    const fill = isFaded ? faded(color) : color;
-    drawn.push({ points, depth: depthOf(corners, view.eye), fill });
+    const color = viridisAt(shadeOf(values, values.valueOf(face), step));
+    drawn.push({ points, depth: depthOf(corners, view.eye), color, light });
   }
   drawn.sort((a, b) => b.depth - a.depth);
-  const areas = drawn.map(({ points, fill }) => `<polygon points="${points}" fill="${fill}"/>`);
+  const areas = drawn.map((face) => area(face, isFaded ? awayOf(face, drawn) : null));
   return svgOf(`${escaped(trace.header.name)}, step ${step} of ${trace.stepCount}`, view, [
-    `<g stroke="${isFaded ? faded(edgeColor) : edgeColor}" stroke-width="0.6" stroke-linejoin="round">`,
+    `<g stroke="${edgeColor}" stroke-width="0.6" stroke-linejoin="round">`,
     ...areas,
     "</g>",
     ...(scene ? drawnScene(lensMarks(scene), view) : baseOutline(trace, step, view)),
@@ -128,14 +129,29 @@ export function lightOf(normal: Position, toEye: Position): number {
 /** Returns a colour of a given brightness. */
 export const shaded = (color: string, light: number): string => mixed(color, (channel) => light * channel);
 
-/** Returns a colour with other values of its channels, 0 to 255. */
-function mixed(color: string, change: (channel: number) => number): string {
-  const channels = [1, 3, 5].map((at) => Math.round(change(parseInt(color.slice(at, at + 2), 16))));
+/** Returns a colour with a share of another one. */
+const blended = (color: string, other: string, share: number): string =>
+  mixed(color, (channel, at) => channel + share * (parseInt(other.slice(at, at + 2), 16) - channel));
+
+/** Returns a colour with other values of its channels, 0 to 255; `at` is where a channel begins. */
+function mixed(color: string, change: (channel: number, at: number) => number): string {
+  const channels = [1, 3, 5].map((at) => Math.round(change(parseInt(color.slice(at, at + 2), 16), at)));
   return `#${channels.map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
 }
 
-/** Returns a colour of a faded front, on white. */
-const faded = (color: string): string => mixed(color, (channel) => channel + fading * (255 - channel));
+/** Returns the share of white in a faded face: it grows from the nearest face, the last one, to the farthest, the first. */
+function awayOf({ depth }: DrawnFace, drawn: readonly DrawnFace[]): number {
+  const [far = depth, near = depth] = [drawn[0]?.depth, drawn.at(-1)?.depth];
+  return fading.background + (far > near ? (fading.depth * (depth - near)) / (far - near) : 0);
+}
+
+/** Returns a face; `away`: the share of white in it if it is faded, else null. */
+function area({ points, color, light }: DrawnFace, away: number | null): string {
+  if (away === null) return `<polygon points="${points}" fill="${shaded(color, light)}"/>`;
+  const plain = shaded(blended(color, viewerColors.light.meshPlain, fading.plain), light);
+  const [fill, stroke] = [plain, edgeColor].map((of) => blended(of, "#ffffff", away));
+  return `<polygon points="${points}" fill="${fill}" stroke="${stroke}"/>`;
+}
 
 /** The marks of what the lens shows, and their labels. */
 function drawnScene(marks: LensMarks, view: DrawingView): readonly string[] {

@@ -1,5 +1,6 @@
-import { Color, DoubleSide, ShaderMaterial } from "three";
+import { Color, DoubleSide, ShaderMaterial, Vector2 } from "three";
 import { edgeStrength, facetLight } from "../viewer/materials/glsl";
+import { fading } from "./front-values";
 
 const vertexShader = /* glsl */ `
   attribute float value;
@@ -21,8 +22,10 @@ const vertexShader = /* glsl */ `
 const fragmentShader = /* glsl */ `
   uniform sampler2D ramp;
   uniform vec3 edgeColor;
-  uniform vec3 faded;
+  uniform vec3 plain;
+  uniform vec3 background;
   uniform float fading;
+  uniform vec2 depths;
   uniform float opacity;
   varying float vShade;
   varying vec3 vViewPosition;
@@ -30,13 +33,19 @@ const fragmentShader = /* glsl */ `
   ${facetLight}
   ${edgeStrength}
   void main() {
-    vec3 color = texture2D(ramp, vec2(clamp(vShade, 0.002, 0.998), 0.5)).rgb * facetLight(vViewPosition);
+    vec3 color = texture2D(ramp, vec2(clamp(vShade, 0.002, 0.998), 0.5)).rgb;
+    color = mix(color, plain, fading * ${fading.plain.toFixed(2)}) * facetLight(vViewPosition);
     color = mix(color, edgeColor, edgeStrength(vBarycentric, 0.6));
-    gl_FragColor = vec4(mix(color, faded, fading), opacity);
+    float depth = clamp((-vViewPosition.z - depths.x) / max(depths.y - depths.x, 1e-30), 0.0, 1.0);
+    float away = ${fading.background.toFixed(2)} + ${fading.depth.toFixed(2)} * depth;
+    gl_FragColor = vec4(mix(color, background, fading * away), opacity);
   }
 `;
 
-/** Triangles without an index, coloured by a value per corner; `range` and `power` are those of `FrontValues`. `fading` is the share of `faded`. */
+/**
+ * Triangles without an index, coloured by a value per corner; `range` and `power` are those of `FrontValues`. If `fading` is 1, they are
+ * faded between the distances `depths` from the eye.
+ */
 export function createFrontMaterial({ opacity }: { readonly opacity: number }): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader,
@@ -51,8 +60,10 @@ export function createFrontMaterial({ opacity }: { readonly opacity: number }): 
       range: { value: [0, 1] },
       power: { value: 1 },
       edgeColor: { value: new Color() },
-      faded: { value: new Color() },
+      plain: { value: new Color() },
+      background: { value: new Color() },
       fading: { value: 0 },
+      depths: { value: new Vector2(0, 1) },
       opacity: { value: opacity },
     },
   });

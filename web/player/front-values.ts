@@ -3,8 +3,17 @@ import type { Trace } from "tetrafront";
 /** What the colours of the front's faces mean. */
 export type FrontColoring = "age" | "size" | "layer";
 
-/** Share of the background in the colour of a front that is faded behind what the lens shows. */
-export const fading = 0.68;
+/**
+ * How a front is faded behind what the lens shows. It loses most of its colour and some contrast, the more the farther it is from
+ * the eye, but keeps light and edges: its shape must stay visible.
+ */
+export const fading = {
+  /** Share of plain grey in the colour of a face. */
+  plain: 0.7,
+  /** Share of the background in what is nearest to the eye, and what that grows by up to the farthest. */
+  background: 0.25,
+  depth: 0.45,
+} as const;
 
 /** What the colours show: a value per face, and the values at both ends of the scale. */
 export interface FrontValues {

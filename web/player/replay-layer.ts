@@ -1,5 +1,6 @@
 import type { Trace } from "tetrafront";
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   DoubleSide,
@@ -7,6 +8,9 @@ import {
   Group,
   Mesh,
   Sphere,
+  Vector2,
+  Vector3,
+  type Camera,
   type DataTexture,
 } from "three";
 import type { Position } from "../document/position";
@@ -17,7 +21,7 @@ import type { SceneChanges } from "../viewer/scene-state";
 import { ElementBuffers } from "./element-buffers";
 import { FrontBuffers } from "./front-buffers";
 import { createFrontMaterial } from "./front-material";
-import { fading, type FrontColoring, frontValues, type FrontValues } from "./front-values";
+import { type FrontColoring, frontValues, type FrontValues } from "./front-values";
 import type { FrontChange } from "./judge";
 import type { PlayerState } from "./player";
 
@@ -51,7 +55,9 @@ export class ReplayLayer implements Layer {
       .setAttribute("value", new BufferAttribute(this.#elements.values, 1));
     const front = new Mesh(this.#frontGeometry, this.#frontMaterial);
     const elements = new Mesh(this.#elementGeometry, this.#elementMaterial);
+    const bounds = sphereAround(trace.nodes.positions);
     for (const mesh of [front, elements]) {
+      mesh.onBeforeRender = (_renderer, _scene, camera) => this.#setDepths(bounds, camera);
       mesh.frustumCulled = false;
       // For the order of drawing; three.js would look at all corners.
       mesh.geometry.boundingSphere = new Sphere();
@@ -67,7 +73,8 @@ export class ReplayLayer implements Layer {
       for (const material of [this.#frontMaterial, this.#elementMaterial]) {
         setTexture(material, "ramp", this.#ramp);
         setColor(material, "edgeColor", colors.meshEdge);
-        setColor(material, "faded", colors.faded);
+        setColor(material, "plain", colors.meshPlain);
+        setColor(material, "background", colors.faded);
       }
     }
     if (changes.has("origin")) this.#reset(origin);
@@ -93,7 +100,7 @@ export class ReplayLayer implements Layer {
       this.#reset(this.#origin);
     }
     for (const material of [this.#frontMaterial, this.#elementMaterial])
-      setNumber(material, "fading", isFaded ? fading : 0);
+      setNumber(material, "fading", isFaded ? 1 : 0);
     this.#frontMaterial.side = faces === "all" ? DoubleSide : FrontSide;
     this.#front.show(step, supposed?.left);
     this.#frontGeometry.setDrawRange(0, 3 * this.#front.slotCount);
@@ -117,6 +124,17 @@ export class ReplayLayer implements Layer {
     ])
       owned.dispose();
     this.#ramp?.dispose();
+  }
+
+  /** Faded faces pale from the nearest to the farthest place of the model. */
+  #setDepths({ center, radius }: Sphere, { matrixWorldInverse }: Camera): void {
+    const [x, y, z] = this.#origin;
+    const distance = -scratch.set(center.x - x, center.y - y, center.z - z).applyMatrix4(matrixWorldInverse)
+      .z;
+    for (const material of [this.#frontMaterial, this.#elementMaterial]) {
+      const depths: unknown = material.uniforms["depths"]?.value;
+      if (depths instanceof Vector2) depths.set(distance - radius, distance + radius);
+    }
   }
 
   #setPower(): void {
@@ -144,4 +162,13 @@ export class ReplayLayer implements Layer {
 function setRange(material: ReturnType<typeof createFrontMaterial>, range: readonly [number, number]): void {
   const uniform = material.uniforms["range"];
   if (uniform) uniform.value = range;
+}
+
+const scratch = new Vector3();
+
+/** Returns a sphere around positions: about the middle of their box. O(positions). */
+function sphereAround(positions: ArrayLike<number>): Sphere {
+  const box = new Box3();
+  for (let at = 0; at < positions.length; at += 3) box.expandByPoint(scratch.fromArray(positions, at));
+  return box.getBoundingSphere(new Sphere());
 }
