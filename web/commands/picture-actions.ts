@@ -1,16 +1,12 @@
 /** Pictures of a step and animations of the front, as files. Loaded when they are used. */
 import type { App } from "../app/app";
-import {
-  frontDrawing,
-  labelColors,
-  labelFont,
-  placedLabels,
-  type DrawingView,
-} from "../player/front-drawing";
+import { frontDrawing, labelColors, placedLabels, type DrawingView } from "../player/front-drawing";
 import { lensMarks, type LensLabel } from "../player/lens-marks";
 import { lensSceneOf } from "../player/lens-scene";
 import { phaseAt, surfaceState } from "../player/phases";
 import type { PlayerState } from "../player/player";
+import { recoveryMarksOf } from "../player/recovery-marks";
+import { svgFont } from "../player/svg";
 import { surfaceDrawing } from "../player/surface-drawing";
 import { surfaceLabels } from "../player/surface-labels";
 import { download, fileStem } from "../session/files";
@@ -54,6 +50,8 @@ const drawingView = (viewer: Viewer): DrawingView => ({
 function labelsOf(state: PlayerState): readonly LensLabel[] {
   const scene = lensSceneOf(state);
   if (scene) return lensMarks(scene).labels;
+  const recovered = recoveryMarksOf(state);
+  if (recovered) return recovered.labels;
   const { trace, step, candidate, edgeTask } = state;
   const surface = trace && surfaceState(trace, step);
   return trace?.surface && typeof surface === "number"
@@ -67,7 +65,7 @@ function drawLabels({ player }: App, viewer: Viewer, paper: CanvasRenderingConte
   const scale = paper.canvas.width / viewer.size.width;
   paper.save();
   paper.scale(scale, scale);
-  paper.font = `${labelFont}px sans-serif`;
+  paper.font = `${svgFont}px sans-serif`;
   paper.textAlign = "center";
   paper.textBaseline = "middle";
   for (const { kind, from, middle } of labels) {
@@ -105,7 +103,11 @@ export function saveDrawing(app: App): void {
   const drawing =
     state.step < 0
       ? surfaceDrawing(state.trace, { ...state, labels: labelsOf(state) }, drawingView(viewer))
-      : frontDrawing(state.trace, { ...state, scene: lensSceneOf(state) }, drawingView(viewer));
+      : frontDrawing(
+          state.trace,
+          { ...state, scene: lensSceneOf(state), recovered: recoveryMarksOf(state) },
+          drawingView(viewer),
+        );
   download([drawing], `${nameOf(app)}.svg`, "image/svg+xml");
 }
 

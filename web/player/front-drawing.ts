@@ -2,15 +2,20 @@
 import type { Trace } from "tetrafront";
 import type { Position } from "../document/position";
 import { cross, dot, subtract } from "../document/vectors";
+import { strings } from "../strings";
 import { viewerColors } from "../ui/theme/theme";
 import { viridisAt } from "../ui/theme/viridis";
 import { fading, type FrontColoring, frontValues, shadeOf } from "./front-values";
 import { placedAround } from "../viewer/apart";
 import type { Triangle } from "./crossing";
 import { cornersOf } from "./judge";
+import { markLegend, scaleLegend } from "./drawn-legend";
 import { drawnMarks, lensMarks, type DrawnMark, type LensMarks, type MarkKind } from "./lens-marks";
 import type { LensScene } from "./lens-scene";
+import { modelOutline } from "./model-outline";
 import type { FrontFaces } from "./player";
+import { drawnRecovery, type RecoveryMarks } from "./recovery-marks";
+import { escaped, letterWidth, svgFont as labelFont } from "./svg";
 
 /** A view of the model on a plane. */
 export interface DrawingView {
@@ -28,9 +33,13 @@ export interface DrawnState {
   readonly faces: FrontFaces;
   /** What the lens shows; null for the front alone, with the base face of the step outlined. */
   readonly scene: LensScene | null;
+  /** What a step of recovery changes; null for other steps. */
+  readonly recovered?: RecoveryMarks | null;
   /** Whether the front is faded behind what the lens shows. */
   readonly fades: boolean;
 }
+
+const texts = strings.player;
 
 /** Colour of edges, for a white page. */
 export const edgeColor = "#10141a";
@@ -42,10 +51,8 @@ export const labelColors: Readonly<Record<MarkKind, string>> = {
   candidate: "#1b232d",
   failing: "#c92a2a",
 };
-/** Size of the type of labels, the height of their boxes and the average width of a letter, in pixels. */
-export const labelFont = 11;
+/** Height of the boxes of labels, in pixels. */
 const labelHeight = 17;
-const letterWidth = 6.3;
 /** Digits after the point of the drawing's coordinates. */
 const digits = 2;
 
@@ -59,8 +66,8 @@ interface DrawnFace {
 
 /** Returns the drawing, with the faces far from the eye first and the base face of the step outlined. O(n log n). */
 export function frontDrawing(trace: Trace, state: DrawnState, view: DrawingView): string {
-  const { step, coloring, faces, scene } = state;
-  const isFaded = scene !== null && state.fades;
+  const { step, coloring, faces, scene, recovered = null } = state;
+  const isFaded = (scene !== null || recovered !== null) && state.fades;
   const values = frontValues(trace, coloring);
   const drawn: DrawnFace[] = [];
   const supposed = scene?.supposed;
@@ -78,11 +85,15 @@ export function frontDrawing(trace: Trace, state: DrawnState, view: DrawingView)
   }
   drawn.sort((a, b) => b.depth - a.depth);
   const areas = drawn.map((face) => area(face, isFaded ? awayOf(face, drawn) : null));
+  const marks = recovered ? drawnAll(drawnRecovery, recovered, view) : baseOutline(trace, step, view);
   return svgOf(`${escaped(trace.header.name)}, step ${step} of ${trace.stepCount}`, view, [
     `<g stroke="${edgeColor}" stroke-width="0.6" stroke-linejoin="round">`,
     ...areas,
     "</g>",
-    ...(scene ? drawnScene(lensMarks(scene), view) : baseOutline(trace, step, view)),
+    drawnOutline(modelOutline(trace), view),
+    ...(scene ? drawnAll(drawnMarks, lensMarks(scene), view) : marks),
+    scaleLegend(texts.legend[coloring], texts.legendEnds(coloring, ...values.rangeAt(step)), view),
+    markLegend(scene ? texts.marks.legend : recovered ? texts.marks.recoveryLegend : {}, view),
   ]);
 }
 
@@ -153,12 +164,21 @@ function area({ points, color, light }: DrawnFace, away: number | null): string 
   return `<polygon points="${points}" fill="${fill}" stroke="${stroke}"/>`;
 }
 
-/** The marks of what the lens shows, and their labels. */
-function drawnScene(marks: LensMarks, view: DrawingView): readonly string[] {
-  return [
-    ...drawnMarks.flatMap((mark) => drawnMark(mark, mark.of(marks), view)),
-    ...drawnLabels(marks, view),
-  ];
+/** The parts of some marks, and their labels. */
+function drawnAll<Marks extends Pick<LensMarks, "labels">>(
+  parts: readonly DrawnMark<Marks>[],
+  marks: Marks,
+  view: DrawingView,
+): readonly string[] {
+  return [...parts.flatMap((mark) => drawnMark(mark, mark.of(marks), view)), ...drawnLabels(marks, view)];
+}
+
+/** Returns the lines of the model, which are seen through everything, as in the view. */
+function drawnOutline(ends: readonly Position[], view: DrawingView): string {
+  const path = pathOf(ends, 2, view);
+  return path === ""
+    ? ""
+    : `<path d="${path}" fill="none" stroke="${viewerColors.light.line}" stroke-width="1.2" stroke-linecap="round" data-part="outline"/>`;
 }
 
 /** Returns the path of segments or triangles, which have so many positions each, without those that cannot be drawn. */
@@ -173,7 +193,11 @@ export function pathOf(positions: readonly Position[], perPiece: 2 | 3, { toScre
   return pieces.join("");
 }
 
-function drawnMark(mark: DrawnMark, positions: readonly Position[], view: DrawingView): readonly string[] {
+function drawnMark(
+  mark: DrawnMark<never>,
+  positions: readonly Position[],
+  view: DrawingView,
+): readonly string[] {
   const color = viewerColors.light[mark.color];
   if (mark.form === "dots")
     return positions
@@ -238,6 +262,3 @@ export function drawnLabels(marks: Pick<LensMarks, "labels">, view: DrawingView)
   });
   return [...lines, ...plates];
 }
-
-export const escaped = (text: string): string =>
-  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");

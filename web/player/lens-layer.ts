@@ -5,6 +5,7 @@ import type { SceneChanges } from "../viewer/scene-state";
 import { drawnMarks, lensMarks, type DrawnMark } from "./lens-marks";
 import { Dots, Facets, Segments, WideSegments } from "./lens-parts";
 import type { LensScene } from "./lens-scene";
+import { drawnRecovery, type RecoveryMarks } from "./recovery-marks";
 import { outlineOf } from "./search-region";
 
 /** The search region of a step, and the marks of what the lens examines. They show through everything. */
@@ -12,8 +13,10 @@ export class LensLayer implements Layer {
   readonly root = new Group();
   readonly #region = new Segments("source");
   readonly #marks = drawnMarks.map((mark) => ({ mark, part: partOf(mark) }));
-  readonly #parts = [this.#region, ...this.#marks.map(({ part }) => part)];
+  readonly #recovery = drawnRecovery.map((mark) => ({ mark, part: partOf(mark) }));
+  readonly #parts = [this.#region, ...[...this.#marks, ...this.#recovery].map(({ part }) => part)];
   #scene: LensScene | null = null;
+  #recovered: RecoveryMarks | null = null;
   #origin: Position = [0, 0, 0];
 
   constructor() {
@@ -36,9 +39,11 @@ export class LensLayer implements Layer {
     this.#draw();
   }
 
-  show(scene: LensScene | null): void {
-    if (scene === this.#scene) return;
+  /** Shows what the lens examines, or else what a step of recovery changes. */
+  show(scene: LensScene | null, recovered: RecoveryMarks | null = null): void {
+    if (scene === this.#scene && recovered === this.#recovered) return;
     this.#scene = scene;
+    this.#recovered = recovered;
     this.#draw();
   }
 
@@ -47,16 +52,17 @@ export class LensLayer implements Layer {
   }
 
   #draw(): void {
-    const scene = this.#scene;
-    this.root.visible = scene !== null;
-    if (!scene) return;
-    const marks = lensMarks(scene);
-    this.#region.set(scene.region ? outlineOf(scene.region) : [], this.#origin);
-    for (const { mark, part } of this.#marks) part.set(mark.of(marks), this.#origin);
+    const [scene, recovered] = [this.#scene, this.#recovered];
+    this.root.visible = scene !== null || recovered !== null;
+    if (!this.root.visible) return;
+    const marks = scene && lensMarks(scene);
+    this.#region.set(scene?.region ? outlineOf(scene.region) : [], this.#origin);
+    for (const { mark, part } of this.#marks) part.set(marks ? mark.of(marks) : [], this.#origin);
+    for (const { mark, part } of this.#recovery) part.set(recovered ? mark.of(recovered) : [], this.#origin);
   }
 }
 
-function partOf(mark: DrawnMark): Facets | WideSegments | Dots {
+function partOf(mark: DrawnMark<never>): Facets | WideSegments | Dots {
   switch (mark.form) {
     case "faces":
       return new Facets(mark.color, mark.opacity);

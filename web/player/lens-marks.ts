@@ -159,9 +159,9 @@ function failingMarks({
 }
 
 /** How a part of the marks is drawn, in a colour of the view. Widths, diameters and dashes are in pixels. */
-export type DrawnMark = {
-  readonly of: (marks: LensMarks) => readonly Position[];
-  readonly color: "selection" | "failing" | "source" | "point";
+export type DrawnMark<Marks = LensMarks> = {
+  readonly of: (marks: Marks) => readonly Position[];
+  readonly color: "selection" | "failing" | "source" | "point" | "front";
 } & (
   | { readonly form: "faces"; readonly opacity: number }
   | { readonly form: "segments"; readonly width: number; readonly dash?: number }
@@ -206,6 +206,6 @@ export const drawnMarks: readonly DrawnMark[] = [
   { form: "dots", of: ({ crossing }) => crossing, color: "failing", size: 14 },
 ];
 
-/** The edges of a triangle, two ends each; none of nothing. */
-const edgesOf = (triangle: readonly Position[]): readonly Position[] =>
-  triangle.flatMap((corner, i) => [corner, triangle[(i + 1) % triangle.length] ?? corner]);
+/** The edges of triangles, two ends each. */
+export const edgesOf = (corners: readonly Position[]): readonly Position[] =>
+  corners.flatMap((corner, i) => [corner, corners[i % 3 === 2 ? i - 2 : i + 1] ?? corner]);

@@ -5,12 +5,12 @@ import { cornersOf } from "./judge";
 import { LensLayer } from "./lens-layer";
 import { lensMarks } from "./lens-marks";
 import { lensSceneOf, sceneOf, type LensScene } from "./lens-scene";
-import { endsOf } from "./planar-judge";
 import { initialPlayerState, type PlayerState } from "./player";
 import { firstState, surfaceState } from "./phases";
+import { recoveryMarks, recoveryMarksOf } from "./recovery-marks";
 import { ReplayLayer } from "./replay-layer";
 import { SurfaceLayer } from "./surface-layer";
-import { inSpace } from "./surface-scene";
+import { stepMarks } from "./surface-scene";
 import { SweepLayer } from "./sweep-layer";
 import type { Viewer } from "../viewer/viewer";
 
@@ -59,10 +59,11 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
   };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {
-    replay.show(state, scene !== null && state.fades, scene?.supposed);
+    const recovered = recoveryMarksOf(state);
+    replay.show(state, (scene !== null || recovered !== null) && state.fades, scene?.supposed);
     surface.show(surfaceState(trace, state.step), state.candidate, state.edgeTask);
     sweeps.show(state.sweep);
-    lens.show(scene);
+    lens.show(scene, recovered);
     return scene;
   };
   // Not with the scene of `lensSceneOf`: the one that is followed would be made again.
@@ -121,9 +122,7 @@ function positionsToFollow(
   const step = trace.stepAt(number);
   if (step?.kind === "advance") return cornersOf(trace, step.face);
   const state = surfaceState(trace, number);
-  const edgeStep = state === null ? undefined : trace.surface?.stepAt(state);
-  const front = edgeStep?.kind === "edge" ? trace.surface?.fronts[edgeStep.front] : undefined;
-  return edgeStep?.kind === "edge" && front
-    ? endsOf(front, edgeStep.edge).map((node) => inSpace(front, node))
-    : null;
+  const { left = [], joined = [] } = (step?.kind === "recovery" && recoveryMarks(trace, step)) || {};
+  const about = state === null ? [...left, ...joined] : stepMarks(trace, state, null).base;
+  return about.length > 0 ? about : null;
 }

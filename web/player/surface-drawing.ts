@@ -8,7 +8,6 @@ import {
   depthOf,
   drawnLabels,
   edgeColor,
-  escaped,
   lightOf,
   pathOf,
   pointsOf,
@@ -18,6 +17,7 @@ import {
 } from "./front-drawing";
 import type { LensLabel } from "./lens-marks";
 import { phaseAt, surfaceState } from "./phases";
+import { escaped } from "./svg";
 import { finishedPatches, stepMarks, surfaceScene, type PatchTriangles } from "./surface-scene";
 
 const colors = viewerColors.light;

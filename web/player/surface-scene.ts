@@ -1,5 +1,5 @@
 /** What a state of the lines and patches looks like in space. */
-import type { PlanarFront, SurfaceTrace, Trace } from "tetrafront";
+import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace, Trace } from "tetrafront";
 import type { Position } from "../document/position";
 import { edgesAt, endsOf } from "./planar-judge";
 import { examinedCandidate, supposedCandidate } from "./planar-lens";
@@ -47,9 +47,12 @@ export function surfaceScene(
   };
 }
 
-/** What a step of a patch is about; empty in other steps. */
+/** What a step is about; empty in steps about a whole patch. */
 export interface StepMarks {
-  /** Ends of the base edge, and of the edge that the examined candidate crosses or is too close to. */
+  /**
+   * Ends of the base edge; in steps of lines of the sides that the step has found, divided or halved. And of the edge that the
+   * examined candidate crosses or is too close to.
+   */
   readonly base: readonly Position[];
   readonly culprit: readonly Position[];
   /** Corners of the triangle that the step makes. */
@@ -61,6 +64,8 @@ export interface StepMarks {
 /** Returns the marks of a state, from 0. `candidate`: as for `examinedCandidate`. */
 export function stepMarks({ surface }: Trace, state: number, candidate: number | null): StepMarks {
   const step = surface?.stepAt(state);
+  if (surface && step && step.kind !== "edge")
+    return { base: sidesOf(surface, step), culprit: [], triangle: [], supposed: [] };
   const front = step?.kind === "edge" ? surface?.fronts[step.front] : undefined;
   if (step?.kind !== "edge" || !front) return { base: [], culprit: [], triangle: [], supposed: [] };
   const positions = (nodes: Iterable<number>): Position[] => [...nodes].map((node) => inSpace(front, node));
@@ -73,6 +78,24 @@ export function stepMarks({ surface }: Trace, state: number, candidate: number |
     triangle: triangle === null ? [] : positions(front.triangles.subarray(3 * triangle, 3 * triangle + 3)),
     supposed: chosen === null || chosen.node === null ? [] : positions([...step.nodes, chosen.node]),
   };
+}
+
+/** Returns the ends of the sides that a step of a line is about; of none for steps of patches. */
+function sidesOf(surface: SurfaceTrace, step: Exclude<SurfaceStep, EdgeStep>): readonly Position[] {
+  switch (step.kind) {
+    case "station":
+      return walkAt(surface, step.step).slice(-2);
+    case "divided": {
+      const { nodes } = surface.divisions[step.division] ?? { nodes: [] };
+      return segmentsAlong(nodes, nodes.length / 3);
+    }
+    case "halved": {
+      const { nodes = [] } = surface.divisions.findLast(({ line }) => line === step.line) ?? {};
+      return segmentsAlong(nodes, nodes.length / 3).slice(2 * step.side, 2 * step.side + 2);
+    }
+    default:
+      return [];
+  }
 }
 
 /** Three nodes per triangle, and x y z per node. */

@@ -132,6 +132,15 @@ export const playerStrings = {
       candidate: "candidate",
       failing: "why refused",
     },
+    /** What a step of recovery is about. */
+    recovery: {
+      star: "pocket",
+      reopened: "pocket, opened",
+      closed: "pocket",
+      undone: "attempt, undone",
+      "exact-fill": "pocket",
+    },
+    recoveryLegend: { base: "faces that leave", joined: "faces that join", candidate: "new node" },
   },
   fade: "Fade the rest",
   fadeHint: "While the lens shows a step, the front is faded.",

@@ -3,6 +3,8 @@ import { expect, it } from "vitest";
 import { readTrace, type Trace } from "tetrafront";
 import { frontDrawing, type DrawingView } from "../../../web/player/front-drawing";
 import { cornersOf } from "../../../web/player/judge";
+import { sceneOf } from "../../../web/player/lens-scene";
+import { initialPlayerState } from "../../../web/player/player";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
 
@@ -28,7 +30,7 @@ const fromAbove: DrawingView = {
   toScreen: ([x, y]) => ({ x: 100 + 40 * x, y: 50 - 40 * y }),
 };
 
-const alone = { scene: null, fades: true } as const;
+const alone = { scene: null, recovered: null, fades: true } as const;
 
 const polygonsIn = (drawing: string): readonly string[] =>
   [...drawing.matchAll(/<polygon points="([^"]*)" fill="#/g)].map(([, points = ""]) => points);
@@ -75,6 +77,41 @@ it("leave out what is out of view, and are well formed", () => {
   expect(polygonsIn(drawing).length).toBeLessThan(trace.frontAt(3).length);
   expect(drawing).toMatch(/^<svg xmlns="http:\/\/www.w3.org\/2000\/svg" viewBox="0 0 200 100"/);
   expect(drawing).not.toMatch(/NaN|undefined|null/);
-  expect(drawing.match(/<g /g)).toHaveLength(1);
+  expect(drawing.match(/<g /g)?.length).toBe(drawing.match(/<\/g>/g)?.length);
   expect(drawing.trimEnd().endsWith("</svg>")).toBe(true);
+});
+
+/** Parts of a drawing that are marked with a name. */
+const partsIn = (drawing: string): readonly string[] =>
+  [...drawing.matchAll(/data-part="(\w+)"/g)].map(([, name = ""]) => name);
+
+it("keep the outline of the model, the scale of the colours, and the meaning of the marks", () => {
+  const plain = frontDrawing(trace, { step: 0, coloring: "size", faces: "all", ...alone }, fromAbove);
+  expect(partsIn(plain)).toEqual(["outline", "scale"]);
+  // The twelve edges of a box, each divided into three.
+  const outline = /<path d="([^"]*)"[^>]*data-part="outline"/.exec(plain)?.[1] ?? "";
+  expect(outline.match(/M/g)).toHaveLength(36);
+  const step = trace.stepAt(1);
+  if (step?.kind !== "advance") throw new Error("step 1 makes no element");
+  const scene = sceneOf(trace, { ...initialPlayerState, step: 1, lensStep: 1 });
+  const drawing = frontDrawing(trace, { ...alone, step: 1, coloring: "age", faces: "all", scene }, fromAbove);
+  expect(partsIn(drawing)).toEqual(["outline", "scale", "legend"]);
+  for (const text of ["old", "new", "base face, normal", "why refused"])
+    expect(drawing).toContain(`>${text}</text>`);
+});
+
+it("fade the front, but keep the light on its faces, their edges and their depth", () => {
+  const scene = sceneOf(trace, { ...initialPlayerState, step: 1, lensStep: 1 });
+  const faces = frontDrawing(
+    trace,
+    { ...alone, step: 1, coloring: "age", faces: "all", scene },
+    { ...fromAbove, eye: [6, 5, 8] },
+  ).matchAll(/<polygon points="[^"]*" fill="(#\w{6})" stroke="(#\w{6})"/g);
+  const found = [...faces].map(([, fill = "", stroke = ""]) =>
+    [fill, stroke].map((color) => parseInt(color.slice(1, 3), 16)),
+  );
+  expect(found).toHaveLength(trace.frontAt(1).length);
+  // All faces but those of the element have one age: only light and depth tell them apart.
+  expect(new Set(found.map(([fill]) => fill)).size).toBeGreaterThan(20);
+  for (const [fill = 0, stroke = 0] of found) expect(fill - stroke).toBeGreaterThan(25);
 });

@@ -51,8 +51,11 @@ it("have the triangles, sides, front and base edge of every kind of state", () =
     expect(countOf(drawing, triangles), `state ${state}`).toBe(expected);
     expect(segmentsOf(drawing, "1.6"), `state ${state}`).toBe(scene.sides.length / 2);
     expect(segmentsOf(drawing, "2.4"), `state ${state}`).toBe((scene.front.length + scene.walk.length) / 2);
-    const isEdge = trace.surface?.stepAt(state)?.kind === "edge";
-    expect(segmentsOf(drawing, "4") > 0, `state ${state}`).toBe(isEdge);
+    const kind = trace.surface?.stepAt(state)?.kind;
+    const isEdge = kind === "edge";
+    // Steps of lines mark the sides that they find or divide.
+    const isMarked = isEdge || kind === "station" || kind === "divided";
+    expect(segmentsOf(drawing, "4") > 0, `state ${state}`).toBe(isMarked);
     expect(drawing).not.toContain("NaN");
     seen.made += scene.made;
     seen.walk += scene.walk.length;

@@ -2,6 +2,7 @@ import { useLayoutEffect, useMemo, useRef } from "react";
 import { lensMarks, type LensLabel } from "../../player/lens-marks";
 import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
+import { recoveryMarksOf } from "../../player/recovery-marks";
 import { surfaceLabels } from "../../player/surface-labels";
 import { strings } from "../../strings";
 import type { Viewer } from "../../viewer/viewer";
@@ -12,8 +13,12 @@ import styles from "./lens-labels.module.css";
 /** What the lens shows in the view, by name and number, with lines to it. The panel says the same for screen readers. */
 export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
   const scene = usePlayer(lensSceneOf);
+  const recovered = usePlayer(recoveryMarksOf);
   const surface = useSurfaceLabels();
-  const labels = useMemo(() => (scene ? lensMarks(scene).labels : surface), [scene, surface]);
+  const labels = useMemo(
+    () => (scene ? lensMarks(scene).labels : (recovered?.labels ?? surface)),
+    [scene, recovered, surface],
+  );
   const box = useRef<HTMLDivElement>(null);
   const lines = useRef<SVGSVGElement>(null);
   useLayoutEffect(() => {
@@ -64,7 +69,8 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
           ))}
         </div>
       </div>
-      {scene && <MarkLegend />}
+      {scene && <MarkLegend names={strings.player.marks.legend} />}
+      {recovered && <MarkLegend names={strings.player.marks.recoveryLegend} />}
     </>
   );
 }
@@ -99,9 +105,8 @@ function setShown(marker: HTMLElement, line: Element | undefined, isShown: boole
   line?.setAttribute("visibility", isShown ? "inherit" : "hidden");
 }
 
-/** What the colours of the marks mean. */
-function MarkLegend() {
-  const names = strings.player.marks.legend;
+/** What the colours of the marks mean, by their kind. */
+function MarkLegend({ names }: { readonly names: Readonly<Record<string, string>> }) {
   return (
     <ul
       className={styles["legend"]}
@@ -109,9 +114,9 @@ function MarkLegend() {
       data-testid="lens-legend"
       data-covers-labels
     >
-      {(["base", "ideal", "candidate", "failing"] as const).map((kind) => (
+      {Object.entries(names).map(([kind, name]) => (
         <li key={kind} data-kind={kind}>
-          {names[kind]}
+          {name}
         </li>
       ))}
     </ul>
