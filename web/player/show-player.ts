@@ -1,6 +1,7 @@
 import type { Trace } from "tetrafront";
 import type { StoreApi } from "zustand/vanilla";
 import type { Position } from "../document/position";
+import { showAskedEdge, showAskedFace } from "./asked-face";
 import { cornersOf } from "./judge";
 import { LensLayer } from "./lens-layer";
 import { lensMarks } from "./lens-marks";
@@ -57,6 +58,15 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
     followed = positions && { step: state.step, scene };
     if (positions) viewer.framing.fitPositions(positions);
   };
+  /** What was asked for last: the view moves once per question, and the reader may turn it then. */
+  let asked: unknown = null;
+  const ask = ({ task, edgeTask }: PlayerState): void => {
+    const question = task?.question ?? edgeTask?.question ?? null;
+    if (question === null || question === asked) return;
+    asked = question;
+    if (task) showAskedFace(trace, task, viewer);
+    else if (edgeTask) showAskedEdge(edgeTask, viewer);
+  };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {
     const recovered = recoveryMarksOf(state);
@@ -80,6 +90,7 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
       const scene = draw(state);
       if (state.follows) follow(state, scene);
       else followed = null;
+      ask(state);
       viewer.requestFrame();
     },
     end: (): void => {
