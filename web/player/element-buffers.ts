@@ -54,6 +54,7 @@ export class ElementBuffers {
     return [this.#last - recentCount, this.#last];
   }
 
+  /** Writes the last elements of a state; instead of all, the recent ones. */
   show(step: number, shown: ShownElements, origin: Position): void {
     const { elements, steps } = this.#trace;
     const wanted = shown === "none" ? 0 : shown === "last" ? 1 : recentCount;

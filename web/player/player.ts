@@ -15,8 +15,8 @@ import type { VolumeTask } from "./volume-game";
 
 /** Which faces of the front are drawn: all, or those that look towards the eye, as seen from the empty volume. */
 export type FrontFaces = "all" | "inside";
-/** Which elements are drawn besides the front. */
-export type ShownElements = "none" | "last" | "recent";
+/** Which elements are drawn besides the front: `all` and `cut`, as soon as the front is at rest, what they fill, whole or cut open. */
+export type ShownElements = "none" | "last" | "recent" | "all" | "cut";
 
 export interface PlayerState {
   /** A recording that is under way. */

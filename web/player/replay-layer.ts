@@ -20,6 +20,7 @@ import { setColor, setNumber, setTexture } from "../viewer/materials/uniforms";
 import type { SceneChanges } from "../viewer/scene-state";
 import { ElementBuffers } from "./element-buffers";
 import { FrontBuffers } from "./front-buffers";
+import { wholeMesh } from "./whole-mesh";
 import { createFrontMaterial } from "./front-material";
 import { type FrontColoring, frontValues, type FrontValues } from "./front-values";
 import type { FrontChange } from "./judge";
@@ -33,6 +34,10 @@ export class ReplayLayer implements Layer {
   readonly #elements: ElementBuffers;
   readonly #frontMaterial = createFrontMaterial({ opacity: 1 });
   readonly #elementMaterial = createFrontMaterial({ opacity: 0.85 });
+  readonly #wholeMaterial = createFrontMaterial({ opacity: 1 });
+  readonly #whole = new Mesh(new BufferGeometry(), this.#wholeMaterial);
+  readonly #materials = [this.#frontMaterial, this.#elementMaterial, this.#wholeMaterial];
+  #shownWhole: { readonly step: number; readonly isCut: boolean } | null = null;
   readonly #frontGeometry = new BufferGeometry();
   readonly #elementGeometry = new BufferGeometry();
   #ramp: DataTexture | null = null;
@@ -56,13 +61,14 @@ export class ReplayLayer implements Layer {
     const front = new Mesh(this.#frontGeometry, this.#frontMaterial);
     const elements = new Mesh(this.#elementGeometry, this.#elementMaterial);
     const bounds = sphereAround(trace.nodes.positions);
-    for (const mesh of [front, elements]) {
+    for (const mesh of [front, elements, this.#whole]) {
       mesh.onBeforeRender = (_renderer, _scene, camera) => this.#setDepths(bounds, camera);
       mesh.frustumCulled = false;
       // For the order of drawing; three.js would look at all corners.
       mesh.geometry.boundingSphere = new Sphere();
     }
-    this.root.add(front, elements);
+    this.#whole.visible = false;
+    this.root.add(front, elements, this.#whole);
   }
 
   update(changes: SceneChanges): void {
@@ -70,7 +76,7 @@ export class ReplayLayer implements Layer {
     if (changes.has("colors")) {
       this.#ramp?.dispose();
       this.#ramp = rampTexture(colors.ramp);
-      for (const material of [this.#frontMaterial, this.#elementMaterial]) {
+      for (const material of this.#materials) {
         setTexture(material, "ramp", this.#ramp);
         setColor(material, "edgeColor", colors.meshEdge);
         setColor(material, "plain", colors.meshPlain);
@@ -86,7 +92,7 @@ export class ReplayLayer implements Layer {
    * without the faces that would leave the front.
    */
   show(
-    { step: after, sweep, coloring, faces, elements }: PlayerState,
+    { step: after, lensStep, isPlaying, sweep, coloring, faces, elements }: PlayerState,
     isFaded: boolean,
     supposed: FrontChange | null = null,
   ): void {
@@ -99,8 +105,7 @@ export class ReplayLayer implements Layer {
       this.#setPower();
       this.#reset(this.#origin);
     }
-    for (const material of [this.#frontMaterial, this.#elementMaterial])
-      setNumber(material, "fading", isFaded ? 1 : 0);
+    for (const material of this.#materials) setNumber(material, "fading", isFaded ? 1 : 0);
     this.#frontMaterial.side = faces === "all" ? DoubleSide : FrontSide;
     this.#front.show(step, supposed?.left);
     this.#frontGeometry.setDrawRange(0, 3 * this.#front.slotCount);
@@ -108,19 +113,41 @@ export class ReplayLayer implements Layer {
     if (written) this.#upload(...written);
     setRange(this.#frontMaterial, this.#values.rangeAt(step));
 
-    this.#elements.show(step, elements, this.#origin);
+    const isWhole = elements === "all" || elements === "cut";
+    const isAtRest = !isPlaying && after === lensStep;
+    this.#showWhole(isWhole && isAtRest ? { step, isCut: elements === "cut" } : null);
+    this.#elements.show(step, isWhole && isAtRest ? "none" : elements, this.#origin);
     this.#elementGeometry.setDrawRange(0, this.#elements.cornerCount);
     for (const attribute of Object.values(this.#elementGeometry.attributes))
       if (attribute instanceof BufferAttribute) attribute.needsUpdate = true;
     setRange(this.#elementMaterial, this.#elements.range);
   }
 
+  /** Shows all elements of a state; none for null. */
+  #showWhole(shown: { readonly step: number; readonly isCut: boolean } | null): void {
+    const before = this.#shownWhole;
+    if (shown?.step === before?.step && shown?.isCut === before?.isCut) return;
+    this.#shownWhole = shown;
+    this.#whole.visible = shown !== null;
+    this.#whole.geometry.dispose();
+    this.#whole.geometry = new BufferGeometry();
+    this.#whole.geometry.boundingSphere = new Sphere();
+    if (!shown) return;
+    const { positions, values } = wholeMesh(this.#trace, shown.step, shown.isCut, this.#origin);
+    this.#whole.geometry
+      .setAttribute("position", new BufferAttribute(positions, 3))
+      .setAttribute("value", new BufferAttribute(values, 1));
+    setRange(this.#wholeMaterial, [0, this.#trace.steps.elementsMade[shown.step] ?? 1]);
+  }
+
   dispose(): void {
     for (const owned of [
       this.#frontGeometry,
       this.#elementGeometry,
+      this.#whole.geometry,
       this.#frontMaterial,
       this.#elementMaterial,
+      this.#wholeMaterial,
     ])
       owned.dispose();
     this.#ramp?.dispose();
@@ -131,7 +158,7 @@ export class ReplayLayer implements Layer {
     const [x, y, z] = this.#origin;
     const distance = -scratch.set(center.x - x, center.y - y, center.z - z).applyMatrix4(matrixWorldInverse)
       .z;
-    for (const material of [this.#frontMaterial, this.#elementMaterial]) {
+    for (const material of this.#materials) {
       const depths: unknown = material.uniforms["depths"]?.value;
       if (depths instanceof Vector2) depths.set(distance - radius, distance + radius);
     }
@@ -144,6 +171,7 @@ export class ReplayLayer implements Layer {
 
   #reset(origin: Position): void {
     this.#origin = origin;
+    this.#showWhole(null);
     this.#front.reset(origin, this.#values.valueOf);
   }
 

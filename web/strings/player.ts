@@ -112,7 +112,7 @@ export const playerStrings = {
   shownFaces: "Faces",
   faceChoices: { inside: "Seen from inside", all: "All" },
   elements: "Elements",
-  elementChoices: { none: "None", last: "Last", recent: "Last 60" },
+  elementChoices: { none: "None", last: "Last", recent: "Last 60", all: "All", cut: "All, cut open" },
   searchRegion: "Search region",
   regionHint: "The nodes in it are candidates for the base face. It lies around the ideal point.",
   regionInPlane: "In a patch, the dashed ellipse in its plane is always shown instead.",
