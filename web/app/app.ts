@@ -3,7 +3,8 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { Player } from "../player/player";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
-import { createShell, type Shell } from "../session/shell";
+import { createShell, showNotice, type Shell } from "../session/shell";
+import { lessonStrings } from "../strings/lessons";
 import { Drawing } from "../tools/drawing/drawing";
 import { MeshQueryClient } from "../viewer/queries/mesh-query-client";
 import type { PreparedOf } from "../player/recording";
@@ -52,6 +53,10 @@ export class App extends Session {
     const { mesher } = session;
     const preparedOf: PreparedOf = (project) => this.bodies.preparations.allOf(project);
     this.player = new Player({ documents: this.documents, run: this.run, mesher, preparedOf });
+    this.documents.setLock({
+      isLocked: () => this.isLessonModel,
+      refused: () => this.#offerToEdit(),
+    });
     this.gallery = gallery;
     this.generate = generate;
     this.still = still;
@@ -60,6 +65,23 @@ export class App extends Session {
       const hasFailed =
         state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";
       if (hasFailed) this.shell.setState({ bottomTab: "problems" });
+    });
+  }
+
+  /** Whether the document is the model of the open lesson: its steps and numbers hold for this model only, so it is not edited. */
+  get isLessonModel(): boolean {
+    const { lesson, lessonModel } = this.shell.getState();
+    return lesson !== null && lessonModel === this.documents.state.getState().id;
+  }
+
+  #offerToEdit(): void {
+    const run = (): void => this.shell.setState({ lessonModel: null });
+    const action = { label: lessonStrings.editModel, run };
+    showNotice(this.shell, {
+      key: "lesson-model",
+      tone: "information",
+      text: lessonStrings.modelLocked,
+      action,
     });
   }
 }

@@ -125,7 +125,8 @@ export async function showLessonModel(
     showModel(app, project);
     const model = shownModel(app);
     store.setState({ model });
-    app.shell.setState({ bottomTab: "front", drawer: "right" });
+    app.view.setTool("select");
+    app.shell.setState({ bottomTab: "front", drawer: "right", lessonModel: model.documentId });
     await untilState(app.run.state, ({ busy }) => !busy);
     if (!isPresent() || !isShownModel(app, model)) return;
     const own = await recordRun(app, lesson, "");

@@ -1,5 +1,5 @@
 import type { App } from "../app/app";
-import { keyWords } from "../strings";
+import { keyWords, paletteStrings } from "../strings";
 import { booleanCommands } from "./boolean-commands";
 import type { Command } from "./command";
 import { createMenu } from "./create-menu";
@@ -12,16 +12,27 @@ import { toolCommands } from "./tool-commands";
 import { pieceCommands, sweepCommands, transformCommands } from "./operation-commands";
 import { viewMenu } from "./view-menu";
 
+/** Commands that make or change entities are not for the model of a lesson. */
+const editing = (commands: readonly Command[]): readonly Command[] =>
+  commands.map((command) => ({
+    ...command,
+    enabled: (app) => !app.isLessonModel && command.enabled(app),
+    needs: (app) => (app.isLessonModel ? paletteStrings.needs.ownModel : command.needs(app)),
+  }));
+
 /** Every command, in the order of the menus. */
 export const commands: readonly Command[] = [
   ...fileMenu,
   ...editMenu,
-  ...toolCommands.filter(({ menu }) => menu !== "view"),
-  ...transformCommands,
-  ...booleanCommands,
-  ...createMenu,
-  ...pieceCommands,
-  ...sweepCommands,
+  ...toolCommands.filter(({ menu }) => menu === "edit"),
+  ...editing([
+    ...transformCommands,
+    ...booleanCommands,
+    ...toolCommands.filter(({ menu }) => menu === "create"),
+    ...createMenu,
+    ...pieceCommands,
+    ...sweepCommands,
+  ]),
   ...viewMenu,
   ...toolCommands.filter(({ menu }) => menu === "view"),
   ...meshMenu,

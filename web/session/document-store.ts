@@ -96,6 +96,15 @@ function followedBy(step: Step<DocumentContent>, change: Change<DocumentContent>
   };
 }
 
+/** What keeps a document from being edited. */
+export interface EditLock {
+  readonly isLocked: () => boolean;
+  /** Called for an edit that was refused. */
+  readonly refused: () => void;
+}
+
+const refusedGesture: Gesture = { update: () => undefined, commit: () => undefined, cancel: () => undefined };
+
 /** The open document: its project, its undo steps, and whether a file contains it. */
 export class DocumentStore {
   readonly state: StoreApi<DocumentState>;
@@ -104,6 +113,7 @@ export class DocumentStore {
   readonly #now: () => number;
   /** The current gesture. Calls of an ended gesture have no effect. */
   #gesture: Gesture | null = null;
+  #lock: EditLock | null = null;
 
   constructor(project: Project, now: () => number = () => performance.now()) {
     this.#now = now;
@@ -115,8 +125,20 @@ export class DocumentStore {
     return this.state.getState().history.present.project;
   }
 
+  /** Refuses edits while a lock is closed. */
+  setLock(lock: EditLock): void {
+    this.#lock = lock;
+  }
+
+  #isRefused(): boolean {
+    const isRefused = this.#lock?.isLocked() ?? false;
+    if (isRefused) this.#lock?.refused();
+    return isRefused;
+  }
+
   /** Applies an edit, after committing the current gesture. */
   edit(edit: ProjectEdit): void {
+    if (this.#isRefused()) return;
     this.#gesture?.commit();
     this.#set(commit(this.state.getState().history, edit, this.#now(), this.held, stepOfProject));
   }
@@ -138,6 +160,7 @@ export class DocumentStore {
 
   /** Begins a gesture, after committing the current one. */
   begin(label: string): Gesture {
+    if (this.#isRefused()) return refusedGesture;
     this.#gesture?.commit();
     const { history } = this.state.getState();
     const start = history.present;

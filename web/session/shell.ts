@@ -20,7 +20,8 @@ export interface Notice {
     | "note"
     | "shared"
     | "animation"
-    | "address";
+    | "address"
+    | "lesson-model";
   readonly tone: "information" | "warning";
   readonly text: string;
   readonly action: { readonly label: string; readonly run: () => void };
@@ -32,6 +33,8 @@ export interface ShellState {
   readonly rightTab: "inspector" | "quality" | "display" | "lessons";
   /** Number of the open lesson, from 1; null: the list of the lessons. */
   readonly lesson: number | null;
+  /** Id of the document that is the model of the open lesson, which is not edited; null if there is none, or if it may be. */
+  readonly lessonModel: string | null;
   /** Orders in which the model of the open lesson was run, or shall be run, besides the lesson's own. */
   readonly lessonRuns: readonly string[];
   readonly bottomTab: "log" | "problems" | "patches" | "front" | "history";
@@ -68,6 +71,7 @@ export function createShell(): Shell {
     leftTab: "model",
     rightTab: "inspector",
     lesson: null,
+    lessonModel: null,
     lessonRuns: [],
     bottomTab: "log",
     drawer: null,

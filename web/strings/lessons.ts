@@ -61,6 +61,9 @@ export const lessonStrings = {
   preparing: "Recording the front of the model…",
   otherModel: "The view does not show the front of this lesson.",
   show: "Show it",
+  modelLocked:
+    "The model of a lesson is not edited, because the steps and numbers of the lesson hold for it only.",
+  editModel: "Edit it nevertheless",
   goTo: "Go to the beginning of the lesson",
   tasks: "Tasks",
   taskDone: "Done",

@@ -8,6 +8,7 @@ export const paletteStrings = {
   needs: {
     selection: "Select something in the view or the tree first.",
     line: "Select a line first.",
+    ownModel: "The model of a lesson is not edited. Open it from Examples.",
     single: "Select one entity or all of a group.",
     mesh: "Generate a mesh first.",
     running: { mesh: "The mesh is being generated.", improve: "The mesh is being improved." },

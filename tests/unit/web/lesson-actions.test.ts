@@ -2,7 +2,8 @@
 import { readTrace, writeProject, type MeshReport, type Mesher, type Project } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { compareRun, lessonRuns, showLessonModel } from "../../../web/commands/lesson-actions";
+import { compareRun, lessonRuns, openLesson, showLessonModel } from "../../../web/commands/lesson-actions";
+import { commandNamed, runCommand } from "../../../web/commands/registry";
 import { moveEntity } from "../../../web/document/edits";
 import type { Lesson } from "../../../web/lessons/lesson";
 import { showOwnRun } from "../../../web/lessons/own-run";
@@ -203,6 +204,33 @@ it("runs the model by other rules, which the address names", async () => {
   });
   expect(app.shell.getState().lessonRuns).toEqual([name]);
   expect(await compareRun(app, "strict+backwards")).toBe(false);
+});
+
+it("does not edit the model of the open lesson, and offers to do so", async () => {
+  await openLesson(app, lesson, 1);
+  app.view.selectAll([{ kind: "point", id: 1 }]);
+  runCommand(app, commandNamed("delete"));
+  const gesture = app.documents.begin("Move");
+  gesture.update({ change: moveEntity("point", 1, 0, -2).change });
+  gesture.commit();
+  expect(app.documents.project).toEqual(expect.objectContaining({ points: cube.points }));
+  expect(commandNamed("tool-point").enabled(app)).toBe(false);
+  const notice = app.shell.getState().notices.find(({ key }) => key === "lesson-model");
+  notice?.action.run();
+  expect(commandNamed("tool-point").enabled(app)).toBe(true);
+  app.documents.edit(moveEntity("point", 1, 0, -2));
+  expect(app.documents.project.points[0]?.position[0]).toBe(-2);
+});
+
+it("edits any other document while a lesson is open, and the same model without the lesson", async () => {
+  await openLesson(app, lesson, 1);
+  app.shell.setState({ lesson: null });
+  app.documents.edit(moveEntity("point", 1, 0, -2));
+  expect(app.documents.project.points[0]?.position[0]).toBe(-2);
+  await openLesson(app, lesson, 1);
+  app.showProject({ ...cubeProject(), name: "Mine" });
+  app.documents.edit(moveEntity("point", 1, 0, -3));
+  expect(app.documents.project.points[0]?.position[0]).toBe(-3);
 });
 
 afterEach(() => {

@@ -44,7 +44,8 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
   const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
   const showsPlane = useShowsPlane();
-  const hasColumn = layout !== "phone" || !isReplaying;
+  const isLessonModel = useLessonModel();
+  const hasColumn = !isLessonModel && (layout !== "phone" || !isReplaying);
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   const [operation, setOperation] = useState<HTMLElement | null>(null);
   const operationEdge = useRightEdge(layout === "phone" ? null : operation);
@@ -85,7 +86,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         </Suspense>
       )}
       {trouble && <ViewNotice trouble={trouble} />}
-      <ToolColumn />
+      {!isLessonModel && <ToolColumn />}
       <div className={styles["top"]}>
         {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}
         {/* On a wide screen, the panel of an operation takes this place. */}
@@ -98,6 +99,13 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <OperationPanel ref={setOperation} />
     </main>
   );
+}
+
+/** Returns whether the model of the open lesson is shown, which is not edited. */
+function useLessonModel(): boolean {
+  const app = useApp();
+  const id = useStore(app.documents.state, (state) => state.id);
+  return useStore(app.shell, ({ lesson, lessonModel }) => lesson !== null && lessonModel === id);
 }
 
 /** Returns where an element ends in what contains it, in CSS pixels from the left; 0 without one. */
