@@ -39,6 +39,34 @@ test("presenter mode has larger type and a laser pointer that takes no clicks", 
   expect(await heightOf(page)).toBe(before);
 });
 
+test("presenter mode enlarges the labels of the view, and knows the keys of a clicker", async ({ page }) => {
+  await openLesson(page, 4);
+  const labels = page.getByTestId("lens-labels").locator("span");
+  const heightOfLabel = async (): Promise<number> => (await labels.first().boundingBox())?.height ?? 0;
+  const legend = async (): Promise<number> =>
+    (await page.getByTestId("lens-legend").boundingBox())?.height ?? 0;
+  const before = [await heightOfLabel(), await legend()];
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
+  await expect(page.getByTestId("presenter")).toBeVisible();
+  expect(await heightOfLabel()).toBeGreaterThan(1.3 * (before[0] ?? 0));
+  expect(await legend()).toBeGreaterThan(1.3 * (before[1] ?? 0));
+  const step = async () => Number(await page.getByTestId("viewport").getAttribute("data-step"));
+  const first = await step();
+  await page.keyboard.press("PageDown");
+  await expect.poll(step).toBe(first + 1);
+  await page.keyboard.press("PageUp");
+  await page.keyboard.press("PageUp");
+  await expect.poll(step).toBe(first - 1);
+  await page.keyboard.press("b");
+  await expect(page.getByTestId("presenter-blank")).toBeVisible();
+  await page.keyboard.press("PageDown");
+  await expect(page.getByTestId("presenter-blank")).toHaveCount(0);
+  await expect.poll(step).toBe(first);
+  await page.keyboard.press("F5");
+  await expect(page.getByTestId("player-play")).toHaveAttribute("aria-label", /Pause/);
+});
+
 test("Escape ends presenter mode, but first a menu, a selection or text in a field", async ({ page }) => {
   await openLesson(page, 1);
   const presenter = page.getByTestId("presenter");

@@ -261,3 +261,28 @@ test("a step is saved as a picture and a drawing, the front as a film", async ({
   expect(patch.content.toString()).toMatch(/>base \d+<\/text>/);
   expect(patch.content.toString().match(/<polygon/g)?.length ?? 0).toBeGreaterThan(200);
 });
+
+test("an embedded front lets the page scroll, and is zoomed with Ctrl and the wheel", async ({ page }) => {
+  await page.route("**/course.html", (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: `<!doctype html><html><body style="margin:0"><iframe title="front" width="600" height="400"
+        src="/embed.html?test=1&model=unit-cube&step=5"></iframe><p style="height: 3000px">Text</p></body></html>`,
+    }),
+  );
+  await page.goto("./course.html");
+  const frame = page.frameLocator("iframe");
+  await expect(frame.getByTestId("viewport")).toHaveAttribute("data-step", "5");
+  await page.mouse.move(300, 150);
+  await page.mouse.wheel(0, 200);
+  await expect.poll(() => page.evaluate(() => window.scrollY)).toBeGreaterThan(100);
+  await expect(frame.getByText("Ctrl and the wheel zoom the view.")).toBeVisible();
+  await page.evaluate(() => window.scrollTo(0, 0));
+  const frames = async () => Number(await frame.getByTestId("viewport").getAttribute("data-frames"));
+  const drawn = await frames();
+  await page.keyboard.down("Control");
+  await page.mouse.wheel(0, 200);
+  await page.keyboard.up("Control");
+  await expect.poll(frames).toBeGreaterThan(drawn);
+  expect(await page.evaluate(() => window.scrollY)).toBe(0);
+});

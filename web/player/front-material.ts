@@ -1,4 +1,5 @@
 import { Color, DoubleSide, ShaderMaterial, Vector2 } from "three";
+import { enlarging } from "../viewer/materials/enlarging";
 import { edgeStrength, facetLight } from "../viewer/materials/glsl";
 import { fading } from "./front-values";
 
@@ -27,6 +28,7 @@ const fragmentShader = /* glsl */ `
   uniform float fading;
   uniform vec2 depths;
   uniform float opacity;
+  uniform float enlarging;
   varying float vShade;
   varying vec3 vViewPosition;
   varying vec3 vBarycentric;
@@ -35,7 +37,7 @@ const fragmentShader = /* glsl */ `
   void main() {
     vec3 color = texture2D(ramp, vec2(clamp(vShade, 0.002, 0.998), 0.5)).rgb;
     color = mix(color, plain, fading * ${fading.plain.toFixed(2)}) * facetLight(vViewPosition);
-    color = mix(color, edgeColor, edgeStrength(vBarycentric, 0.6));
+    color = mix(color, edgeColor, edgeStrength(vBarycentric, 0.6 * enlarging));
     float depth = clamp((-vViewPosition.z - depths.x) / max(depths.y - depths.x, 1e-30), 0.0, 1.0);
     float away = ${fading.background.toFixed(2)} + ${fading.depth.toFixed(2)} * depth;
     gl_FragColor = vec4(mix(color, background, fading * away), opacity);
@@ -65,6 +67,7 @@ export function createFrontMaterial({ opacity }: { readonly opacity: number }): 
       fading: { value: 0 },
       depths: { value: new Vector2(0, 1) },
       opacity: { value: opacity },
+      enlarging,
     },
   });
 }

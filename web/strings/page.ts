@@ -188,5 +188,10 @@ export const pageStrings = {
     cadLibrary:
       "CAD files are read by a library that is loaded when the first one is opened. Its licence is the LGPL 2.1:",
   },
-  presenter: { title: "Presenter mode", laser: "Laser pointer", end: "End presentation" },
+  presenter: {
+    title: "Presenter mode",
+    laser: "Laser pointer",
+    end: "End presentation",
+    blank: "The screen is black. Press B to show it again.",
+  },
 } as const;

@@ -19,6 +19,7 @@ export const shareStrings = {
   onlyGallery:
     "Links lead to unchanged examples. Open one under Examples, or save the trace and pass on its file.",
   copyByHand: "Copy this text",
+  wheelHint: "Ctrl and the wheel zoom the view.",
   openInApp: "Open in Tetrafront",
   loading: "Recording the front…",
   noModel: "This address names no model, or no step of it. Use embed.html?model=unit-cube&step=100.",

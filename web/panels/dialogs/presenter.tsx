@@ -1,6 +1,7 @@
 import { Button } from "@mantine/core";
 import { useEffect, useRef, useState } from "react";
 import { strings } from "../../strings";
+import { enlarging } from "../../viewer/materials/enlarging";
 import { hasDialog, inputMode } from "../../tools/input-mode";
 import { useApp, useShell } from "../shared/app-context";
 import { pageApps } from "../shared/page-apps";
@@ -12,6 +13,21 @@ const texts = strings.presenter;
 /** Fields in which Escape means nothing: they stay focused after a choice. */
 const choices = 'select, input[type="checkbox"]';
 
+/** Factor of what is drawn in the view, about that of the type (base.css). */
+const presentedScale = 1.6;
+
+type ClickerKey = "next" | "back" | "play" | "blank";
+
+/** What the buttons of usual clickers send: one step on or back, the start of the show, and a black screen. */
+const clickerKeys: ReadonlyMap<string, ClickerKey> = new Map([
+  ["PageDown", "next"],
+  ["PageUp", "back"],
+  ["F5", "play"],
+  ["b", "blank"],
+  ["B", "blank"],
+  [".", "blank"],
+]);
+
 /** Large type for an audience (base.css), and a laser pointer. Escape ends it, unless something else uses the key. */
 export function Presenter() {
   const isOn = useShell((state) => state.isPresenting);
@@ -21,12 +37,16 @@ export function Presenter() {
 function Presentation() {
   const app = useApp();
   const [hasLaser, setLaser] = useState(false);
-  useEffect(() => {
-    const { dataset } = document.documentElement;
-    dataset["presenter"] = "";
-    return () => void delete dataset["presenter"];
-  }, []);
-  useEscape(() => app.shell.setState({ isPresenting: false }));
+  const [isBlank, setBlank] = useState(false);
+  useLargeView();
+  useEscape(() => (isBlank ? setBlank(false) : app.shell.setState({ isPresenting: false })));
+  useClicker((key) => {
+    // Whoever goes on wants to see something.
+    setBlank(key === "blank" && !isBlank);
+    if (key === "next") app.player.move(1);
+    if (key === "back") app.player.move(-1);
+    if (key === "play") app.player.toggle();
+  });
   return (
     <>
       <section className={styles["bar"]} aria-label={texts.title} data-testid="presenter">
@@ -49,8 +69,57 @@ function Presentation() {
         </Button>
       </section>
       {hasLaser && <Laser />}
+      {isBlank && (
+        <div
+          role="status"
+          aria-label={texts.blank}
+          className={styles["blank"]}
+          data-testid="presenter-blank"
+        />
+      )}
     </>
   );
+}
+
+/** Large type in the page (base.css), and wide lines and large dots in its views. */
+function useLargeView(): void {
+  const app = useApp();
+  useEffect(() => {
+    const { dataset } = document.documentElement;
+    const enlarge = (factor: number): void => {
+      enlarging.value = factor;
+      app.viewer.getState().viewer?.requestFrame();
+    };
+    dataset["presenter"] = "";
+    enlarge(presentedScale);
+    return () => {
+      delete dataset["presenter"];
+      enlarge(1);
+    };
+  }, [app]);
+}
+
+/** Calls a function for the keys that the clickers of presenters send, unless they are typed into a field or a dialog. */
+function useClicker(onKey: (key: ClickerKey) => void): void {
+  const app = useApp();
+  const latest = useRef(onKey);
+  useEffect(() => void (latest.current = onKey));
+  useEffect(() => {
+    const life = new AbortController();
+    const press = (event: KeyboardEvent): void => {
+      const { key, target, ctrlKey, altKey, metaKey, shiftKey } = event;
+      const meaning = clickerKeys.get(key);
+      if (!meaning || ctrlKey || altKey || metaKey || (shiftKey && key !== "F5")) return;
+      if (hasDialog() || isPaletteOpen() || inputMode(target) !== "view" || !pageApps.owns(app, target))
+        return;
+      event.preventDefault();
+      event.stopPropagation();
+      latest.current(meaning);
+    };
+    // Before the hotkeys, some of which are the same keys, and before a panel scrolls.
+    window.addEventListener("keydown", press, { capture: true, signal: life.signal });
+    return () => life.abort();
+  }, [app]);
 }
 
 /** Calls a function when Escape is pressed and nothing else uses it: no menu, dialog, field or command. */

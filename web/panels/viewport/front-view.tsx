@@ -1,6 +1,8 @@
 import { lazy, Suspense, useRef } from "react";
+import { shareStrings } from "../../strings/share";
 import { usePlayer } from "../player/use-player";
 import { Legend } from "./legend";
+import { usePageScroll } from "./use-page-scroll";
 import { useViewer } from "./use-viewer";
 import { ViewCanvas } from "./view-canvas";
 import { ViewNotice } from "./viewport-overlays";
@@ -16,6 +18,7 @@ export function FrontView() {
   const container = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const { viewer, trouble } = useViewer(container, canvas, noHover);
+  const isHinted = usePageScroll(container, viewer);
   const isReplaying = usePlayer(({ trace }) => trace !== null);
   return (
     <main className={styles["view"]}>
@@ -28,6 +31,9 @@ export function FrontView() {
           </Suspense>
         )}
       </div>
+      <p role="status" className={styles["wheelHint"]} data-shown={isHinted || undefined}>
+        {isHinted && shareStrings.wheelHint}
+      </p>
       {trouble ? <ViewNotice trouble={trouble} /> : <Legend />}
     </main>
   );

@@ -63,7 +63,7 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
         <div ref={box}>
           {labels.map(({ kind, text }, i) => (
             // As above.
-            <span key={i} className={styles["label"]} data-kind={kind}>
+            <span key={i} className={styles["label"]} data-kind={kind} data-label>
               {text}
             </span>
           ))}

@@ -1,5 +1,6 @@
 import { Color, ShaderMaterial } from "three";
 import { drawStateGlsl, drawStateUniforms, type StateMaterial } from "../draw-state";
+import { enlarging } from "./enlarging";
 import { culled } from "./glsl";
 
 /** Diameters in CSS pixels. */
@@ -9,12 +10,13 @@ const maxPlainDiameter = 8;
 
 const vertexShader = /* glsl */ `
   uniform float pixelRatio;
+  uniform float enlarging;
   varying vec3 vColor;
   varying float vDiameter;
   ${drawStateGlsl}
   void main() {
     vColor = stateColor();
-    vDiameter = stateScale() * pixelRatio;
+    vDiameter = stateScale() * enlarging * pixelRatio;
     gl_PointSize = vDiameter;
     vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);
     // Moving the dot along the line of sight changes its depth, but not its position on the screen: a surface
@@ -49,6 +51,7 @@ export function createDotMaterial(shape: "round" | "square"): StateMaterial {
   const uniforms = {
     ...drawStateUniforms(diameters),
     pixelRatio: { value: 1 },
+    enlarging,
     square: { value: shape === "square" ? 1 : 0 },
     rim: { value: new Color() },
   };

@@ -1,6 +1,7 @@
 import { ShaderMaterial, Vector2 } from "three";
 import { drawStateGlsl, drawStateUniforms, type DrawState, type StateMaterial } from "../draw-state";
 import type { Viewport } from "../scene-state";
+import { enlarging } from "./enlarging";
 import { culled } from "./glsl";
 
 /**
@@ -11,6 +12,7 @@ const vertexShader = /* glsl */ `
   attribute vec3 end;
   uniform vec2 resolution;
   uniform float leastWidth;
+  uniform float enlarging;
   varying vec3 vColor;
   // Across the segment from -1 to 1, along it in pixels, and 1; times w, so that they are linear on the screen.
   varying vec3 vPlace;
@@ -31,7 +33,7 @@ const vertexShader = /* glsl */ `
     vec4 clipFirst = projectionMatrix * vec4(first, 1.0);
     vec4 clipLast = projectionMatrix * vec4(last, 1.0);
     vec2 along = 0.5 * (clipLast.xy / clipLast.w - clipFirst.xy / clipFirst.w) * resolution;
-    vSize = vec2(length(along), 0.5 * max(stateScale(), leastWidth));
+    vSize = vec2(length(along), 0.5 * max(stateScale() * enlarging, leastWidth));
     along = vSize.x > 0.0 ? along / vSize.x : vec2(1.0, 0.0);
     int corner = gl_VertexID % 4;
     bool isLast = corner > 1;
@@ -101,6 +103,7 @@ export function createLineMaterial({ widths, depthTest, dash = 0 }: LinePass): L
     resolution: { value: new Vector2(1, 1) },
     leastWidth: { value: 0 },
     dash: { value: dash },
+    enlarging,
   };
   const material = new ShaderMaterial({
     vertexShader,
