@@ -61,6 +61,12 @@ export class App extends Session {
     this.generate = generate;
     this.still = still;
     this.left = left;
+    this.player.state.subscribe(({ trace }, { trace: before }) => {
+      if ((trace === null) === (before === null)) return;
+      this.shell.setState(({ leftTab }) => ({
+        leftTab: trace ? "lens" : leftTab === "lens" ? "model" : leftTab,
+      }));
+    });
     this.run.state.subscribe((state, before) => {
       const hasFailed =
         state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";

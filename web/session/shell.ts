@@ -29,7 +29,8 @@ export interface Notice {
 
 /** Which tabs, drawers and dialogs are open. Undo does not affect it, and a reload resets it. */
 export interface ShellState {
-  readonly leftTab: "model" | "examples";
+  /** On wide screens, the lens is there while a front is shown. */
+  readonly leftTab: "model" | "examples" | "lens";
   readonly rightTab: "inspector" | "quality" | "display" | "lessons";
   /** Number of the open lesson, from 1; null: the list of the lessons. */
   readonly lesson: number | null;

@@ -33,6 +33,7 @@ export const DisplayPanel = later("DisplayPanel");
 export const EntityCard = later("EntityCard");
 export const FrontPanel = later("FrontPanel");
 export const GalleryPanel = later("GalleryPanel");
+export const Lens = later("Lens");
 export const QualityReport = later("QualityReport");
 export const GroupList = later("GroupList");
 export const HistoryList = later("HistoryList");

@@ -8,7 +8,8 @@ import { useApp, useProblems, useShell } from "../shared/app-context";
 import { BottomPanel } from "./bottom-panel";
 import { Header } from "./header";
 import { Inspector } from "../inspector/inspector";
-import { DisplayPanel, GalleryPanel, LessonsPanel, QualityReport } from "../later/later";
+import { DisplayPanel, GalleryPanel, Lens, LessonsPanel, QualityReport } from "../later/later";
+import { useHasLens } from "../player/use-has-lens";
 import { ModelTree } from "../model/model-tree";
 import { ProblemBadge } from "../problems/problem-badge";
 import { PanelBoundary } from "../shared/panel-boundary";
@@ -173,21 +174,32 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
   );
 }
 
+const leftTabs = ["model", "examples", "lens"] as const;
+
 function LeftPanel() {
   const app = useApp();
-  const tab = useShell((state) => state.leftTab);
+  const hasLens = useHasLens();
+  const chosen = useShell((state) => state.leftTab);
+  const tab = chosen === "lens" && !hasLens ? "model" : chosen;
   return (
     <Tabs
       className={tabs["tabs"]}
       value={tab}
       keepMounted={false}
-      onChange={(value) => app.shell.setState({ leftTab: value === "examples" ? "examples" : "model" })}
+      onChange={(value) =>
+        app.shell.setState({ leftTab: leftTabs.find((known) => known === value) ?? "model" })
+      }
     >
       <Tabs.List>
         <Tabs.Tab value="model">{strings.tree.model}</Tabs.Tab>
         <Tabs.Tab value="examples" data-testid="tab-examples">
           {strings.tree.examples}
         </Tabs.Tab>
+        {hasLens && (
+          <Tabs.Tab value="lens" data-testid="tab-lens">
+            {strings.player.lens}
+          </Tabs.Tab>
+        )}
       </Tabs.List>
       <Tabs.Panel value="model">
         <ModelTree />
@@ -197,6 +209,13 @@ function LeftPanel() {
           <GalleryPanel />
         </PanelBoundary>
       </Tabs.Panel>
+      {hasLens && (
+        <Tabs.Panel value="lens">
+          <PanelBoundary>
+            <Lens />
+          </PanelBoundary>
+        </Tabs.Panel>
+      )}
     </Tabs>
   );
 }

@@ -11,6 +11,7 @@ import { OpenTrace } from "./trace-files";
 import styles from "./player.module.css";
 import { ScrubBar } from "./scrub-bar";
 import { Transport } from "./transport";
+import { useHasLens } from "./use-has-lens";
 import { usePlayer } from "./use-player";
 import { ViewChoices } from "./view-choices";
 
@@ -155,7 +156,11 @@ function Player() {
         )}
         <Failure />
       </section>
-      <Lens />
+      {!useHasLens() && (
+        <div className={styles["beside"]}>
+          <Lens />
+        </div>
+      )}
     </div>
   );
 }
