@@ -430,3 +430,39 @@ test("the runs of an address can be stopped on a phone, and the address names th
   await page.getByTestId("lesson-show").click();
   await expect(front(page)).toHaveAttribute("data-shown", "true");
 });
+
+test("the model of a lesson is not edited, and the app says why", async ({ page }) => {
+  await open(page, "&lesson=1");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Delete");
+  const notice = page.getByText("The model of a lesson is not edited");
+  await expect(notice).toBeVisible();
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByRole("button", { name: "Edit it nevertheless" }).click();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Delete");
+  await expect(front(page)).toHaveAttribute("data-shown", "false");
+});
+
+test("the lens shows its formulas without scrolling", async ({ page }) => {
+  await open(page, "&lesson=6");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("player-kind").selectOption("crosses");
+  await page.getByTestId("player-next").click();
+  const formula = page.getByTestId("lens-formula");
+  await expect(formula.locator(".katex").last()).toBeInViewport({ ratio: 1 });
+  await expect(formula.getByRole("heading")).toBeInViewport({ ratio: 1 });
+});
+
+test("a lesson that begins at a step which its front does not have says so", async ({ page }) => {
+  await page.route("**/lessons/front.md", async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, body: (await response.text()).replace("step: 0", "step: 99999") });
+  });
+  await open(page, "&lesson=1");
+  await expect(page.getByTestId("lesson-errors")).toContainText(
+    'front.md: field "step" must be from -711 to 1743, the states of the front of "unit-cube", but is 99999',
+  );
+});

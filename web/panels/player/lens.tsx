@@ -1,8 +1,8 @@
 import { Button, Text } from "@mantine/core";
-import { lazy, Suspense, useMemo, useState } from "react";
+import { lazy, memo, Suspense, useDeferredValue, useMemo, useState } from "react";
 import type { AdvanceStep } from "tetrafront";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
-import { lensSceneOf } from "../../player/lens-scene";
+import { lensSceneOf, type LensScene } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
 import { recordedScore } from "../../player/recorded-score";
 import { recoveryCounts } from "../../player/recovery-counts";
@@ -73,15 +73,28 @@ function Step() {
   const isGame = usePlayer(({ edgeTask }) => edgeTask !== null);
   // The step before the question would be taken for what is asked.
   if (isGame) return <Text size="sm">{texts.game.lens}</Text>;
-  if (trace.surface === null || state === null) return <StepUnderLens />;
+  if (trace.surface === null || state === null) return <VolumeLens />;
   return <SurfaceLens surface={trace.surface} state={state} />;
 }
 
-function StepUnderLens() {
-  const trace = useTrace();
+/** What the lens shows of the volume. */
+interface UnderLens {
+  readonly number: number;
+  readonly chosen: number | null;
+  readonly scene: LensScene | null;
+}
+
+/** The view answers a step first; the sentences and formulas about it follow. */
+function VolumeLens() {
   const number = usePlayer((state) => state.lensStep);
   const chosen = usePlayer((state) => state.candidate);
   const scene = usePlayer(lensSceneOf);
+  const shown = useDeferredValue(useMemo(() => ({ number, chosen, scene }), [number, chosen, scene]));
+  return <StepUnderLens {...shown} />;
+}
+
+const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: UnderLens) {
+  const trace = useTrace();
   const step = useMemo(() => trace.stepAt(number), [trace, number]);
   const examined = useMemo(() => {
     if (step?.kind !== "advance") return null;
@@ -121,7 +134,7 @@ function StepUnderLens() {
       </Suspense>
     </>
   );
-}
+});
 
 const rowsOf = ({ candidates }: AdvanceStep): readonly CandidateRow[] =>
   candidates.map(({ node, isNew, score, verdict, culprit }) => ({
