@@ -1,4 +1,4 @@
-/** Returns lines of a formula, below each other: the panel may be as narrow as 270 pixels. */
+/** Returns lines of a formula, below each other: the panel may be as narrow as 250 pixels. */
 export const linesOf = (...lines: readonly string[]): string =>
   String.raw`\begin{aligned}&${lines.join(String.raw`\\&`)}\end{aligned}`;
 

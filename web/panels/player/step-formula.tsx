@@ -19,7 +19,8 @@ export function IdealFormula({ step }: { readonly step: AdvanceStep }) {
       <h2 className={styles["title"]}>{idealTexts.title}</h2>
       <Formula
         text={linesOf(
-          String.raw`h=\min(\max(0.97\,\delta,\,0.55\,b),\,2\,b)=${digits(size)}`,
+          String.raw`h=\min(\max(0.97\,\delta,\,0.55\,b),\,2\,b)`,
+          String.raw`\quad=${digits(size)},`,
           String.raw`\delta=${digits(target)},\quad b=${digits(base)}`,
         )}
       />
