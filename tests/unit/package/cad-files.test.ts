@@ -180,7 +180,7 @@ describe("an assembly", () => {
       "tower.step",
       stepFile([boxSolid("base", [0, 0, 0], [2, 2, 1]), boxSolid("post", [0.5, 0.5, 1], [1, 1, 3])]),
     );
-    expect((await run("check", "tower.step")).stderr).toMatch(
+    expect((await run("check", "tower.step")).stdout).toMatch(
       /error: tower\.step: The solids "base" and "post" overlap, or touch in faces with different boundaries\. Divide/,
     );
     const meshed = await run("mesh", "tower.step", "-o", "tower.msh", "--report", "tower.json");

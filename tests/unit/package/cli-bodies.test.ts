@@ -85,9 +85,9 @@ describe("tetrafront convert to a project", () => {
     });
     expect(await cli("check", "closed.json")).toMatchObject({ code: 0 });
     expect(await cli("convert", "open.off", "-o", "open.json", "-q")).toMatchObject({ code: 0, stderr: "" });
-    const { code, stderr } = await cli("check", "open.json");
+    const { code, stdout } = await cli("check", "open.json");
     expect(code).toBe(2);
-    expect(stderr).toMatch(/Body "open": /);
+    expect(stdout).toMatch(/Body "open": /);
   });
 
   test("does not replace its input", async () => {

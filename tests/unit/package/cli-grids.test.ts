@@ -115,8 +115,8 @@ describe("check", () => {
     save("cube.json", writeProject(cubeProject()));
     expect(await run("check", "cube.json")).toEqual({
       code: 0,
-      stdout: "",
-      stderr: "tetrafront: cube.json: no problems\n",
+      stdout: "cube.json: no problems\n",
+      stderr: "",
     });
   });
 
@@ -133,10 +133,10 @@ describe("check", () => {
     };
     save("wrong.json", writeProject(wrong));
     const printed = await run("check", "wrong.json");
-    expect([printed.code, printed.stdout]).toEqual([2, ""]);
-    expect(printed.stderr).toMatch(/error: wrong\.json: A loop of patch "front" is not closed/);
-    expect(printed.stderr).toMatch(/error: wrong\.json: Source 4 has the size -1/);
-    expect(printed.stderr).toMatch(/wrong\.json: \d+ errors/);
+    expect([printed.code, printed.stderr]).toEqual([2, ""]);
+    expect(printed.stdout).toMatch(/error: wrong\.json: A loop of patch "front" is not closed/);
+    expect(printed.stdout).toMatch(/error: wrong\.json: Source 4 has the size -1/);
+    expect(printed.stdout).toMatch(/wrong\.json: \d+ errors/);
     const listed = await run("check", "wrong.json", "--json");
     expect([listed.code, listed.stderr]).toEqual([2, ""]);
     const { errors, diagnostics } = JSON.parse(listed.stdout) as {
@@ -150,7 +150,7 @@ describe("check", () => {
 
   test("does not require a grid if a size is given", async () => {
     save("bare.json", writeProject(bare));
-    expect((await run("check", "bare.json")).stderr).toMatch(/no background grid/);
+    expect((await run("check", "bare.json")).stdout).toMatch(/no background grid/);
     expect(await run("check", "bare.json", "--size", "0.2")).toMatchObject({ code: 0 });
   });
 

@@ -143,22 +143,39 @@ test("every command uses the singular for one item and the plural for several", 
 test("the bounding box of a part far from the origin is printed with all digits", async () => {
   save("far.off", offFile({ points: box.points.map((x) => 3e7 + 0.25 * x), triangles: box.triangles }));
   const boundingBox = "box (30000000, 30000000, 30000000) to (30000000.25, 30000000.5, 30000000.75)";
-  expect((await run("check", "far.off")).stderr).toContain(boundingBox);
+  expect((await run("check", "far.off")).stdout).toContain(boundingBox);
   expect((await run("info", "far.off")).stdout).toContain(boundingBox);
 });
 
 describe("check", () => {
+  test("prints its list to standard output, and to standard error that an input could not be checked", async () => {
+    const open = offFile(without(box, 1));
+    save("open.off", open);
+    const found = await run("check", "open.off");
+    expect([found.code, found.stderr]).toEqual([2, ""]);
+    expect(found.stdout).toMatch(/^error: open\.off: The surface is not closed/m);
+    expect(found.stdout).toMatch(/^open\.off: 3 errors\n$/m);
+    const quiet = await run("check", "open.off", "--quiet");
+    expect(quiet.stdout.split("\n").filter((line) => !line.startsWith("error: "))).toEqual([""]);
+    save("cut.off", open.subarray(0, 20));
+    const cut = await run("check", "cut.off");
+    expect([cut.code, cut.stdout]).toEqual([2, ""]);
+    expect(cut.stderr).toMatch(/^tetrafront: error: cut\.off: /m);
+    const both = await run("check", "open.off", "cut.off");
+    expect(both.stdout).toBe(found.stdout);
+  });
+
   test("prints similar diagnostics once, with their count", async () => {
     const { points, triangles } = boxSurface(3);
     save("tiny.off", offFile({ points: points.map((x) => 1e-90 * x), triangles }));
-    const { code, stderr } = await tetrafront(folder.path, ["check", "tiny.off"]);
+    const { code, stdout } = await tetrafront(folder.path, ["check", "tiny.off"]);
     expect(code).toBe(2);
     // One per node with such a coordinate. Diagnostics with positions are listed separately.
-    expect(stderr.match(/has the coordinate/g)).toHaveLength(1);
+    expect(stdout.match(/has the coordinate/g)).toHaveLength(1);
     const tiny = points.filter(
       (_, i) => i % 3 === 0 && points.subarray(i, i + 3).some((x) => x !== 0),
     ).length;
-    expect(stderr).toMatch(`(and ${tiny - 1} similar)`);
+    expect(stdout).toMatch(`(and ${tiny - 1} similar)`);
   });
 
   test("counts the diagnostics that are not listed", async () => {
@@ -168,26 +185,26 @@ describe("check", () => {
       triangles: Uint32Array.from({ length: 1200 }, (_, i) => i),
     };
     save("apart.off", offFile(apart));
-    const { code, stderr } = await tetrafront(folder.path, ["check", "apart.off"]);
+    const { code, stdout } = await tetrafront(folder.path, ["check", "apart.off"]);
     expect(code).toBe(2);
-    expect(stderr).toMatch(/: and 1195 more "open-edge"\.\n/);
+    expect(stdout).toMatch(/: and 1195 more "open-edge"\.\n/);
     // The remedy is the same for all.
-    expect(stderr.match(/every edge needs at least two triangles/g)).toHaveLength(1);
-    expect(stderr).toMatch(/: 1200 errors\n$/);
+    expect(stdout.match(/every edge needs at least two triangles/g)).toHaveLength(1);
+    expect(stdout).toMatch(/: 1200 errors\n$/);
   });
 
   test("lists all diagnostics on request, as text and as JSON", async () => {
     const pairs = 1200;
     save("soup.off", offFile(crossingNeedles(pairs)));
     const listedIn = (text: string) => text.match(/error: soup\.off: The surface intersects itself/g)?.length;
-    expect(listedIn((await run("check", "soup.off")).stderr)).toBe(5);
+    expect(listedIn((await run("check", "soup.off")).stdout)).toBe(5);
     const some = await run("check", "soup.off", "--max-diagnostics", "70");
-    expect(listedIn(some.stderr)).toBe(70);
-    expect(some.stderr).toMatch(/: and 1130 more "self-intersection"\.\n/);
+    expect(listedIn(some.stdout)).toBe(70);
+    expect(some.stdout).toMatch(/: and 1130 more "self-intersection"\.\n/);
     const all = await run("check", "soup.off", "--max-diagnostics", "all");
-    expect(listedIn(all.stderr)).toBe(pairs);
-    expect(all.stderr).not.toMatch(/: and \d+ more/);
-    expect(all.stderr).toMatch(/: 8400 errors\n$/);
+    expect(listedIn(all.stdout)).toBe(pairs);
+    expect(all.stdout).not.toMatch(/: and \d+ more/);
+    expect(all.stdout).toMatch(/: 8400 errors\n$/);
     const { code, stdout } = await run("check", "soup.off", "--max-diagnostics", "all", "--json");
     expect(code).toBe(2);
     const report = JSON.parse(stdout) as { errors: number; diagnostics: Diagnostic[] };
@@ -216,18 +233,18 @@ describe("check", () => {
 
   test("prints the properties of a valid surface and exits with 0", async () => {
     save("part.off", offFile(cavitySurface(10)));
-    const { code, stderr } = await tetrafront(folder.path, ["check", "part.off"]);
+    const { code, stdout } = await tetrafront(folder.path, ["check", "part.off"]);
     expect(code).toBe(0);
-    expect(stderr).toContain("part.off: closed, manifold, without self-intersections\n");
-    expect(stderr).toContain("part.off: 1 region, 1 cavity\n");
-    expect(stderr).toContain("part.off: no problems\n");
+    expect(stdout).toContain("part.off: closed, manifold, without self-intersections\n");
+    expect(stdout).toContain("part.off: 1 region, 1 cavity\n");
+    expect(stdout).toContain("part.off: no problems\n");
   });
 
   test("lists all problems with indices and positions, as text and as JSON, and exits with 2", async () => {
     save("open.off", offFile(without(box, 1)));
     const text = await tetrafront(folder.path, ["check", "open.off"]);
     expect(text.code).toBe(2);
-    expect(text.stderr.match(/error: open\.off: .* at \(/g)).toHaveLength(3);
+    expect(text.stdout.match(/error: open\.off: .* at \(/g)).toHaveLength(3);
     const { code, stdout } = await tetrafront(folder.path, ["check", "open.off", "--json"]);
     expect(code).toBe(2);
     expect(JSON.parse(stdout)).toMatchObject({
@@ -241,22 +258,22 @@ describe("check", () => {
   test("reports what a repair would change and which problems remain, and leaves the file unchanged", async () => {
     const file = offFile(without(box, 1));
     save("open.off", file);
-    const { code, stderr } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", "3"]);
+    const { code, stdout } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", "3"]);
     expect(code).toBe(0);
-    expect(stderr).toContain("repair: open.off: filled a hole with 1 triangle, from ");
-    expect(stderr).toContain("no problems");
+    expect(stdout).toContain("repair: open.off: filled a hole with 1 triangle, from ");
+    expect(stdout).toContain("no problems");
     expect(new Uint8Array(readFileSync(inFolder("open.off")))).toEqual(new Uint8Array(file));
   });
 
   test("fills no hole with more edges than --fill-holes permits", async () => {
     save("open.off", offFile(without(box, 1)));
     for (const limit of ["0", "2"]) {
-      const { code, stderr } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", limit]);
-      expect([code, stderr]).toEqual([2, expect.stringContaining("The surface is not closed")]);
-      expect(stderr).not.toContain("filled a hole");
+      const { code, stdout } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", limit]);
+      expect([code, stdout]).toEqual([2, expect.stringContaining("The surface is not closed")]);
+      expect(stdout).not.toContain("filled a hole");
     }
-    const { code, stderr } = await tetrafront(folder.path, ["check", "open.off", "--repair"]);
-    expect([code, stderr]).toEqual([0, expect.stringContaining("filled a hole with 1 triangle")]);
+    const { code, stdout } = await tetrafront(folder.path, ["check", "open.off", "--repair"]);
+    expect([code, stdout]).toEqual([0, expect.stringContaining("filled a hole with 1 triangle")]);
   });
 });
 
@@ -359,8 +376,8 @@ describe("a batch", () => {
     mkdirSync(inFolder("parts (1)"));
     save("parts (1)/a.off", offFile(box));
     for (const pattern of ["parts (1)/*.off", inFolder("parts (1)/?.off"), "*/a.{off,stl}"]) {
-      const { code, stderr } = await tetrafront(folder.path, ["check", pattern]);
-      expect([code, stderr.includes("a.off: closed, manifold")]).toEqual([0, true]);
+      const { code, stdout } = await tetrafront(folder.path, ["check", pattern]);
+      expect([code, stdout.includes("a.off: closed, manifold")]).toEqual([0, true]);
     }
   });
 
@@ -443,14 +460,14 @@ describe("convert, info and stats", () => {
       reversedInFile: 1,
     });
     const check = await tetrafront(folder.path, ["check", "mixed.mesh"]);
-    expect(check.stderr).toMatch(
+    expect(check.stdout).toMatch(
       /error: mixed\.mesh: 1 tetrahedron with negative volume \(inverted\): 1 \(counted from 0\)/,
     );
     expect(check.code).toBe(2);
     const info = await tetrafront(folder.path, ["info", "mixed.mesh"]);
     expect(info.stdout).toMatch(/1 of 2 tetrahedra is inverted.*the first at \(/);
     const alike = await tetrafront(folder.path, ["check", "alike.mesh"]);
-    expect(alike.stderr).toMatch(/note: alike\.mesh: the file uses the opposite node order/i);
+    expect(alike.stdout).toMatch(/note: alike\.mesh: the file uses the opposite node order/i);
     expect(alike.code).toBe(0);
     expect((await meshIn("a.vtu")).reversedTetrahedra).toBe(0);
   });

@@ -106,8 +106,8 @@ test("names printed by the command line are escaped", async () => {
     .forEach((line) => expect(line).not.toMatch(UNPRINTABLE));
   expect(stdout).toContain("\\u009b2J\\u202ey\\u001b[2J\\u0007\\u000d");
   save("bad.obj", `v 0 0 ${CONTROL_CHARACTERS}\n`);
-  const { stderr } = await run("check", "bad.obj");
-  stderr
+  const checked = await run("check", "bad.obj");
+  `${checked.stdout}${checked.stderr}`
     .trimEnd()
     .split("\n")
     .forEach((line) => expect(line).not.toMatch(UNPRINTABLE));

@@ -132,8 +132,8 @@ describe("solids of joined files", () => {
     expect(stderr).toContain("left.off + right.off: done, ");
     save("right.off", offFile(boxSurface(2, [2, 0, 0], [3, 1, 1])));
     const apart = await run("check", "left.off", "right.off", "--join");
-    expect([apart.code, apart.stderr]).toEqual([0, expect.stringContaining("none of them share faces")]);
-    expect(apart.stderr).not.toContain("almost touch");
+    expect([apart.code, apart.stdout]).toEqual([0, expect.stringContaining("none of them share faces")]);
+    expect(apart.stdout).not.toContain("almost touch");
   });
 
   test("that almost touch are told, and joined by the weld of the remedy", async () => {
@@ -141,8 +141,8 @@ describe("solids of joined files", () => {
     save("right.off", offFile(boxSurface(2, [1.0001, 0, 0], [2, 1, 1])));
     const inputs = ["left.off", "right.off", "--join"];
     const checked = await run("check", ...inputs);
-    expect(checked.stderr).toMatch(/warning: .*"left" and "right" almost touch: a gap of 0\.0001 /);
-    const weld = /Use (--weld) (\S+)/.exec(checked.stderr)?.slice(1) ?? [];
+    expect(checked.stdout).toMatch(/warning: .*"left" and "right" almost touch: a gap of 0\.0001 /);
+    const weld = /Use (--weld) (\S+)/.exec(checked.stdout)?.slice(1) ?? [];
     const { code, stderr } = await run("mesh", ...inputs, "-o", "a.vtu", "--report", "r.json", ...weld);
     expect([code, stderr]).toEqual([0, expect.stringContaining('shared faces: "left" and "right"')]);
     expect(stderr).not.toContain("almost touch");

@@ -9,7 +9,7 @@ import { plural } from "../base/plural.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
-import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { invalidOption, packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { listed } from "../formats/groups.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
@@ -86,22 +86,31 @@ export async function checkFile(input: string, options: CheckCommandOptions): Pr
     for (const piece of jsonPieces({ input, ...inputs, errors, ...printed }))
       await writeToStandardOutput(piece);
   } else {
-    if (!isQuiet) printStatistics(named, result);
+    const lines: string[] = [];
+    const onLine = (line: string) => void lines.push(printable(line));
+    if (!isQuiet) addStatistics(named, result, onLine);
     const subject = result.kind === "none" ? result.subject : named;
     const perCode = result.kind === "surface" ? maxDiagnosticsOf(options) : undefined;
-    printDiagnostics(subject, diagnostics, { isQuiet, perCode });
-    if (!isQuiet) print(`${named}: ${counted(diagnostics)}`);
+    printDiagnostics(subject, diagnostics, { isQuiet, perCode, onLine });
+    if (!isQuiet) onLine(`${named}: ${counted(diagnostics)}`);
+    await printResult(result, lines);
   }
   if (result.kind === "none" && result.isEngine === true) return ExitCode.notCompleted;
   return errors > 0 ? ExitCode.invalidInput : ExitCode.meshed;
 }
 
-function printStatistics(input: string, result: CheckResult): void {
+/** Prints the result to standard output; to standard error that an input could not be checked. */
+async function printResult({ kind }: CheckResult, lines: readonly string[]): Promise<void> {
+  if (kind === "none") for (const line of lines) print(line);
+  else if (lines.length > 0) await writeToStandardOutput(`${lines.join("\n")}\n`);
+}
+
+function addStatistics(input: string, result: CheckResult, onLine: (line: string) => void): void {
   if (result.kind === "surface") {
-    printChanges(input, result);
-    for (const line of surfaceLines(result.inspection)) print(`${input}: ${line}`);
+    printChanges(input, result, onLine);
+    for (const line of surfaceLines(result.inspection)) onLine(`${input}: ${line}`);
   }
-  if (result.kind === "mesh") for (const line of meshLines(result.inspection)) print(`${input}: ${line}`);
+  if (result.kind === "mesh") for (const line of meshLines(result.inspection)) onLine(`${input}: ${line}`);
 }
 
 /**

@@ -182,7 +182,8 @@ Examples
 export const checkHelp = () => `
 For a surface, prints whether it is closed, manifold and without self-intersections; its regions and cavities,
 area, volume, edges and worst triangles. For a project, lists what prevents meshing. For a mesh, checks whether
-its elements fit together. Each problem states its indices, counted from 0, and its position.
+its elements fit together. Each problem states its indices, counted from 0, and its position. The list goes to
+standard output.
 ${READING_HELP}
 
 Exit code

@@ -94,6 +94,8 @@ interface PrintOptions {
   /** Whether to print errors only. */
   readonly isQuiet: boolean;
   readonly perCode?: number | undefined;
+  /** Receives each line. By default, the line is printed to standard error. */
+  readonly onLine?: (line: string) => void;
 }
 
 /** Prints one line per diagnostic, grouped by code in the order in which the codes first appear. */
@@ -102,9 +104,11 @@ export function printDiagnostics(
   diagnostics: readonly Diagnostic[],
   options: PrintOptions,
 ): void {
-  const { isQuiet, perCode = MAX_PER_CODE } = options;
+  const { isQuiet, perCode = MAX_PER_CODE, onLine = print } = options;
   const reported = diagnostics.filter(({ severity }) => !isQuiet || severity === "error");
-  for (const group of byKind(reported)) printGroup(subject, group, perCode);
+  for (const group of byKind(reported)) {
+    for (const line of groupLines(subject, group, perCode)) onLine(line);
+  }
 }
 
 /** Groups diagnostics by severity and code, in the order of first appearance. */
@@ -145,10 +149,10 @@ function isOfSurface({ entities }: Diagnostic): boolean {
 }
 
 /**
- * Prints a group of diagnostics. Lines that name no entity or position and differ only in their numbers become one
+ * Returns the lines about a group of diagnostics. Lines that name no entity or position and differ only in their numbers become one
  * line with a count. A remedy is printed once for the lines that have it one after the other.
  */
-function printGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
+function groupLines(subject: string, group: readonly Diagnostic[], perCode: number): string[] {
   const lines = new Map<string, { readonly line: string; readonly remedy: string; count: number }>();
   for (const diagnostic of group) {
     const { severity, code, message, remedy, position } = diagnostic;
@@ -160,18 +164,20 @@ function printGroup(subject: string, group: readonly Diagnostic[], perCode: numb
     if (known === undefined) lines.set(key, { line, remedy, count: 1 });
     else known.count++;
   }
+  const printed: string[] = [];
   let rest = allOfAKind(group);
   let before = "";
   for (const { line, remedy, count } of [...lines.values()].slice(0, perCode)) {
     const text = remedy === "" || remedy === before ? line : `${line} ${remedy}`;
-    print(count === 1 ? text : `${text} (and ${count - 1} similar)`);
+    printed.push(count === 1 ? text : `${text} (and ${count - 1} similar)`);
     before = remedy;
     rest -= count;
   }
   const [first] = group;
   if (first !== undefined && rest > 0) {
-    print(`${WORDS[first.severity]}: ${subject}: and ${rest} more "${first.code}".`);
+    printed.push(`${WORDS[first.severity]}: ${subject}: and ${rest} more "${first.code}".`);
   }
+  return printed;
 }
 
 /** Diagnostics per piece of JSON: a million of them would exceed the longest string. */

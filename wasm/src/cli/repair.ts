@@ -234,9 +234,10 @@ const DIGITS = 3;
 export function printChanges(
   input: string,
   { changes, repairDeviation = 0 }: Pick<RepairedSurface, "changes" | "repairDeviation">,
+  onLine: (line: string) => void = print,
 ): void {
   if (changes === undefined) return;
-  if (changes.length === 0) return print(`repair: ${input}: nothing to repair`);
+  if (changes.length === 0) return onLine(`repair: ${input}: nothing to repair`);
   const kinds = new Map<RepairChange["kind"], RepairChange[]>();
   for (const change of changes) {
     const known = kinds.get(change.kind);
@@ -244,15 +245,15 @@ export function printChanges(
     else known.push(change);
   }
   for (const [kind, all] of kinds) {
-    for (const change of all.slice(0, MAX_PER_KIND)) print(`repair: ${input}: ${sentenceOf(change)}.`);
+    for (const change of all.slice(0, MAX_PER_KIND)) onLine(`repair: ${input}: ${sentenceOf(change)}.`);
     const rest = all.length - MAX_PER_KIND;
-    if (rest > 0) print(`repair: ${input}: and ${rest} more "${kind}".`);
+    if (rest > 0) onLine(`repair: ${input}: and ${rest} more "${kind}".`);
   }
   const moved =
     repairDeviation === 0
       ? "no node was moved"
       : `nodes were moved by at most ${short(repairDeviation, DIGITS)}`;
-  print(`repair: ${input}: ${plural(changes.length, "change")}; ${moved}.`);
+  onLine(`repair: ${input}: ${plural(changes.length, "change")}; ${moved}.`);
 }
 
 /** Describes a change with ids and position. */
