@@ -200,7 +200,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     throw new InvalidInput(input, [nothing]);
   }
   const given = await inSteps(surfaceOf(mesh));
-  return inspectedSurface(mesher, given, { options, repair, notes: notes(mesh) });
+  return inspectedSurface(mesher, given, { options, repair, notes: notes({ ...mesh, notes: given.notes }) });
 }
 
 /** Checks the surfaces of several files as one, as `tetrafront mesh --join` meshes them. */

@@ -63,7 +63,11 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
       printDiagnostics(input, (await inSteps(findDefects(mesh, faces))).map(asWarning), { isQuiet });
       const left = [...given.nodeData.keys()].filter((key) => !mesh.nodeData.has(key));
       if (left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
-      const notes = [...mixedOrientationLines(given), ...readingLines(given), ...unusedPointLines(given)];
+      const notes = [
+        ...mixedOrientationLines(given),
+        ...readingLines({ ...given, notes: whole.notes }),
+        ...unusedPointLines(given),
+      ];
       for (const line of notes) print(`note: ${input}: ${line}`);
       print(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }
@@ -199,9 +203,17 @@ function asWarning(defect: Diagnostic): Diagnostic {
 
 /** Replaces the triangles by the exactly welded surface, as formats with nodes expect. */
 function welded(mesh: FileMesh, surface: SurfaceFile): FileMesh {
-  const { points, triangles, trianglePatch, patches } = surface;
+  const { points, triangles, trianglePatch, patches, notes } = surface;
   const isSame = points.length === mesh.points.length;
-  return { ...mesh, points, triangles, trianglePatch, patches, nodeData: isSame ? mesh.nodeData : new Map() };
+  return {
+    ...mesh,
+    points,
+    triangles,
+    trianglePatch,
+    patches,
+    notes,
+    nodeData: isSame ? mesh.nodeData : new Map(),
+  };
 }
 
 /** Adds the boundary faces as triangles, one patch per region. */

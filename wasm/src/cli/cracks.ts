@@ -2,6 +2,8 @@
 import type { Mesher } from "../api/mesher-interface.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { withoutPause } from "../base/steps.js";
+import { openEdges } from "../formats/open-edges.js";
 import { diagonalOf, distanceAlong } from "../formats/near-points.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
@@ -58,7 +60,7 @@ function roundedUp(value: number): number {
  * if the parts are not near each other everywhere.
  */
 function crackWidth({ points, triangles }: SurfaceInput): number | undefined {
-  const nodes = openNodes(triangles, points.length / 3);
+  const nodes = new Set(withoutPause(openEdges(triangles, points.length / 3)));
   if (nodes.size === 0 || nodes.size > MAX_NODES) return undefined;
   const limit = LARGEST_GAP * diagonalOf(points);
   // Sorted along one direction, so that only near nodes are compared.
@@ -95,22 +97,6 @@ function squaredDistance(points: Float64Array, one: number, other: number): numb
   const y = (points[3 * one + 1] ?? 0) - (points[3 * other + 1] ?? 0);
   const z = (points[3 * one + 2] ?? 0) - (points[3 * other + 2] ?? 0);
   return x * x + y * y + z * z;
-}
-
-/** Returns the nodes of edges with one triangle. O(n log n) for n triangles. */
-function openNodes(triangles: Uint32Array, count: number): ReadonlySet<number> {
-  // Sorted numbers, because a Map holds 2^24 keys at most.
-  const edges = new Float64Array(triangles.length);
-  triangles.forEach((from, corner) => {
-    const to = triangles[corner % 3 === 2 ? corner - 2 : corner + 1] ?? 0;
-    edges[corner] = Math.min(from, to) * count + Math.max(from, to);
-  });
-  edges.sort();
-  const open = new Set<number>();
-  edges.forEach((edge, i) => {
-    if (edge !== edges[i - 1] && edge !== edges[i + 1]) open.add(Math.floor(edge / count)).add(edge % count);
-  });
-  return open;
 }
 
 /** Returns per node which connected part it belongs to. O(triangles). */

@@ -191,6 +191,7 @@ export class MeshBuilder {
     return this.#secondOrder.leftOutOf({
       points: this.#welder?.taken() ?? this.#points.taken(),
       isWelded: this.#welder !== undefined,
+      ...(this.#welder !== undefined && { isSoup: true }),
       triangles: this.#triangles.taken(),
       trianglePatch: this.#trianglePatch.taken(),
       patches: this.patches.groups(names.patches),

@@ -1,4 +1,4 @@
-/** Surfaces from files: the triangles of a mesh file, welded exactly. */
+/** Surfaces from files: the triangles of a mesh file, welded exactly, those of soups within rounding. */
 import { plural } from "../base/plural.js";
 import { type Steps, stepwise } from "../base/steps.js";
 import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
@@ -7,6 +7,8 @@ import type { Unit } from "../mesh/units.js";
 import { boundaryOf } from "./boundary.js";
 import { ReadFailure } from "./read-result.js";
 import { surfaceRegionsOf } from "./region-names.js";
+import { type WeldedByRounding, weldRounding } from "./rounding.js";
+import { isSoup } from "./soup.js";
 import { weldPoints } from "./weld.js";
 
 export interface SurfaceFile extends SurfaceInput {
@@ -32,21 +34,41 @@ export interface SurfaceFile extends SurfaceInput {
 /** Returns the triangles of a file with the points they use. Throws a ReadFailure if there are no triangles. */
 export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const { trianglePatch, patches, unit, notes, unlocatedRegions, duplicateTriangles = 0 } = mesh;
+  const { trianglePatch, patches, unit, unlocatedRegions, duplicateTriangles = 0 } = mesh;
   const { regionPoints, givenRegions } = mesh;
   const surfaceRegions = yield* surfaceRegionsOf(mesh);
+  const { points, triangles, welded, distance } = yield* withoutNoise(mesh);
+  const notes = [...(mesh.notes ?? []), ...(welded > 0 ? [roundingNote(welded, distance)] : [])];
   return {
-    ...(yield* exactlyWelded(yield* boundaryOf(mesh))),
+    points,
+    triangles,
     trianglePatch,
     patches,
     ...(surfaceRegions && { surfaceRegions }),
     ...(unit && { unit }),
     ...(unlocatedRegions && { unlocatedRegions }),
-    ...(notes && { notes }),
+    ...(notes.length > 0 && { notes }),
     ...(regionPoints && { regionPoints }),
     ...(givenRegions && { givenRegions }),
     ...(duplicateTriangles > 0 && { duplicateTriangles }),
   };
+}
+
+/** Welds equal points, and in a soup those that differ by rounding. */
+function* withoutNoise(mesh: FileMesh): Steps<WeldedByRounding> {
+  const { points, triangles, tetrahedra, isWelded = false } = mesh;
+  const exact = yield* exactlyWelded(yield* boundaryOf(mesh));
+  const mayBeSoup = tetrahedra.length === 0 && !isWelded;
+  const isLoose = mesh.isSoup ?? (mayBeSoup && (yield* isSoup(triangles, points.length / 3)));
+  return isLoose ? yield* weldRounding(exact) : { ...exact, welded: 0, distance: 0 };
+}
+
+function roundingNote(welded: number, distance: number): string {
+  const words =
+    welded === 1
+      ? "1 node was welded to another that differs from it only by rounding"
+      : `${welded} nodes were welded to others that differ from them only by rounding`;
+  return `${words}, by at most ${Number(distance.toPrecision(2))}`;
 }
 
 function* exactlyWelded({ points: given, triangles, isWelded }: FileMesh): Steps<SurfaceInput> {

@@ -48,6 +48,8 @@ export interface FileMesh {
   readonly points: Float64Array;
   /** Whether all points differ, so that exact welding changes nothing. Default false. */
   readonly isWelded?: boolean | undefined;
+  /** Whether the format lists each triangle by its positions, as STL does: nodes are shared because they are equal. */
+  readonly isSoup?: true | undefined;
   /** Three node indices per triangle. */
   readonly triangles: Uint32Array;
   /** Per triangle: index in `patches`. */
