@@ -6,6 +6,7 @@ import { askForCad, notLoadedRemedy } from "../cad/cad-client.js";
 import type { CadFormat, CadShape, Deflection } from "../cad/protocol.js";
 import { inSteps } from "../calls/yielder.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
+import { wrongBrepCount } from "./brep-counts.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { MeshReader } from "./file-format.js";
 import { diagonalOf } from "./near-points.js";
@@ -36,6 +37,8 @@ function readerOf(format: CadFormat): MeshReader {
   return async (source: ByteSource, { signal, size, onWork }): Promise<FileMesh> => {
     const bytes = await allBytes(source);
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
+    const wrong = format === "brep" ? await inSteps(wrongBrepCount(bytes), signal) : undefined;
+    if (wrong !== undefined) throw wrong;
     const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
     const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
     const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
@@ -97,8 +100,9 @@ async function shapesIn(
       throw new ReadFailure({ code: "too-large-file", message, remedy: smaller });
     }
     case "timed-out": {
-      const message = `OpenCascade did not finish the ${name} file within ${reply.seconds} s`;
-      const simpler = "Export the parts one by one, or triangulate them in the CAD program and export STL.";
+      const message = `OpenCascade was stopped: it did not finish the ${name} file within ${reply.seconds} s, far longer than files of this size take`;
+      const simpler =
+        "Export the part again, because the file may be damaged. For an assembly, export the parts one by one, or triangulate them in the CAD program and export STL.";
       throw new ReadFailure({ message, remedy: simpler });
     }
     case "rejected":

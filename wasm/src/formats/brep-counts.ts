@@ -1,0 +1,93 @@
+/**
+ * Checks the counts of a BREP file before OpenCascade reads them: it would try to read as many entries as a damaged count
+ * states, for minutes.
+ */
+import { type Steps, stepwise } from "../base/steps.js";
+import { failureAt, type ReadFailure } from "./read-result.js";
+
+/** The tables of a file in their order, and the fewest bytes that an entry takes. */
+const TABLES: ReadonlyMap<string, number> = new Map([
+  ["Locations", 6],
+  ["Curve2ds", 8],
+  ["Curves", 8],
+  ["Polygon3D", 6],
+  ["PolygonOnTriangulations", 4],
+  ["Surfaces", 8],
+  ["Triangulations", 12],
+  ["TShapes", 6],
+]);
+const HEAD = new RegExp(`^\\s*(${[...TABLES.keys()].join("|")})(?:\\s+(.*?))?\\s*$`);
+
+/** Words at the beginning of a curve or surface with poles, and where its numbers of poles and knots are among the words. */
+const POLES: readonly {
+  readonly table: RegExp;
+  readonly type: string;
+  readonly counts: readonly number[];
+}[] = [
+  { table: /Curve|Surfaces/, type: "7", counts: [4, 5] },
+  { table: /Surfaces/, type: "9", counts: [7, 8, 9, 10] },
+];
+
+interface Table {
+  readonly name: string;
+  readonly words: string;
+  readonly line: number;
+  /** Where its entries begin. */
+  readonly begin: number;
+}
+
+const REMEDY = "Export the part again as BREP, or in another format.";
+
+/** Returns why a count of the file cannot be right; undefined if all can. O(n). */
+export function* wrongBrepCount(bytes: Uint8Array): Steps<ReadFailure | undefined> {
+  const text = new TextDecoder("latin1").decode(bytes);
+  const lines = text.split(/\r\n|\n|\r/);
+  const tables: Table[] = [];
+  let [at, wrong] = [0, undefined as ReadFailure | undefined];
+  yield* stepwise(lines.length, (i) => {
+    const words = lines[i] ?? "";
+    at += words.length + (text.startsWith("\r\n", at + words.length) ? 2 : 1);
+    const [, name, count = ""] = HEAD.exec(words) ?? [];
+    if (name !== undefined) tables.push({ name, words: count, line: i + 1, begin: at });
+    else wrong ??= wrongPoles(words, tables.at(-1)?.name ?? "", { line: i + 1, left: text.length - at });
+  });
+  for (const [t, table] of tables.entries()) {
+    const end = tables[t + 1]?.begin ?? text.length;
+    const found = wrongTable(table, end - table.begin);
+    if (found !== undefined) return found;
+  }
+  return wrong;
+}
+
+/** `room`: number of bytes between this table and the next one. */
+function wrongTable({ name, words, line }: Table, room: number): ReadFailure | undefined {
+  const count = /^\d+$/.test(words) ? Number(words) : NaN;
+  if (Number.isNaN(count)) {
+    return damaged(line, `expected the number of ${name}, found "${words.slice(0, 24)}"`);
+  }
+  const most = Math.floor(room / (TABLES.get(name) ?? 1));
+  if (count <= most) return undefined;
+  return damaged(line, `it announces ${count} ${name}, but what follows has room for at most ${most}`);
+}
+
+/** `left`: number of bytes after this line. */
+function wrongPoles(
+  text: string,
+  table: string,
+  { line, left }: { readonly line: number; readonly left: number },
+): ReadFailure | undefined {
+  const kind = POLES.find(
+    ({ table: known, type }) => known.test(table) && text.trimStart().startsWith(`${type} `),
+  );
+  if (kind === undefined) return undefined;
+  const words = text.trim().split(/\s+/);
+  // The first of the numbers may be on the same line.
+  const room = left + text.length;
+  const count = kind.counts.map((place) => Number(words[place] ?? 0)).find((found) => found > room);
+  if (count === undefined) return undefined;
+  return damaged(line, `it announces ${count} poles or knots, but the rest of the file has ${room} bytes`);
+}
+
+function damaged(line: number, message: string): ReadFailure {
+  return failureAt({ line }, `the file is damaged: ${message}`, REMEDY);
+}
