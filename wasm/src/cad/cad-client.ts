@@ -10,9 +10,9 @@ export const notLoadedRemedy = cadHost.remedy;
 
 /**
  * Seconds after which the worker is terminated: OpenCascade cannot be interrupted or asked how far it is, and some damaged
- * files keep it busy forever. On a busy machine, 60 real parts took at most 5 s, and 75 s per megabyte.
+ * files keep it busy forever. On a very busy machine, real parts took at most 25 s, and 220 s per megabyte.
  */
-const LIMIT = { base: 30, perMegabyte: 300 } as const;
+const LIMIT = { base: 30, perMegabyte: 500 } as const;
 const MEGABYTE = 1e6;
 
 /** Returns the longest time that the worker gets for a file, in seconds. */

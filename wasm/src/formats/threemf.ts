@@ -20,6 +20,7 @@ import {
   type Transform,
   type Use,
 } from "./threemf-model.js";
+import { withShortSizes } from "./zip64.js";
 
 /** Limit of the model's size, per byte of the file and in addition: text of a mesh is packed to about a tenth. */
 const MAX_RATIO = 200;
@@ -57,7 +58,7 @@ function modelIn(file: Uint8Array): Uint8Array {
   const tooLarge: string[] = [];
   const wanted = /^\/?3D\/[^/]*\.model$/i;
   try {
-    const found = unzipSync(file, {
+    const found = unzipSync(withShortSizes(file), {
       filter: ({ name, originalSize }) => {
         if (!wanted.test(name)) return false;
         if (originalSize <= MAX_EXTRA + MAX_RATIO * file.length) return true;
