@@ -126,11 +126,13 @@ test("OBJ: an empty line ends a continued line", async () => {
   expect([...triangles]).toEqual([0, 1, 2, 2, 1, 0]);
 });
 
-test("STL: rejects triangles beyond the announced count, but skips zero padding", async () => {
+test("STL: reads triangles beyond the announced count, rejects other content, and skips zero padding", async () => {
   const file = stlBinary(boxSurface(1));
   const fewer = file.slice();
   new DataView(fewer.buffer).setUint32(80, 5, true);
-  await expect(read(fewer, "a.stl")).rejects.toThrow(/byte 334: the file continues after the 5 triangles/);
+  expect((await read(fewer, "a.stl")).triangles).toHaveLength(36);
+  const cut = fewer.subarray(0, -7);
+  await expect(read(cut, "a.stl")).rejects.toThrow(/byte 334: the file continues after the 5 triangles/);
   const filled = new Uint8Array(2048);
   filled.set(file);
   expect((await read(filled, "a.stl")).triangles).toHaveLength(36);

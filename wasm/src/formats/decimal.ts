@@ -4,6 +4,8 @@ const ZERO = 48;
 const PLUS = 43;
 const MINUS = 45;
 const POINT = 46;
+const LETTER_D = 100;
+const LETTER_E = 101;
 /**
  * Whole numbers of up to this many digits, and the powers of ten below, are exact doubles: only one rounding
  * remains.
@@ -46,10 +48,11 @@ export function decimalIn(bytes: Uint8Array, begin: number, end: number): number
   return sign === MINUS ? -value : value;
 }
 
-/** Parses an exponent of up to three digits, with its "e"; NaN if it is invalid. */
+/** Parses an exponent of up to three digits, with its letter; NaN if it is invalid. */
 function exponentIn(bytes: Uint8Array, begin: number, end: number): number {
-  // "E" and "e" differ in one bit.
-  if (((bytes[begin] ?? 0) | 32) !== 101) return NaN;
+  // Capital letters differ in one bit. Fortran writes "D" for double precision.
+  const letter = (bytes[begin] ?? 0) | 32;
+  if (letter !== LETTER_E && letter !== LETTER_D) return NaN;
   let at = begin + 1;
   const sign = bytes[at] ?? 0;
   if (sign === MINUS || sign === PLUS) at++;
@@ -77,10 +80,10 @@ const OTHER = /^([+-]?)(nan|nan\(.*|inf|infinity)$/i;
 
 /** Longer words are rejected: 767 digits decide every double. */
 const MAX_DECIMAL_LENGTH = 1100;
-const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)([ed][+-]?\d+)?$/i;
 
 function slowly(bytes: Uint8Array, begin: number, end: number): number {
   if (end - begin > MAX_DECIMAL_LENGTH) return NaN;
   const text = String.fromCharCode(...bytes.subarray(begin, end));
-  return DECIMAL.test(text) ? Number(text) : NaN;
+  return DECIMAL.test(text) ? Number(text.replace(/d/i, "e")) : NaN;
 }

@@ -13,7 +13,7 @@ import { hexOf } from "./colors.js";
 import { type GroupList, MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, STL_NAMES } from "./name-lines.js";
 import { failureAt, ReadFailure } from "./read-result.js";
-import { indexOf } from "./text-bytes.js";
+import { indexOf, textOf } from "./text-bytes.js";
 
 const HEADER_BYTES = 80;
 const COUNT_BYTES = 4;
@@ -22,6 +22,8 @@ const TRIANGLE_BYTES = 50;
 const NORMAL_BYTES = 12;
 /** Number of bytes inspected to distinguish text from binary. */
 const SNIFFED_BYTES = 1024;
+/** From this count on, a file would have more than 100 GB: programs that do not know the count write -1. */
+const UNKNOWN_COUNT = 2 ** 31;
 /** Number of triangles between two checks of the window. */
 const BATCH = 1024;
 
@@ -47,17 +49,44 @@ async function readBinary(reader: ByteReader): Promise<FileMesh> {
   const count = reader.integer(COUNT_BYTES, false);
   const builder = new MeshBuilder(true);
   const attributes = new Attributes(builder.patches, objectColor(head));
-  for (let t = 0; t < count; t++) {
+  const isCounted = count < UNKNOWN_COUNT;
+  for (let t = 0; isCounted && t < count; t++) {
     if (t % BATCH === 0) await reader.fill();
     if (reader.ahead < TRIANGLE_BYTES) throw tooShort(reader.offset + reader.ahead, count);
     readTriangle(reader, builder, attributes);
   }
-  await reader.fill();
-  // Trailing zeros are padding. Any other trailing triangle means that the count in the header is too small.
-  if (reader.ahead >= TRIANGLE_BYTES && reader.peek(TRIANGLE_BYTES).some((byte) => byte !== 0)) {
-    reader.fail(`the file continues after the ${plural(count, "triangle")} that its header announces`);
+  const more = await readUncounted(reader, isCounted ? count : 0, () =>
+    readTriangle(reader, builder, attributes),
+  );
+  const mesh = attributes.named(builder.mesh(), head);
+  return more === 0 ? mesh : { ...mesh, notes: [countNote(count, more + (isCounted ? count : 0))] };
+}
+
+/**
+ * Reads the triangles after the announced ones, because some programs write a count of 0 or another wrong one; returns
+ * their number. Trailing zeros are padding. Content that is not a whole number of triangles is a failure.
+ */
+async function readUncounted(reader: ByteReader, count: number, readOne: () => void): Promise<number> {
+  const end = reader.location;
+  for (let more = 0; ; more++) {
+    if (more % BATCH === 0) await reader.fill();
+    const next = reader.peek(TRIANGLE_BYTES);
+    if (next.every((byte) => byte === 0)) return more;
+    if (next.length < TRIANGLE_BYTES) {
+      // A few bytes after the announced triangles are a remark of the program.
+      if (more === 0 && count > 0) return 0;
+      reader.fail(
+        `the file continues after the ${plural(count, "triangle")} that its header announces, but not with whole triangles`,
+        end,
+      );
+    }
+    readOne();
   }
-  return attributes.named(builder.mesh(), head);
+}
+
+function countNote(announced: number, read: number): string {
+  const count = announced < UNKNOWN_COUNT ? plural(announced, "triangle") : "an unknown number of triangles";
+  return `the header announces ${count}, but the file has ${read}, which are read`;
 }
 
 function tooShort(length: number, count: number): ReadFailure {
@@ -142,7 +171,7 @@ class Attributes {
 
   /** Adds the names that this package writes to the header, in the order of the attributes. */
   named(mesh: FileMesh, head: Uint8Array): FileMesh {
-    const title = new TextDecoder().decode(head).replace(/\0+$/, "");
+    const title = textOf(head).replace(/\0+$/, "");
     if (!title.startsWith(STL_NAMES)) return mesh;
     const names = title.slice(STL_NAMES.length).split(NAME_BREAK);
     const order = [...this.#known].sort(([a], [b]) => a - b).map(([, patch]) => patch);
@@ -165,7 +194,7 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
       // The rest of the line is a name, which may contain any words.
       isOpen = true;
       patch = builder.patches.named(reader.line() || `solid ${builder.patches.length + 1}`);
-    } else if (reader.accepts("endsolid")) {
+    } else if (acceptsEnd(reader, "solid")) {
       isOpen = false;
       reader.skipLine();
     } else {
@@ -178,15 +207,31 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
   }
 }
 
+/** Consumes "endsolid" and the like, which some programs write as two words. */
+function acceptsEnd(reader: ByteReader, word: string): boolean {
+  if (reader.accepts(`end${word}`)) return true;
+  if (!reader.accepts("end")) return false;
+  reader.expect(word);
+  return true;
+}
+
+function expectEnd(reader: ByteReader, word: string): void {
+  if (!acceptsEnd(reader, word)) reader.expect(`end${word}`);
+}
+
+/** Longest normal, in words: some programs leave it out, others write NaN in several words. */
+const MAX_NORMAL_WORDS = 6;
+
 function readFacet(reader: ByteReader, builder: MeshBuilder, patch: number): void {
-  reader.expect("normal");
-  // Skip the normal: it follows from the corners, and some programs write NaN.
-  for (let i = 0; i < 3; i++) reader.word();
-  reader.expect("outer");
+  // Skip the normal: it follows from the corners.
+  for (let words = 0; !reader.accepts("outer"); words++) {
+    if (words > MAX_NORMAL_WORDS) reader.expect("outer");
+    reader.word();
+  }
   reader.expect("loop");
   const [a, b, c] = [readVertex(reader, builder), readVertex(reader, builder), readVertex(reader, builder)];
-  reader.expect("endloop");
-  reader.expect("endfacet");
+  expectEnd(reader, "loop");
+  expectEnd(reader, "facet");
   builder.addTriangle(a, b, c, patch);
 }
 

@@ -8,9 +8,17 @@ export function startsWithMark(bytes: Uint8Array, at: number): boolean {
   return bytes[at] === 0xef && bytes[at + 1] === 0xbb && bytes[at + 2] === 0xbf;
 }
 
-/** Decodes UTF-8. Invalid bytes become replacement characters, so that the text is empty only if there are no bytes. */
+const utf8 = new TextDecoder("utf-8", { ignoreBOM: true, fatal: true });
+/** The name stands for the code page 1252 of Windows, which contains the printable characters of Latin-1. */
+const latin1 = new TextDecoder("latin1");
+
+/** Decodes UTF-8, or Latin-1 if the bytes are not UTF-8: older programs write names in it. */
 export function textOf(bytes: Uint8Array): string {
-  return new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes);
+  try {
+    return utf8.decode(bytes);
+  } catch {
+    return latin1.decode(bytes);
+  }
 }
 
 /** Returns the index of the next occurrence of `sequence` from `from` on, or -1. */

@@ -13,6 +13,7 @@ import type { ReadContext } from "./file-format.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, NameLines } from "./name-lines.js";
 import type { FileLocation } from "./read-result.js";
+import { textOf } from "./text-bytes.js";
 import { addCell, cellsOf, cellwise } from "./vtk-cells.js";
 
 const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetrahedra, or as .vtu.";
@@ -281,7 +282,7 @@ class VtkReader {
   /** Stores an array under its name, in which blanks and similar characters are encoded like %20. */
   #keep(name: string, components: number, values: Float64Array): void {
     const plain = name.replace(/(?:%[0-9a-f]{2})+/gi, (codes) =>
-      new TextDecoder().decode(Uint8Array.from(codes.slice(1).split("%"), (code) => parseInt(code, 16))),
+      textOf(Uint8Array.from(codes.slice(1).split("%"), (code) => parseInt(code, 16))),
     );
     if (this.#attributesOf === "points") this.#builder.nodeData.set(plain, { components, values });
     else if (this.#attributesOf === "cells" && components === 1) this.#cellData.set(plain, values);

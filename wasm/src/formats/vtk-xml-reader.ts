@@ -11,6 +11,7 @@ import { allBytes, type ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
+import { textOf } from "./text-bytes.js";
 import { type ArrayCoding, type ArrayFail, decodeArray, isReadable, UnpackingBudget } from "./vtk-arrays.js";
 import {
   addCell,
@@ -99,7 +100,7 @@ class XmlFile {
   /** Returns the names defined in comments before the first piece. */
   names(): NameLines {
     const names = new NameLines();
-    const begin = new TextDecoder().decode(this.#bytes.subarray(0, this.head.pieces[0]?.at));
+    const begin = textOf(this.#bytes.subarray(0, this.head.pieces[0]?.at));
     for (const [, line = ""] of begin.matchAll(/<!--([^<>]{1,4000})-->/g)) {
       names.readComment(unescaped(line));
     }
@@ -281,7 +282,8 @@ function* addCells(reading: PieceReading): Steps<void> {
   const typeOf = yield* file.numbers(types);
   const section = yield* sectionOf(reading, "Cells");
   if (section.offsets.length !== typeOf.length) {
-    file.fail("the cells have different numbers of types and offsets", file.offsetOf(types));
+    const message = `the cells have ${plural(typeOf.length, "type")}, but ${plural(section.offsets.length, "offset")}`;
+    file.fail(message, file.offsetOf(types));
   }
   const cells = cellsOf(builder, yield* cellData(reading), section.fail);
   yield* eachCell(reading, section, (nodes, cell) => addCell(cells, typeOf[cell] ?? 0, nodes, cell));
@@ -315,8 +317,15 @@ interface CellSection {
 function* sectionOf({ piece, file }: PieceReading, name: string): Steps<CellSection> {
   const nodes = file.arrayOf(piece, name, "connectivity");
   const fail: Fail = (message) => file.fail(message, file.offsetOf(nodes));
+  const ends = file.arrayOf(piece, name, "offsets");
+  const offsets = yield* file.numbers(ends);
+  const announced = piece.attributes.get(`NumberOf${name}`);
+  if (announced !== undefined && Number(announced) !== offsets.length) {
+    const message = `the piece has ${plural(offsets.length, "offset")} of ${name}, but announces NumberOf${name}="${announced}"`;
+    file.fail(message, file.offsetOf(ends));
+  }
   return {
-    offsets: yield* file.numbers(file.arrayOf(piece, name, "offsets")),
+    offsets,
     connectivity: yield* file.numbers(nodes),
     fail,
   };

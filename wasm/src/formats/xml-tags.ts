@@ -1,5 +1,5 @@
 /** Finds the tags of an XML file in its bytes, which may be longer than the longest possible string. */
-import { indexOf } from "./text-bytes.js";
+import { indexOf, textOf } from "./text-bytes.js";
 
 /** A tag; its quoted values may contain ">". */
 const TAG = /^<(\/?)([A-Za-z][\w:.-]*)((?:"[^"<]*"|'[^'<]*'|[^<>"'])*)>$/;
@@ -30,7 +30,6 @@ const COMMENT_END = new TextEncoder().encode("-->");
 
 /** Yields the tags of elements in order; skips comments. O(n), dominated by the search for "<". */
 export function* tagsIn(bytes: Uint8Array): Generator<Tag> {
-  const decoder = new TextDecoder();
   for (let at = bytes.indexOf(LESS); at >= 0;) {
     if (bytes[at + 1] === 33 && bytes[at + 2] === 45 && bytes[at + 3] === 45) {
       const end = indexOf(bytes, COMMENT_END, at + 4);
@@ -39,7 +38,7 @@ export function* tagsIn(bytes: Uint8Array): Generator<Tag> {
       continue;
     }
     const last = tagEnd(bytes, at + 1);
-    const text = decoder.decode(bytes.subarray(at, last + 1));
+    const text = textOf(bytes.subarray(at, last + 1));
     const [whole, slash, name = "", rest = ""] = TAG.exec(text) ?? [];
     if (whole !== undefined) yield { begin: at, end: last + 1, isClosing: slash === "/", name, rest };
     at = bytes.indexOf(LESS, last);
