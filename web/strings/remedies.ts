@@ -14,6 +14,7 @@ const remedies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
   "large-tetrahedra": "Select Remesh or Refine for the body, or permit a larger volume.",
   "unresolved-surface":
     "Weld nodes within a larger distance, or separate or close the parts there in the program that made them.",
+  "near-nodes": "Repair the body, and weld nodes within the distance by which they are apart.",
   "inconsistent-regions": "Repair the surface, then open it again.",
   "poor-elements":
     "Select Remesh for bodies with needles, use smaller elements in narrow gaps and at sharp edges, or set Optimization to Thorough.",

@@ -212,4 +212,43 @@ describe("the command line", () => {
       expect.stringMatching(/note: cube\.stl: 4 nodes were welded/),
     ]);
   });
+
+  test.each([1e-6, 2e-5, 3e-4])(
+    "check names nodes %d apart, and the distance with which they are welded",
+    async (noise) => {
+      const random = randomSource(3);
+      const box = boxSurface(3);
+      const soup = soupOf(box, (x) => x + noise * ((random() % 1000) / 1000 - 0.5));
+      save("noisy.stl", stlText(soup));
+      const { code, stdout } = await run("check", "noisy.stl");
+      expect(code).toBe(2);
+      expect(stdout).toMatch(
+        /warning: noisy\.stl: \d+ pairs of nodes nearly coincide, at most [\d.e-]+ apart: surface node \d+ and surface node \d+ \([\d.e-]+ apart\), .* and \d+ more\./,
+      );
+      const [, distance = ""] = /use --weld ([\d.e-]+),/.exec(stdout) ?? [];
+      // The corners of a cube of this side are at most √3 of it apart.
+      expect(Number(distance)).toBeGreaterThan(noise / 2);
+      expect(Number(distance)).toBeLessThan(1.1 * Math.sqrt(3) * noise);
+      const welded = await run("check", "noisy.stl", "--weld", distance);
+      expect([welded.code, welded.stdout]).toEqual([0, expect.stringContaining("closed, manifold")]);
+    },
+  );
+
+  test("check names no nodes of a surface with a hole", async () => {
+    const { points, triangles } = sphereSurface(6);
+    save("hole.off", offFile({ points, triangles: triangles.slice(9) }));
+    const { code, stdout } = await run("check", "hole.off");
+    expect([code, stdout]).toEqual([2, expect.not.stringContaining("nearly coincide")]);
+  });
+
+  test("check names nodes of files whose triangles share nodes", async () => {
+    const { points, triangles } = boxSurface(2);
+    const crack = triangles.slice();
+    const copied = crack[0] ?? 0;
+    crack[0] = points.length / 3;
+    const moved = [...points.subarray(3 * copied, 3 * copied + 3)].map((x) => x + 1e-9);
+    save("crack.off", offFile({ points: Float64Array.from([...points, ...moved]), triangles: crack }));
+    const { stdout } = await run("check", "crack.off");
+    expect(stdout).toMatch(/1 pair of nodes nearly coincides, at most 1\.7e-9 apart: .* use --weld 1\.8e-9,/);
+  });
 });

@@ -26,6 +26,7 @@ function codesIn(file: string, begin: RegExp): string[] {
 
 const codes = [
   ...codesIn("diagnostics/sentences.ts", /^ {2}"?([a-z-]+)"?: \{$/m),
+  "near-nodes",
   "needle-surface",
   "poor-elements",
 ] as Diagnostic["code"][];

@@ -24,6 +24,7 @@ import type {
 } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import { needleWarnings } from "../mesh/quality-warnings.js";
+import { nearNodeWarnings } from "./near-nodes.js";
 import { originsOf } from "./surface-numbers.js";
 
 /** Type of the objects of type `Given` that have no fields but those of `Known`. */
@@ -35,13 +36,14 @@ export function* describedInspection(
   name: EntityNamer,
 ): Steps<SurfaceInspection> {
   const warnings = found.isFillable ? yield* needleWarnings(surface) : [];
+  const near = found.openEdges > 0 ? yield* nearNodeWarnings(surface, name) : [];
   const { low, high, shortestEdge, meanEdge, longestEdge, diagnostics, ...rest } = found;
   return {
     ...(rest satisfies Only<SurfaceInspection, typeof rest>),
     cavities: rest.shells.filter(({ isCavity }) => isCavity).length,
     box: rest.nodes === 0 ? null : { low, high },
     edgeLengths: { shortest: shortestEdge, mean: meanEdge, longest: longestEdge },
-    diagnostics: [...(yield* describeInSteps(diagnostics, name)), ...warnings],
+    diagnostics: [...(yield* describeInSteps(diagnostics, name)), ...near, ...warnings],
   };
 }
 

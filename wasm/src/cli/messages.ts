@@ -130,7 +130,7 @@ export function countOf(diagnostics: readonly Diagnostic[], severity: Diagnostic
 }
 
 /** Codes whose only diagnostic is about all elements at once; its message states their number. */
-const SUMMARIES: ReadonlySet<DiagnosticCode> = new Set(["needle-surface", "poor-elements"]);
+const SUMMARIES: ReadonlySet<DiagnosticCode> = new Set(["near-nodes", "needle-surface", "poor-elements"]);
 
 /**
  * Returns the total number of problems of one kind, of which only some are listed. Each diagnostic of a given

@@ -19,6 +19,8 @@ export type PackageCode =
   | "joined-bodies"
   /** Open boundaries of a surface face each other across a gap. */
   | "cracked-surface"
+  /** Nodes of open edges of a surface nearly coincide. */
+  | "near-nodes"
   /** Triangles of a surface were far larger than the sizes, and were split or replaced. */
   | "divided-surface"
   /** A surface was valid, but is not after the rounding of its file format. */

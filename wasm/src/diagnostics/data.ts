@@ -22,6 +22,8 @@ export interface DiagnosticNumbers extends EngineNumbers {
   readonly "deviation-above-tolerance": { readonly deviation: number; readonly tolerance: number };
   /** `count`: number of needles and caps. `triangles`: number of all triangles. */
   readonly "needle-surface": Counted & { readonly triangles: number };
+  /** `count`: number of pairs. `distance`: that of a weld that joins them, in model units. */
+  readonly "near-nodes": Counted & { readonly distance: number };
   /** `count`: number of elements with a dihedral angle below 10°. `tetrahedra`: number of all elements. */
   readonly "poor-elements": Counted & { readonly tetrahedra: number };
   /** Smallest dihedral angle of the mesh, and the angle of `--require-angle`, in degrees. */

@@ -12,7 +12,12 @@ export function invalidArrays(message: string, remedy: string): Diagnostic {
 }
 
 type DiagnosticWithData =
-  "deviation-above-tolerance" | "invalid-option" | "needle-surface" | "poor-elements" | "required-angle";
+  | "deviation-above-tolerance"
+  | "invalid-option"
+  | "near-nodes"
+  | "needle-surface"
+  | "poor-elements"
+  | "required-angle";
 
 /** Returns a diagnostic of the package about no particular entity. */
 export function packageDiagnostic(

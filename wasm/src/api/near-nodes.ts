@@ -1,0 +1,107 @@
+/** Finds nodes of open edges that nearly coincide: cracks that a weld within a small distance closes. */
+import { type Steps, stepwise } from "../base/steps.js";
+import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
+import { type EntityNamer } from "../diagnostics/entity-names.js";
+import { sentence } from "../diagnostics/package-diagnostic.js";
+import { NearGrid } from "../formats/near-grid.js";
+import { diagonalOf } from "../formats/near-points.js";
+import { openEdges } from "../formats/open-edges.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
+
+/** Largest distance / shortest open edge at both nodes: a weld moves no node far along the boundary. */
+const PER_EDGE = 0.25;
+/** Largest distance / diagonal of the surface. */
+const PER_DIAGONAL = 1e-3;
+/** Margin of the distance of the weld. */
+const MARGIN = 1.01;
+/** Number of pairs that the message names. */
+const NAMED_PAIRS = 3;
+
+interface Pair {
+  readonly one: number;
+  readonly other: number;
+  readonly distance: number;
+}
+
+/** Returns a warning that names pairs of nodes that nearly coincide, and the distance that welds all of them. */
+export function* nearNodeWarnings(
+  { points, triangles }: SurfaceInput,
+  name: EntityNamer,
+): Steps<Diagnostic[]> {
+  const pairs = yield* nearPairs(points, yield* openEdges(triangles, points.length / 3));
+  if (pairs.length === 0) return [];
+  const gap = pairs.reduce((most, { distance }) => Math.max(most, distance), 0);
+  const distance = roundedUp(MARGIN * gap);
+  const named = [...pairs].sort((a, b) => a.one - b.one || a.other - b.other).slice(0, NAMED_PAIRS);
+  const words = named.map((pair) => {
+    const [one, other] = [name("surface-node", pair.one), name("surface-node", pair.other)];
+    return `${one.label} and ${other.label} (${digits(pair.distance)} apart)`;
+  });
+  const count = pairs.length;
+  const begin = count === 1 ? "1 pair of nodes nearly coincides" : `${count} pairs of nodes nearly coincide`;
+  const more = count > named.length ? `, and ${count - named.length} more` : "";
+  const warning: DiagnosticOf<"near-nodes"> = {
+    code: "near-nodes",
+    severity: "warning",
+    message: sentence(`${begin}, at most ${digits(gap)} apart: ${words.join(", ")}${more}`),
+    remedy: `If they are meant to be the same, use --weld ${distance}, or repairSurface() with weld: ${distance}.`,
+    entities: named.flatMap(({ one, other }) => [name("surface-node", one), name("surface-node", other)]),
+    position: positionOf(points, named[0]?.one ?? 0),
+    data: { count, distance },
+  };
+  return [warning];
+}
+
+/** Returns pairs of nodes of open edges that are much nearer to each other than their neighbours on these edges. */
+function* nearPairs(points: Float64Array, open: Uint32Array): Steps<readonly Pair[]> {
+  const shortest = yield* shortestEdges(points, open);
+  const nodes = Uint32Array.from(shortest.keys());
+  const limit = PER_DIAGONAL * diagonalOf(points);
+  const limitAt = (node: number) => Math.min(limit, PER_EDGE * (shortest.get(node) ?? 0));
+  const reach = nodes.reduce((most, node) => Math.max(most, limitAt(node)), 0);
+  if (!(reach > 0 && reach < Infinity)) return [];
+  const grid = yield* NearGrid.of(points, [reach, reach, reach], nodes);
+  const pairs: Pair[] = [];
+  yield* stepwise(nodes.length, (i) => {
+    const one = nodes[i] ?? 0;
+    const own = limitAt(one);
+    grid.near(one, [own, own, own], (other) => {
+      if (other < one) return;
+      const distance = distanceOf(points, one, other);
+      if (distance > 0 && distance <= Math.min(own, limitAt(other))) pairs.push({ one, other, distance });
+    });
+  });
+  return pairs;
+}
+
+/** Returns the length of the shortest open edge at each of their nodes. */
+function* shortestEdges(points: Float64Array, open: Uint32Array): Steps<ReadonlyMap<number, number>> {
+  const shortest = new Map<number, number>();
+  yield* stepwise(open.length / 2, (e) => {
+    const [from, to] = [open[2 * e] ?? 0, open[2 * e + 1] ?? 0];
+    const length = distanceOf(points, from, to);
+    for (const node of [from, to]) shortest.set(node, Math.min(length, shortest.get(node) ?? Infinity));
+  });
+  return shortest;
+}
+
+function distanceOf(points: Float64Array, one: number, other: number): number {
+  const squares = [0, 1, 2].map(
+    (axis) => ((points[3 * one + axis] ?? 0) - (points[3 * other + axis] ?? 0)) ** 2,
+  );
+  return Math.sqrt(squares.reduce((sum, square) => sum + square, 0));
+}
+
+function positionOf(points: Float64Array, node: number): [number, number, number] {
+  return [points[3 * node] ?? 0, points[3 * node + 1] ?? 0, points[3 * node + 2] ?? 0];
+}
+
+function digits(value: number): number {
+  return Number(value.toPrecision(2));
+}
+
+/** Rounds up to two digits. */
+function roundedUp(value: number): number {
+  const unit = 10 ** (Math.floor(Math.log10(value)) - 1);
+  return Number((Math.ceil(value / unit) * unit).toPrecision(2));
+}
