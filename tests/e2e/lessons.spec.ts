@@ -444,6 +444,7 @@ test("the model of a lesson is not edited, and the app says why", async ({ page 
   await expect(undo).toBeDisabled();
   await page.getByRole("button", { name: "Edit it nevertheless" }).click();
   await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+a");
   await page.keyboard.press("Delete");
   await expect(undo).toBeEnabled();
 });
