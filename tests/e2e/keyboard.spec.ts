@@ -119,6 +119,88 @@ test("what is typed right after Ctrl K finds and runs a command, from a field, t
   await expect(page.getByRole("dialog", { name: "Search commands" })).toBeHidden();
 });
 
+test("a second Ctrl K leaves a palette open that has not appeared yet, and its keys are no commands", async ({
+  page,
+}) => {
+  let release = (): void => undefined;
+  const held = new Promise<void>((resolve) => (release = resolve));
+  await page.route(/overlays-.*\.js$/, async (route) => {
+    await held;
+    await route.continue();
+  });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.keyboard.press("Control+k");
+  await page.keyboard.press("x");
+  await page.keyboard.press("Control+k");
+  await page.keyboard.press("x");
+  release();
+  await expect(page.getByRole("textbox", { name: "Search commands" })).toHaveValue("xx");
+  await expect(page.getByTestId("cut-toggle")).not.toBeChecked();
+});
+
+test("keys are the palette's even if the focus returns to where it was before", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.keyboard.press("Control+k");
+  const palette = page.getByRole("textbox", { name: "Search commands" });
+  await expect(palette).toBeFocused();
+  // As a menu or a dialog does that closes meanwhile.
+  const stealFocus = (): Promise<void> =>
+    page.evaluate(() => document.querySelector<HTMLElement>('[data-testid="fit"]')?.focus());
+  await stealFocus();
+  await page.keyboard.type("plain x");
+  await expect(palette).toHaveValue("plain x");
+  await stealFocus();
+  await page.keyboard.press("Backspace");
+  await page.keyboard.type("shading");
+  await expect(palette).toHaveValue("plain shading");
+  await stealFocus();
+  await page.keyboard.press("Enter");
+  await expect(palette).toBeHidden();
+  await page.getByRole("tab", { name: "Display" }).click();
+  await expect(page.getByRole("radio", { name: "Plain" })).toBeChecked();
+  await expect(page.getByTestId("cut-toggle")).not.toBeChecked();
+});
+
+test("hotkeys win over the button that has the focus, also after a command of a menu", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const menu = page.getByRole("menu");
+  const choose = async (): Promise<void> => {
+    await page.getByRole("menuitem", { name: "View" }).focus();
+    await page.keyboard.press("Enter");
+    await page.getByRole("menuitem", { name: "Top view" }).click();
+  };
+  const isMeshing = async (): Promise<boolean> =>
+    page.evaluate(() => document.querySelector('[data-testid="log"]')?.textContent !== "");
+  await choose();
+  await page.getByRole("menuitem", { name: "View" }).focus();
+  await page.keyboard.press("Control+Enter");
+  await expect(menu).toHaveCount(0);
+  expect(await isMeshing()).toBe(true);
+  await app.meshed();
+  // In an open menu, too; the menu then closes.
+  await page.getByRole("menuitem", { name: "View" }).focus();
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeVisible();
+  await page.keyboard.press("Control+k");
+  await expect(page.getByRole("textbox", { name: "Search commands" })).toBeFocused();
+  await page.keyboard.press("Escape");
+  await expect(menu).toHaveCount(0);
+  // The letters of hotkeys do not search the names of closed menus.
+  await page.getByRole("menuitem", { name: "View" }).focus();
+  await page.keyboard.press("x");
+  await expect(page.getByTestId("cut-toggle")).toBeChecked();
+  await page.keyboard.press("e");
+  await expect(page.getByRole("menuitem", { name: "View" })).toBeFocused();
+  // Ctrl Enter presses no button, either.
+  await page.getByTestId("cut-button").focus();
+  await page.keyboard.press("Control+Enter");
+  await app.meshed();
+  await expect(page.getByTestId("cut-toggle")).toBeChecked();
+});
+
 test("hotkeys keep working if the palette cannot be loaded", async ({ page }) => {
   await page.route(/overlays-.*\.js$/, (route) => route.abort());
   const app = new AppPage(page);

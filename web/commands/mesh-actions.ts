@@ -7,6 +7,7 @@ import { type BodiesState, canBeFilled, isFillable } from "../session/bodies";
 import { hideNotice, showNotice } from "../session/shell";
 import type { RunPreparation } from "../session/run";
 import type { Improvement } from "../session/shown-mesh";
+import { inputMode } from "../tools/input-mode";
 import { untilState } from "../session/until-state";
 import { improvementText, strings } from "../strings";
 import { formatShort } from "../ui/format";
@@ -21,8 +22,22 @@ export async function generateMesh(app: App): Promise<void> {
   app.view.setLayer("mesh", true);
   const hasBodies = app.bodies.state.getState().byId.size > 0;
   if (!hasBodies) proposeSize(app);
+  const before = app.run.state.getState().outcome;
   await app.run.generate("user", hasBodies ? (control) => validBodies(app, control) : undefined);
+  const { outcome } = app.run.state.getState();
+  if (outcome !== before && outcome?.result.report.status === "done") showAsMeshed(app);
 }
+
+/**
+ * Lets what would cover or colour the mesh that was just made give way: target sizes, and the selection, unless the user is
+ * typing into a field of it.
+ */
+function showAsMeshed({ view }: App): void {
+  view.setSizes({ enabled: false });
+  if (!isTyping()) view.clear();
+}
+
+const isTyping = (): boolean => typeof document !== "undefined" && inputMode(document.activeElement) === "field";
 
 /** Repairs and joins bodies for a run. Returns null if another document is opened meanwhile. */
 async function validBodies(

@@ -8,6 +8,7 @@ import { define, type Command } from "./command";
 import { hasTetrahedra, meshNeeded } from "./conditions";
 import { splitCommand } from "./create-menu";
 import { generateMesh, improveMesh } from "./mesh-actions";
+import { showWorstElement, worstElement } from "./selection-actions";
 import { sizeTools } from "./tool-commands";
 
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
@@ -63,6 +64,10 @@ export const meshMenu: readonly Command[] = [
     (app) => app.view.setSizes({ enabled: !app.view.state.getState().sizes.enabled }),
     { keys: ["shift+D"], checked: (app) => app.view.state.getState().sizes.enabled },
   ),
+  define("mesh", 3)("worst-element", commandLabels.worstElement, showWorstElement, {
+    enabled: (app) => worstElement(app.run.state.getState()) !== undefined,
+    needs: meshNeeded,
+  }),
   define("mesh", 3)("problems", commandLabels.problems, (app) =>
     app.shell.setState({ bottomTab: "problems", drawer: "bottom" }),
   ),

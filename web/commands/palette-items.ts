@@ -2,6 +2,7 @@ import type { App } from "../app/app";
 import { drawnKinds, recordsOf, type Entity } from "../document/entities";
 import { templates } from "../document/templates";
 import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
+import { shareStrings } from "../strings/share";
 import { openExample, openTemplate } from "./project-actions";
 import { DOWNLOADS } from "./file-menu";
 import { commands, runCommand } from "./registry";
@@ -53,13 +54,36 @@ function settingItems(app: App): PaletteItem[] {
     needs: null,
     takesFocus: id === "uniform-size" || id === "gradation",
     run: () => {
-      if (id !== "display") app.view.clear();
+      const rightTab = id === "display" || id === "quality" ? id : "inspector";
+      if (rightTab === "inspector") app.view.clear();
       app.shell.setState({
-        rightTab: id === "display" ? "display" : "inspector",
+        rightTab,
         drawer: "right",
         editedSetting: id === "uniform-size" || id === "gradation" ? id : null,
       });
     },
+  }));
+}
+
+const sharing = {
+  link: (app: App) => void import("./share-actions").then(({ copyLink }) => copyLink(app)),
+  embed: (app: App) => void import("./share-actions").then(({ copyEmbedCode }) => copyEmbedCode(app)),
+  picture: (app: App) => void import("./picture-actions").then(({ savePicture }) => savePicture(app)),
+  drawing: (app: App) => void import("./picture-actions").then(({ saveDrawing }) => saveDrawing(app)),
+  animation: (app: App) => void import("./picture-actions").then(({ saveAnimation }) => saveAnimation(app)),
+} as const;
+
+/** Returns what passes on the step of the front that is shown, as in the menu of the player. */
+function sharingItems(app: App): PaletteItem[] {
+  const hasFront = app.player.state.getState().trace !== null;
+  return (Object.keys(sharing) as (keyof typeof sharing)[]).map((id) => ({
+    id: `share-step-${id}`,
+    group: paletteStrings.front,
+    label: shareStrings[id],
+    words: paletteStrings.sharing[id],
+    hotkey: null,
+    needs: hasFront ? null : paletteStrings.needs.front,
+    run: () => sharing[id](app),
   }));
 }
 
@@ -119,6 +143,7 @@ export function paletteItems(app: App): { readonly listed: PaletteItem[]; readon
       ...exampleItems(app),
       ...entityItems(app),
       ...ofCommands.filter(({ needs }) => needs !== null),
+      ...sharingItems(app),
     ],
   };
 }

@@ -1,23 +1,31 @@
-import Fuse from "fuse.js";
 import type { PaletteItem } from "./palette-items";
+import { isSimilarWord } from "./similar-words";
 
 /** Entries shown per group, of those that are only found. */
 const maxPerGroup = 8;
-/** Share of a word that may differ: 0 for none, 1 for all. */
-const tolerance = 0.34;
+/** Fewest letters with which a word is also found within other words. */
+const minPartLetters = 4;
 
-const wordsOf = (query: string): string[] => query.toLowerCase().split(/\s+/).filter(Boolean);
+const wordsOf = (text: string): string[] => text.toLowerCase().split(/\s+/).filter(Boolean);
+
+const partsOf = (text: string): string[] => text.toLowerCase().split(/[^\p{L}\p{N}]+/u);
 
 /** Returns whether a text contains all words, in any order. */
 const hasWords = (text: string, words: readonly string[]): boolean =>
-  words.every((word) => text.toLowerCase().includes(word));
+  words.every((word) => word.length >= minPartLetters && text.toLowerCase().includes(word));
 
 /** Returns whether words of a text begin with all words of a query. */
 const beginsWords = (text: string, words: readonly string[]): boolean => {
-  const starts = text.toLowerCase().split(/[^\p{L}\p{N}]+/u);
+  const starts = partsOf(text);
   return words.every(
     (word) => starts.some((start) => start.startsWith(word)) || ` ${text.toLowerCase()}`.includes(` ${word}`),
   );
+};
+
+/** Returns whether a text has a word like each word of a query, which may be mistyped. */
+const hasSimilarWords = (text: string, words: readonly string[]): boolean => {
+  const parts = partsOf(text);
+  return words.every((word) => parts.some((part) => part.startsWith(word) || isSimilarWord(word, part)));
 };
 
 /** Returns how well an entry fits a query: 0 is best, 4 is not at all. */
@@ -31,8 +39,8 @@ function rankOf({ label, words: others }: PaletteItem, words: readonly string[])
 
 /**
  * Returns the entries that a query finds, the best first: those with a label whose words begin with those of the query, then
- * those with other words for them, then those that contain them within words; only without any, those that are spelled
- * similarly. Entries that can be run come before disabled ones. O(entries).
+ * those with other words for them, then those that contain them within words; only without any, those with words that differ
+ * by a mistake in typing. Nothing is better than a loose match. Entries that can be run come before disabled ones. O(entries).
  */
 export function searchPalette(
   query: string,
@@ -50,40 +58,12 @@ export function searchPalette(
   return limited(ordered, new Set(listed));
 }
 
-/** What a similar word counts less if it is not in the label: just enough to decide between equals. */
-const otherWords = 1e-3;
-
-/** Returns the entries with a similar word for each word of the query, the most similar first; of equals, as they are given. */
+/** Returns the entries that have a similar word for each word of the query: those with all of them in the label first. */
 function similar(words: readonly string[], items: readonly PaletteItem[]): PaletteItem[] {
-  // A word counts once, also if it is in the label and among the other words.
-  const texts = items.flatMap((item) => [
-    { item, text: item.label, handicap: 0 },
-    { item, text: item.words, handicap: otherWords },
-  ]);
-  const fuse = new Fuse(texts, {
-    keys: ["text"],
-    // The nearest word wins, however many others there are.
-    ignoreFieldNorm: true,
-    threshold: tolerance,
-    ignoreLocation: true,
-    includeScore: true,
-    minMatchCharLength: 2,
-  });
-  const scores = words.map((word) => {
-    const best = new Map<PaletteItem, number>();
-    for (const { item: found, score = 1 } of fuse.search(word)) {
-      const { item, handicap } = found;
-      best.set(item, Math.min(best.get(item) ?? Infinity, score + handicap));
-    }
-    return best;
-  });
-  const scoreOf = (item: PaletteItem): number =>
-    scores.reduce((sum, best) => sum + (best.get(item) ?? Infinity), 0);
-  return items
-    .map((item) => ({ item, score: scoreOf(item) }))
-    .filter(({ score }) => score < Infinity)
-    .toSorted((a, b) => a.score - b.score)
-    .map(({ item }) => item);
+  const isIn = (text: string): boolean => hasSimilarWords(text, words);
+  const inLabel = items.filter(({ label }) => isIn(label));
+  const elsewhere = items.filter(({ label, words: others }) => !isIn(label) && isIn(`${label} ${others}`));
+  return [...inLabel, ...elsewhere];
 }
 
 /** Keeps all commands, disabled ones too, and the first entries of each group of others. */

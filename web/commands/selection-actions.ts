@@ -1,11 +1,16 @@
+import type { ElementQuality } from "tetrafront";
 import type { App } from "../app/app";
 import { deleteEntities, withDependents } from "../document/edits";
 import { entityKey, entityName, type Entity } from "../document/entities";
 import { groupOfSelection } from "../document/groups";
 import { allEntities, withParts } from "../document/select-related";
+import type { Position } from "../document/position";
 import type { Problem } from "../document/validate";
 import { showNotice, type EditedField } from "../session/shell";
+import type { RunState } from "../session/run";
 import { entityNouns, strings } from "../strings";
+import type { CameraPose } from "../viewer/camera";
+import { cutToElement } from "../viewer/cut-to-element";
 
 export function deleteSelection(app: App): void {
   const { selection } = app.view.state.getState();
@@ -60,13 +65,44 @@ export function showProblem(app: App, problem: Problem): void {
   if (problem.position) app.viewer.getState().viewer?.framing.fitPosition(problem.position);
 }
 
-/** Highlights an element of the shown mesh and moves the view to it. */
+/**
+ * Highlights an element of the shown mesh, opens a cut to it, and moves the view to it. What covers it gives way: target
+ * sizes, and its region if that is hidden.
+ */
 export function showElement(app: App, tetrahedron: number): void {
+  const { mesh } = app.run.state.getState();
+  const { viewer } = app.viewer.getState();
   app.view.setLayer("mesh", true);
+  app.view.setSizes({ enabled: false });
   app.view.selectElement(tetrahedron);
   app.shell.setState({ drawer: null });
-  app.viewer.getState().viewer?.framing.fitSelectedFaces();
+  if (mesh) {
+    const region = mesh.volume.regions[tetrahedron];
+    if (region !== undefined && app.view.state.getState().hiddenRegions.has(region))
+      app.view.toggleRegion(region);
+    app.view.setCut(cutToElement(mesh.volume, tetrahedron, viewer ? toEye(viewer.pose) : towardsViewer));
+  }
+  viewer?.framing.fitSelectedFaces();
 }
+
+/** The direction of the viewer in the isometric view. */
+const towardsViewer: Position = [1, -1, 1];
+
+const toEye = ({ eye, target }: CameraPose): Position => [
+  eye[0] - target[0],
+  eye[1] - target[1],
+  eye[2] - target[2],
+];
+
+/** Shows the worst element of the mesh. */
+export function showWorstElement(app: App): void {
+  const worst = worstElement(app.run.state.getState());
+  if (worst) showElement(app, worst.tetrahedron);
+}
+
+/** Returns the worst element of the shown mesh: that with the smallest angle; undefined without elements. */
+export const worstElement = ({ mesh }: Pick<RunState, "mesh">): ElementQuality | undefined =>
+  mesh?.report.quality.worst[0];
 
 /** Shows the given triangles of bodies instead of a mesh. */
 function showGivenTriangles(app: App): void {

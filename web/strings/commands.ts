@@ -121,6 +121,7 @@ export const commandLabels = {
   showSizes: "Show target sizes",
   uniformSize: "Uniform size",
   problems: "Show problems",
+  worstElement: "Show worst element",
 
   front: {
     record: "Record the front",

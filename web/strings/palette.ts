@@ -4,6 +4,14 @@ export const paletteStrings = {
   examples: "Examples",
   settings: "Settings",
   templates: "New project",
+  front: "Front",
+  sharing: {
+    link: "share url address send pass on collaborate",
+    embed: "share html iframe website",
+    picture: "image png screenshot photo snapshot capture export",
+    drawing: "image vector svg screenshot export share",
+    animation: "video film movie gif export share",
+  },
   /** What disabled commands need. */
   needs: {
     selection: "Select something in the view or the tree first.",
@@ -12,9 +20,10 @@ export const paletteStrings = {
     single: "Select one entity or all of a group.",
     mesh: "Generate a mesh first.",
     running: { mesh: "The mesh is being generated.", improve: "The mesh is being improved." },
+    front: "Record the front first (Mesh ▸ Record the front).",
     body: "Select a body of triangles first: Import surface adds one.",
   },
-  downloads: "export save write file",
+  downloads: "export save write file convert output",
 } as const;
 
 /** Other words for commands, by id: what people type who know other programs. */
@@ -41,7 +50,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   "tool-node": "background grid tetrahedron size draw",
   "tool-source": "refine density size draw attractor",
   "tool-move": "drag translate grab",
-  "tool-measure": "distance length angle ruler",
+  "tool-measure": "measure distance length angle ruler dimension how far",
   extrude: "sweep pull thicken",
   revolve: "sweep lathe turn spin",
   "offset-copy": "shell thicken parallel",
@@ -92,8 +101,12 @@ export const synonyms: Readonly<Record<string, string>> = {
   "magnet-grid": "snapping magnet settings",
   "magnet-model": "snapping magnet settings",
   "magnet-patches": "snapping magnet settings surface",
-  problems: "errors warnings check",
-  help: "keys shortcuts manual mouse",
+  "worst-element": "poor bad smallest angle quality sliver find cut",
+  problems: "errors warnings check validate diagnose",
+  history: "undo steps compare versions earlier",
+  lessons: "learn course tutorial teach students compare orders experiments help",
+  present: "projector lecture large type teach laser",
+  help: "help keys shortcuts manual mouse documentation docs guide reference support about licence license version",
 };
 
 /** Settings and other words for them. */
@@ -102,6 +115,10 @@ export const settingNames = {
   gradation: { label: "Gradation", words: "settings growth ratio neighbouring sizes" },
   optimization: { label: "Optimization", words: "settings quality thorough fast" },
   units: { label: "Length unit", words: "settings units mm millimetre millimeter metre meter inch scale" },
+  quality: {
+    label: "Quality: statistics, histograms, worst elements",
+    words: "compare angles dihedral ratio check report measure mesh poor",
+  },
   display: {
     label: "Display: layers, shading, mouse",
     words: "settings preferences show hide colours orbit",

@@ -1,6 +1,6 @@
 /** What "Generate mesh" does to bodies before the run. */
-import { createBody, type Mesher, type ProjectBody } from "tetrafront";
-import { beforeEach, expect, it, vi } from "vitest";
+import { createBody, type Mesher, type MeshResult, type ProjectBody } from "tetrafront";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import { generateMesh } from "../../../web/commands/mesh-actions";
 import { emptyProject } from "../../../web/document/create";
@@ -91,4 +91,36 @@ it("repairs all bodies, each as a step of undo, before they are inspected again"
   app.run.cancel();
   await run;
   expect(steps()).toHaveLength(bodies.length);
+});
+
+describe("the mesh just made", () => {
+  /** Stands in for a run that ends with a status. */
+  const endRun = (status: "done" | "cancelled"): void => {
+    vi.spyOn(app.run, "generate").mockImplementation(() => {
+      const result = { report: { status } } as unknown as MeshResult;
+      app.run.state.setState({ outcome: { key: "a", result } });
+      return Promise.resolve();
+    });
+  };
+  const isCovered = (): readonly [selected: number, sizes: boolean] => {
+    const { selection, sizes } = app.view.state.getState();
+    return [selection.length, sizes.enabled];
+  };
+
+  beforeEach(() => {
+    app.view.select({ kind: "body", id: 1 });
+    app.view.setSizes({ enabled: true });
+  });
+
+  it("is seen as such: nothing is selected, and no target sizes cover it", async () => {
+    endRun("done");
+    await generateMesh(app);
+    expect(isCovered()).toEqual([0, false]);
+  });
+
+  it("leaves the selection and the sizes if there is no mesh", async () => {
+    endRun("cancelled");
+    await generateMesh(app);
+    expect(isCovered()).toEqual([1, true]);
+  });
 });

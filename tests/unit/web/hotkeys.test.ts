@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Mesher } from "tetrafront";
 import { App } from "../../../web/app/app";
-import { hotkeyListener } from "../../../web/panels/page/hotkeys";
+import { chordListener, hotkeyListener } from "../../../web/panels/page/hotkeys";
 import { newDocument } from "../../../web/session/document-store";
 import { PageApps } from "../../../web/tools/page-apps";
 import { cubeProject } from "../../support/projects";
@@ -87,6 +87,48 @@ describe("the hotkeys of two apps on one page", () => {
     send(press(element("input"), "Enter", true));
     send(press(parts[1]?.field as EventTarget, "Enter", true));
     expect(generate.map(({ mock }) => mock.calls.length)).toEqual([0, 1]);
+  });
+});
+
+describe("chords", () => {
+  /** An app with a control in each of some surroundings, and what its listener for chords does to an event. */
+  function openOne() {
+    vi.stubGlobal("document", { body: new EventTarget() });
+    vi.stubGlobal("MouseEvent", class extends Event {});
+    const app = newApp();
+    const apps = new PageApps<App>();
+    apps.add(app, { contains: () => true });
+    const generate = vi.spyOn(app.run, "generate").mockResolvedValue();
+    const listen = chordListener(app, apps);
+    const send = (target: EventTarget, key: string, ctrlKey = true): boolean => {
+      const stopped = vi.fn();
+      listen({ ...press(target, key, ctrlKey), preventDefault: stopped, stopPropagation: stopped });
+      return stopped.mock.calls.length > 0;
+    };
+    return { app, generate, send };
+  }
+
+  it.each([null, '[role="menu"]', '[role="menubar"]', '[role="tree"]'])(
+    "Ctrl Enter meshes and presses no control, in %s",
+    (surroundings) => {
+      const { generate, send } = openOne();
+      expect(send(element(surroundings), "Enter")).toBe(true);
+      expect(generate).toHaveBeenCalledTimes(1);
+    },
+  );
+
+  it.each(["input", '[role="dialog"]'])("are left to %s", (surroundings) => {
+    const { generate, send } = openOne();
+    expect(send(element(surroundings), "Enter")).toBe(false);
+    expect(generate).not.toHaveBeenCalled();
+  });
+
+  it("leave the keys of controls alone, and Ctrl A to trees", () => {
+    const { app, send } = openOne();
+    const control = element('[role="menu"]');
+    for (const key of ["Enter", " ", "ArrowDown", "f"]) expect(send(control, key, false)).toBe(false);
+    expect(send(element('[role="tree"]'), "a")).toBe(false);
+    expect(app.view.state.getState().selection).toEqual([]);
   });
 });
 

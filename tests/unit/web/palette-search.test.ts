@@ -1,8 +1,27 @@
-import { expect, it } from "vitest";
-import type { PaletteItem } from "../../../web/commands/palette-items";
+import type { Mesher } from "tetrafront";
+import { beforeEach, expect, it, vi } from "vitest";
+import { App } from "../../../web/app/app";
+import { paletteItems, type PaletteItem } from "../../../web/commands/palette-items";
 import { inGroups, searchPalette } from "../../../web/commands/palette-search";
 import { commands } from "../../../web/commands/registry";
+import { isSimilarWord } from "../../../web/commands/similar-words";
+import { newDocument } from "../../../web/session/document-store";
 import { synonyms } from "../../../web/strings";
+import { cubeProject } from "../../support/projects";
+import { SilentWorker } from "../../support/silent-worker";
+
+beforeEach(() => {
+  vi.stubGlobal("Worker", SilentWorker);
+});
+
+/** An app whose mesher never answers. */
+function cubeApp(): App {
+  const mesher = Promise.resolve({ previewProject: () => new Promise(() => undefined) } as unknown as Mesher);
+  return new App(
+    { first: { document: newDocument(cubeProject()) }, mesher, previewMesher: mesher, library: null },
+    { gallery: { opening: "", models: [] }, generate: false, still: true },
+  );
+}
 
 const item = (id: string, label: string, words = "", group = "Edit"): PaletteItem => ({
   id,
@@ -101,4 +120,60 @@ it.each([
 it("knows synonyms of existing commands only", () => {
   const known = new Set(commands.map(({ id }) => id));
   expect(Object.keys(synonyms).filter((id) => !known.has(id))).toEqual([]);
+});
+
+/** The entries of an app with a small model, as the palette shows them for a query. */
+function foundBy(query: string): readonly string[] {
+  const { listed, found } = paletteItems(cubeApp());
+  return searchPalette(query, listed, found).map(({ id }) => id);
+}
+
+it.each([
+  ["image", "share-step-picture"],
+  ["picture", "share-step-picture"],
+  ["screenshot", "share-step-picture"],
+  ["png", "share-step-picture"],
+  ["share", "share-step-link"],
+  ["compare", "setting-quality"],
+  ["measure", "tool-measure"],
+  ["distance", "tool-measure"],
+  ["help", "help"],
+  ["manual", "help"],
+  ["export", "download-vtu"],
+  ["download", "download-vtu"],
+  ["shortcuts", "help"],
+])("finds by the word %s what it means", (query, id) => {
+  expect(foundBy(query)).toContain(id);
+});
+
+it.each(["png", "jpg", "pdf", "svn", "xyz", "qwerty", "triangel soup", "mehs it"])(
+  "finds nothing for %s, or only entries with a word like each of its words",
+  (query) => {
+    const words = query.split(" ");
+    const { listed, found } = paletteItems(cubeApp());
+    for (const { label, words: others } of searchPalette(query, listed, found)) {
+      const text = `${label} ${others}`.toLowerCase();
+      const letters = (word: string): string => [...word].sort().join("");
+      const starts = text.split(/[^a-z0-9]+/);
+      for (const word of words)
+        expect(starts.some((start) => start.startsWith(word) || letters(start) === letters(word))).toBe(true);
+    }
+  },
+);
+
+it("takes a word with one mistake for the right one, and no other word", () => {
+  const typed: readonly (readonly [string, string, boolean])[] = [
+    ["genrate", "generate", true],
+    ["sphree", "sphere", true],
+    ["mehs", "mesh", true],
+    ["boundry", "boundary", true],
+    ["tetrahedorn", "tetrahedron", true],
+    ["png", "pan", false],
+    ["png", "point", false],
+    ["line", "side", false],
+    ["cut", "cuts", true],
+    ["hole", "sole", false],
+    ["triangle", "tetrahedra", false],
+  ];
+  for (const [a, b, isSame] of typed) expect([a, b, isSimilarWord(a, b)]).toEqual([a, b, isSame]);
 });

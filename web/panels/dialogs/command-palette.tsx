@@ -1,7 +1,7 @@
 import { Kbd } from "@mantine/core";
 import { Spotlight, useSpotlight } from "@mantine/spotlight";
 import { IconSearch } from "@tabler/icons-react";
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useState } from "react";
 import { useStore } from "zustand";
 import { paletteItems } from "../../commands/palette-items";
 import { inGroups, searchPalette } from "../../commands/palette-search";
@@ -9,7 +9,7 @@ import { keyNames } from "../../commands/registry";
 import { strings } from "../../strings";
 import { useApp, useDocument, useRun, useView } from "../shared/app-context";
 import styles from "./command-palette.module.css";
-import { type EarlyKeys, paletteStore, takeEarlyKeys } from "../shared/palette";
+import { paletteStore, paletteText } from "../shared/palette";
 
 /**
  * The command palette: every command that is enabled; a query also finds entities, examples, templates and settings, and
@@ -17,11 +17,9 @@ import { type EarlyKeys, paletteStore, takeEarlyKeys } from "../shared/palette";
  */
 export function CommandPalette() {
   const app = useApp();
-  // Keep the text here: a palette that is reopened while it closes would keep the old text.
-  const [query, setQuery] = useState("");
+  const query = useStore(paletteText, (state) => state.query);
   const [returnsFocus, setReturnsFocus] = useState(true);
-  const [early, setEarly] = useState<EarlyKeys | null>(null);
-  const field = useRef<HTMLInputElement>(null);
+  const [field, setField] = useState<HTMLInputElement | null>(null);
   const { opened } = useSpotlight(paletteStore);
   useDocument((state) => state.history.past.length + state.history.future.length);
   useRun((state) => state.busy);
@@ -47,27 +45,19 @@ export function CommandPalette() {
       },
     })),
   }));
-  useEffect(() => {
-    // Once the actions for the early text are shown, the first one is selected, as after typing.
-    if (early === null) return;
-    for (const code of early.isEntered ? ["ArrowDown", "Enter"] : ["ArrowDown"]) {
-      field.current?.dispatchEvent(new KeyboardEvent("keydown", { code, bubbles: true }));
-    }
-  }, [early]);
+  useKeptKeys(field);
   return (
     <Spotlight
       store={paletteStore}
       shortcut={null}
       query={query}
-      onQueryChange={setQuery}
+      onQueryChange={(text) => paletteText.setState({ query: text })}
+      // A palette that is opened while it closes has a new text already.
+      clearQueryOnClose={false}
       // The actions are already filtered.
       filter={(_, given) => given}
       returnFocus={returnsFocus}
-      onSpotlightOpen={() => {
-        setQuery("");
-        setEarly(null);
-        setReturnsFocus(true);
-      }}
+      onSpotlightOpen={() => setReturnsFocus(true)}
       tagsToIgnore={[]}
       actions={actions}
       nothingFound={strings.header.paletteEmpty}
@@ -78,19 +68,28 @@ export function CommandPalette() {
       scrollable
       maxHeight={420}
       searchProps={{
-        ref: field,
+        ref: setField,
         leftSection: <IconSearch size={16} aria-hidden />,
         placeholder: strings.header.palette,
         "aria-label": strings.header.palette,
-        onFocus: () => {
-          const keys = takeEarlyKeys();
-          if (keys.text === "" && !keys.isEntered) return;
-          setQuery(keys.text);
-          setEarly(keys);
-        },
       }}
     />
   );
+}
+
+/** Selects the first action for keys that the field did not get, as after typing, and runs it if Enter was among them. */
+function useKeptKeys(field: HTMLInputElement | null): void {
+  const keptKeys = useStore(paletteText, (state) => state.keptKeys);
+  const isEntered = useStore(paletteText, (state) => state.isEntered);
+  useEffect(() => {
+    if (field === null || keptKeys === 0) return;
+    paletteStore.updateState((state) => ({ ...state, selected: -1 }));
+    // The codes are those that the field of Mantine listens for.
+    for (const code of isEntered ? ["ArrowDown", "Enter"] : ["ArrowDown"]) {
+      field.dispatchEvent(new KeyboardEvent("keydown", { code, bubbles: true }));
+    }
+    if (isEntered) paletteText.setState({ isEntered: false });
+  }, [field, keptKeys, isEntered]);
 }
 
 const nothing = { listed: [], found: [] } as const;

@@ -4,7 +4,7 @@ import type { App } from "../../app/app";
 import { commands, runCommand } from "../../commands/registry";
 import type { Command } from "../../commands/command";
 import { frontCommands } from "../../commands/front-commands";
-import { inputMode, isOfWidget } from "../../tools/input-mode";
+import { closeMenus, inputMode, isOfWidget, takesChord } from "../../tools/input-mode";
 import type { PageApps } from "../../tools/page-apps";
 import { pageApps } from "../shared/page-apps";
 import { isPaletteOpen } from "../shared/palette";
@@ -19,6 +19,21 @@ function isMeant(app: App, apps: Apps, { inFields }: Command, target: EventTarge
   return mode === "view" || (mode === "field" && inFields && apps.contains(app, target));
 }
 
+/** Returns a handler of key events that calls `act` with the command of a key. */
+const handlerOf = (
+  among: readonly Command[],
+  act: (command: Command, event: KeyboardEvent) => void,
+): ((event: KeyboardEvent) => void) =>
+  getHotkeyHandler(
+    among.flatMap((command) =>
+      command.keys.map((key): HotkeyItem => [
+        key,
+        (event) => act(command, event as KeyboardEvent),
+        { preventDefault: false },
+      ]),
+    ),
+  );
+
 /**
  * Returns a listener for key events that runs the commands of an app: single keys only if no field has the
  * focus, and no commands in dialogs and menus.
@@ -28,19 +43,33 @@ export function hotkeyListener(
   apps: Apps,
   among: readonly Command[] = commands,
 ): (event: KeyboardEvent) => void {
-  const hotkeys = among.flatMap((command) =>
-    command.keys.map((key): HotkeyItem => [
-      key,
-      (event) => {
-        if (!isMeant(app, apps, command, event.target) || !command.enabled(app)) return;
-        if (event.defaultPrevented || isOfWidget(event)) return;
-        event.preventDefault();
-        runCommand(app, command);
-      },
-      { preventDefault: false },
-    ]),
-  );
-  return getHotkeyHandler(hotkeys);
+  return handlerOf(among, (command, event) => {
+    if (!isMeant(app, apps, command, event.target) || !command.enabled(app)) return;
+    if (event.defaultPrevented || isOfWidget(event)) return;
+    event.preventDefault();
+    runCommand(app, command);
+  });
+}
+
+/**
+ * Returns a listener for the capture phase, which runs the command of a chord before the button, menu or menu item that has
+ * the focus can take its key: with Ctrl, Enter presses no button. Fields, trees and dialogs are left to `hotkeyListener`.
+ */
+export function chordListener(
+  app: App,
+  apps: Apps,
+  among: readonly Command[] = commands,
+): (event: KeyboardEvent) => void {
+  return handlerOf(among, (command, event) => {
+    const { target } = event;
+    if (!takesChord(event) || isPaletteOpen() || !apps.owns(app, target)) return;
+    // Of a disabled command, only Enter is kept from a button: the browser may copy a text, for example.
+    if (!command.enabled(app) && event.key !== "Enter") return;
+    event.preventDefault();
+    event.stopPropagation();
+    closeMenus(target);
+    runCommand(app, command);
+  });
 }
 
 /** Makes the hotkeys of all commands work. */
@@ -51,8 +80,11 @@ export const useFrontHotkeys = (app: App): void => useHotkeys(app, frontCommands
 
 function useHotkeys(app: App, among: readonly Command[]): void {
   useEffect(() => {
-    const listener = hotkeyListener(app, pageApps, among);
-    document.documentElement.addEventListener("keydown", listener);
-    return () => document.documentElement.removeEventListener("keydown", listener);
+    const life = new AbortController();
+    const { documentElement: root } = document;
+    const capturing = { capture: true, signal: life.signal };
+    root.addEventListener("keydown", chordListener(app, pageApps, among), capturing);
+    root.addEventListener("keydown", hotkeyListener(app, pageApps, among), { signal: life.signal });
+    return () => life.abort();
   }, [app, among]);
 }
