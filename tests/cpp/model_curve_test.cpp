@@ -26,7 +26,7 @@ std::vector<Curve> randomCurves(std::uint64_t seed) {
   std::vector<Curve> curves;
   curves.emplace_back(LineType::kStraight, randomPoints(random, 2));
   curves.emplace_back(LineType::kParabolic, randomPoints(random, 3));
-  for (int count = 4; count < 9; ++count)
+  for (int count = 3; count < 9; ++count)
     curves.emplace_back(LineType::kSpline, randomPoints(random, count));
   curves.emplace_back(LineType::kArc, randomPoints(random, 3));
   std::vector<Vec3> circle = randomPoints(random, 3);
@@ -37,7 +37,7 @@ std::vector<Curve> randomCurves(std::uint64_t seed) {
 
 TEST(ModelCurve, EndsAreTheGivenPointsBitForBit) {
   Random random(1);
-  for (int count = 4; count < 30; ++count) {
+  for (int count = 3; count < 30; ++count) {
     const std::vector<Vec3> points = randomPoints(random, count);
     const Curve curve(LineType::kSpline, points);
     EXPECT_EQ(curve.position(0.0), points.front());
@@ -52,6 +52,19 @@ TEST(ModelCurve, SplinePassesEveryPointAtItsKnot) {
   ASSERT_EQ(curve.knots().size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_LT(glm::length(curve.position(curve.knots()[i]) - points[i]), 1e-13);
+}
+
+TEST(ModelCurve, SplineThroughThreePointsIsTheNaturalOne) {
+  // With knots 0, 1/2, 1 and the heights 0, 1, 0, the equation at the middle gives -12 as the only second derivative:
+  // the height is 3t - 4t^3 up to the middle, and the same backwards after it.
+  const double side = 3.0;
+  const Curve curve(LineType::kSpline, {{-side, 0, 0}, {0, 1, 0}, {side, 0, 0}});
+  for (int i = 0; i <= 32; ++i) {
+    const double t = i / 32.0;
+    const double toEnd = std::min(t, 1.0 - t);
+    const Vec3 expected(side * (2.0 * t - 1.0), 3.0 * toEnd - 4.0 * toEnd * toEnd * toEnd, 0.0);
+    EXPECT_LT(glm::length(curve.position(t) - expected), 1e-14) << t;
+  }
 }
 
 TEST(ModelCurve, SplineKnotsAreProportionalToTheChords) {

@@ -102,7 +102,7 @@ export function offerClosedSpline(project: Project, selection: readonly Entity[]
 
 /**
  * Offers lines through the selected points, in the order of selection: straight lines from each point to the next, a
- * parabola, an arc or a circle through three points, or a spline through four or more.
+ * parabola, an arc or a circle through three points, or a spline through three or more.
  */
 export function offerLine(project: Project, selection: readonly Entity[], type: LineType): Offer {
   const points = idsOf(selection, "point");
@@ -126,7 +126,7 @@ export function offerLine(project: Project, selection: readonly Entity[], type: 
       if (points.length !== 3) return refuse(selectionHints.circle);
       return offer(addLines(project, type, [[...points, ...points.slice(0, 1)]]));
     case "spline":
-      if (points.length < 4) return refuse(selectionHints.spline);
+      if (points.length < 3) return refuse(selectionHints.spline);
       return offer(addLines(project, type, [points]));
   }
 }

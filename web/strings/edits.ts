@@ -80,7 +80,7 @@ export const selectionHints = {
   parabola: "Select three points: start, middle, end.",
   arc: "Select three points: start, a point between, end.",
   circle: "Select three points of the circle.",
-  spline: "Select at least four points, in order.",
+  spline: "Select at least three points, in order.",
   loop: "Select the lines around the patch.",
   hole: "Select one patch and the lines around the hole.",
   tetrahedron: "Select four nodes of the background grid.",

@@ -198,7 +198,7 @@ class ModelChecker {
       case LineType::kSpline:
         break;
     }
-    return line.points.size() >= 4;
+    return line.points.size() >= 3;
   }
 
   [[nodiscard]] bool coincide(PointId a, PointId b) const {

@@ -1,6 +1,7 @@
 #include "optimize/optimizer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,6 +30,9 @@ constexpr double kFewMissing = 500.0;
 /// Fraction of the mesh. If improvements changed more, as in gaps one edge wide, shape sweeps would
 /// visit that part again and again.
 constexpr double kMuchChanged = 0.02;
+/// For the estimate of the progress: share of the time before the first step, and the part of a step that a repetition leaves.
+constexpr double kBuildShare = 0.05;
+constexpr double kLeftByRepeat = 0.5;
 
 /// Returns per node the region with the smallest cap among those of its elements; empty if no region has a cap.
 std::vector<std::uint32_t> regionsOfNodes(const VolumeMesh& mesh, const SizeField& field) {
@@ -99,9 +103,15 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
 
   [[nodiscard]] double fraction() const override {
     if (isDone()) return 1.0;
-    if (!isBuilt_) return 0.0;
-    const double within = static_cast<double>(sweep_) / static_cast<double>(step().sweeps.size());
-    return (1.0 + static_cast<double>(step_) + within) / static_cast<double>(1 + schedule_.size());
+    if (!isBuilt_) return kBuildShare * knownShare();
+    double before = 0.0;
+    double all = 0.0;
+    for (std::size_t i = 0; i < schedule_.size(); ++i) {
+      all += schedule_[i].work;
+      if (i < step_) before += schedule_[i].work;
+    }
+    const double made = before + (isUnderWay_ ? stepFraction() * step().work : 0.0);
+    return kBuildShare + (1.0 - kBuildShare) * made / all;
   }
   [[nodiscard]] std::size_t elementCount() const override {
     if (isDone() && kept_) return kept_->regions.size();
@@ -123,6 +133,20 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
  private:
   [[nodiscard]] bool isDone() const { return isBuilt_ && step_ == schedule_.size(); }
   [[nodiscard]] const Step& step() const { return schedule_[step_]; }
+
+  [[nodiscard]] double knownShare() const {
+    return targetsNeeded_ == 0 ? 1.0
+                               : static_cast<double>(targetsKnown_) / static_cast<double>(targetsNeeded_);
+  }
+
+  /// Estimated part of the step that is made. How often it repeats is not known: each repetition takes the same part of
+  /// what is left, because later ones visit less.
+  [[nodiscard]] double stepFraction() const {
+    const double ofRepeat = (static_cast<double>(sweep_) + sweeps_.fraction()) /
+                            static_cast<double>(step().sweeps.size());
+    if (step().maxRepeats == 1) return ofRepeat;
+    return 1.0 - std::pow(kLeftByRepeat, static_cast<double>(repeats_) + ofRepeat);
+  }
 
   std::size_t queryTargets(std::uint32_t budget) {
     const std::size_t count = std::min<std::size_t>(budget, targetsNeeded_ - targetsKnown_);

@@ -90,17 +90,31 @@ constexpr Step ease(Entry entry) {
           .maxRepeats = kPolishPasses};
 }
 
+/// Typical shares of the time of the steps that visit all elements, in percent of the shape steps.
+constexpr double kFirstWork = 35.0;
+constexpr double kRoundsWork = 55.0;
+constexpr double kFinishWork = 10.0;
+constexpr double kFastWork = 50.0;
+constexpr double kThoroughRoundWork = 15.0;
+constexpr double kLaterRoundsWork = 25.0;
+constexpr double kPolishWork = 15.0;
+
 constexpr std::array kShapeSteps{
-    Step{.sweeps = kFirst, .costBasis = CostBasis::kBulk, .purpose = Purpose::kSeeIfSparse},
+    Step{.sweeps = kFirst,
+         .costBasis = CostBasis::kBulk,
+         .purpose = Purpose::kSeeIfSparse,
+         .work = kFirstWork},
     Step{.sweeps = kRound,
          .again = Again::kWhileItGains,
          .maxRepeats = kMaxRounds,
          .minChanges = kQuietRound,
-         .minGain = kMinRoundGain},
-    Step{.sweeps = kFinish, .costBasis = CostBasis::kBulk},
+         .minGain = kMinRoundGain,
+         .work = kRoundsWork},
+    Step{.sweeps = kFinish, .costBasis = CostBasis::kBulk, .work = kFinishWork},
 };
 
-constexpr std::array kFastSteps{Step{.sweeps = kFast, .costBasis = CostBasis::kFinish}};
+constexpr std::array kFastSteps{
+    Step{.sweeps = kFast, .costBasis = CostBasis::kFinish, .work = kFastWork}};
 
 constexpr auto improveSteps(double manyFlat) {
   return std::array{
@@ -138,13 +152,15 @@ constexpr Step thoroughRounds(CostBasis costBasis, int maxRepeats) {
           .costBasis = costBasis,
           .again = Again::kWhileItGains,
           .maxRepeats = maxRepeats,
-          .minGain = kMinThoroughGain};
+          .minGain = kMinThoroughGain,
+          .work = kThoroughRoundWork};
 }
 
 /// The later rounds, which continue the first one.
 constexpr Step laterRounds() {
   Step step = thoroughRounds(CostBasis::kAsBefore, kMaxThoroughRounds - 1);
   step.entry = Entry::kIfGaining;
+  step.work = kLaterRoundsWork;
   return step;
 }
 
@@ -160,7 +176,10 @@ constexpr std::array kThoroughSteps{
          .again = Again::kWhileItImproves,
          .maxRepeats = kImprovementPasses},
     Step{.sweeps = kScore},
-    Step{.sweeps = kPolish, .costBasis = CostBasis::kWithinAngles, .maxRepeats = kPolishPasses},
+    Step{.sweeps = kPolish,
+         .costBasis = CostBasis::kWithinAngles,
+         .maxRepeats = kPolishPasses,
+         .work = kPolishWork},
     Step{.sweeps = kScore, .purpose = Purpose::kCompare},
 };
 
@@ -169,7 +188,10 @@ constexpr std::array kCautiousSteps{
     Step{.sweeps = kScore},
     thoroughRounds(CostBasis::kWithinAngles, kMaxThoroughRounds),
     Step{.sweeps = kScore},
-    Step{.sweeps = kPolish, .costBasis = CostBasis::kWithinAngles, .maxRepeats = kPolishPasses},
+    Step{.sweeps = kPolish,
+         .costBasis = CostBasis::kWithinAngles,
+         .maxRepeats = kPolishPasses,
+         .work = kPolishWork},
 };
 
 }  // namespace

@@ -94,6 +94,9 @@ struct Step {
   double minChanges = 0.0;  ///< minimum of a round, relative to the free nodes
   double minGain = 0.0;     ///< minimum of a round, relative to the mean cost
   Purpose purpose = Purpose::kSweeps;
+  /// Typical time beside that of the other steps, for the estimate of the progress. Without a value, that of a step which
+  /// visits few elements.
+  double work = 1.0;
 };
 
 /// Returns the steps of a level; none for Optimization::kNone. The spans in the steps are valid for

@@ -39,6 +39,10 @@ class Sweeps {
   /// Visits about `budget` elements or nodes and returns how many it visited.
   std::size_t advance(std::uint32_t budget);
   [[nodiscard]] bool isDone() const { return next_ == end_; }
+  /// Part of the sweep that is made, 0 to 1.
+  [[nodiscard]] double fraction() const {
+    return isDone() ? 1.0 : static_cast<double>(next_) / static_cast<double>(end_);
+  }
 
   /// Returns the number of changes since the last call.
   std::size_t takeChanges();

@@ -76,6 +76,31 @@ test("a cylinder is meshed, with its nodes on it and nearly its volume", async (
   expect(side?.minAngle).toBeGreaterThan(30);
 });
 
+test("a spline passes through three points, and ends without curvature", async () => {
+  const project: Project = {
+    ...cylinder(),
+    points: [
+      { id: 1, position: [-3, 0, 0] },
+      { id: 2, position: [0, 1, 0] },
+      { id: 3, position: [3, 0, 0] },
+    ],
+    lines: [{ id: 1, type: "spline", points: [1, 2, 3] }],
+    patches: [],
+  };
+  const { diagnostics, linePoints } = await mesher.previewProject(project);
+  const ofLines = diagnostics.filter(({ entities }) => entities.some(({ kind }) => kind === "line"));
+  expect(ofLines).toEqual([]);
+  // By hand: with the knots 0, 1/2 and 1, the height is 3t - 4t^3 up to the middle; a parabola would have 4t(1 - t).
+  const places = Array.from({ length: linePoints.length / 3 }, (_, i) => [
+    ...linePoints.slice(3 * i, 3 * i + 3),
+  ]);
+  expect(places.length).toBeGreaterThan(4);
+  for (const [x = NaN, y = NaN] of places) {
+    const t = Math.min((x + 3) / 6, (3 - x) / 6);
+    expect(y).toBeCloseTo(3 * t - 4 * t ** 3, 12);
+  }
+});
+
 describe("a project is rejected with a message and a remedy:", () => {
   const damaged = (damage: Partial<Project>) => ({ ...cylinder(), ...damage });
   const { lines, patches, points } = cylinder();

@@ -168,6 +168,21 @@ describe("creations", () => {
     expect(offerLine(project, points, "parabolic").possible).toBe(false);
   });
 
+  it("make a spline through three points, and through more", () => {
+    for (const ids of [
+      [5, 2, 7],
+      [5, 2, 7, 1, 3],
+    ]) {
+      const points = ids.map((id): Entity => ({ kind: "point", id }));
+      const offered = offerLine(project, points, "spline");
+      if (!offered.possible) throw new Error(offered.reason);
+      const documents = new DocumentStore(project, () => 0);
+      documents.edit(offered.creation.edit);
+      expect(documents.project.lines.at(-1)).toMatchObject({ type: "spline", points: ids });
+    }
+    expect(offerLine(project, [5, 2].map((id): Entity => ({ kind: "point", id })), "spline").possible).toBe(false); // prettier-ignore
+  });
+
   it("make arcs and circles through three points", () => {
     const points: Entity[] = [5, 2, 7].map((id) => ({ kind: "point", id }));
     const documents = new DocumentStore(project, () => 0);

@@ -114,7 +114,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     message: ({ the, data }) =>
       `${the("line")} has ${plural(data.points, "point")}, which its type does not permit`,
     remedy:
-      "Use two points for a straight line, three for a parabolic line or an arc, at least four for a spline, and for a circle three and the first of them again.",
+      "Use two points for a straight line, three for a parabolic line or an arc, at least three for a spline, and for a circle three and the first of them again.",
   },
   "coincident-points": {
     message: ({ the, all, at }) =>

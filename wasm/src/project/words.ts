@@ -15,7 +15,7 @@ export const WORDS = {
   name: "Name given by the user",
   position: "x y z, in model units",
   linePoints:
-    "Point ids along the line: two for a straight line; start, middle and end of a parabola; start, a point between and end of an arc; three points of a circle and the first again; four or more for a spline, which is closed if the last equals the first",
+    "Point ids along the line: two for a straight line; start, middle and end of a parabola; start, a point between and end of an arc; three points of a circle and the first again; three or more for a spline, or four or more if the last equals the first, which closes it",
   loop: "Line ids in order; a negative id traverses its line from the last point to the first",
   patchType:
     "In barnhill-gregory-nielson, the loop's second line is weighted differently from the others; a tube joins two loops by straight rulings",
