@@ -13,6 +13,7 @@ import {
   type DocumentStore,
 } from "./document-store";
 import { failureText } from "./failure-text";
+import { TimeLeft } from "./time-left";
 import { improvedMesh, reasonsOf, type Improvement, type ShownMesh } from "./shown-mesh";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
@@ -34,6 +35,8 @@ export interface RunState {
   /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
   readonly progress: Progress | null;
+  /** How many seconds the active run still takes, about; null if it is not known. */
+  readonly secondsLeft: number | null;
   /**
    * Faces of the front while a run advances it, x y z of three corners each. The last ones stay until a mesh replaces
    * them; null before the first snapshot and without a run.
@@ -91,6 +94,7 @@ const emptyRun: RunState = {
   preparing: null,
   cancelling: false,
   progress: null,
+  secondsLeft: null,
   front: null,
   unoptimized: null,
   mesh: null,
@@ -135,6 +139,7 @@ export class MeshRun {
   readonly #mesher: Promise<Mesher>;
   readonly #cache = new Map<string, ShownMesh>();
   #abort: AbortController | null = null;
+  #timeLeft = new TimeLeft();
   #running: Promise<void> = Promise.resolve();
   #lastLogId = 0;
 
@@ -230,14 +235,16 @@ export class MeshRun {
 
   #begin(task: RunState["task"]): AbortController {
     this.#abort = new AbortController();
-    this.state.setState({ busy: true, task, cancelling: false, progress: null, failure: null, log: [] });
+    this.#timeLeft = new TimeLeft();
+    const begun = { cancelling: false, progress: null, secondsLeft: null, failure: null, log: [] };
+    this.state.setState({ busy: true, task, ...begun });
     return this.#abort;
   }
 
   #end(): void {
     this.#abort = null;
-    const ended = { busy: false, preparing: null, cancelling: false, progress: null, front: null };
-    this.state.setState({ ...ended, unoptimized: null });
+    const ended = { busy: false, preparing: null, cancelling: false, progress: null, secondsLeft: null };
+    this.state.setState({ ...ended, front: null, unoptimized: null });
   }
 
   /**
@@ -267,7 +274,7 @@ export class MeshRun {
         signal: abort.signal,
         onProgress: (progress) => {
           elapsedSeconds = progress.elapsedSeconds;
-          if (isDue(this.state.getState().progress, progress)) this.state.setState({ progress });
+          this.#showProgress(progress);
         },
       });
       await this.#documents.afterGesture();
@@ -347,7 +354,13 @@ export class MeshRun {
         log("information", logStrings.boundaryTriangles(count(progress.triangles)));
       log("information", phaseNames[progress.phase]);
     }
-    if (isDue(before, progress)) this.state.setState({ progress });
+    this.#showProgress(progress);
+  }
+
+  #showProgress(progress: Progress): void {
+    if (!isDue(this.state.getState().progress, progress)) return;
+    const secondsLeft = this.#timeLeft.add(progress.fraction, progress.elapsedSeconds);
+    this.state.setState({ progress, secondsLeft });
   }
 
   #finish(project: Project, result: MeshResult, log: (level: LogLevel, text: string) => void): void {

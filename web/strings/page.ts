@@ -24,6 +24,7 @@ export const pageStrings = {
     dark: "Dark theme",
     panels: "Panels",
     busy: { mesh: "Meshing…", improve: "Improving…" },
+    cancel: { mesh: "Cancel", improve: "Stop" },
     menu: "Menu",
   },
   gallery: {
@@ -81,6 +82,8 @@ export const pageStrings = {
     cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
     cancelling: { mesh: "Cancelling…", improve: "Stopping…" },
     progress: { mesh: "Meshing progress", improve: "Progress of the improvement" },
+    timeLeft: ({ value, unit }: { readonly value: number; readonly unit: string }) =>
+      `about ${value} ${unit} left`,
     improving: "Improving the elements",
     opened: (file: string) => `Mesh of ${file}`,
     done: "Mesh is up to date",
@@ -156,8 +159,9 @@ export const pageStrings = {
   help: {
     title: "Keyboard and mouse",
     mouse: [
-      ["Click", "select, in the view and in the tree; Shift adds, Ctrl toggles"],
-      ["Ctrl Shift click, Shift ↑ ↓", "in the tree: select all rows between"],
+      ["Click", "select; in the view, Shift adds and Ctrl toggles"],
+      ["Shift click, Shift ↑ ↓", "in the tree and in lists: select all rows between; Ctrl Shift adds them"],
+      ["Ctrl click", "in the tree and in lists: add or remove a row"],
       ["Tab, Shift Tab", "after a click: select the next or previous entity under the pointer instead"],
       ["Double click", "edit the entity under the pointer; elsewhere, and by a finger, fit the view"],
       [

@@ -16,12 +16,12 @@ import { AddButton, EntityEye, GroupEye } from "./tree-actions";
 import { MadeGroupItem, MadeGroupsItem, Swatch, type Common } from "./made-group-items";
 import { headings, rowElementId, rowKey, type TreeRow } from "./tree-rows";
 
-/** How a click or a key changes the selection: as in the view, or by all rows from the one chosen before. */
-export type TreeSelectMode = SelectMode | "add-range";
+/** How a click or a key changes the selection: by one row, or by all rows from the one chosen before. */
+export type TreeSelectMode = SelectMode | "range" | "add-range";
 
 export function selectModeOf(event: MouseEvent | KeyboardEvent): TreeSelectMode {
   const hasMod = event.ctrlKey || event.metaKey;
-  if (event.shiftKey) return hasMod ? "add-range" : "add";
+  if (event.shiftKey) return hasMod ? "add-range" : "range";
   return hasMod ? "toggle" : "replace";
 }
 

@@ -59,8 +59,10 @@ export function useTreeNavigation(options: TreeNavigationOptions): TreeNavigatio
     setFocusedKey(rowKey(row));
     if (row.type === "group" || row.type === "made-groups") setOpen(row, !row.open);
     else if (row.type === "made-group") {
-      app.view.selectMany(groupEntities(project, row.group), mode === "add-range" ? "add" : mode);
+      const single = mode === "add-range" || mode === "range" ? "add" : mode;
+      app.view.selectMany(groupEntities(project, row.group), single);
     } else if (mode === "add-range") app.view.selectMany(rangeTo(row), "add");
+    else if (mode === "range") app.view.selectAll(rangeTo(row));
     else {
       anchor.current = rowKey(row);
       app.view.select(row.entity, mode);

@@ -17,6 +17,7 @@ import {
   IconMenu2,
   IconMoon,
   IconPlayerPlayFilled,
+  IconPlayerStopFilled,
   IconScissors,
   IconSearch,
   IconSun,
@@ -177,24 +178,48 @@ function SchemeToggle() {
   );
 }
 
+/** Meshes the model. While a run is active, the same place cancels it: the user need not look for another button. */
 function GenerateButton({ compact }: { readonly compact: boolean }) {
   const app = useApp();
   const busy = useRun((state) => state.busy);
   const task = useRun((state) => state.task);
+  const cancelling = useRun((state) => state.cancelling);
+  const common = {
+    size: "compact-md",
+    h: 30,
+    px: compact ? 10 : 14,
+    fz: "sm",
+    // The texts have different widths, but the header must not move when a run begins.
+    miw: compact ? 104 : 144,
+  } as const;
+  if (busy) {
+    return (
+      <Button
+        {...common}
+        // The same element would keep a press that begins on the one and ends on the other button.
+        key="cancel"
+        color="red"
+        variant="light"
+        leftSection={<IconPlayerStopFilled size={13} aria-hidden />}
+        aria-label={strings.status.cancel[task]}
+        data-testid="cancel-run"
+        disabled={cancelling}
+        // The second press of a double click was meant for the other button.
+        onClick={({ detail }) => detail < 2 && app.run.cancel()}
+      >
+        {cancelling ? strings.status.cancelling[task] : strings.header.cancel[task]}
+      </Button>
+    );
+  }
   return (
     <Button
-      size="compact-md"
-      h={30}
-      px={compact ? 10 : 14}
-      fz="sm"
+      {...common}
+      key="generate"
       leftSection={<IconPlayerPlayFilled size={13} aria-hidden />}
-      // The texts have different widths, but the header must not move when a run begins.
-      miw={compact ? 104 : 144}
       data-testid="generate"
-      disabled={busy}
       onClick={() => void generateMesh(app)}
     >
-      {busy ? strings.header.busy[task] : compact ? strings.header.generateShort : strings.header.generate}
+      {compact ? strings.header.generateShort : strings.header.generate}
     </Button>
   );
 }

@@ -3,6 +3,7 @@ import { IconX } from "@tabler/icons-react";
 import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
 import { useStore } from "zustand";
 import { useMemo } from "react";
+import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
 import type { RunState } from "../../session/run";
 import { IconButton } from "../../ui/icon-button";
@@ -127,6 +128,7 @@ function RunProgress() {
   const task = useRun((state) => state.task);
   const preparing = useRun((state) => state.preparing);
   const phase = progress ? phaseText(task, progress) : strings.header.busy[task];
+  const secondsLeft = useRun((state) => state.secondsLeft);
   const text = cancelling ? strings.status.cancelling[task] : (preparing ?? `${phase} ${percent} %`);
   const announced = useThrottled(text, announceEveryMs);
   return (
@@ -140,6 +142,9 @@ function RunProgress() {
         transitionDuration={0}
       />
       <span aria-hidden>{text}</span>
+      {secondsLeft !== null && !cancelling && (
+        <span data-testid="time-left">{strings.status.timeLeft(roundTime(secondsLeft))}</span>
+      )}
       {progress && progress.frontFaces > 0 && (
         <span className={styles["wide"]} aria-hidden>
           {progress.exactFillFraction > 0

@@ -8,6 +8,7 @@ import { formatCount, formatPosition } from "../../ui/format";
 import { strings } from "../../strings";
 import { useApp, useRun, useView } from "../shared/app-context";
 import { TextButton } from "../../ui/text-button";
+import { useListSelection } from "../shared/use-list-selection";
 import styles from "./triangle-list.module.css";
 
 const texts = strings.triangles;
@@ -30,6 +31,8 @@ export function TriangleList({ problem }: { readonly problem: Problem }) {
   const { triangles, body } = problem;
   const found = useSurface(problem);
   const highlighted = useView((state) => state.triangles);
+  const listed = triangles.slice(0, maxListed);
+  const choose = useListSelection(listed, highlighted, (chosen) => showTriangles(app, chosen, body));
   if (!found) return null;
   const { surface, placement } = found;
   return (
@@ -37,15 +40,15 @@ export function TriangleList({ problem }: { readonly problem: Problem }) {
       <summary>{texts.count(formatCount(triangles.length), triangles.length === 1)}</summary>
       <Chip onClick={() => showTriangles(app, triangles, body)}>{texts.all}</Chip>
       <ul>
-        {triangles.slice(0, maxListed).map((triangle) => {
+        {listed.map((triangle) => {
           const given = triangleCentroid(surface, triangle);
           const position = given && placed(given, placement);
           return (
             <li key={triangle}>
               <TextButton
-                aria-pressed={highlighted.length === 1 && highlighted[0] === triangle}
+                aria-pressed={highlighted.length < triangles.length && highlighted.includes(triangle)}
                 data-testid={`triangle-${triangle}`}
-                onClick={() => showTriangles(app, [triangle], body)}
+                onClick={(event) => choose(triangle, event)}
               >
                 {texts.one(formatCount(triangle))}
               </TextButton>{" "}

@@ -1,13 +1,15 @@
+import type { MouseEvent } from "react";
 import { Text, UnstyledButton } from "@mantine/core";
 import type { PatchQuality, Project } from "tetrafront";
 import { showEntities } from "../../commands/selection-actions";
-import { patchAt, type Entity } from "../../document/entities";
+import { entityKey, entityOfKey, patchAt, type Entity } from "../../document/entities";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatAngle, formatCount, formatShort } from "../../ui/format";
 import { TableHead } from "../../ui/table-head";
 import { strings } from "../../strings";
-import { useApp, useProject, useRun, useStale } from "../shared/app-context";
+import { useApp, useProject, useRun, useStale, useView } from "../shared/app-context";
 import { entityTitle } from "../shared/entity-chips";
+import { useListSelection } from "../shared/use-list-selection";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { Facts } from "../../ui/facts";
 import table from "../../ui/table.module.css";
@@ -65,6 +67,15 @@ export function PatchTable() {
   const project = useProject();
   const meanEdge = useMeanEdgeName();
   const rows = usePatchQuality().toSorted((a, b) => a.quality.minAngle - b.quality.minAngle);
+  const app = useApp();
+  const selected = useView((state) => state.selection).map(entityKey);
+  const byKey = new Map(rows.map(({ entity }) => [entityKey(entity), entity]));
+  const choose = useListSelection([...byKey.keys()], selected, (keys) =>
+    showEntities(
+      app,
+      keys.flatMap((key) => byKey.get(key) ?? entityOfKey(key) ?? []),
+    ),
+  );
   return (
     <ScrollPanel label={texts.title}>
       {rows.length === 0 ? (
@@ -85,7 +96,14 @@ export function PatchTable() {
           />
           <tbody>
             {rows.map(({ entity, quality }) => (
-              <PatchRow key={entity.id} entity={entity} quality={quality} project={project} />
+              <PatchRow
+                key={entity.id}
+                entity={entity}
+                quality={quality}
+                project={project}
+                isSelected={selected.includes(entityKey(entity))}
+                onChoose={(keys) => choose(entityKey(entity), keys)}
+              />
             ))}
           </tbody>
         </table>
@@ -98,14 +116,15 @@ interface PatchRowProps {
   readonly entity: Entity;
   readonly quality: PatchQuality;
   readonly project: Project;
+  readonly isSelected: boolean;
+  readonly onChoose: (event: MouseEvent) => void;
 }
 
-function PatchRow({ entity, quality, project }: PatchRowProps) {
-  const app = useApp();
+function PatchRow({ entity, quality, project, isSelected, onChoose }: PatchRowProps) {
   return (
-    <tr data-testid={`patch-row-${entity.id}`}>
+    <tr data-highlighted={isSelected || undefined} data-testid={`patch-row-${entity.id}`}>
       <th scope="row">
-        <UnstyledButton onClick={() => showEntities(app, [entity])}>
+        <UnstyledButton aria-pressed={isSelected} onClick={onChoose}>
           {entityTitle(project, entity)}
         </UnstyledButton>
       </th>
