@@ -4,6 +4,7 @@ import { readProject, type Project } from "tetrafront";
 import { defectsOf, meshVolume, NO_DEFECTS } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
+import { downloadMesh } from "./downloads";
 
 /** Saves the project in the app and returns it. */
 async function savedProject(page: Page): Promise<Project> {
@@ -329,12 +330,7 @@ test("the list and the view show the roles of the lines of a Barnhillâ€“Gregoryâ
  * boundary.
  */
 async function savedMesh(page: Page) {
-  await page.getByTestId("download").click();
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    page.getByRole("menuitem", { name: /VTU/ }).click(),
-  ]);
-  const { points, tetrahedra } = parseVtu(new Uint8Array(await readFile(await download.path())));
+  const { points, tetrahedra } = parseVtu(await downloadMesh(page, /VTU/));
   const mesh = {
     points: Float64Array.from(points),
     tetrahedra: Uint32Array.from(tetrahedra.flat()),

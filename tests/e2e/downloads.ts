@@ -7,10 +7,24 @@ export async function downloaded(page: Page, act: () => Promise<void>): Promise<
   return new Uint8Array(await readFile(await download.path()));
 }
 
-/** Downloads the mesh in the format whose menu entry has this name. */
-export async function downloadMesh(page: Page, format: RegExp): Promise<Uint8Array> {
-  return downloaded(page, async () => {
-    await page.getByTestId("download").click();
-    await page.getByRole("menuitem", { name: format }).click();
-  });
+/** Opens the export dialog and chooses the format with this name, without saving yet. */
+export async function chooseFormat(page: Page, format: RegExp): Promise<void> {
+  await page.getByTestId("download").click();
+  await page.getByRole("dialog", { name: "Export mesh" }).getByRole("radio", { name: format }).check();
+}
+
+export interface ExportChoice {
+  readonly secondOrder?: boolean;
+}
+
+/** Saves the mesh in the format with this name. */
+export async function downloadMesh(
+  page: Page,
+  format: RegExp,
+  { secondOrder = false }: ExportChoice = {},
+): Promise<Uint8Array> {
+  await chooseFormat(page, format);
+  const dialog = page.getByRole("dialog", { name: "Export mesh" });
+  await dialog.getByText(secondOrder ? "Second order" : "Linear", { exact: true }).click();
+  return downloaded(page, () => dialog.getByRole("button", { name: "Export", exact: true }).click());
 }

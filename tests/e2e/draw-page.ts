@@ -1,11 +1,11 @@
 import { expect } from "@playwright/test";
-import { readFile } from "node:fs/promises";
 import { defectsOf } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { readProject } from "tetrafront";
 import { countActions, expectActions } from "./actions";
 import { AppPage, type Position } from "./app-page";
 import { downloaded } from "./downloads";
+import { downloadMesh } from "./downloads";
 
 /** The view of a new project, drawn in with the pointer and the keyboard alone. */
 export class DrawPage extends AppPage {
@@ -72,12 +72,7 @@ export class DrawPage extends AppPage {
     await this.type("uniform-size", size);
     await this.generate();
     await expectActions(this.page, task);
-    await this.page.getByTestId("download").click();
-    const [download] = await Promise.all([
-      this.page.waitForEvent("download"),
-      this.page.getByRole("menuitem", { name: /VTU/ }).click(),
-    ]);
-    const { points, tetrahedra } = parseVtu(new Uint8Array(await readFile(await download.path())));
+    const { points, tetrahedra } = parseVtu(await downloadMesh(this.page, /VTU/));
     const mesh = {
       points: Float64Array.from(points),
       tetrahedra: Uint32Array.from(tetrahedra.flat()),

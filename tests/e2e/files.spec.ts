@@ -4,6 +4,7 @@ import { readProject } from "tetrafront";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { polyMeshDefects, readPolyMesh } from "../support/poly-mesh";
 import { AppPage, sampleProject } from "./app-page";
+import { chooseFormat } from "./downloads";
 
 interface Downloaded {
   readonly name: string;
@@ -19,8 +20,13 @@ async function downloaded(page: Page, act: () => Promise<void>): Promise<Downloa
 }
 
 const choose = (page: Page, item: RegExp) => async (): Promise<void> => {
+  await chooseFormat(page, item);
+  await page.getByTestId("export-apply").click();
+};
+
+const chooseReport = (page: Page) => async (): Promise<void> => {
   await page.getByTestId("download").click();
-  await page.getByRole("menuitem", { name: item }).click();
+  await page.getByRole("button", { name: "Mesh report (JSON)" }).click();
 };
 
 async function dropProject(page: Page, text: string, fileName = "dropped.json"): Promise<void> {
@@ -48,7 +54,7 @@ test("the downloaded VTU, MSH and polyMesh files have the numbers of elements sh
   expect(vtuMesh.tetrahedra).toHaveLength(tets);
   expect(vtuMesh.points.length / 3).toBe(points);
 
-  const msh = await downloaded(page, choose(page, /MSH/));
+  const msh = await downloaded(page, choose(page, /MSH 4/));
   expect(msh.name).toBe("engine-intake.msh");
   const mshMesh = parseMsh(msh.bytes);
   expect(mshMesh.tetrahedra.flatMap(({ elements }) => elements)).toHaveLength(tets);
@@ -67,7 +73,7 @@ test("the report of the run can be downloaded", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets, fingerprint } = await app.mesh();
-  const { name, text } = await downloaded(page, choose(page, /report/));
+  const { name, text } = await downloaded(page, chooseReport(page));
   expect(name).toBe("engine-intake-report.json");
   expect(JSON.parse(text)).toMatchObject({ status: "done", tetrahedra: tets, fingerprint });
 });

@@ -1,10 +1,10 @@
-import { readFile } from "node:fs/promises";
 import { expect, test, type Page } from "@playwright/test";
 import { createMesher, fileMeshOf, writeMesh, type FileMesh } from "tetrafront";
 import { parseMsh } from "../support/mesh-files";
 import { sphereSurface } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { dropBytes } from "./drop-bytes";
+import { downloadMesh } from "./downloads";
 
 /** A sphere as the front left it, with two named patches. */
 async function roughMesh(size: number): Promise<FileMesh> {
@@ -45,14 +45,7 @@ test("a mesh file is opened, improved, downloaded with its names, and restored b
   const after = await smallestAngle(page);
   expect(after).toBeGreaterThan(before + 5);
 
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    page
-      .getByTestId("download")
-      .click()
-      .then(() => page.getByRole("menuitem", { name: /MSH/ }).click()),
-  ]);
-  const written = parseMsh(new Uint8Array(await readFile(await download.path())));
+  const written = parseMsh(await downloadMesh(page, /MSH 4/));
   const [core] = written.tetrahedra;
   expect(core?.name).toBe("core");
   expect(core?.elements).toHaveLength(Number(await app.viewport.getAttribute("data-tets")));

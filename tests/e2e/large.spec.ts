@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { writeProject, type Project } from "tetrafront";
 import { gridMesh } from "../unit/web/grid-mesh";
 import { AppPage, sampleProject } from "./app-page";
+import { chooseFormat } from "./downloads";
 
 /** Script of the worker that finds the faces and quality of large meshes; the tests delay it or make it fail. */
 const queryWorkerScript = /mesh-query-worker-.*\.js$/;
@@ -56,8 +57,8 @@ test("a failure to write a mesh is reported, and the next attempt can succeed", 
   await page.route(writeScript, (route) => route.abort());
   await new AppPage(page).openCube();
   const save = async (): Promise<void> => {
-    await page.getByTestId("download").click();
-    await page.getByRole("menuitem", { name: /SU2/ }).click();
+    await chooseFormat(page, /SU2/);
+    await page.getByTestId("export-apply").click();
   };
   await save();
   const dialog = page.getByRole("dialog", { name: "The mesh could not be written" });

@@ -8,8 +8,9 @@ async function reportOf({ page }: AppPage): Promise<MeshReport> {
   await page.getByTestId("download").click();
   const [download] = await Promise.all([
     page.waitForEvent("download"),
-    page.getByRole("menuitem", { name: /report/ }).click(),
+    page.getByRole("button", { name: "Mesh report (JSON)" }).click(),
   ]);
+  await page.keyboard.press("Escape");
   return JSON.parse(await readFile(await download.path(), "utf8")) as MeshReport;
 }
 

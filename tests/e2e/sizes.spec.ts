@@ -82,7 +82,7 @@ class SizesPage extends AppPage {
   }
 
   async downloadedMesh() {
-    const { points, tetrahedra } = parseVtu(await downloadMesh(this.page, /^Download mesh as VTU/));
+    const { points, tetrahedra } = parseVtu(await downloadMesh(this.page, /^VTU/));
     const mesh = {
       points: Float64Array.from(points),
       tetrahedra: Uint32Array.from(tetrahedra.flat()),

@@ -18,6 +18,8 @@ export interface Command {
   readonly needs: (app: App) => string | null;
   /** For commands that toggle something: is it on? Else null. */
   readonly checked: ((app: App) => boolean) | null;
+  /** Whether a menu lists it; others are only found in the palette. */
+  readonly inMenu: boolean;
   readonly run: (app: App) => void;
 }
 
@@ -27,6 +29,7 @@ export interface Extra {
   readonly enabled?: (app: App) => boolean;
   readonly needs?: string | ((app: App) => string | null);
   readonly checked?: (app: App) => boolean;
+  readonly inMenu?: boolean;
 }
 
 type Label = string | ((app: App) => string);
@@ -48,5 +51,6 @@ export const define =
     enabled: extra.enabled ?? (() => true),
     needs: typeof needs === "function" ? needs : () => needs,
     checked: extra.checked ?? null,
+    inMenu: extra.inMenu ?? true,
     run,
   });

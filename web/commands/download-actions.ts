@@ -1,15 +1,14 @@
-import type { ElementOrder } from "tetrafront";
 import type { App } from "../app/app";
 import { download, fileStem } from "../session/files";
 import { strings } from "../strings";
-import { writeMeshFiles } from "../workers/mesh-files";
+import { writeMeshFiles, type FileChoice } from "../workers/mesh-files";
 import { showMessage } from "./messages";
 
 /** `extension`: of a format that the package writes, without its first dot. */
 export async function downloadMesh(
   app: App,
   extension: string,
-  elementOrder: ElementOrder = 1,
+  { elementOrder = 1, unit = null }: Partial<Omit<FileChoice, "fileName">> = {},
 ): Promise<void> {
   const { mesh, origin } = app.run.state.getState();
   const { project } = app.documents;
@@ -17,7 +16,7 @@ export async function downloadMesh(
   try {
     const regions = origin?.regions ?? null;
     const fileName = `${fileStem(project.name)}.${extension}`;
-    const files = await writeMeshFiles(mesh, project, regions, { fileName, elementOrder });
+    const files = await writeMeshFiles(mesh, project, regions, { fileName, elementOrder, unit });
     for (const { fileName: name, content } of files) download([content], name, "application/octet-stream");
   } catch (error) {
     showMessage(app, strings.messages.downloadFailed, [String(error)]);

@@ -1,5 +1,6 @@
 import type { App } from "../app/app";
-import { commandLabels, downloadFormats, secondOrderFormats } from "../strings";
+import { encodingsOf, exportFormats, extensionIn } from "../document/export-formats";
+import { commandLabels, exportStrings } from "../strings";
 import { define, type Command } from "./command";
 import { hasTetrahedra, meshNeeded } from "./conditions";
 import { downloadMesh, downloadReport } from "./download-actions";
@@ -13,14 +14,25 @@ const needsTetrahedra = {
   needs: meshNeeded,
 };
 
-/** Extension and name of each format. docs/FORMAT.md describes their content. */
-const formats = Object.entries(downloadFormats);
-const secondOrder = Object.entries(secondOrderFormats);
+/** Extension and name of each format that the palette saves at once, without the dialog. */
+const formats = exportFormats.flatMap((format) =>
+  encodingsOf(format).map((encoding) => {
+    const kind = format.content === "boundary" ? " (boundary)" : "";
+    const name = `${exportStrings.formats[format.id] ?? format.id}${kind}`;
+    return [
+      extensionIn(format, encoding),
+      encoding === encodingsOf(format)[0] ? name : `${name}, ${encoding}`,
+    ];
+  }),
+) as readonly (readonly [extension: string, name: string])[];
+const secondOrder = exportFormats
+  .filter(({ hasSecondOrder }) => hasSecondOrder)
+  .map((format) => extensionIn(format, "binary"));
 
-/** Ids of the commands in the download menu of the header. */
+/** Ids of the commands that save the mesh at once. */
 export const DOWNLOADS: readonly string[] = [
   ...formats.map(([extension]) => `download-${extension}`),
-  ...secondOrder.map(([extension]) => `download-second-order-${extension}`),
+  ...secondOrder.map((extension) => `download-second-order-${extension}`),
   "download-report",
 ];
 
@@ -50,20 +62,25 @@ export const fileMenu: readonly Command[] = [
     keys: ["mod+shift+S"],
     inFields: true,
   }),
+  define("file", 2)("export", exportStrings.menu, (app) => app.shell.setState({ dialog: "export" }), {
+    keys: ["mod+shift+E"],
+    inFields: true,
+    ...needsTetrahedra,
+  }),
   ...formats.map(([extension, format]) =>
     define("file", 2)(
       `download-${extension}`,
       commandLabels.download(format),
       (app) => void downloadMesh(app, extension),
-      needsTetrahedra,
+      { ...needsTetrahedra, inMenu: false },
     ),
   ),
-  ...secondOrder.map(([extension, format]) =>
+  ...secondOrder.map((extension) =>
     define("file", 2)(
       `download-second-order-${extension}`,
-      commandLabels.download(format),
-      (app) => void downloadMesh(app, extension, 2),
-      needsTetrahedra,
+      commandLabels.download(`second-order .${extension}`),
+      (app) => void downloadMesh(app, extension, { elementOrder: 2 }),
+      { ...needsTetrahedra, inMenu: false },
     ),
   ),
   define("file", 2)("download-report", commandLabels.downloadReport, downloadReport, {

@@ -37,7 +37,8 @@ function showAsMeshed({ view }: App): void {
   if (!isTyping()) view.clear();
 }
 
-const isTyping = (): boolean => typeof document !== "undefined" && inputMode(document.activeElement) === "field";
+const isTyping = (): boolean =>
+  typeof document !== "undefined" && inputMode(document.activeElement) === "field";
 
 /** Repairs and joins bodies for a run. Returns null if another document is opened meanwhile. */
 async function validBodies(

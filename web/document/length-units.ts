@@ -24,6 +24,18 @@ export const unitOf = (text: string | undefined): Unit | undefined => UNITS.find
 /** Returns the number of `to` in one `from`. */
 export const unitFactor = (from: Unit, to: Unit): number => micrometres[from] / micrometres[to];
 
+/**
+ * Returns the function that converts lengths: it multiplies by a whole number and divides by another one, so that millimetres
+ * become metres like the decimal number.
+ */
+export function lengthConverter(from: Unit, to: Unit): (length: number) => number {
+  const [numerator, denominator] = [micrometres[from], micrometres[to]];
+  const divisor = greatestDivisor(numerator, denominator);
+  return (length) => (length * (numerator / divisor)) / (denominator / divisor);
+}
+
+const greatestDivisor = (a: number, b: number): number => (b === 0 ? a : greatestDivisor(b, a % b));
+
 /** The values of all units in a unit. */
 const unitValues = new Map<Unit, ReadonlyMap<string, number>>(
   UNITS.map((to) => [to, new Map(UNITS.map((unit) => [unit, unitFactor(unit, to)]))]),

@@ -5,7 +5,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 export const schemes = ["light", "dark", "auto"] as const;
 export type Scheme = (typeof schemes)[number];
 
-export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates";
+export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates" | "export";
 
 /** A message that does not interrupt the work and needs no answer. */
 export interface Notice {

@@ -140,29 +140,6 @@ export const commandLabels = {
   help: "Keyboard and mouse",
 } as const;
 
-/** Names of the file formats of a mesh, by extension. */
-export const downloadFormats = {
-  vtu: "VTU (ParaView)",
-  msh: "MSH 4.1 (Gmsh, scikit-fem)",
-  "foam.zip": "polyMesh (OpenFOAM)",
-  su2: "SU2",
-  inp: "INP (Abaqus)",
-  bdf: "BDF (Nastran)",
-  "b8.ugrid": "UGRID",
-  mesh: "Medit",
-  vtk: "legacy VTK",
-  stl: "STL (boundary)",
-  glb: "GLB (boundary)",
-} as const;
-
-/** Formats for second-order elements, by extension. */
-export const secondOrderFormats = {
-  vtu: "second-order .vtu",
-  msh: "second-order .msh",
-  inp: "second-order .inp",
-  bdf: "second-order .bdf",
-} as const;
-
 /** Keys whose names on a keyboard differ from those in the code. */
 export const keyWords: Readonly<Record<string, string>> = {
   mod: "Ctrl",

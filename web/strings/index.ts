@@ -1,5 +1,6 @@
 import { bodyStrings } from "./bodies";
 import { drawingStrings } from "./drawing";
+import { exportStrings } from "./export";
 import { problemTitle } from "./mesh";
 import { pageStrings } from "./page";
 import { pieceStrings } from "./pieces";
@@ -12,6 +13,7 @@ export const strings = {
   ...pageStrings,
   ...panelStrings,
   drawing: drawingStrings,
+  export: exportStrings,
   bodies: bodyStrings,
   pieces: pieceStrings,
   player: playerStrings,
@@ -23,6 +25,7 @@ export { bodyStepNames, preparedText } from "./bodies";
 export * from "./commands";
 export * from "./edits";
 export * from "./entities";
+export { exportStrings } from "./export";
 export * from "./mesh";
 export { fixStrings } from "./fixes";
 export { pickText } from "./mesher-game";

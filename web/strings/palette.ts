@@ -33,6 +33,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   open: "load file",
   "import-surface": "load stl obj ply off step stp iges cad 3mf vtk triangles insert",
   recent: "history last autosave restore",
+  export: "export download save write file convert output format vtu msh stl units order binary text",
   examples: "gallery samples demo models",
   save: "store write file",
   "save-as": "store write copy",

@@ -1,4 +1,4 @@
-import type { ElementOrder, FileGroup, MeshResult, Project } from "tetrafront";
+import type { ElementOrder, FileGroup, MeshResult, Project, Unit } from "tetrafront";
 import { copyForTransfer } from "./transfer";
 import { callOnce } from "./worker-client";
 
@@ -7,10 +7,12 @@ export interface MeshFile {
   readonly content: Blob;
 }
 
-/** Name of the file, whose extension selects the format, and the order of its elements. */
+/** Name of the file, whose extension selects the format, the order of its elements, and its length unit. */
 export interface FileChoice {
   readonly fileName: string;
   readonly elementOrder: ElementOrder;
+  /** The unit to which lengths are converted; null for that of the project. */
+  readonly unit: Unit | null;
 }
 
 export interface MeshFileProtocol {

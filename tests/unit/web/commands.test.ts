@@ -160,7 +160,7 @@ describe("the commands", () => {
     }
     expect(search("bolean")[0]?.needs).toBeNull();
     const [first] = search("export");
-    expect(first).toMatchObject({ id: "download-vtu", needs: "Generate a mesh first." });
+    expect(first).toMatchObject({ id: "export", needs: "Generate a mesh first." });
     expect(search("duplicate")[0]?.needs).toMatch(/^Select something/);
     expect(listed.every(({ needs }) => needs === null)).toBe(true);
   });

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { listSelection } from "../../../web/document/list-selection";
+import { listSelection, type ListClick } from "../../../web/document/list-selection";
 
 const items = [..."abcdefgh"];
 const keys = { anchor: null, range: false, toggle: false };
-const click = (selected: string, item: string, more: Partial<typeof keys> | { anchor: string }): string =>
+const click = (selected: string, item: string, more: Partial<Omit<ListClick<string>, "item">>): string =>
   listSelection(items, [...selected], { item, ...keys, ...more }).join("");
 
 describe("a click in a list", () => {

@@ -40,7 +40,7 @@ export function CommandItems({ menu, hasSubmenus = false }: CommandItemsProps) {
   useRun((state) => state.busy);
   useStore(app.viewer);
   useStore(app.player.state, ({ trace, recording }) => trace !== null || recording !== null);
-  const items = commands.filter((command) => command.menu === menu);
+  const items = commands.filter((command) => command.menu === menu && command.inMenu);
   const sections = [...new Set(items.map(({ section }) => section))];
   const labels: Readonly<Record<number, string>> = hasSubmenus ? (strings.submenus[menu] ?? {}) : {};
   return sections.map((section, index) => {

@@ -25,10 +25,8 @@ import {
 import { Fragment, useState } from "react";
 import { useStore } from "zustand";
 import type { MenuName } from "../../commands/command";
-import { commandNamed, runCommand } from "../../commands/registry";
 import { hasTetrahedra } from "../../commands/conditions";
 import { generateMesh } from "../../commands/mesh-actions";
-import { DOWNLOADS } from "../../commands/file-menu";
 import { IconButton } from "../../ui/icon-button";
 import { Logo } from "../../ui/logo";
 import { strings } from "../../strings";
@@ -77,7 +75,7 @@ export function Header({ layout }: { readonly layout: Layout }) {
       </Toolbar>
       {!phone && <PaletteBox />}
       <span className={styles["end"]}>
-        <DownloadMenu />
+        <ExportButton />
         <SchemeToggle />
         <GenerateButton compact={phone} />
       </span>
@@ -131,34 +129,12 @@ function PhoneMenu() {
   );
 }
 
-function DownloadMenu() {
-  const app = useApp();
+function ExportButton() {
   const hasMesh = useRun(hasTetrahedra);
   return (
-    <Menu position="bottom-end">
-      <Menu.Target>
-        <ActionIcon
-          size={28}
-          variant="subtle"
-          color="gray"
-          aria-label={strings.header.download}
-          data-testid="download"
-          disabled={!hasMesh}
-        >
-          <IconDownload {...icon} />
-        </ActionIcon>
-      </Menu.Target>
-      <Menu.Dropdown>
-        {DOWNLOADS.map((id) => {
-          const command = commandNamed(id);
-          return (
-            <Menu.Item key={id} onClick={() => runCommand(app, command)}>
-              {command.label(app)}
-            </Menu.Item>
-          );
-        })}
-      </Menu.Dropdown>
-    </Menu>
+    <CommandButton command="export" disabled={!hasMesh} testId="download">
+      <IconDownload {...icon} />
+    </CommandButton>
   );
 }
 

@@ -2,6 +2,7 @@ import { useApp } from "../shared/app-context";
 import { CommandPalette } from "../dialogs/command-palette";
 import { CoverDialog } from "../background/cover-dialog";
 import { CreatePositionedDialog } from "../dialogs/create-dialogs";
+import { ExportDialog } from "../dialogs/export-dialog";
 import { HelpDialog } from "../dialogs/help-dialog";
 import { MessageDialog } from "../dialogs/message-dialog";
 import { Notices } from "../dialogs/notices";
@@ -20,6 +21,7 @@ export default function Overlays() {
     <>
       {hasPalette && <CommandPalette />}
       <HelpDialog />
+      <ExportDialog />
       <CreatePositionedDialog kind="point" />
       <CreatePositionedDialog kind="background-node" />
       <CoverDialog />
