@@ -1,4 +1,5 @@
 import type { App } from "../app/app";
+import type { EditedSetting } from "../session/shell";
 import { drawnKinds, recordsOf, type Entity } from "../document/entities";
 import { templates } from "../document/templates";
 import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
@@ -43,6 +44,8 @@ function commandItems(app: App): PaletteItem[] {
     }));
 }
 
+const isField = (id: string): id is EditedSetting => ["uniform-size", "gradation", "units"].includes(id);
+
 /** Returns the settings: each opens the panel that has it. The field of a number gets the focus. */
 function settingItems(app: App): PaletteItem[] {
   return Object.entries(settingNames).map(([id, { label, words }]) => ({
@@ -52,14 +55,14 @@ function settingItems(app: App): PaletteItem[] {
     words,
     hotkey: null,
     needs: null,
-    takesFocus: id === "uniform-size" || id === "gradation",
+    takesFocus: isField(id),
     run: () => {
       const rightTab = id === "display" || id === "quality" ? id : "inspector";
       if (rightTab === "inspector") app.view.clear();
       app.shell.setState({
         rightTab,
         drawer: "right",
-        editedSetting: id === "uniform-size" || id === "gradation" ? id : null,
+        editedSetting: isField(id) ? id : null,
       });
     },
   }));

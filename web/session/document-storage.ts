@@ -1,4 +1,5 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
+import { strings } from "../strings";
 import type { DocumentSummary, KeptDocument } from "./kept-document";
 
 /** Stores documents between visits, each under its id. */
@@ -26,6 +27,19 @@ interface Schema extends DBSchema {
 }
 
 const databaseVersion = 2;
+
+/** The browser has no storage for the page, or refuses it. Its message is a sentence for the user. */
+export class NoStorageError extends Error {
+  constructor() {
+    super(strings.notices.noStorage);
+    this.name = "NoStorageError";
+  }
+}
+
+/** Names of the errors with which browsers refuse a database: with blocked cookies, and in private windows. */
+const refusals = ["SecurityError", "InvalidStateError", "NotAllowedError"];
+
+const isSwitchedOff = (error: unknown): boolean => error instanceof Error && refusals.includes(error.name);
 
 /** Documents in IndexedDB, one record each. If the database cannot be opened, the next call tries again. */
 export class BrowserStorage implements DocumentStorage {
@@ -86,6 +100,7 @@ export class BrowserStorage implements DocumentStorage {
       this.#opening = null;
       this.#database = null;
     };
+    if (typeof indexedDB === "undefined") throw new NoStorageError();
     this.#database = await openDB<Schema>(this.#name, databaseVersion, {
       upgrade: (database) => {
         for (const name of database.objectStoreNames) database.deleteObjectStore(name);
@@ -98,6 +113,8 @@ export class BrowserStorage implements DocumentStorage {
         forget();
       },
       terminated: forget,
+    }).catch((error: unknown) => {
+      throw isSwitchedOff(error) ? new NoStorageError() : error;
     });
     return this.#database;
   }

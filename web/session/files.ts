@@ -91,7 +91,7 @@ export async function readDocumentFile(
   try {
     const { formatOf } = await import("./mesh-formats");
     const isMeshFile = (formatOf(file.name)?.readable.length ?? 0) > 0 && !isProject(file.name);
-    if (!isMeshFile) return await projectIn(file);
+    if (!isMeshFile) return await (isProject(file.name) ? projectIn(file) : otherIn(file));
     onReading({ fileName: file.name, abort });
     return await contentOf(file, others, abort.signal);
   } catch (error) {
@@ -126,6 +126,32 @@ async function projectIn(file: OpenedFile): Promise<OpenResult> {
   );
   return { kind: "failed", fileName: file.name, reasons };
 }
+
+/** Reads a file of another extension: a project under another name; any other file is refused with what can be opened. */
+async function otherIn(file: OpenedFile): Promise<OpenResult> {
+  const result = await projectIn(file);
+  if (result.kind !== "failed" || (await looksLikeProject(file))) return result;
+  const { FILE_FORMATS } = await import("./mesh-formats");
+  const readable = FILE_FORMATS.filter((format) => format.readable.length > 0);
+  const isCad = (format: (typeof readable)[number]): boolean => format.isCad === true;
+  const isSurface = (format: (typeof readable)[number]): boolean =>
+    !isCad(format) && !format.readable.includes("volume");
+  const listed = (formats: typeof readable): readonly string[] =>
+    formats.flatMap(({ extensions }) => [...extensions]);
+  const reasons = strings.files.unknownFormat(/\.[^.]+$/.exec(file.name)?.[0] ?? "", [
+    listed(readable.filter(isCad)),
+    listed(readable.filter(isSurface)),
+    listed(readable.filter((format) => format.readable.includes("volume"))),
+  ]);
+  return { ...result, reasons };
+}
+
+/** Bytes of a file that tell whether it may be a project. */
+const headBytes = 200;
+
+/** Returns whether a file begins like a project, whose errors then help more than a list of formats. */
+const looksLikeProject = async (file: File): Promise<boolean> =>
+  (await file.slice(0, headBytes).text()).trimStart().startsWith("{");
 
 /** Asks the user for a file. A second request while the dialog is open counts as cancelled: browsers refuse it. */
 export async function openDocumentFile(

@@ -1,2 +1,2 @@
 /** The file formats, loaded when a file is opened. */
-export { extensionsFor, formatOf } from "tetrafront";
+export { extensionsFor, FILE_FORMATS, formatOf } from "tetrafront";

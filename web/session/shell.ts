@@ -5,7 +5,8 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 export const schemes = ["light", "dark", "auto"] as const;
 export type Scheme = (typeof schemes)[number];
 
-export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates" | "export";
+export type DialogName =
+  "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates" | "export";
 
 /** A message that does not interrupt the work and needs no answer. */
 export interface Notice {
@@ -62,8 +63,8 @@ export interface ShellState {
 /** The name of an entity, or the first of its other fields. */
 export type EditedField = "name" | "values";
 
-/** A setting that is a number. */
-export type EditedSetting = "uniform-size" | "gradation";
+/** A setting whose field the focus can be moved to. */
+export type EditedSetting = "uniform-size" | "gradation" | "units";
 
 export type Shell = StoreApi<ShellState>;
 

@@ -98,7 +98,7 @@ export const drawingStrings = {
   },
   refusedLine: (line: string) =>
     `"${shortened(line, 80)}" is no position. The lines before it were used; this one and those after it were not.`,
-  gridUnit: (step: string) => `grid ${step}`,
+  gridUnit: (step: string, unit: string | null) => (unit === null ? `grid ${step}` : `grid ${step} ${unit}`),
   measurement: "Measurement",
   distance: "distance",
   angle: "angle",

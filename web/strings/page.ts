@@ -2,6 +2,9 @@
 /** Number of deleted entities that a notice names. */
 const maxNamed = 6;
 
+const noStorage =
+  "This browser keeps no documents for this page, as in some private windows or with blocked site data.";
+
 export const pageStrings = {
   appName: "Tetrafront",
   menus: { file: "File", edit: "Edit", create: "Create", view: "View", mesh: "Mesh", help: "Help" },
@@ -113,8 +116,12 @@ export const pageStrings = {
     label: "Notices",
     documentLeft: (name: string) => `“${name}” is available under File ▸ Open recent.`,
     reopen: "Reopen",
+    noStorage,
+    /** A refusal of the browser is a sentence already. */
     autosaveFailed: (reason: string) =>
-      `The browser could not store your changes: ${reason}. Save the project to a file. The app keeps trying.`,
+      reason === noStorage
+        ? `${noStorage} Save the project to a file before you close it.`
+        : `The browser could not store your changes: ${reason.replace(/\.$/, "")}. Save the project to a file. The app keeps trying.`,
     retry: "Try again",
     dismiss: "Dismiss",
     undo: "Undo",
@@ -129,6 +136,20 @@ export const pageStrings = {
   files: {
     description: "Tetrafront project",
     anyDescription: "Project, surface or mesh",
+    /** `formats`: extensions of CAD files, of surfaces, and of meshes. */
+    unknownFormat: (
+      extension: string,
+      [cad = [], surfaces = [], meshes = []]: readonly (readonly string[])[],
+    ) => [
+      extension === ""
+        ? "A file without an extension is of no known format."
+        : `Files that end in ${extension} cannot be opened.`,
+      "These can be opened:",
+      "Projects: .json",
+      `CAD: ${cad.join(", ")}`,
+      `Surfaces: ${surfaces.join(", ")}`,
+      `Meshes: ${meshes.join(", ")}`,
+    ],
     meshDescription: "Surface or mesh file",
     meshNotSaved:
       "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
@@ -149,6 +170,8 @@ export const pageStrings = {
     none: "No project has been changed yet.",
     openIn: { "this-tab": "Open now", "another-tab": "Open in another tab" },
     loading: "Reading the list",
+    /** A refusal of the browser is a sentence already. */
+    noList: (reason: string) => (reason === noStorage ? reason : `The list cannot be read: ${reason}.`),
     remove: (name: string) => `Remove “${name}”`,
     failures: {
       "open-in-another-tab": "The project is open in another tab.",

@@ -7,6 +7,9 @@ export const unitStrings = {
   in: "inch",
   ft: "foot",
   unknown: "not stated",
+  /** In the status bar, which opens the choice. */
+  stated: (unit: string | null) => (unit === null ? "no length unit" : `lengths in ${unit}`),
+  choose: "Choose the length unit",
   other: "other scale",
   ofProject: "Length unit",
   ofFile: "File unit",

@@ -5,6 +5,7 @@ import { openRecent } from "../../commands/project-actions";
 import type { RecentDocument } from "../../session/document-library";
 import { formatTime } from "../../ui/format";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
+import { failureText } from "../../session/failure-text";
 import { strings } from "../../strings";
 import { useApp, useShell } from "../shared/app-context";
 import styles from "./recent-dialog.module.css";
@@ -24,7 +25,8 @@ export function RecentDialog() {
 
 /** Mounted only while the dialog is open. */
 function RecentList() {
-  const { documents, remove } = useRecentDocuments();
+  const { documents, failure, remove } = useRecentDocuments();
+  if (failure !== null) return <Text role="alert">{failure}</Text>;
   if (documents === null) return <Text c="dimmed">{texts.loading}</Text>;
   return (
     <>
@@ -75,12 +77,13 @@ function RecentRow({ document: { id, name, at, openIn }, onRemove }: RecentRowPr
 function useRecentDocuments() {
   const { library, autosave } = useApp();
   const [documents, setDocuments] = useState<readonly RecentDocument[] | null>(null);
+  const [failure, setFailure] = useState<string | null>(null);
   const update = useCallback(async (): Promise<void> => {
     await autosave?.flush();
     setDocuments((await library?.list()) ?? []);
   }, [library, autosave]);
   useEffect(() => {
-    update().catch(() => setDocuments([]));
+    update().catch((error: unknown) => setFailure(texts.noList(failureText(error))));
   }, [update]);
   const remove = (id: string): void => {
     library?.storage
@@ -88,5 +91,5 @@ function useRecentDocuments() {
       .then(update)
       .catch(() => undefined);
   };
-  return { documents, remove };
+  return { documents, failure, remove };
 }

@@ -15,6 +15,7 @@ import { useEditedField } from "../entities/use-edited-field";
 import { MeshSettings } from "./mesh-settings";
 import { ParameterTable } from "./parameter-table";
 import { UnitSelect } from "../shared/unit-select";
+import { useEditedSetting } from "../shared/use-edited-setting";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { QualityPanel } from "../quality/quality-panel";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
@@ -57,6 +58,7 @@ function ProjectCard() {
     else app.documents.edit(setProjectUnit(unit));
   };
   const { name: nameField } = useEditedField();
+  const unitField = useEditedSetting("units");
   return (
     <>
       <SectionTitle>{strings.inspector.project}</SectionTitle>
@@ -71,13 +73,15 @@ function ProjectCard() {
           />
         </FieldRow>
       </div>
-      <UnitSelect
-        label={strings.units.ofProject}
-        value={unitOf(project.units) ?? null}
-        without={strings.units.unknown}
-        testId="project-unit"
-        onChange={changeUnit}
-      />
+      <div ref={unitField}>
+        <UnitSelect
+          label={strings.units.ofProject}
+          value={unitOf(project.units) ?? null}
+          without={strings.units.unknown}
+          testId="project-unit"
+          onChange={changeUnit}
+        />
+      </div>
       {project.description !== undefined && (
         <Text size="sm" c="dimmed" my={6}>
           {project.description}

@@ -3,10 +3,12 @@ import { IconX } from "@tabler/icons-react";
 import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
 import { useStore } from "zustand";
 import { useMemo } from "react";
+import { unitOf } from "../../document/length-units";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
 import type { RunState } from "../../session/run";
 import { IconButton } from "../../ui/icon-button";
+import { TextButton } from "../../ui/text-button";
 import {
   formatAngle,
   formatCount,
@@ -80,19 +82,40 @@ function PointerPlace() {
   const busy = useRun((state) => state.busy);
   const cursor = useStore(app.drawing.state, (state) => state.cursor);
   const step = useStore(app.drawing.state, (state) => state.gridStep);
+  const stated = unitOf(project.units);
+  const unit = stated ? strings.units[stated] : null;
   const ground = useMemo(() => groundSpacing(roomyBounds(project).radius), [project]);
   return (
     <>
       {/* On phones, the progress of a run needs the room. */}
       <span className={busy ? styles["wide"] : undefined} data-testid="grid-unit">
-        {strings.drawing.gridUnit(formatShort(step ?? ground))}
+        {strings.drawing.gridUnit(formatShort(step ?? ground), unit)}
       </span>
+      <UnitButton unit={unit} />
       {cursor && (
         <span className={`${styles["wide"]} ${styles["place"]}`} data-testid="pointer-position" aria-hidden>
           {formatPosition(cursor)}
         </span>
       )}
     </>
+  );
+}
+
+/** The length unit of the project; opens its choice. */
+function UnitButton({ unit }: { readonly unit: string | null }) {
+  const app = useApp();
+  return (
+    <TextButton
+      title={strings.units.choose}
+      aria-label={`${strings.units.stated(unit)}. ${strings.units.choose}`}
+      data-testid="length-unit"
+      onClick={() => {
+        app.view.clear();
+        app.shell.setState({ rightTab: "inspector", drawer: "right", editedSetting: "units" });
+      }}
+    >
+      {strings.units.stated(unit)}
+    </TextButton>
   );
 }
 

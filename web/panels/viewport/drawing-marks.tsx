@@ -3,6 +3,8 @@ import { IconCopy } from "@tabler/icons-react";
 import { useEffect, useRef } from "react";
 import { useStore } from "zustand";
 import { pasteLines } from "../../commands/clipboard-actions";
+import type { Unit } from "tetrafront";
+import { unitOf } from "../../document/length-units";
 import { measure } from "../../document/measurement";
 import type { Position } from "../../document/position";
 import { formatShort, formatPosition } from "../../ui/format";
@@ -10,7 +12,7 @@ import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
 import type { ScreenPoint } from "../../viewer/screen";
 import type { Viewer } from "../../viewer/viewer";
-import { useApp } from "../shared/app-context";
+import { useApp, useProject } from "../shared/app-context";
 import { BesidePointer } from "./beside-pointer";
 import { useMarkers } from "./use-markers";
 import styles from "./drawing.module.css";
@@ -156,7 +158,7 @@ interface MeasurementProps {
 /** A measurement, beside the place picked last. */
 function MeasurementCard({ places, viewer }: MeasurementProps) {
   const box = useMarkers(viewer, [places.at(-1) ?? null]);
-  const rows = measurementRows(places);
+  const rows = measurementRows(places, unitOf(useProject().units) ?? null);
   const text = rows.map((row) => row.join(" ")).join(", ");
   return (
     <div ref={box}>
@@ -181,16 +183,19 @@ function MeasurementCard({ places, viewer }: MeasurementProps) {
   );
 }
 
-/** Returns the names and values of a measurement. */
+/** Returns the names and values of a measurement: lengths with the unit of the project, if it has one. */
 export function measurementRows(
   places: readonly Position[],
+  unit: Unit | null,
 ): readonly (readonly [name: string, value: string])[] {
   const measured = measure(places);
   if (!measured) return [];
   const { distance, offset, angle } = measured;
+  const inUnit = (length: number): string =>
+    unit === null ? formatShort(length) : `${formatShort(length)} ${strings.units[unit]}`;
   return [
-    [words.distance, formatShort(distance)],
-    ...(["dx", "dy", "dz"] as const).map((name, k) => [name, formatShort(offset[k] ?? 0)] as const),
+    [words.distance, inUnit(distance)],
+    ...(["dx", "dy", "dz"] as const).map((name, k) => [name, inUnit(offset[k] ?? 0)] as const),
     ...(angle === null ? [] : [[words.angle, `${formatShort(angle)}°`] as const]),
   ];
 }

@@ -1,6 +1,9 @@
 import { TextInput } from "@mantine/core";
 import { useState, type KeyboardEvent } from "react";
 
+/** Letters of a name at most: programs that read meshes permit 80 to 255. */
+const maxLetters = 120;
+
 export interface NameFieldProps {
   readonly label: string;
   readonly value: string;
@@ -37,6 +40,8 @@ export function NameField(props: NameFieldProps) {
       size="xs"
       aria-label={label}
       autoComplete="off"
+      maxLength={Math.max(maxLetters, value.length)}
+      title={value}
       placeholder={placeholder}
       data-testid={testId}
       value={draft ?? value}
