@@ -194,3 +194,24 @@ test("a reload keeps an edit and shows that it is unsaved", async ({ page }) => 
   expect(await app.meshed()).toEqual(edited);
   await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
 });
+
+test("a file of an unknown kind names the formats that can be opened", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropProject(page, "some notes", "notes.txt");
+  const dialog = page.getByRole("dialog", { name: "notes.txt could not be opened" });
+  await expect(dialog).toContainText("Files that end in .txt cannot be opened.");
+  for (const text of ["Projects: .json", ".step", ".stl", ".vtu"]) await expect(dialog).toContainText(text);
+});
+
+test("without storage, the app works and says in a sentence that it keeps nothing", async ({ page }) => {
+  await page.addInitScript(() => Reflect.defineProperty(window, "indexedDB", { value: undefined }));
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.type("project-name", "Another name");
+  const notice = page.getByTestId("notice-autosave-failed");
+  await expect(notice).toContainText("This browser keeps no documents for this page");
+  await expect(notice).not.toContainText(/indexedDB|undefined/);
+  await page.keyboard.press("Control+Shift+O");
+  await expect(page.getByRole("dialog", { name: "Open recent" })).toContainText("keeps no documents");
+});

@@ -110,3 +110,44 @@ test("a long run shows progress and can be cancelled", async ({ page }) => {
   await expect(page.getByTestId("log")).toContainText("Cancelled after");
   await expect(page.getByTestId("generate")).toBeEnabled();
 });
+
+test("while a run is active, its Cancel is where Generate mesh was; a double click does not cancel", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const generate = page.getByTestId("generate");
+  const cancel = page.getByTestId("cancel-run");
+  await page.getByText("Uniform", { exact: true }).click();
+  await app.type("uniform-size", "0.02");
+  const before = await generate.boundingBox();
+  await generate.dblclick();
+  await expect(cancel).toBeVisible();
+  await expect(page.getByTestId("time-left")).toHaveText(/^about \d+ (s|min) left$/);
+  expect(await cancel.boundingBox()).toEqual(before);
+  await expect(cancel).toHaveAccessibleName("Cancel meshing");
+  await cancel.click();
+  await expect(generate).toBeVisible();
+  await expect(page.getByTestId("status")).toContainText(/cancelled|out of date/i);
+});
+
+test("the mesh just made is seen as such, and the worst element is not buried in it", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tree-patch-1").click();
+  await page.keyboard.press("Shift+D");
+  await page.getByTestId("generate").click();
+  await app.meshed();
+  await expect(page.locator('[aria-selected="true"][role="treeitem"]')).toHaveCount(0);
+  await page.getByRole("menuitem", { name: "Mesh", exact: true }).click();
+  await expect(page.getByRole("menuitemcheckbox", { name: "Show target sizes" })).not.toBeChecked();
+  await page.keyboard.press("Escape");
+
+  await expect(page.getByTestId("cut-toggle")).not.toBeChecked();
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("worst");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("cut-toggle")).toBeChecked();
+  await app.drawn();
+  await expect(page.getByTestId("inspector")).toContainText(/tetrahedron|element/i);
+});

@@ -101,21 +101,25 @@ export class BrowserStorage implements DocumentStorage {
       this.#database = null;
     };
     if (typeof indexedDB === "undefined") throw new NoStorageError();
-    this.#database = await openDB<Schema>(this.#name, databaseVersion, {
-      upgrade: (database) => {
-        for (const name of database.objectStoreNames) database.deleteObjectStore(name);
-        const store = database.createObjectStore("documents", { keyPath: "id" });
-        store.createIndex("recent", ["listed", "at", "name"]);
-      },
-      // A newer version of the app, or the user, wants to change or delete the database.
-      blocking: () => {
-        this.#database?.close();
-        forget();
-      },
-      terminated: forget,
-    }).catch((error: unknown) => {
+    const upgrade = (database: IDBPDatabase<Schema>): void => {
+      for (const name of database.objectStoreNames) database.deleteObjectStore(name);
+      const store = database.createObjectStore("documents", { keyPath: "id" });
+      store.createIndex("recent", ["listed", "at", "name"]);
+    };
+    // A newer version of the app, or the user, wants to change or delete the database.
+    const blocking = (): void => {
+      this.#database?.close();
+      forget();
+    };
+    try {
+      this.#database = await openDB<Schema>(this.#name, databaseVersion, {
+        upgrade,
+        blocking,
+        terminated: forget,
+      });
+    } catch (error) {
       throw isSwitchedOff(error) ? new NoStorageError() : error;
-    });
+    }
     return this.#database;
   }
 }

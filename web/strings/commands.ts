@@ -137,7 +137,7 @@ export const commandLabels = {
 
   lessons: "Lessons",
   present: "Presenter mode",
-  help: "Keyboard and mouse",
+  help: "Help: keys, mouse, documents",
 } as const;
 
 /** Keys whose names on a keyboard differ from those in the code. */

@@ -181,6 +181,23 @@ export const pageStrings = {
   },
   help: {
     title: "Keyboard and mouse",
+    contents: "Contents of the help",
+    search: "Search the help",
+    found: (count: number) =>
+      count === 0 ? "Nothing found" : count === 1 ? "1 section" : `${count} sections`,
+    documents: {
+      readme: "Introduction",
+      format: "Files and formats",
+      package: "Package for programs",
+      lessons: "Writing lessons",
+      trace: "Recorded fronts",
+      paper: "The paper",
+      design: "How it works",
+      architecture: "Architecture",
+      benchmarks: "Benchmarks",
+      actions: "Actions per task",
+      changelog: "Changes",
+    } as Readonly<Record<string, string>>,
     mouse: [
       ["Click", "select; in the view, Shift adds and Ctrl toggles"],
       ["Shift click, Shift ↑ ↓", "in the tree and in lists: select all rows between; Ctrl Shift adds them"],

@@ -1,5 +1,6 @@
 import { expect, test, vi } from "vitest";
 
+import { cubeProject } from "../../support/projects.js";
 import { openDocumentFile, readDocumentFile } from "../../../web/session/files.js";
 
 const fileOpen = vi.hoisted(() => vi.fn<() => Promise<File>>());
@@ -17,6 +18,34 @@ test("a file that cannot be read, such as a folder, is reported", async () => {
     fileName: "parts.json",
     reasons: ["Error: it is a folder"],
   });
+});
+
+test.each([
+  ["notes.txt", "some text"],
+  ["picture.png", "\u0089PNG"],
+  ["README", "no extension"],
+  ["table.csv", "1,2,3"],
+  ["empty.xyz", ""],
+])("%s is refused with the formats that can be opened", async (name, content) => {
+  const result = await readDocumentFile(new File([content], name), () => undefined);
+  if (result.kind !== "failed") throw new Error("it was opened");
+  const text = result.reasons.join("\n");
+  for (const extension of [".json", ".step", ".iges", ".stl", ".obj", ".ply", ".3mf", ".vtu", ".msh"])
+    expect(text).toContain(extension);
+  const [end] = /\.\w+$/.exec(name) ?? [""];
+  expect(result.reasons[0]).toContain(end === "" ? "without an extension" : end);
+  // Formats that can only be written are no help.
+  for (const extension of [".su2", ".inp", ".glb"]) expect(text).not.toContain(extension);
+});
+
+test("a project is opened under any name, and what is wrong with it is said", async () => {
+  const project = JSON.stringify(cubeProject());
+  expect(await readDocumentFile(new File([project], "cube.txt"), () => undefined)).toMatchObject({
+    kind: "opened",
+  });
+  const damaged = await readDocumentFile(new File([`${project.slice(0, 50)}`], "cube.txt"), () => undefined);
+  expect(damaged).toMatchObject({ kind: "failed" });
+  expect(damaged.kind === "failed" && damaged.reasons.join(" ")).not.toContain("can be opened");
 });
 
 test("a second request while the dialog is open is cancelled; any other rejection by the browser is an error", async () => {

@@ -3,7 +3,7 @@ import { CommandPalette } from "../dialogs/command-palette";
 import { CoverDialog } from "../background/cover-dialog";
 import { CreatePositionedDialog } from "../dialogs/create-dialogs";
 import { ExportDialog } from "../dialogs/export-dialog";
-import { HelpDialog } from "../dialogs/help-dialog";
+import { HelpDialog } from "../help/help-dialog";
 import { MessageDialog } from "../dialogs/message-dialog";
 import { Notices } from "../dialogs/notices";
 import { useIsLastUsed } from "../shared/page-apps";

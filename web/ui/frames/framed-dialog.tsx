@@ -6,7 +6,7 @@ import { strings } from "../../strings";
 export interface FramedDialogProps {
   readonly title: ReactNode;
   readonly opened: boolean;
-  readonly size?: "md" | "lg";
+  readonly size?: "md" | "lg" | "xl";
   readonly onClose: () => void;
   readonly children: ReactNode;
 }

@@ -1,0 +1,57 @@
+import { expect, test } from "@playwright/test";
+import { readFile } from "node:fs/promises";
+import { parseVtu } from "../support/mesh-files";
+import { AppPage } from "./app-page";
+import { chooseFormat, downloadMesh } from "./downloads";
+
+test("one dialog exports the mesh: format, order, encoding and what the file keeps", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("menuitem", { name: "File" }).click();
+  await expect(page.getByRole("menuitem", { name: /Download mesh|Export mesh…/ })).toHaveCount(1);
+  await page.keyboard.press("Escape");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+Shift+E");
+  const dialog = page.getByRole("dialog", { name: "Export mesh" });
+  const file = dialog.getByTestId("export-file");
+  await expect(file).toContainText("unit-cube.vtu");
+  const keeps = dialog.getByTestId("export-keeps");
+  await expect(keeps).toContainText("tetrahedra and the triangles of the boundary, linear");
+  await dialog.getByText("Second order", { exact: true }).click();
+  await expect(keeps).toContainText("second order");
+
+  await dialog.getByRole("radio", { name: /^UGRID/ }).check();
+  await expect(keeps).toContainText("linear");
+  await expect(keeps).toContainText("numbers only");
+  await dialog.getByTestId("export-encoding").getByText("Text", { exact: true }).click();
+  await expect(file).toContainText("unit-cube.ugrid");
+  await dialog.getByRole("radio", { name: /^STL/ }).check();
+  await expect(keeps).toContainText("single precision");
+  await expect(dialog.getByRole("radio", { name: "Second order" })).toBeDisabled();
+  await dialog.getByRole("radio", { name: /^UGRID/ }).check();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    dialog.getByRole("button", { name: "Export", exact: true }).click(),
+  ]);
+  await expect(dialog).toBeHidden();
+  expect(download.suggestedFilename()).toBe("unit-cube.ugrid");
+  const [nodes] = (await readFile(await download.path(), "utf8")).split(/\s+/).map(Number);
+  expect(await page.getByTestId("count-points").textContent()).toContain(String(nodes));
+});
+
+test("lengths are exported in the unit that is chosen", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const given = parseVtu(await downloadMesh(page, /^VTU/));
+  await chooseFormat(page, /^VTU/);
+  await page.getByTestId("export-unit").click();
+  await page.getByRole("option", { name: "mm", exact: true }).click();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByTestId("export-apply").click(),
+  ]);
+  const converted = parseVtu(new Uint8Array(await readFile(await download.path())));
+  expect(converted.tetrahedra).toEqual(given.tetrahedra);
+  // The cube is drawn in metres.
+  expect(Array.from(converted.points)).toEqual(Array.from(given.points, (x) => x * 1000));
+});
