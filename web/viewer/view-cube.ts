@@ -48,6 +48,7 @@ export class ViewCube {
     this.#fixed = { container: options.container, animated: options.animated };
     this.#picture = new KeptPicture(renderer, { size, offset });
     this.#gizmo = new ViewportGizmo(camera, renderer, { ...styleOf(colors), ...this.#fixed });
+    setUpright(this.#gizmo.children);
     this.#gizmo.addEventListener("start", () => {
       controls.enabled = false;
       options.onChange();
@@ -96,6 +97,7 @@ export class ViewCube {
   setColors(colors: ViewerColors): void {
     this.#clear();
     this.#gizmo.set({ ...styleOf(colors), ...this.#fixed });
+    setUpright(this.#gizmo.children);
     this.#pictured = null;
     this.#isNew = true;
   }
@@ -148,6 +150,14 @@ export class ViewCube {
   #isFront({ position }: Object3D): boolean {
     const place = position.clone().applyQuaternion(this.#gizmo.quaternion);
     return place.dot(cubeCamera.position.clone().sub(place)) > 0;
+  }
+}
+
+/** Rotates the labels of the faces at the top and at the bottom, which the library turns by a right angle with z up. */
+export function setUpright(pieces: readonly Object3D[]): void {
+  for (const piece of pieces) {
+    const { x, y, z } = piece.position;
+    if (x === 0 && y === 0 && z !== 0) piece.rotateZ((-Math.sign(z) * Math.PI) / 2);
   }
 }
 

@@ -112,6 +112,7 @@ function FormatChoice({ format, onChange }: FormatChoiceProps) {
                 value={id}
                 className={styles["format"]}
                 data-testid={`export-format-${id}`}
+                data-autofocus={id === format.id || undefined}
                 label={`${texts.formats[id] ?? id} .${Object.values(extensions).join(", .")}`}
               />
             ))}

@@ -28,7 +28,8 @@ export default function HelpDocument({ place, onOpen }: DocumentProps) {
   const { document: id, heading } = place;
   useEffect(() => {
     const target = heading === null ? null : box.current?.querySelector(`#${CSS.escape(`help-${heading}`)}`);
-    (target ?? box.current)?.scrollIntoView({ block: "start" });
+    if (target) target.scrollIntoView({ block: "start" });
+    else box.current?.closest('[role="dialog"]')?.scrollTo({ top: 0 });
   }, [id, heading]);
   return (
     <div ref={box} className={styles["document"]} data-testid={`help-document-${id}`}>
