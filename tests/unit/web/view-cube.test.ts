@@ -22,7 +22,9 @@ it.each(Object.entries(faces))("the label at the %s is upright in that view", (v
   setUpright([face]);
   const element = document.createElement("div");
   const camera = new ViewCamera(element, false);
+  camera.setModelRadius(1);
   camera.resize(400, 400, 0);
+  camera.fit(new Vector3(-1, -1, -1), new Vector3(1, 1, 1), false);
   camera.look(view as StandardView, false);
   camera.update(1);
   camera.camera.updateMatrixWorld();

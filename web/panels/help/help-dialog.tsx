@@ -38,7 +38,8 @@ export function HelpDialog() {
     app.shell.setState({ dialog: null });
     open(keysPlace);
   };
-  const title = texts.documents[place.document] ?? texts.title;
+  const isSearch = query.trim() !== "";
+  const title = isSearch ? texts.search : (texts.documents[place.document] ?? texts.title);
   return (
     <FramedDialog opened={opened} size="xl" title={title} onClose={close}>
       <TextInput
@@ -53,11 +54,14 @@ export function HelpDialog() {
         onChange={(event) => setQuery(event.currentTarget.value)}
       />
       <div className={styles["pages"]}>
-        <PageList current={place.document} onOpen={(document) => open({ document, heading: null })} />
+        <PageList
+          current={isSearch ? null : place.document}
+          onOpen={(document) => open({ document, heading: null })}
+        />
         <div className={styles["page"]}>
           <PanelBoundary>
             <Suspense fallback={<Loader size="sm" />}>
-              {query.trim() !== "" ? (
+              {isSearch ? (
                 <HelpResults query={query} keys={keySections(app)} onOpen={open} />
               ) : place.document === keysPage ? (
                 <KeysPage />
@@ -73,7 +77,8 @@ export function HelpDialog() {
 }
 
 interface PageListProps {
-  readonly current: string;
+  /** Id of the page that is shown; null for the results of a search. */
+  readonly current: string | null;
   readonly onOpen: (document: string) => void;
 }
 
