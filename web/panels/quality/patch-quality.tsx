@@ -124,7 +124,7 @@ function PatchRow({ entity, quality, project, isSelected, onChoose }: PatchRowPr
   return (
     <tr data-highlighted={isSelected || undefined} data-testid={`patch-row-${entity.id}`}>
       <th scope="row">
-        <UnstyledButton aria-pressed={isSelected} onClick={onChoose}>
+        <UnstyledButton aria-pressed={isSelected} title={entityTitle(project, entity)} onClick={onChoose}>
           {entityTitle(project, entity)}
         </UnstyledButton>
       </th>

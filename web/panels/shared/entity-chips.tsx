@@ -52,7 +52,7 @@ interface EntityChipProps {
 
 function EntityChip({ entity, title, onChoose }: EntityChipProps) {
   return (
-    <Chip onClick={() => onChoose(entity)} {...useEntityHover(entity)}>
+    <Chip title={title} onClick={() => onChoose(entity)} {...useEntityHover(entity)}>
       {title}
     </Chip>
   );
