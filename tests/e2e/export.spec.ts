@@ -8,7 +8,7 @@ test("one dialog exports the mesh: format, order, encoding and what the file kee
   const app = new AppPage(page);
   await app.openCube();
   await page.getByRole("menuitem", { name: "File" }).click();
-  await expect(page.getByRole("menuitem", { name: /Download mesh|Export mesh…/ })).toHaveCount(1);
+  await expect(page.getByRole("menuitem", { name: /Download mesh as|Export mesh…/ })).toHaveCount(1);
   await page.keyboard.press("Escape");
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Control+Shift+E");
