@@ -22,19 +22,26 @@ const beginsWords = (text: string, words: readonly string[]): boolean => {
   );
 };
 
+/** Returns whether a text has all words of a query as whole words. */
+const hasWholeWords = (text: string, words: readonly string[]): boolean => {
+  const parts = partsOf(text);
+  return words.every((word) => parts.includes(word));
+};
+
 /** Returns whether a text has a word like each word of a query, which may be mistyped. */
 const hasSimilarWords = (text: string, words: readonly string[]): boolean => {
   const parts = partsOf(text);
   return words.every((word) => parts.some((part) => part.startsWith(word) || isSimilarWord(word, part)));
 };
 
-/** Returns how well an entry fits a query: 0 is best, 4 is not at all. */
+/** Returns how well an entry fits a query: 0 is best, 5 is not at all. */
 function rankOf({ label, words: others }: PaletteItem, words: readonly string[]): number {
   const both = `${label} ${others}`;
   if (beginsWords(label, words)) return 0;
-  if (beginsWords(both, words)) return 1;
-  if (hasWords(label, words)) return 2;
-  return hasWords(both, words) ? 3 : 4;
+  if (hasWholeWords(both, words)) return 1;
+  if (beginsWords(both, words)) return 2;
+  if (hasWords(label, words)) return 3;
+  return hasWords(both, words) ? 4 : 5;
 }
 
 /**
@@ -50,7 +57,7 @@ export function searchPalette(
   const words = wordsOf(query);
   if (words.length === 0) return listed;
   const all = [...listed, ...found];
-  const ranked = all.map((item) => ({ item, rank: rankOf(item, words) })).filter(({ rank }) => rank < 4);
+  const ranked = all.map((item) => ({ item, rank: rankOf(item, words) })).filter(({ rank }) => rank < 5);
   const exact = ranked.toSorted((a, b) => a.rank - b.rank).map(({ item }) => item);
   const best = exact.length > 0 ? exact : similar(words, all);
   const isDisabled = ({ needs }: PaletteItem): boolean => needs !== null;

@@ -29,7 +29,7 @@ describe("the cut to an element", () => {
       const { enabled, axis, flipped, position } = cutToElement(mesh, element, eye);
       expect(enabled).toBe(true);
       // The cut opens towards the viewer.
-      expect(Math.sign(eye[axisIndex[axis]] ?? 0)).toBe(flipped ? -1 : 1);
+      expect(Math.sign(eye[axisIndex[axis]])).toBe(flipped ? -1 : 1);
       const all = Array.from({ length: count }, (_, t) => cornersAlong(t, axis));
       const [low, high] = [Math.min(...all.flat()), Math.max(...all.flat())];
       const limit = low + position * (high - low);

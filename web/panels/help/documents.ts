@@ -9,8 +9,12 @@ import format from "../../../docs/FORMAT.md?raw";
 import lessons from "../../../docs/LESSONS.md?raw";
 import paper from "../../../docs/PAPER.md?raw";
 import trace from "../../../docs/TRACE.md?raw";
-import packageReadme from "../../../wasm/README.md?raw";
 import { sectionsOf, type HelpSection } from "../../document/help-search";
+
+/** The text of the package, which has its own README beside its sources. */
+const packageReadme = Object.values(
+  import.meta.glob<string>("../../../wasm/README.md", { query: "?raw", import: "default", eager: true }),
+).join("");
 
 /** Texts by the id of the document, in the order of the list. */
 export const documents: Readonly<Record<string, string>> = {

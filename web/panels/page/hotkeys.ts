@@ -26,11 +26,7 @@ const handlerOf = (
 ): ((event: KeyboardEvent) => void) =>
   getHotkeyHandler(
     among.flatMap((command) =>
-      command.keys.map((key): HotkeyItem => [
-        key,
-        (event) => act(command, event as KeyboardEvent),
-        { preventDefault: false },
-      ]),
+      command.keys.map((key): HotkeyItem => [key, (event) => act(command, event), { preventDefault: false }]),
     ),
   );
 
