@@ -135,8 +135,9 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   [[nodiscard]] const Step& step() const { return schedule_[step_]; }
 
   [[nodiscard]] double knownShare() const {
-    return targetsNeeded_ == 0 ? 1.0
-                               : static_cast<double>(targetsKnown_) / static_cast<double>(targetsNeeded_);
+    return targetsNeeded_ == 0
+               ? 1.0
+               : static_cast<double>(targetsKnown_) / static_cast<double>(targetsNeeded_);
   }
 
   /// Estimated part of the step that is made. How often it repeats is not known: each repetition takes the same part of
