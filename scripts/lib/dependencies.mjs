@@ -83,7 +83,7 @@ const PANELS = [
   ["quality", "problems", "operations"],
   ["bodies", "player"],
   ["lessons"],
-  ["entities", "model", "files", "background", "viewport", "dialogs"],
+  ["entities", "model", "files", "background", "viewport", "dialogs", "help"],
   ["later"],
   ["inspector"],
   ["page"],
