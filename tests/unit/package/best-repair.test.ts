@@ -1,9 +1,8 @@
 /** An exact repair replaces one that welded nodes, if the triangles of the remeshing are poor after the latter only. */
 import { expect, test } from "vitest";
 
-import { filledBest, hasWelded, remeshedBest } from "../../../wasm/src/cli/best-repair.js";
-import { InvalidInput } from "../../../wasm/src/cli/messages.js";
-import type { RemeshReport } from "../../../wasm/src/cli/remeshing.js";
+import { filledBest, hasWelded, remeshedBest } from "../../../wasm/src/api/best-repair.js";
+import type { RemeshReport } from "../../../wasm/src/api/surface-treatment.js";
 import { emptyReport } from "../../../wasm/src/api/report.js";
 import { MesherError } from "../../../wasm/src/diagnostics/mesher-error.js";
 import type { MeshStatus } from "../../../wasm/src/mesh/report.js";
@@ -38,7 +37,13 @@ test("keeps the welded repair if the exact one fails, and rejects if it is cance
   const failed = new MesherError("engine-failed", "it failed", { reason: "it failed" });
   const cancelled = new MesherError("cancelled", "it was cancelled", { reason: "it was cancelled" });
   expect((await taken(angles, () => Promise.reject(failed))).prepared).toBe("welded");
-  expect((await taken(angles, () => Promise.reject(new InvalidInput("a.stl", [])))).prepared).toBe("welded");
+  expect(
+    (
+      await taken(angles, () =>
+        Promise.reject(new MesherError("invalid-input", "a.stl", { diagnostics: [] })),
+      )
+    ).prepared,
+  ).toBe("welded");
   await expect(taken(angles, () => Promise.reject(cancelled))).rejects.toBe(cancelled);
 });
 

@@ -59,7 +59,8 @@ describe("the command exits with code 1 and a message if standard output is a fi
   });
 });
 
-describe("a surface of needles", () => {
+describe("a surface of needles that are kept", () => {
+  const KEEP = ["--surface", "keep"];
   const warningsIn = (stdout: string) =>
     (JSON.parse(stdout) as { diagnostics: Diagnostic[] }).diagnostics.map(({ code, severity }) => [
       code,
@@ -72,7 +73,7 @@ describe("a surface of needles", () => {
     expect(check.code).toBe(0);
     expect(warningsIn(check.stdout)).toContainEqual(["needle-surface", "warning"]);
     expect(check.stdout).toContain("--surface remesh");
-    const mesh = await run("mesh", "gear.off", "-o", "gear.vtu", "--report", "-");
+    const mesh = await run("mesh", "gear.off", "-o", "gear.vtu", ...KEEP, "--report", "-");
     expect(mesh.code).toBe(0);
     expect(warningsIn(mesh.stdout)).toContainEqual(["poor-elements", "warning"]);
     expect(mesh.stderr).toMatch(
@@ -85,7 +86,7 @@ describe("a surface of needles", () => {
 
   test("gets the same warning from check of its mesh, which names the worst elements", async () => {
     save("gear.off", offFile(needleGearSurface(24)));
-    await run("mesh", "gear.off", "-o", "gear.vtu", "-q");
+    await run("mesh", "gear.off", "-o", "gear.vtu", ...KEEP, "-q");
     const { code, stdout } = await run("check", "gear.vtu", "--json");
     expect(code).toBe(0);
     const { diagnostics } = JSON.parse(stdout) as { diagnostics: Diagnostic[] };
@@ -111,17 +112,27 @@ describe("a surface of needles", () => {
   test("fails with --require-angle, while a box passes", async () => {
     save("gear.off", offFile(needleGearSurface(24)));
     save("box.off", offFile(boxSurface(4)));
-    const gear = await run("mesh", "gear.off", "-o", "gear.vtu", "--require-angle", "10");
+    const gear = await run("mesh", "gear.off", "-o", "gear.vtu", ...KEEP, "--require-angle", "10");
     expect(gear.stderr).toMatch(
       /error: gear\.off: The smallest dihedral angle is .*°, but --require-angle is 10°/,
     );
     expect(gear.stderr).toContain("Use --surface remesh, or --optimize thorough, or a surface");
     expect(gear.code).toBe(1);
     const thorough = ["--optimize", "thorough", "--require-angle", "10"];
-    const most = await run("mesh", "gear.off", "-o", "gear.vtu", ...thorough);
+    const most = await run("mesh", "gear.off", "-o", "gear.vtu", ...KEEP, ...thorough);
     expect(most.stderr).not.toContain("--optimize thorough");
     expect(most.code).toBe(1);
-    const reported = await run("mesh", "gear.off", "-o", "gear.vtu", "--require-angle", "10", "-r", "-");
+    const reported = await run(
+      "mesh",
+      "gear.off",
+      "-o",
+      "gear.vtu",
+      ...KEEP,
+      "--require-angle",
+      "10",
+      "-r",
+      "-",
+    );
     const { diagnostics, output, dihedral } = JSON.parse(reported.stdout) as MeshReport & { output: string };
     const error = diagnostics.find(({ severity }) => severity === "error");
     expect(error).toMatchObject({ code: "required-angle", data: { angle: dihedral.min, required: 10 } });

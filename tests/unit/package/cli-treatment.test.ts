@@ -49,13 +49,26 @@ test("a source far below the triangles splits them too", async () => {
   expect(codes(report)).toContain("divided-surface");
 });
 
-test("a size far below the triangles replaces them if many are needles", async () => {
-  save("part.off", offFile(needleGearSurface(9, 0.3)));
-  const { stderr, report } = await meshed("--size", "0.1");
-  expect(report.remesh).toBeDefined();
-  expect(stderr).toContain("so they were replaced, as by --surface remesh");
-  expect(report.dihedral.min).toBeGreaterThan(10);
-});
+test.each([[[]], [["--size", "0.1"]], [["--size", "10"]]])(
+  "needles are replaced with the sizes %j, said in one line with how to keep them",
+  async (more) => {
+    save("part.off", offFile(needleGearSurface(9, 0.3)));
+    const { stderr, report } = await meshed(...more);
+    expect(report.remesh).toBeDefined();
+    const lines = stderr.split("\n").filter((line) => line.includes("--surface"));
+    expect(lines).toEqual([
+      expect.stringMatching(
+        /^tetrafront: note: part\.off: \d+ of 212 triangles were needles \(smallest angle [\d.]+°\), so all were replaced, as by --surface remesh\. Use --surface keep to keep them\.$/,
+      ),
+    ]);
+    expect(codes(report)).toContain("replaced-surface");
+    expect(report.dihedral.min).toBeGreaterThan(10);
+    const same = await meshed(...more, "--surface", "remesh");
+    expect(same.report.fingerprint).toBe(report.fingerprint);
+    const kept = await meshed(...more, "--surface", "keep");
+    expect(kept.report.triangles).toBe(212);
+  },
+);
 
 test.each([[["--size", "0.8"]], [[]]])("other triangles are kept: %j", async (more) => {
   save("part.off", offFile(boxSurface(1)));

@@ -2,7 +2,7 @@
 import { createMesher, type Mesher, type SurfaceInput } from "tetrafront";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
-import { crackWarning } from "../../../wasm/src/cli/cracks.js";
+import { crackWarning } from "../../../wasm/src/api/cracks.js";
 import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 import { offFile } from "../../support/surface-files.js";

@@ -3,6 +3,7 @@ import { MesherError } from "../diagnostics/mesher-error.js";
 import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceRemesh } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
+import type { MeshResult } from "../mesh/report.js";
 
 /** Figures of a remeshing by which two are compared. */
 export type RemeshShapes = Pick<SurfaceRemesh, "isPartial" | "smallestAngle" | "meanRadiusRatio">;
@@ -46,8 +47,6 @@ export function hasWelded(
 export interface BestRepairOptions {
   /** Whether the first result is returned as a partial one if the second way is stopped. Default false. */
   readonly partial?: boolean;
-  /** Returns whether a failure of the second way means that it is not possible, beside those of the mesher. */
-  readonly isRefusal?: (failure: unknown) => boolean;
 }
 
 /**
@@ -65,13 +64,13 @@ export async function remeshedBest<Prepared, Made extends { readonly remesh?: Re
   prepared: Prepared,
   exact: (() => Promise<Prepared>) | undefined,
   remesh: (prepared: Prepared) => Promise<Made>,
-  { partial = false, isRefusal = () => false }: BestRepairOptions = {},
+  { partial = false }: BestRepairOptions = {},
 ): Promise<BestRepair<Prepared, Made>> {
   const made = await remesh(prepared);
   const first = { prepared, made, isExact: false };
   if (exact === undefined || made.remesh === undefined || !isPoor(made.remesh)) return first;
   const stopped = { ...first, made: { ...made, remesh: { ...made.remesh, isPartial: true } } };
-  const second = await unlessRefused(other(exact, remesh), isRefusal).catch((failure: unknown) => {
+  const second = await unlessFailed(other(exact, remesh)).catch((failure: unknown) => {
     if (partial && failure instanceof MesherError && failure.code === "cancelled") return stopped;
     throw failure;
   });
@@ -86,18 +85,6 @@ async function other<Prepared, Made>(
 ): Promise<{ readonly prepared: Prepared; readonly made: Made }> {
   const prepared = await exact();
   return { prepared, made: await remesh(prepared) };
-}
-
-async function unlessRefused<Result>(
-  made: Promise<Result>,
-  isRefusal: (failure: unknown) => boolean,
-): Promise<Result | undefined> {
-  try {
-    return await unlessFailed(made);
-  } catch (failure) {
-    if (isRefusal(failure)) return undefined;
-    throw failure;
-  }
 }
 
 /** Returns whether a finished remeshing has triangles so poor that another way is worth its time. */
@@ -124,3 +111,30 @@ export async function unlessFailed<Result>(made: Promise<Result>): Promise<Resul
 
 /** Codes of errors that the caller has caused. */
 const ended: readonly MesherError["code"][] = ["cancelled", "disposed"];
+
+/** The way that was filled, and the result of filling it. */
+export interface FilledRepair<Prepared, Made, Result> extends BestRepair<Prepared, Made> {
+  readonly result: Result;
+}
+
+/**
+ * Fills the better surface. If the engine refuses it, fails or stalls on it, fills that of the other way, and returns its
+ * result if it is complete. Rejects if it is cancelled.
+ */
+export async function filledBest<Prepared, Made, Result extends Pick<MeshResult, "report">>(
+  best: BestRepair<Prepared, Made>,
+  fill: (made: Made) => Promise<Result>,
+): Promise<FilledRepair<Prepared, Made, Result>> {
+  const other = best.welded ?? best.exact;
+  if (other === undefined) return { ...best, result: await fill(best.made) };
+  const isExact = best.welded === undefined;
+  const result = await unlessFailed(fill(best.made));
+  if (result?.report.status === "done" || result?.report.status === "cancelled") return { ...best, result };
+  if (result === undefined) return { ...other, isExact, result: await fill(other.made) };
+  // Whatever ends the second attempt, the first result is kept.
+  const second = await fill(other.made).catch((failure: unknown) => {
+    if (failure instanceof MesherError) return undefined;
+    throw failure;
+  });
+  return second?.report.status === "done" ? { ...other, isExact, result: second } : { ...best, result };
+}

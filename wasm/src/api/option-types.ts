@@ -96,6 +96,12 @@ export interface RemeshOptions {
   readonly background?: BackgroundArrays | undefined;
 }
 
+/** Options of a remeshing that a run without a remeshing does not have. */
+export type RemeshSettings = Pick<
+  RemeshOptions,
+  "minSize" | "maxSize" | "tolerance" | "featureAngle" | "anglePerEdge" | "layers" | "dropDetails"
+>;
+
 /** Options of `proposeSurfaceSizes`: those with which the surface will be remeshed. */
 export type SurfaceProposalOptions = Omit<RemeshOptions, "background" | "dropDetails">;
 
@@ -228,4 +234,33 @@ export interface ProjectMeshOptions extends MeshOptions {
    * run.
    */
   readonly preparedBodies?: readonly PreparedBody[] | undefined;
+}
+
+/** What becomes of the triangles of a surface before it is filled. */
+export const SURFACE_TREATMENTS = ["auto", "keep", "refine", "remesh"] as const;
+export type SurfaceTreatment = (typeof SURFACE_TREATMENTS)[number];
+
+/** Options of `meshSurface`. */
+export interface SurfaceMeshOptions extends MeshOptions, RemeshSettings {
+  /**
+   * What becomes of the triangles. Default `auto`, for CAD files `remesh`.
+   *
+   * - `auto`: fit triangles are kept, and split if they are far larger than the sizes. If too many are needles, or an option
+   *   of the remeshing is given, all are replaced, and the surface is repaired before if that changes nothing visible.
+   * - `keep`: all are kept.
+   * - `refine`: those larger than the target size are split.
+   * - `remesh`: all are replaced by well-shaped ones; the surface is repaired before if it cannot be filled.
+   */
+  readonly surface?: SurfaceTreatment | undefined;
+  /**
+   * Repair the surface first: weld nodes with the same position, remove degenerate and duplicate triangles, flip triangles
+   * outward, and resolve the rest as `resolveIntersections` of `repairSurface` does.
+   */
+  readonly repair?: boolean | undefined;
+  /** Repair the surface, and weld nodes within this distance. */
+  readonly weld?: number | undefined;
+  /** Repair the surface, and fill holes of at most this many edges, no others. */
+  readonly fillHoles?: number | undefined;
+  /** Split patches at edges that are sharper than this angle in degrees; `true` for 40. Default: patches stay. */
+  readonly splitPatches?: boolean | number | undefined;
 }

@@ -2,6 +2,10 @@
 import { ofBody } from "../api/body-preparation.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import type { PreviewOptions, RepairOptions } from "../api/option-types.js";
+import { located, type Located } from "../api/located-surface.js";
+import { hasSolids, withoutRegions } from "../api/solid-regions.js";
+import { withSolidRegions } from "../api/solids.js";
+import { repaired } from "../api/surface-preparation.js";
 import { touchingSolids } from "../api/touching-solids.js";
 import { checkInspectionOptions, checkPreviewOptions } from "../api/options.js";
 import { LIMITS } from "../base/limits.js";
@@ -32,11 +36,8 @@ import {
   print,
   printDiagnostics,
 } from "./messages.js";
-import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
+import { printChanges, refuseRepair, type RepairCommandOptions, repairOptions } from "./repair.js";
 import type { UnitOptions } from "./units.js";
-import { located, type Located } from "./regions.js";
-import { hasSolids, withoutRegions } from "./solid-regions.js";
-import { withSolidRegions } from "./solids.js";
 import { meshLines, oppositeOrderLines, readingLines, surfaceLines } from "./tables.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions, UnitOptions {

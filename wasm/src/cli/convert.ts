@@ -5,6 +5,7 @@
 import path from "node:path";
 import { writeMesh } from "../api/mesh-files.js";
 import type { RepairOptions } from "../api/option-types.js";
+import { repaired } from "../api/surface-preparation.js";
 import { plural } from "../base/plural.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -26,11 +27,10 @@ import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile } from "./input.js";
 import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
-import { printChanges, refuseRepair, type RepairCommandOptions, repaired, repairOptions } from "./repair.js";
-import { unusedPointLines } from "./regions.js";
+import { printChanges, refuseRepair, type RepairCommandOptions, repairOptions } from "./repair.js";
 import { type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
 import type { UnitOptions } from "./units.js";
-import { mixedOrientationLines, readingLines } from "./tables.js";
+import { mixedOrientationLines, readingLines, unusedPointLines } from "./tables.js";
 
 /** Options as commander passes them. */
 export interface ConvertCommandOptions
@@ -119,7 +119,8 @@ async function withSplitPatches(
   const split = splitOptions(options);
   if (split === undefined || mesh.triangles.length === 0) return mesh;
   const made = await withMesher((mesher) => withSplit(mesher, mesh, split));
-  if (options.quiet !== true) print(`${input}: ${splitText(mesh, made)}`);
+  if (options.quiet !== true)
+    print(`${input}: ${splitText({ before: mesh.patches.length, after: made.patches.length })}`);
   return made;
 }
 

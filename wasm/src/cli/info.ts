@@ -1,5 +1,6 @@
 /** `tetrafront info` prints the contents of a file; `tetrafront stats` prints the quality of its elements. */
 import { plural } from "../base/plural.js";
+import { short } from "../base/short.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { formatOf } from "../formats/file-formats.js";
 import { NO_REGION } from "../generated/constants.js";
@@ -23,7 +24,6 @@ import {
   oppositeOrderLines,
   qualityLines,
   readingLines,
-  short,
 } from "./tables.js";
 
 /** Options as commander passes them. */

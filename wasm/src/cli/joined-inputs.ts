@@ -1,5 +1,6 @@
 /** Reads the inputs of `--join`. */
 import path from "node:path";
+import { located, type Located } from "../api/located-surface.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
@@ -9,7 +10,6 @@ import type { InnerShells } from "../generated/constants.js";
 import { withMesher } from "./grids.js";
 import { type Input, type InputOptions, readModel } from "./input.js";
 import { asInvalidInput, InvalidInput } from "./messages.js";
-import { located, type Located } from "./regions.js";
 
 interface GivenOptions extends InputOptions {
   /** All inputs, if they are joined to one model. */

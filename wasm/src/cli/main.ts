@@ -9,6 +9,7 @@ import {
   PROPOSAL_DEFAULTS,
   REMESH_DEFAULTS,
 } from "../generated/constants.js";
+import { SURFACE_TREATMENTS } from "../api/option-types.js";
 import { IMPROVEMENT_LEVELS } from "../api/options.js";
 import { type CheckCommandOptions, checkFile } from "./check.js";
 import { type ConvertCommandOptions, convertFile } from "./convert.js";
@@ -35,7 +36,6 @@ import { type MeshCommandOptions, meshFile } from "./mesh.js";
 import { ExitCode, reportFailure } from "./messages.js";
 import { propose, type ProposeOptions } from "./propose.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
-import { SURFACE_TREATMENTS } from "./remeshing.js";
 import { type TraceCommandOptions, traceFile } from "./trace.js";
 import { FRONT_SEARCHES, MAX_TOLERANCE } from "../trace/experiment.js";
 import { withUnits } from "./units.js";
@@ -174,7 +174,7 @@ function withFront(command: Command): Command {
     .addOption(
       new Option(
         "--surface <treatment>",
-        "keep the triangles of a surface, split those larger than the target size, or replace all (default: keep, unless the sizes are far smaller; remesh for CAD files)",
+        "keep the triangles of a surface, split those larger than the target size, or replace all; auto keeps fit triangles and replaces needles (default auto; remesh for CAD files)",
       ).choices(SURFACE_TREATMENTS),
     )
     .option(

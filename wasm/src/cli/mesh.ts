@@ -1,52 +1,47 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { fileMeshOf } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
-import type { MeshOptions, SplitOptions } from "../api/option-types.js";
-import { checkOptions } from "../api/options.js";
+import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
 import { emptyReport, emptyResult } from "../api/report.js";
+import { checkSurfaceMeshOptions, meshPart, repairPart, splitPart } from "../api/surface-mesh-options.js";
+import { withControl } from "../api/surface-mesher.js";
+import {
+  filledSurface,
+  type MeshedSurface,
+  type ReadySurface,
+  readySurface,
+} from "../api/surface-meshing.js";
+import type { RefinementCounts, RemeshReport } from "../api/surface-treatment.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import type { RunControl } from "../engine/control.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { RunControl } from "../engine/control.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
+import type { Project } from "../project/schema.js";
+import { asTypedDiagnostic } from "./command-line-words.js";
 import { writableName, writeAll } from "./convert.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
-import { withMesher } from "./grids.js";
-import { type Input, isCadInput, numberIn, refuseOptions, surfaceIn } from "./input.js";
+import { type Input, isCadInput, numberIn, refuseOptions } from "./input.js";
 import { readGiven, subjectOf } from "./joined-inputs.js";
 import { asInvalidInput, asEngineFailure, ExitCode, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, givenFiles, outputFiles } from "./paths.js";
+import { EXACT_REPAIR, printChanges, refuseRepair, type RepairCommandOptions } from "./repair.js";
 import {
-  type RefinementCounts,
   refinementText,
   refuseRemeshing,
   type RemeshCommandOptions,
-  remeshOptions,
-  type RemeshReport,
+  remeshSettingsIn,
   remeshText,
-  type SurfaceTreatment,
 } from "./remeshing.js";
-import {
-  type Preparation,
-  preparedSurface,
-  printChanges,
-  refuseRepair,
-  type RepairCommandOptions,
-  repairOptions,
-} from "./repair.js";
-import { located } from "./regions.js";
-import { hasSolids } from "./solid-regions.js";
 import { requiredAngleError, requiredAngleOf } from "./required-angle.js";
-import type { UnitOptions } from "./units.js";
-import { EXACT_REPAIR, filledBest, hasWelded, remeshedBest } from "./best-repair.js";
 import { withRun } from "./run.js";
 import {
   checkSizes,
-  type GivenGrid,
   gridFiles,
   printWithGrid,
   readGivenGrid,
@@ -54,9 +49,9 @@ import {
   sizesIn,
   withGrid,
 } from "./sizes.js";
-import { refuseSplit, type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
+import { refuseSplit, type SplitCommandOptions, splitText } from "./splitting.js";
 import { anglesText, readingLines, unmeshedLines } from "./tables.js";
-import { type TreatedSurface, treatedSurface } from "./treatment.js";
+import type { UnitOptions } from "./units.js";
 
 /** Options as commander passes them: numbers are still text. */
 export interface MeshCommandOptions
@@ -121,7 +116,8 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
     ...(remesh && { remesh }),
   };
   const inputs = joined === undefined ? {} : { inputs: joined };
-  const report = { ...outcome.report, ...done, input, ...inputs, output: written };
+  const diagnostics = outcome.report.diagnostics.map(asTypedDiagnostic);
+  const report = { ...outcome.report, diagnostics, ...done, input, ...inputs, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
@@ -143,17 +139,8 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const subject = subjectOf(input, options.joined);
   const requiredAngle = requiredAngleOf(options);
   const made = await meshInput(input, options, () => checkMeshPaths(input, options));
-  const {
-    given,
-    treatment,
-    result,
-    model: meshed,
-    found,
-    changes,
-    repairDeviation,
-    refinement,
-    remesh,
-  } = made;
+  const { given, result, model: meshed, found } = made;
+  const { changes, repairDeviation, refinement, remesh } = made.made ?? {};
   const { report } = result;
   const shouldWrite = mayWrite(result, options);
   const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
@@ -163,7 +150,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
     report,
     requiredAngle,
     options,
-    given.kind === "project" || treatment === "remesh",
+    given.kind === "project" || remesh !== undefined,
   );
   printDiagnostics(subject, poor, { isQuiet });
   const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
@@ -180,13 +167,15 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
 }
 
 /** What was read, and what became of it. */
-export interface MeshedInput extends Meshed {
+export interface MeshedInput {
   readonly given: Input;
-  readonly treatment: SurfaceTreatment | undefined;
+  readonly result: MeshResult;
+  /** The model that was meshed, after its repair and remeshing. */
+  readonly model: Input;
   /** Diagnostics from before the run. */
   readonly found: readonly Diagnostic[];
-  readonly changes?: readonly RepairChange[] | undefined;
-  readonly repairDeviation?: number | undefined;
+  /** What was done to a surface. */
+  readonly made?: MeshedSurface | undefined;
 }
 
 /** What a recorded run does with the front. */
@@ -204,99 +193,92 @@ export async function meshInput(
 ): Promise<MeshedInput> {
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
-  const repair = repairOptions(options);
-  const split = splitOptions(options);
-  const isCad = isCadInput(input, options.from);
-  const treatment = options.surface ?? (isCad ? "remesh" : undefined);
-  if (treatment === "remesh") remeshOptions(options, meshOptions);
-  else refuseRemeshing(options);
   await checkPaths();
   const subject = subjectOf(input, options.joined);
   const { given, diagnostics: read } = await readGiven(input, options, meshOptions.size);
-  if (given.kind === "project") {
-    if (options.surface !== undefined) refuseOptions([projectSurface]);
-    const hasBodies = (given.project.bodies ?? []).length > 0;
-    if (options.growth !== undefined && !hasBodies) refuseOptions([projectGrowth]);
-    refuseRepair(repair, "a project");
-    refuseSplit(split);
-  }
+  if (given.kind === "project") checkForProject(given.project, options, meshOptions);
   const grid = await readGivenGrid(options, isQuiet);
-  const { innerShells } = options;
-  const isRemeshed = treatment === "remesh";
-  const isRepairImplied = repair === undefined && (isRemeshed || isCad);
-  const repairing = { input: subject, repair, split, innerShells, isRepairImplied, isRemeshed };
-  const treated = await withRepair(given, repairing);
-  const isWelded = isRepairImplied && isRemeshed && hasWelded(surfaceIn(given), treated);
-  const exact = isWelded ? () => withRepair(given, { ...repairing, isExact: true }) : undefined;
-  const { split: splitWords } = treated;
-  if (!isQuiet) printChanges(subject, treated);
-  if (splitWords !== undefined && !isQuiet) print(`${subject}: ${splitWords}`);
-  if (given.kind === "surface" && !isQuiet) {
-    for (const line of readingLines(given.surface)) print(`note: ${subject}: ${line}`);
+  const meshed = await withRun(isQuiet, async (mesher, controlOf) => {
+    const all = await withGrid(mesher, meshOptions, grid);
+    const control = (step?: string) => ({ ...controlOf(step), ...recording });
+    if (control().signal.aborted) return { result: emptyResult("cancelled"), model: given, found: read };
+    if (given.kind === "project") {
+      const result = await mesher.meshProject(given.project, meshPart(all), control());
+      return { result, model: given, found: read };
+    }
+    const { surface } = given;
+    const isCad = isAnyCad(input, options);
+    const ready = await readySurface(withControl(mesher, controlOf("check")), surface, all, { isCad });
+    if (!isQuiet) printReady(subject, surface, ready);
+    const filling = { options: all, isCad, controlOf: control, isRecorded: recording.onTrace !== undefined };
+    const made = await filledSurface(mesher, surface, ready, filling).catch((failure: unknown) => {
+      // Warnings of the repair say why the surface is invalid.
+      printWithGrid({ input: subject, background: options.background }, ready.diagnostics, isQuiet);
+      throw failure;
+    });
+    const model = { kind: "surface", surface: made.surface } as const;
+    return { result: made.result, model, found: [...read, ...made.diagnostics], made };
+  }).catch((failure: unknown) => cancelledOr(failure, given, read));
+  if (meshed.made !== undefined) printMade(subject, meshed.made, isQuiet);
+  const { diagnostics } = meshed.result.report;
+  const shown = [...meshed.found, ...diagnostics];
+  printWithGrid({ input: subject, background: options.background }, shown, isQuiet);
+  return { given, ...meshed };
+}
+
+/** Returns a cancelled result if the failure means that; rethrows others. */
+function cancelledOr(
+  failure: unknown,
+  model: Input,
+  found: readonly Diagnostic[],
+): Omit<MeshedInput, "given"> {
+  if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
+  return { result: emptyResult("cancelled"), model, found };
+}
+
+/** Throws an InvalidInput if an option for surfaces is given for a project. */
+function checkForProject(
+  { bodies = [] }: Project,
+  options: Omit<MeshCommandOptions, "output">,
+  meshOptions: SurfaceMeshOptions,
+): void {
+  if (options.surface !== undefined) refuseOptions([projectSurface]);
+  if (options.growth !== undefined && bodies.length === 0) refuseOptions([projectGrowth]);
+  refuseRepair(repairPart(meshOptions), "a project");
+  refuseSplit(splitPart(meshOptions));
+  refuseRemeshing(meshOptions);
+}
+
+/** Returns whether the input, or one of those that are joined, describes shapes. */
+function isAnyCad(
+  input: string,
+  { joined = [input], from }: Pick<MeshCommandOptions, "joined" | "from">,
+): boolean {
+  return joined.some((file) => isCadInput(file, from));
+}
+
+/** Prints what was done before the surface is meshed. */
+function printReady(subject: string, given: SurfaceFile, ready: ReadySurface): void {
+  printChanges(subject, ready);
+  const { split } = ready;
+  if (split !== undefined) print(`${subject}: ${splitText(split)}`);
+  for (const line of readingLines(given)) print(`note: ${subject}: ${line}`);
+}
+
+/** Prints how the surface was changed to be meshed. */
+function printMade(subject: string, made: MeshedSurface, isQuiet: boolean): void {
+  const { refinement, remesh, isExact } = made;
+  if (isExact && !isQuiet) {
+    print(`repair: ${subject}: ${EXACT_REPAIR}`);
+    printChanges(subject, made);
   }
-  const meshing = { isQuiet, treatment, remeshing: options, grid, recording };
-  const made = await mesh(treated, exact, meshOptions, meshing).catch((failure: unknown) => {
-    // Warnings of the repair say why the surface is invalid.
-    printWithGrid({ input: subject, background: options.background }, treated.located ?? [], isQuiet);
-    throw failure;
-  });
-  const { refinement, remesh, repaired: taken } = made;
-  const { changes, repairDeviation, located: foundLater = [] } = taken;
-  const found = [...read, ...foundLater];
-  if (taken !== treated && !isQuiet) print(`repair: ${subject}: ${EXACT_REPAIR}`);
-  if (taken !== treated && !isQuiet) printChanges(subject, taken);
   if (refinement !== undefined && !isQuiet) print(`${subject}: ${refinementText(refinement)}`);
   if (remesh !== undefined && !isQuiet) print(`${subject}: ${remeshText(remesh, "--report FILE")}`);
   if (remesh?.isPartial === true) print(`${subject}: ${REMESHING_STOPPED}`);
-  const { diagnostics } = made.result.report;
-  printWithGrid({ input: subject, background: options.background }, [...found, ...diagnostics], isQuiet);
-  return { ...made, given, treatment, found, changes, repairDeviation };
 }
 
 const REMESHING_STOPPED =
   "stopped while the surface was remeshed, before the first tetrahedron; tetrafront remesh writes the surface that it has made so far";
-
-/** Input after its repair and the splitting of its patches. */
-interface Repaired {
-  readonly model: Input;
-  readonly changes?: readonly RepairChange[] | undefined;
-  readonly repairDeviation?: number | undefined;
-  /** Description of the splitting. */
-  readonly split?: string | undefined;
-  /** Warnings about solids that overlap and about region points. */
-  readonly located?: readonly Diagnostic[];
-}
-
-interface Repairing extends Preparation {
-  readonly split: SplitOptions | undefined;
-}
-
-async function withRepair(given: Input, repairing: Repairing): Promise<Repaired> {
-  const { repair, split, innerShells, isRepairImplied } = repairing;
-  if (given.kind === "project") return { model: given };
-  const hasPoints = given.surface.regionPoints !== undefined;
-  const isAssembly = hasSolids(given.surface);
-  const isUnchanged = repair === undefined && split === undefined && !isRepairImplied && !hasPoints;
-  if (isUnchanged && !isAssembly) return { model: given };
-  return withMesher(async (mesher) => {
-    const {
-      surface: whole,
-      changes,
-      repairDeviation,
-      warnings = [],
-    } = await preparedSurface(mesher, given.surface, repairing);
-    const divided = await withSplit(mesher, whole, split);
-    const words = split && splitText(whole, divided);
-    const { surface, diagnostics } = await located(mesher, divided, innerShells);
-    return {
-      model: { kind: "surface", surface },
-      changes,
-      repairDeviation,
-      split: words,
-      located: [...warnings, ...diagnostics],
-    };
-  });
-}
 
 /**
  * Prints the failure of a run that threw; returns its outcome. Rethrows a failure that is neither the input's nor
@@ -322,17 +304,24 @@ function invalidInput(diagnostics: readonly Diagnostic[]): Outcome {
   };
 }
 
-function readOptions(options: Omit<MeshCommandOptions, "output">): MeshOptions {
-  const meshOptions: MeshOptions = {
+function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOptions {
+  const { splitPatches: split } = options;
+  const meshOptions: SurfaceMeshOptions = {
     ...sizesIn(options),
+    ...remeshSettingsIn(options),
     gradation: numberIn(options.gradation),
     maxVolume: numberIn(options.maxVolume),
     innerShells: options.innerShells,
     order: options.order,
     filters: options.filters,
     optimization: options.optimize,
+    surface: options.surface,
+    repair: options.repair,
+    weld: numberIn(options.weld),
+    fillHoles: numberIn(options.fillHoles),
+    splitPatches: typeof split === "string" ? numberIn(split) : split,
   };
-  refuseOptions([...checkOptions(meshOptions), ...checkSizes(options)]);
+  refuseOptions([...checkSurfaceMeshOptions(meshOptions), ...checkSizes(options)]);
   return meshOptions;
 }
 
@@ -353,65 +342,6 @@ async function checkReportPath(input: string, options: MeshCommandOptions): Prom
   await checkNoOverwrite(kept, [{ words: "the report", file: report }]);
 }
 
-interface MeshingOptions {
-  readonly isQuiet: boolean;
-  readonly treatment: SurfaceTreatment | undefined;
-  readonly remeshing: RemeshCommandOptions;
-  readonly grid: GivenGrid | undefined;
-  readonly recording: FrontRecording;
-}
-
-/** Result, and the model that was meshed after repair, refinement or remeshing. */
-interface Meshed {
-  readonly result: MeshResult;
-  readonly model: Input;
-  readonly refinement?: RefinementCounts;
-  readonly remesh?: RemeshReport;
-}
-
-/** `exact`: another repair, for triangles that are poor after a remeshing. */
-async function mesh(
-  given: Repaired,
-  exact: (() => Promise<Repaired>) | undefined,
-  options: MeshOptions,
-  meshing: MeshingOptions,
-): Promise<Meshed & { readonly repaired: Repaired }> {
-  const { model } = given;
-  try {
-    return await withRun(meshing.isQuiet, async (mesher, controlOf) => {
-      const all = await withGrid(mesher, options, meshing.grid);
-      const control = { ...controlOf(), ...meshing.recording };
-      if (control.signal.aborted) return { result: emptyResult("cancelled"), model, repaired: given };
-      if (model.kind === "project") {
-        return { result: await mesher.meshProject(model.project, all, control), model, repaired: given };
-      }
-      const best = await remeshedBest(given, exact, ({ model: one }) =>
-        treatedSurface(mesher, surfaceIn(one), { ...meshing, options: all, controlOf }),
-      );
-      const fill = async ({ surface, invalid, diagnostics = [] }: TreatedSurface): Promise<MeshResult> =>
-        invalid === undefined
-          ? withDiagnostics(await mesher.fillSurface(surface, all, control), diagnostics)
-          : emptyResult("invalid-input", invalid);
-      // A trace shows one front, also one that stalls.
-      const tried =
-        meshing.recording.onTrace === undefined ? best : { ...best, welded: undefined, exact: undefined };
-      const { made, prepared, result } = await filledBest(tried, fill);
-      const { surface, invalid, diagnostics: _, ...report } = made;
-      if (invalid !== undefined) return { result, model, repaired: prepared };
-      return { result, model: { kind: "surface", surface }, repaired: prepared, ...report };
-    });
-  } catch (failure) {
-    if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
-    return { result: emptyResult("cancelled"), model, repaired: given };
-  }
-}
-
-/** Adds the diagnostics of the treatment, which came first. */
-function withDiagnostics(result: MeshResult, first: readonly Diagnostic[]): MeshResult {
-  const { report } = result;
-  return { ...result, report: { ...report, diagnostics: [...first, ...report.diagnostics] } };
-}
-
 function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {
   return report.status === "done" || (keepPartial === true && volume.tetrahedra.length > 0);
 }
@@ -425,7 +355,7 @@ async function writeResult(
   const { output, to, quiet: isQuiet = false } = options;
   const subject = subjectOf(input, options.joined);
   const name = writableName(output, to, ["volume"]);
-  const isAssembly = isCadInput(input, options.from) || (options.joined ?? []).length > 1;
+  const isAssembly = isAnyCad(input, options) || (options.joined ?? []).length > 1;
   const mesh = fileMeshOf(result, { ...model, interfacePatches: isAssembly });
   if (!isQuiet && model.kind === "surface") {
     for (const line of unmeshedLines(model.surface, mesh)) print(`note: ${subject}: ${line}`);

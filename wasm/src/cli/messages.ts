@@ -4,6 +4,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic, printable, readDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadError } from "../diagnostics/read-error.js";
+import { asTypedDiagnostic } from "./command-line-words.js";
 import { FileError, WriteError } from "./files.js";
 
 /** Shells report 141 for a program that writes to a pipe without a reader: 128 plus the number of the signal. */
@@ -105,7 +106,9 @@ export function printDiagnostics(
   options: PrintOptions,
 ): void {
   const { isQuiet, perCode = MAX_PER_CODE, onLine = print } = options;
-  const reported = diagnostics.filter(({ severity }) => !isQuiet || severity === "error");
+  const reported = diagnostics
+    .filter(({ severity }) => !isQuiet || severity === "error")
+    .map((found) => asTypedDiagnostic(found));
   for (const group of byKind(reported)) {
     for (const line of groupLines(subject, group, perCode)) onLine(line);
   }
@@ -195,7 +198,7 @@ export function* jsonPieces<Report extends { readonly diagnostics: readonly Diag
   }
   yield empty.slice(0, -"]\n}".length);
   for (let begin = 0; begin < diagnostics.length; begin += PIECE) {
-    const list = JSON.stringify(diagnostics.slice(begin, begin + PIECE), null, 2);
+    const list = JSON.stringify(diagnostics.slice(begin, begin + PIECE).map(asTypedDiagnostic), null, 2);
     yield `${begin === 0 ? "" : ","}${list.slice(1, -"\n]".length).replaceAll("\n", "\n  ")}`;
   }
   yield "\n  ]\n}\n";

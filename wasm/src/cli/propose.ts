@@ -2,7 +2,10 @@
 import type { SurfaceSizeProposal } from "../api/mesher-interface.js";
 import type { SurfaceProposalOptions } from "../api/option-types.js";
 import { checkProposalOptions, checkSurfaceProposalOptions } from "../api/options.js";
+import { located } from "../api/located-surface.js";
+import { madeFillable } from "../api/surface-preparation.js";
 import { plural } from "../base/plural.js";
+import { short } from "../base/short.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { MAX_LAYERS, MIN_REMESH_ANGLE } from "../generated/constants.js";
@@ -10,9 +13,7 @@ import { writeToStandardOutput } from "./files.js";
 import { type ProposeCommandOptions, proposeForFile, withMesher } from "./grids.js";
 import { isProject, numberIn, readModel, refuseOptions } from "./input.js";
 import { ExitCode, printDiagnostics, reportFailure } from "./messages.js";
-import { located } from "./regions.js";
-import { madeFillable, printChanges } from "./repair.js";
-import { short } from "./tables.js";
+import { printChanges } from "./repair.js";
 import { refuseUnits, type UnitOptions } from "./units.js";
 
 export interface ProposeOptions extends Omit<ProposeCommandOptions, "output">, UnitOptions {
@@ -52,7 +53,7 @@ async function proposeForSurface(input: string, options: ProposeOptions): Promis
   if (given.kind === "project") return ExitCode.invalidInput;
   const { surface, proposal } = await withMesher(async (mesher) => {
     const isQuiet = options.quiet === true || options.json === true;
-    const made = await madeFillable(mesher, given.surface, input, {
+    const made = await madeFillable(mesher, given.surface, {
       innerShells: undefined,
       isRemeshed: true,
     });

@@ -1,7 +1,10 @@
 /** `tetrafront remesh`: replaces the triangles of a surface by well-shaped ones, and checks the written file. */
-import { EXACT_REPAIR, hasWelded, remeshedBest } from "./best-repair.js";
+import { hasWelded, remeshedBest } from "../api/best-repair.js";
+import { located } from "../api/located-surface.js";
 import { readSurface, writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
+import { madeFillable, type PreparedSurface, repaired } from "../api/surface-preparation.js";
+import { remeshed, type RemeshReport } from "../api/surface-treatment.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { WrittenFile } from "../formats/file-format.js";
@@ -24,22 +27,8 @@ import {
   printDiagnostics,
 } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
-import {
-  type RemeshCommandOptions,
-  remeshed,
-  remeshOptions,
-  type RemeshReport,
-  remeshText,
-} from "./remeshing.js";
-import {
-  madeFillable,
-  printChanges,
-  type RepairCommandOptions,
-  repaired,
-  type RepairedSurface,
-  repairOptions,
-} from "./repair.js";
-import { located } from "./regions.js";
+import { type RemeshCommandOptions, remeshOptions, remeshText } from "./remeshing.js";
+import { EXACT_REPAIR, printChanges, type RepairCommandOptions, repairOptions } from "./repair.js";
 import type { UnitOptions } from "./units.js";
 import { withRun } from "./run.js";
 import {
@@ -103,7 +92,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     const prepare = async (isExact: boolean) => {
       const treated =
         repair === undefined
-          ? await madeFillable(mesher, given.surface, input, { innerShells, isRemeshed: true, isExact })
+          ? await madeFillable(mesher, given.surface, { innerShells, isRemeshed: true, isExact })
           : await repaired(mesher, given.surface, repair);
       const divided = await withSplit(mesher, treated.surface, split);
       return { treated, divided, ...(await located(mesher, divided, innerShells)) };
@@ -112,7 +101,8 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     if (!isQuiet) printChanges(input, welded.treated);
     if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
     if (split !== undefined && !isQuiet) {
-      print(`${input}: ${splitText(welded.treated.surface, welded.divided)}`);
+      const [before, after] = [welded.treated.surface, welded.divided].map(({ patches }) => patches.length);
+      print(`${input}: ${splitText({ before: before ?? 0, after: after ?? 0 })}`);
     }
     const told = problemsOf(welded);
     printDiagnostics(input, told, { isQuiet });
@@ -162,7 +152,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
 }
 
 function problemsOf(prepared: {
-  readonly treated: Pick<RepairedSurface, "warnings">;
+  readonly treated: Pick<PreparedSurface, "warnings">;
   readonly diagnostics: readonly Diagnostic[];
 }): readonly Diagnostic[] {
   return [...(prepared.treated.warnings ?? []), ...prepared.diagnostics];

@@ -1,19 +1,12 @@
-/** The treatment of a given surface before it is meshed: `--surface keep`, `refine` or `remesh`. */
-import type { Mesher } from "../api/mesher-interface.js";
-import type { MeshOptions, RefineOptions, RemeshOptions } from "../api/option-types.js";
+/** Options of a remeshing on the command line, and what is printed about its result. */
+import type { MeshOptions, RemeshOptions, RemeshSettings } from "../api/option-types.js";
 import { checkRemeshOptions } from "../api/options.js";
-import { repairedSurface } from "../api/repaired-surface.js";
+import { givenRemeshSetting } from "../api/surface-mesh-options.js";
+import type { RefinementCounts, RemeshReport } from "../api/surface-treatment.js";
 import { plural } from "../base/plural.js";
-import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { short } from "../base/short.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
-import type { PartialControl, RunControl } from "../engine/control.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
-import type { SurfaceRemesh } from "../mesh/inspection.js";
 import { numberIn, refuseOptions } from "./input.js";
-import { short } from "./tables.js";
-
-export const SURFACE_TREATMENTS = ["keep", "refine", "remesh"] as const;
-export type SurfaceTreatment = (typeof SURFACE_TREATMENTS)[number];
 
 /** Options of a remeshing as commander passes them, without those of the sizes. */
 export interface RemeshCommandOptions {
@@ -26,28 +19,9 @@ export interface RemeshCommandOptions {
   readonly dropDetails?: string;
 }
 
-/** The options by their names in the call, as they are written on the command line. */
-const WRITTEN = {
-  minSize: "--min-size",
-  maxSize: "--max-size",
-  tolerance: "--tolerance",
-  featureAngle: "--feature-angle",
-  anglePerEdge: "--angle-per-edge",
-  layers: "--layers",
-  dropDetails: "--drop-details",
-} as const satisfies Record<keyof RemeshCommandOptions, string>;
-
-/** Returns the options of a remeshing with these sizes. Throws an InvalidInput if one is invalid. */
-export function remeshOptions(
-  given: RemeshCommandOptions,
-  { size, growth, maxVolume, innerShells, background }: MeshOptions,
-): RemeshOptions {
-  const options: RemeshOptions = {
-    size,
-    growth,
-    maxVolume,
-    innerShells,
-    background,
+/** Returns the options of a remeshing beside its sizes, unchecked. */
+export function remeshSettingsIn(given: RemeshCommandOptions): RemeshSettings {
+  return {
     minSize: numberIn(given.minSize),
     maxSize: numberIn(given.maxSize),
     tolerance: numberIn(given.tolerance),
@@ -56,77 +30,25 @@ export function remeshOptions(
     layers: numberIn(given.layers),
     dropDetails: numberIn(given.dropDetails),
   };
+}
+
+/** Returns the options of a remeshing with these sizes. Throws an InvalidInput if one is invalid. */
+export function remeshOptions(
+  given: RemeshCommandOptions,
+  { size, growth, maxVolume, innerShells, background }: MeshOptions,
+): RemeshOptions {
+  const sizes = { size, growth, maxVolume, innerShells, background };
+  const options: RemeshOptions = { ...sizes, ...remeshSettingsIn(given) };
   refuseOptions(checkRemeshOptions(options));
   return options;
 }
 
-/** Throws an InvalidInput if an option of a remeshing is given without one. */
-export function refuseRemeshing(given: RemeshCommandOptions): void {
-  const names = Object.keys(WRITTEN) as (keyof RemeshCommandOptions)[];
-  const option = names.find((name) => given[name] !== undefined);
-  if (option === undefined) return;
-  const written = WRITTEN[option];
-  const message = `${written} is for surfaces that are remeshed`;
-  refuseOptions([invalidOption(written, message, `Add --surface remesh, or omit ${written}.`)]);
-}
-
-/** Result of a requested refinement of a surface. */
-export interface RefinementCounts {
-  /** Number of triangles before and after. */
-  readonly given: number;
-  readonly triangles: number;
-  readonly splitEdges: number;
-  /** Longest given edge / target length. */
-  readonly lengthRatio: number;
-}
-
-/** Result of a requested remeshing of a surface. */
-export interface RemeshReport extends Omit<
-  SurfaceRemesh,
-  "surface" | "origin" | "triangleDeviation" | "diagnostics"
-> {
-  /** Number of triangles before and after. */
-  readonly given: number;
-  readonly triangles: number;
-}
-
-const countTriangles = ({ triangles }: SurfaceFile) => triangles.length / 3;
-
-export async function refined(
-  mesher: Mesher,
-  given: SurfaceFile,
-  options: RefineOptions,
-  control: RunControl,
-): Promise<{ readonly surface: SurfaceFile; readonly refinement: RefinementCounts }> {
-  const {
-    surface: split,
-    origin,
-    splitEdges,
-    lengthRatio,
-  } = await mesher.refineSurface(given, options, control);
-  const surface = repairedSurface(given, { surface: split, origin });
-  const counts = { given: countTriangles(given), triangles: countTriangles(surface) };
-  const refinement = { ...counts, splitEdges, lengthRatio };
-  return { surface, refinement };
-}
-
-interface RemeshedSurface {
-  readonly surface: SurfaceFile;
-  readonly remesh: RemeshReport;
-  readonly diagnostics: readonly Diagnostic[];
-}
-
-export async function remeshed(
-  mesher: Mesher,
-  given: SurfaceFile,
-  options: RemeshOptions,
-  control: PartialControl,
-): Promise<RemeshedSurface> {
-  const made = await mesher.remeshSurface(given, options, control);
-  const { surface: _surface, origin: _origin, triangleDeviation: _deviation, diagnostics, ...figures } = made;
-  const surface = repairedSurface(given, made);
-  const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
-  return { surface, remesh, diagnostics };
+/** Throws an InvalidInput if an option of a remeshing is given for a project. */
+export function refuseRemeshing(given: RemeshSettings): void {
+  const setting = givenRemeshSetting(given);
+  if (setting === undefined) return;
+  const message = `\`${setting}\` is for surfaces, but the input is a project`;
+  refuseOptions([invalidOption(setting, message, "Omit it: each body has a remeshing of its own.")]);
 }
 
 export function refinementText({ given, triangles, splitEdges }: RefinementCounts): string {

@@ -37,7 +37,7 @@ export async function withSplit<Surface extends SplitInput & SplitSurface>(
   return options === undefined ? surface : mesher.splitPatches(surface, options);
 }
 
-/** Describes a split. */
-export function splitText(before: SplitSurface, after: SplitSurface): string {
-  return `split: ${plural(before.patches.length, "patch")} before, ${after.patches.length} after`;
+/** Describes a split by the numbers of patches. */
+export function splitText({ before, after }: { readonly before: number; readonly after: number }): string {
+  return `split: ${plural(before, "patch")} before, ${after} after`;
 }

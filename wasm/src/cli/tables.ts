@@ -1,6 +1,7 @@
 /** Statistics as lines of text. */
 import { unusedData } from "../api/volume-background.js";
 import { plural } from "../base/plural.js";
+import { short } from "../base/short.js";
 import { listed } from "../formats/groups.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { EdgeLengths, MeshInspection, SurfaceInspection } from "../mesh/inspection.js";
@@ -10,10 +11,6 @@ import type { QualityReport } from "../mesh/quality.js";
 const DIGITS = 6;
 /** Number of digits that distinguish any two doubles. */
 const MAX_DIGITS = 17;
-
-export function short(value: number, digits = DIGITS): string {
-  return String(Number(value.toPrecision(digits)));
-}
 
 /**
  * Returns "30.1° to 134.9°", rounded outward: an angle that is out of a range is never shown as its end. `digits`: those
@@ -133,6 +130,16 @@ export function unmeshedLines(
   // Given regions state what inner shells bound.
   const hint = givenRegions === undefined ? "; --inner-shells regions also meshes inside inner shells" : "";
   return [`regions of the file that are not meshed: ${names}${hint}`];
+}
+
+/** Returns a sentence about points that a command does not use. */
+export function unusedPointLines({ regionPoints }: Pick<FileMesh, "regionPoints">): string[] {
+  const { holes = [], regions = [] } = regionPoints ?? {};
+  const counts = [
+    ...(holes.length > 0 ? [plural(holes.length, "hole point")] : []),
+    ...(regions.length > 0 ? [plural(regions.length, "region point")] : []),
+  ];
+  return counts.length === 0 ? [] : [`${counts.join(" and ")} not written; \`tetrafront mesh\` uses them`];
 }
 
 export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): string[] {

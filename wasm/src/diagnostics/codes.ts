@@ -23,6 +23,8 @@ export type PackageCode =
   | "near-nodes"
   /** Triangles of a surface were far larger than the sizes, and were split or replaced. */
   | "divided-surface"
+  /** Too many triangles of a surface were needles, and all were replaced. */
+  | "replaced-surface"
   /** A surface was valid, but is not after the rounding of its file format. */
   | "invalid-when-rounded"
   /** Many elements of a mesh have small dihedral angles. */

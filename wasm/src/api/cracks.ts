@@ -1,5 +1,5 @@
 /** Finds cracks: open boundaries of parts that face each other across a gap, which a weld within that distance closes. */
-import type { Mesher } from "../api/mesher-interface.js";
+import type { SurfaceMesher } from "./surface-mesher.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { withoutPause } from "../base/steps.js";
@@ -25,7 +25,7 @@ const MARGINS = [1.01, 2, 3];
  * or whose repair has filled holes and left more regions. `repaired`: what the repair without a weld has made, with the same `innerShells`.
  */
 export async function crackWarning(
-  mesher: Pick<Mesher, "repairSurface" | "inspectSurface">,
+  mesher: Pick<SurfaceMesher, "repairSurface" | "inspectSurface">,
   given: SurfaceInput,
   repaired: { readonly isFillable: boolean; readonly regions: number },
   innerShells?: InnerShells,

@@ -1,13 +1,13 @@
 /** Finds solids of a surface whose volumes overlap, and bodies that a repair has joined. */
-import type { Mesher } from "../api/mesher-interface.js";
-import { type Overlap, SMALLEST_OVERLAP, type TouchingPair } from "../api/touching-solids.js";
+import type { SurfaceMesher } from "./surface-mesher.js";
+import { type Overlap, SMALLEST_OVERLAP, type TouchingPair } from "./touching-solids.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
-import { short } from "./tables.js";
+import { short } from "../base/short.js";
 
 /** Significant digits of a volume. */
 const DIGITS = 3;
@@ -24,7 +24,7 @@ export interface Whole {
  * those with boxes that share a volume, each with its own triangles alone.
  */
 export async function overlappingSolids(
-  mesher: Mesher,
+  mesher: SurfaceMesher,
   given: SurfaceFile,
   pairs: readonly TouchingPair[],
   whole: Whole,
@@ -42,7 +42,7 @@ export async function overlappingSolids(
 
 /** Two solids share a volume if the repaired surface of both encloses less than they do one by one. */
 async function overlapOf(
-  mesher: Mesher,
+  mesher: SurfaceMesher,
   given: SurfaceFile,
   pair: TouchingPair,
   solids: readonly Solid[],
@@ -119,7 +119,7 @@ export function solidOf({ points, triangles, surfaceRegions }: SurfaceFile, regi
  * volume of a body with holes is that of its own repair, which closes them.
  */
 export async function joinedBodies(
-  mesher: Mesher,
+  mesher: SurfaceMesher,
   given: SurfaceInput,
   repaired: SurfaceInput,
   volume: number,
@@ -192,7 +192,7 @@ function withOwnPoints(points: Float64Array, corners: readonly number[]): Surfac
 }
 
 /** Returns the volume of a body, negative if its triangles face inward; one with holes is closed first. */
-async function volumeOf(mesher: Mesher, body: SurfaceInput, hasHoles: boolean): Promise<number> {
+async function volumeOf(mesher: SurfaceMesher, body: SurfaceInput, hasHoles: boolean): Promise<number> {
   if (hasHoles) {
     const { surface } = await mesher.repairSurface(body);
     const { isFillable, volume } = await mesher.inspectSurface(surface);

@@ -1,5 +1,5 @@
 /** Finds solids of a surface that almost touch: between them stays a gap that is hardly meant. */
-import type { TouchingPair } from "../api/touching-solids.js";
+import type { TouchingPair } from "./touching-solids.js";
 import {
   centroidOf,
   type Corners,
@@ -16,7 +16,7 @@ import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
-import { short } from "./tables.js";
+import { short } from "../base/short.js";
 
 /** Largest gap / diagonal of the surface that is reported. */
 const NEAR = 1 / 1000;

@@ -1,5 +1,5 @@
 /** Which solid each enclosed volume of a surface of several solids belongs to, also after a repair of the surface. */
-import type { Mesher } from "../api/mesher-interface.js";
+import type { SurfaceMesher } from "./surface-mesher.js";
 import { centroidOf, cornersOf, dot, lengthOf, normalOf, type Vector } from "../base/vectors.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
@@ -7,7 +7,7 @@ import { diagonalOf } from "../formats/near-points.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
-import { short } from "./tables.js";
+import { short } from "../base/short.js";
 
 /** Number of significant digits of volumes. */
 const DIGITS = 3;
@@ -54,7 +54,7 @@ export function withoutRegions({ givenRegions: _, ...surface }: SurfaceFile): Su
  * repair, with the indices of the given triangles; it must be fillable. `isAssigned`: whether the repair assigned the volumes.
  */
 export async function solidRegions(
-  mesher: Mesher,
+  mesher: SurfaceMesher,
   given: SurfaceFile,
   made: SurfaceFile,
   isAssigned: boolean,

@@ -1,11 +1,10 @@
 /** Uses the points of a file that mark regions and holes of its surface. */
-import { hasRegionPoints } from "../api/input-checks.js";
-import type { Mesher } from "../api/mesher-interface.js";
-import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
+import { hasRegionPoints } from "./input-checks.js";
+import type { SurfaceMesher } from "./surface-mesher.js";
 
 export interface Located {
   readonly surface: SurfaceFile;
@@ -15,10 +14,10 @@ export interface Located {
 
 /**
  * Returns the surface with its regions located; unchanged if its format has no points that mark them, or if the file has
- * none and `--inner-shells` leaves inner shells empty.
+ * none and `innerShells` leaves inner shells empty.
  */
 export async function located(
-  mesher: Mesher,
+  mesher: Pick<SurfaceMesher, "locateRegions">,
   surface: SurfaceFile,
   innerShells?: InnerShells,
 ): Promise<Located> {
@@ -36,14 +35,4 @@ function shellsUnused(): Diagnostic {
     "--inner-shells cavities has no effect: the points of the file decide which enclosed volumes are holes, and all others are regions";
   const remedy = "Omit it, or add a hole point to each cavity.";
   return packageDiagnostic("region-point", message, remedy, "warning");
-}
-
-/** Returns a sentence about points that a command does not use. */
-export function unusedPointLines({ regionPoints }: Pick<SurfaceFile, "regionPoints">): string[] {
-  const { holes = [], regions = [] } = regionPoints ?? {};
-  const counts = [
-    ...(holes.length > 0 ? [plural(holes.length, "hole point")] : []),
-    ...(regions.length > 0 ? [plural(regions.length, "region point")] : []),
-  ];
-  return counts.length === 0 ? [] : [`${counts.join(" and ")} not written; \`tetrafront mesh\` uses them`];
 }

@@ -1,5 +1,4 @@
 /** What becomes of the solids of a surface: regions, overlaps, and gaps between them. */
-import type { Mesher } from "../api/mesher-interface.js";
 import {
   assignedOverlap,
   mergeWarning,
@@ -7,16 +6,17 @@ import {
   overlapWarning,
   type TouchingPair,
   touchingSolids,
-} from "../api/touching-solids.js";
+} from "./touching-solids.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { SharedVolume } from "../mesh/inspection.js";
-import { InvalidInput } from "./messages.js";
 import { almostTouching } from "./near-solids.js";
 import { solidOf } from "./overlaps.js";
+import type { SurfaceMesher } from "./surface-mesher.js";
 import { type CommonVolume, solidRegions, withoutRegions } from "./solid-regions.js";
 
 export interface Solids {
@@ -38,7 +38,7 @@ interface Known {
  * almost touch, or share faces. `made`: the given surface, or the result of its repair.
  */
 export async function withSolidRegions(
-  mesher: Mesher,
+  mesher: SurfaceMesher,
   given: SurfaceFile,
   made: SurfaceFile,
   { touching, overlaps, assigned }: Known = { touching: [], overlaps: [] },
@@ -104,21 +104,20 @@ function overlapsIn(
 const JOINED_REMEDY =
   "Use --surface remesh, which cuts them where they touch; or divide their faces there in the CAD program.";
 
-/** As `withSolidRegions` for a surface that is not repaired. Throws an InvalidInput that names the solids that intersect. */
+/** As `withSolidRegions` for a surface that is not repaired. Rejects with `invalid-input`, which names the solids that intersect. */
 export async function checkedSolids(
-  mesher: Mesher,
+  mesher: SurfaceMesher,
   given: SurfaceFile,
-  input: string,
   innerShells: InnerShells | undefined,
 ): Promise<Solids> {
   const { isFillable, diagnostics } = await mesher.inspectSurface(withoutRegions(given), { innerShells });
   if (isFillable) return withSolidRegions(mesher, given, given);
   const touching = touchingSolids(given.surfaceRegions, diagnostics, JOINED_REMEDY);
-  if (touching.length === 0) return { surface: given, warnings: [] };
   const others = diagnostics.filter(
     ({ code }) => code !== "self-intersection" && code !== "duplicate-triangle",
   );
-  throw new InvalidInput(input, [...touching, ...others.filter(({ severity }) => severity === "error")]);
+  if (touching.length > 0) refuse([...touching, ...others.filter(({ severity }) => severity === "error")]);
+  return { surface: given, warnings: [] };
 }
 
 /** Returns a note on which solids share faces. */

@@ -1,0 +1,95 @@
+/** The options of `meshSurface`: their check, and their division into those of the calls that it makes. */
+import { shown } from "../base/values.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { invalidOption } from "../diagnostics/package-diagnostic.js";
+import { SURFACE_TREATMENTS } from "./option-types.js";
+import { checkOptions, checkRemeshOptions, checkRepairOptions, checkSplitOptions } from "./options.js";
+import type {
+  MeshOptions,
+  RemeshSettings,
+  RepairOptions,
+  SplitOptions,
+  SurfaceMeshOptions,
+} from "./option-types.js";
+
+const SETTINGS = [
+  "minSize",
+  "maxSize",
+  "tolerance",
+  "featureAngle",
+  "anglePerEdge",
+  "layers",
+  "dropDetails",
+] as const satisfies (keyof RemeshSettings)[];
+
+/** Options that `fillSurface` does not have. */
+const BEFORE_FILLING: ReadonlySet<string> = new Set<Exclude<keyof SurfaceMeshOptions, keyof MeshOptions>>([
+  ...SETTINGS,
+  "surface",
+  "repair",
+  "weld",
+  "fillHoles",
+  "splitPatches",
+]);
+
+/** Returns the options of the mesh itself, among them unknown ones. */
+export function meshPart(options: SurfaceMeshOptions): MeshOptions {
+  const own = Object.entries(options).filter(([name]) => !BEFORE_FILLING.has(name));
+  return Object.fromEntries(own);
+}
+
+/** Returns the options of a remeshing that the mesh does not have. */
+export function remeshSettings(options: SurfaceMeshOptions): RemeshSettings {
+  return Object.fromEntries(SETTINGS.map((name) => [name, options[name]]));
+}
+
+/** Returns the options of the repair that is asked for; undefined without one. */
+export function repairPart({
+  repair = false,
+  weld,
+  fillHoles,
+  innerShells,
+}: SurfaceMeshOptions): RepairOptions | undefined {
+  if (!repair && weld === undefined && fillHoles === undefined) return undefined;
+  return { ...(weld !== undefined && { weld }), ...(fillHoles !== undefined && { fillHoles }), innerShells };
+}
+
+/** Returns the options of the split that is asked for; undefined without one. */
+export function splitPart({ splitPatches = false }: SurfaceMeshOptions): SplitOptions | undefined {
+  if (splitPatches === false) return undefined;
+  return splitPatches === true ? {} : { angle: splitPatches };
+}
+
+/** Returns the first option of a remeshing that is given; undefined without one. */
+export function givenRemeshSetting(options: SurfaceMeshOptions): keyof RemeshSettings | undefined {
+  return SETTINGS.find((name) => options[name] !== undefined);
+}
+
+/** Returns a diagnostic per invalid option. */
+export function checkSurfaceMeshOptions(options: SurfaceMeshOptions): Diagnostic[] {
+  const wrong = checkOptions(meshPart(options));
+  if (wrong.length > 0) return wrong;
+  const repair = repairPart(options);
+  const split = splitPart(options);
+  const { size, growth, maxVolume, innerShells, background, surface = "auto" } = options;
+  const setting = givenRemeshSetting(options);
+  return [
+    ...checkRemeshOptions({ ...remeshSettings(options), size, growth, maxVolume, innerShells, background }),
+    ...(repair === undefined ? [] : checkRepairOptions(repair)),
+    ...(split === undefined ? [] : checkSplitOptions(split)),
+    ...(SURFACE_TREATMENTS.includes(surface) ? [] : [unknownTreatment(surface)]),
+    ...(setting !== undefined && (surface === "keep" || surface === "refine")
+      ? [withoutRemeshing(setting)]
+      : []),
+  ];
+}
+
+function unknownTreatment(surface: unknown): Diagnostic {
+  const remedy = `Use one of ${SURFACE_TREATMENTS.join(", ")}.`;
+  return invalidOption("surface", `the treatment of the surface is ${shown(surface)}`, remedy);
+}
+
+function withoutRemeshing(setting: string): Diagnostic {
+  const message = `\`${setting}\` is for surfaces that are remeshed`;
+  return invalidOption(setting, message, `Use \`surface: "remesh"\`, or omit \`${setting}\`.`);
+}

@@ -1,0 +1,173 @@
+/**
+ * From the surface of a file to its mesh: repairs the surface if that is asked for or needed, decides what becomes of its
+ * triangles, and fills it. The command line and `meshFile` share this file.
+ */
+import { inSteps } from "../calls/yielder.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { MesherError, refuse } from "../diagnostics/mesher-error.js";
+import type { RunControl } from "../engine/control.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import type { RepairChange } from "../mesh/inspection.js";
+import type { MeshResult } from "../mesh/report.js";
+import { areFit, triangleShapes } from "../mesh/triangle-shapes.js";
+import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
+import { located } from "./located-surface.js";
+import type { Mesher } from "./mesher-interface.js";
+import type { MeshOptions, SurfaceMeshOptions } from "./option-types.js";
+import { emptyResult } from "./report.js";
+import {
+  givenRemeshSetting,
+  meshPart,
+  remeshSettings,
+  repairPart,
+  splitPart,
+} from "./surface-mesh-options.js";
+import { type SurfaceMesher, withControl } from "./surface-mesher.js";
+import { preparedSurface } from "./surface-preparation.js";
+import {
+  type ControlOf,
+  type RefinementCounts,
+  type RemeshReport,
+  type TreatedSurface,
+  treatedSurface,
+  type Treatment,
+} from "./surface-treatment.js";
+import { isVisiblyChanged } from "./visible-change.js";
+
+/** A surface whose options are decided, ready for its treatment. */
+export interface ReadySurface {
+  readonly surface: SurfaceFile;
+  readonly treatment: Treatment;
+  /** Changes of its repair; undefined if it was not repaired. */
+  readonly changes?: readonly RepairChange[] | undefined;
+  /** Largest distance by which the repair moved a node, in model units; as `changes`. */
+  readonly repairDeviation?: number | undefined;
+  /** Number of patches before and after their split, if that was asked for. */
+  readonly split?: { readonly before: number; readonly after: number } | undefined;
+  /** Warnings and notes about solids, cracks and region points. */
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** What is known of a surface beside its options. */
+export interface SurfaceOrigin {
+  /** Whether it was triangulated from shapes: then it is remeshed, and repaired if it cannot be filled. Default false. */
+  readonly isCad?: boolean | undefined;
+}
+
+/**
+ * Returns the surface after the repair and the split of its patches that are asked for or implied, and what becomes of its
+ * triangles. `isExact`: whether an implied repair welds no nodes. Rejects with `invalid-input`.
+ */
+export async function readySurface(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  options: SurfaceMeshOptions,
+  { isCad = false }: SurfaceOrigin,
+  isExact = false,
+): Promise<ReadySurface> {
+  const { innerShells, surface: wanted = isCad ? "remesh" : "auto" } = options;
+  const repair = repairPart(options);
+  const first = await decided(given, wanted, options);
+  const isRemeshed = first.kind === "remesh";
+  const isRepairImplied = repair === undefined && (isRemeshed || isCad);
+  const preparation = { repair, innerShells, isRepairImplied, isRemeshed, isExact };
+  const prepared = await preparedSurface(mesher, given, preparation);
+  const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
+  if (isRepairImplied && first.needles !== undefined && isVisiblyChanged(given, prepared)) {
+    const { diagnostics } = await mesher.inspectSurface(given, { innerShells });
+    refuse(diagnostics.filter(({ severity }) => severity === "error"));
+  }
+  const treatment = repair === undefined ? first : await decided(whole, wanted, options);
+  const split = splitPart(options);
+  const divided = split === undefined ? whole : await mesher.splitPatches(whole, split);
+  const { surface, diagnostics } = await located(mesher, divided, innerShells);
+  return {
+    surface,
+    treatment,
+    changes,
+    repairDeviation,
+    split: split && { before: whole.patches.length, after: divided.patches.length },
+    diagnostics: [...warnings, ...diagnostics],
+  };
+}
+
+/** Decides what becomes of the triangles: needles, and those for which options of a remeshing are given, are replaced. */
+async function decided(
+  surface: SurfaceFile,
+  wanted: NonNullable<SurfaceMeshOptions["surface"]>,
+  options: SurfaceMeshOptions,
+): Promise<Treatment> {
+  if (wanted !== "auto") return { kind: wanted };
+  if (givenRemeshSetting(options) !== undefined) return { kind: "remesh" };
+  const shapes = await inSteps(triangleShapes(surface));
+  return areFit(shapes) ? { kind: "smaller" } : { kind: "remesh", needles: shapes };
+}
+
+/** A mesh, and what was done to the surface before. */
+export interface MeshedSurface extends Omit<ReadySurface, "treatment"> {
+  readonly result: MeshResult;
+  readonly refinement?: RefinementCounts | undefined;
+  readonly remesh?: RemeshReport | undefined;
+  /** Whether the mesh is that of an exact repair, which replaced the one that was made ready. */
+  readonly isExact: boolean;
+}
+
+/** How a surface that is ready is meshed. */
+export interface FillingOptions extends SurfaceOrigin {
+  /** Options of the mesh and of a remeshing; the background grid has been read. */
+  readonly options: SurfaceMeshOptions;
+  readonly controlOf: ControlOf;
+  /** Whether the front is recorded, also one that stalls: then no second surface is tried. Default false. */
+  readonly isRecorded?: boolean | undefined;
+}
+
+/**
+ * Treats and fills a surface. If its triangles are poor after a repair that welded nodes and a remeshing, tries an exact repair
+ * too, and keeps the better. Cancelled, the result has this status.
+ */
+export async function filledSurface(
+  mesher: Mesher,
+  given: SurfaceFile,
+  ready: ReadySurface,
+  filling: FillingOptions,
+): Promise<MeshedSurface> {
+  const { options, controlOf } = filling;
+  const mesh = meshPart(options);
+  const again = () => readySurface(withControl(mesher, controlOf()), given, options, filling, true);
+  const isExactPossible = repairPart(options) === undefined && ready.treatment.kind === "remesh";
+  const exact = isExactPossible && hasWelded(given, ready) ? again : undefined;
+  const treat = ({ surface, treatment }: ReadySurface) =>
+    treatedSurface(mesher, surface, {
+      treatment,
+      remeshing: remeshSettings(options),
+      options: mesh,
+      controlOf,
+    });
+  try {
+    const best = await remeshedBest(ready, exact, treat);
+    const tried = filling.isRecorded === true ? { ...best, welded: undefined, exact: undefined } : best;
+    const filled = await filledBest(tried, (made) => fill(mesher, made, mesh, controlOf()));
+    const { made, prepared, result, isExact } = filled;
+    const { treatment: _, ...done } = prepared;
+    const { surface, invalid, diagnostics: __, ...counts } = made;
+    return invalid === undefined
+      ? { ...done, ...counts, surface, result, isExact }
+      : { ...done, result, isExact };
+  } catch (failure) {
+    if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
+    return { ...ready, result: emptyResult("cancelled"), isExact: false };
+  }
+}
+
+async function fill(
+  mesher: Mesher,
+  { surface, invalid, diagnostics = [] }: TreatedSurface,
+  options: MeshOptions,
+  control: RunControl,
+): Promise<MeshResult> {
+  if (invalid !== undefined) return emptyResult("invalid-input", invalid);
+  const result = await mesher.fillSurface(surface, options, control);
+  const { report } = result;
+  // Those of the treatment came first.
+  return { ...result, report: { ...report, diagnostics: [...diagnostics, ...report.diagnostics] } };
+}

@@ -1,0 +1,189 @@
+/** Makes a surface of a file ready for meshing: its repair, its solids, its patches by angle and its region points. */
+import { STEP_HEIGHT } from "../base/limits.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { diagonalOf } from "../formats/near-points.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import type { InnerShells } from "../generated/constants.js";
+import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/inspection.js";
+import { crackWarning } from "./cracks.js";
+import { withoutFilledPatch } from "./filled-holes.js";
+import { hasRegionVolumes } from "./input-checks.js";
+import type { RepairOptions } from "./option-types.js";
+import { joinedBodies, overlappingSolids } from "./overlaps.js";
+import { repairedSurface } from "./repaired-surface.js";
+import { hasSolids, withoutRegions } from "./solid-regions.js";
+import { checkedSolids, type Solids, withSolidRegions } from "./solids.js";
+import type { SurfaceMesher } from "./surface-mesher.js";
+import { overlapWarning, touchingPairs, touchingSolids } from "./touching-solids.js";
+
+export interface PreparedSurface {
+  readonly surface: SurfaceFile;
+  /** Undefined if no repair was requested. */
+  readonly changes?: readonly RepairChange[] | undefined;
+  /** Largest distance by which the repair moved a node, in model units; as `changes`. */
+  readonly repairDeviation?: number | undefined;
+  /** About solids that overlap, bodies that were joined, and what could not be resolved. */
+  readonly warnings?: readonly Diagnostic[];
+}
+
+export async function repaired(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  options: RepairOptions | undefined,
+): Promise<PreparedSurface> {
+  if (options === undefined) return { surface: given };
+  const repair = await withinLimit(mesher, given, options);
+  const { changes, deviation: repairDeviation, diagnostics } = repair;
+  const surface = repairedSurface(given, repair);
+  if (hasSolids(given)) {
+    const before = await mesher.inspectSurface(withoutRegions(given));
+    const found = await mesher.inspectSurface(withoutRegions(surface));
+    if (found.isFillable) {
+      const made = await solidsOfRepair(mesher, given, surface, repair, { before, found });
+      return {
+        surface: made.surface,
+        changes,
+        repairDeviation,
+        warnings: [...diagnostics, ...made.warnings],
+      };
+    }
+  }
+  const joined = await joinedByRepair(mesher, given, surface, repair, options.innerShells);
+  return { surface, changes, repairDeviation, warnings: [...diagnostics, ...joined] };
+}
+
+/** Returns a note if bodies of one region were joined. */
+async function joinedByRepair(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  made: SurfaceFile,
+  { changes, surface }: SurfaceRepair,
+  innerShells: InnerShells | undefined,
+): Promise<Diagnostic[]> {
+  const isCut = changes.some(({ kind }) => kind === "resolved-intersection");
+  const isOneRegion = (given.surfaceRegions?.regions.length ?? 0) < 2;
+  if (!isCut || !isOneRegion) return [];
+  const { volume } = await mesher.inspectSurface(made, { innerShells });
+  return joinedBodies(mesher, given, surface, volume);
+}
+
+/** Returns the surface after a repair with the regions of its solids. `before` and `found`: inspections, without regions. */
+async function solidsOfRepair(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  surface: SurfaceFile,
+  repair: SurfaceRepair,
+  { before, found }: { readonly before: SurfaceInspection; readonly found: SurfaceInspection },
+): Promise<Solids> {
+  const touching = touchingPairs(given.surfaceRegions, before.diagnostics);
+  const isAssigned = repair.surface.givenRegions !== undefined;
+  return isAssigned
+    ? withSolidRegions(mesher, given, surface, { touching, overlaps: [], assigned: repair.sharedVolumes })
+    : withSolidRegions(mesher, given, surface, {
+        touching,
+        overlaps: await overlappingSolids(mesher, given, touching, found),
+      });
+}
+
+/**
+ * Repairs a surface. A limit of holes that is given holds for all of them: if larger ones were closed to resolve the rest, they
+ * stay open, and nothing is resolved.
+ */
+async function withinLimit(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  options: RepairOptions,
+): Promise<SurfaceRepair> {
+  const repair = await mesher.repairSurface(given, options);
+  const { fillHoles } = options;
+  if (fillHoles === undefined) return repair;
+  // A hole of n edges is filled with n - 2 triangles.
+  const isBeyond = repair.changes.some(
+    (change) => change.kind === "filled-hole" && change.triangles + 2 > fillHoles,
+  );
+  return isBeyond ? mesher.repairSurface(given, { ...options, resolveIntersections: false }) : repair;
+}
+
+/** How a surface is made ready for meshing. */
+export interface Preparation {
+  /** The repair that is requested, if any. */
+  readonly repair: RepairOptions | undefined;
+  readonly innerShells: InnerShells | undefined;
+  /** Whether the surface is repaired if it cannot be filled without. */
+  readonly isRepairImplied: boolean;
+  readonly isRemeshed: boolean;
+  /** Whether no nodes are welded before the remeshing. */
+  readonly isExact?: boolean | undefined;
+}
+
+/** Returns the surface after the repair that is requested or implied. Rejects with `invalid-input`. */
+export async function preparedSurface(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  preparation: Preparation,
+): Promise<PreparedSurface> {
+  const { repair, innerShells, isRepairImplied } = preparation;
+  if (isRepairImplied) return madeFillable(mesher, given, preparation);
+  const isChecked = repair === undefined && hasSolids(given);
+  return isChecked ? checkedSolids(mesher, given, innerShells) : repaired(mesher, given, repair);
+}
+
+/**
+ * Returns the surface, repaired if it cannot be filled without, with a warning about solids that overlap. Rejects with
+ * `invalid-input` if the triangles of different solids still intersect. `isRemeshed`: whether the surface will be remeshed:
+ * then nodes of intersecting triangles are welded, unless the repair is `isExact`.
+ */
+export async function madeFillable(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  {
+    innerShells,
+    isRemeshed,
+    isExact = false,
+  }: {
+    readonly innerShells: InnerShells | undefined;
+    readonly isRemeshed: boolean;
+    readonly isExact?: boolean | undefined;
+  },
+): Promise<PreparedSurface> {
+  const before = await mesher.inspectSurface(given, { innerShells });
+  if (before.isFillable)
+    return hasSolids(given) ? withSolidRegions(mesher, given, given) : { surface: given };
+  const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
+  const repair = await withinLimit(mesher, given, { innerShells, weldIntersections });
+  const { changes, deviation: repairDeviation, diagnostics } = repair;
+  const made = repairedSurface(withoutRegions(given), repair);
+  const joined = await joinedByRepair(mesher, given, made, repair, innerShells);
+  const surface = withoutFilledPatch(made);
+  const found = await mesher.inspectSurface(withoutRegions(surface), { innerShells });
+  const isChanged = changes.length > 0;
+  const isOfSolids = found.isFillable && hasSolids(given);
+  const solids = isOfSolids
+    ? await solidsOfRepair(mesher, given, surface, repair, { before, found })
+    : undefined;
+  const overlaps = isOfSolids
+    ? []
+    : await overlappingSolids(mesher, given, touchingPairs(given.surfaceRegions, before.diagnostics), found);
+  const hasHoles = changes.some(({ kind }) => kind === "filled-hole") || before.openEdges > 0;
+  const cracks = hasHoles && !hasSolids(given) ? await crackWarning(mesher, given, found, innerShells) : [];
+  const warnings = [
+    ...diagnostics,
+    ...joined,
+    ...cracks,
+    ...(isChanged && solids === undefined && hasRegionVolumes(given) ? [limitsLost()] : []),
+    ...(solids?.warnings ?? overlaps.map((overlap) => overlapWarning(given.surfaceRegions, overlap))),
+  ];
+  const touching = found.isFillable ? [] : touchingSolids(given.surfaceRegions, found.diagnostics);
+  refuse(touching);
+  return isChanged || solids !== undefined
+    ? { surface: solids?.surface ?? surface, changes, repairDeviation, warnings }
+    : { surface: given, warnings };
+}
+
+function limitsLost(): Diagnostic {
+  const message = "the largest volumes of regions have no effect, because the surface was repaired";
+  const remedy = "Use --max-volume, which limits all tetrahedra.";
+  return packageDiagnostic("region-point", message, remedy, "warning");
+}

@@ -1,0 +1,191 @@
+/** What becomes of the triangles of a surface before it is filled: kept, split or replaced. */
+import { plural } from "../base/plural.js";
+import { short } from "../base/short.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { PartialControl, RunControl } from "../engine/control.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import type { SurfaceInspection, SurfaceRemesh } from "../mesh/inspection.js";
+import { type TriangleShapes } from "../mesh/triangle-shapes.js";
+import { hasRegionVolumes } from "./input-checks.js";
+import type { Mesher } from "./mesher-interface.js";
+import type {
+  MeshOptions,
+  RefineOptions,
+  RemeshOptions,
+  RemeshSettings,
+  SurfaceTreatment,
+} from "./option-types.js";
+import { repairedSurface } from "./repaired-surface.js";
+
+/** What was decided for a surface: never `auto`. */
+export interface Treatment {
+  readonly kind: Exclude<SurfaceTreatment, "auto"> | "smaller";
+  /** Shapes of the triangles, if they are the reason for which all are replaced. */
+  readonly needles?: TriangleShapes | undefined;
+}
+
+export interface TreatedSurface {
+  readonly surface: SurfaceFile;
+  readonly refinement?: RefinementCounts;
+  readonly remesh?: RemeshReport;
+  /** Problems that prevent meshing. */
+  readonly invalid?: readonly Diagnostic[];
+  /** Warnings and notes. */
+  readonly diagnostics?: readonly Diagnostic[];
+}
+
+/** Returns the control of a call. `step`: word for its progress; by default, the phase of a run. */
+export type ControlOf = (step?: string) => RunControl;
+
+export interface TreatmentOptions {
+  readonly treatment: Treatment;
+  readonly remeshing: RemeshSettings;
+  /** Options of the mesh, including the background grid. */
+  readonly options: MeshOptions;
+  readonly controlOf: ControlOf;
+}
+
+/** Returns the surface after its treatment. */
+export async function treatedSurface(
+  mesher: Mesher,
+  given: SurfaceFile,
+  wanted: TreatmentOptions,
+): Promise<TreatedSurface> {
+  const { treatment, options } = wanted;
+  switch (treatment.kind) {
+    case "keep":
+      return { surface: given };
+    case "remesh":
+      return replaced(mesher, given, wanted);
+    case "refine": {
+      const { found, refine } = await inspected(mesher, given, wanted);
+      return found.isFillable ? refine() : { surface: given, invalid: found.diagnostics };
+    }
+    case "smaller":
+      return hasSizes(options) || hasRegionVolumes(given)
+        ? withSmallerTriangles(mesher, given, wanted)
+        : { surface: given };
+  }
+}
+
+async function replaced(
+  mesher: Mesher,
+  given: SurfaceFile,
+  { treatment: { needles }, remeshing, options, controlOf }: TreatmentOptions,
+): Promise<TreatedSurface> {
+  const { size, growth, maxVolume, innerShells, background } = options;
+  const all = { ...remeshing, size, growth, maxVolume, innerShells, background };
+  const made = await remeshed(mesher, given, all, { ...controlOf("remesh"), partial: true });
+  return needles === undefined ? made : { ...made, diagnostics: [needlesNote(needles), ...made.diagnostics] };
+}
+
+function hasSizes({ size, background, maxVolume }: MeshOptions): boolean {
+  const sources = background?.sources ?? [];
+  return (
+    size !== undefined || maxVolume !== undefined || (background?.sizes.length ?? 0) > 0 || sources.length > 0
+  );
+}
+
+/** Inspects before refining, so that diagnostics use the triangle indices of the given surface. */
+async function inspected(
+  mesher: Mesher,
+  given: SurfaceFile,
+  { options, controlOf }: TreatmentOptions,
+): Promise<{ readonly found: SurfaceInspection; readonly refine: () => ReturnType<typeof refined> }> {
+  const { innerShells } = options;
+  const found = await mesher.inspectSurface(given, { innerShells }, controlOf());
+  // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
+  const volume = found.flippedTriangles === 0 ? found.volume : undefined;
+  return { found, refine: () => refined(mesher, given, { ...options, volume }, controlOf()) };
+}
+
+/** Longest edge / target length up to which triangles are kept by default; `coarse-surface` warns above it. */
+const MAX_LENGTH_RATIO = 2;
+
+/** If triangles are far larger than the sizes, splits them. The run reports what is wrong with a surface that cannot be filled. */
+async function withSmallerTriangles(
+  mesher: Mesher,
+  given: SurfaceFile,
+  treating: TreatmentOptions,
+): Promise<TreatedSurface> {
+  const { found, refine } = await inspected(mesher, given, treating);
+  if (!found.isFillable) return { surface: given };
+  const split = await refine();
+  const { lengthRatio } = split.refinement;
+  return lengthRatio <= MAX_LENGTH_RATIO
+    ? { surface: given }
+    : { ...split, diagnostics: [divided(lengthRatio)] };
+}
+
+const KEEP = 'Use `surface: "keep"` to keep them.';
+
+function divided(lengthRatio: number): Diagnostic {
+  const ratio = short(lengthRatio, 2);
+  const message = `triangles had edges up to ${ratio} times the target length, so they were split, as by \`surface: "refine"\``;
+  return packageDiagnostic("divided-surface", message, KEEP, "information");
+}
+
+function needlesNote({ needles, triangles, smallestAngle }: TriangleShapes): Diagnostic {
+  const message = `${needles} of ${plural(triangles, "triangle")} ${needles === 1 ? "was a needle" : "were needles"} (smallest angle ${short(smallestAngle, 2)}°), so all were replaced, as by \`surface: "remesh"\``;
+  return packageDiagnostic("replaced-surface", message, KEEP, "information");
+}
+
+/** Result of a requested refinement of a surface. */
+export interface RefinementCounts {
+  /** Number of triangles before and after. */
+  readonly given: number;
+  readonly triangles: number;
+  readonly splitEdges: number;
+  /** Longest given edge / target length. */
+  readonly lengthRatio: number;
+}
+
+/** Result of a requested remeshing of a surface. */
+export interface RemeshReport extends Omit<
+  SurfaceRemesh,
+  "surface" | "origin" | "triangleDeviation" | "diagnostics"
+> {
+  /** Number of triangles before and after. */
+  readonly given: number;
+  readonly triangles: number;
+}
+
+const countTriangles = ({ triangles }: SurfaceFile) => triangles.length / 3;
+
+export async function refined(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: RefineOptions,
+  control: RunControl,
+): Promise<{ readonly surface: SurfaceFile; readonly refinement: RefinementCounts }> {
+  const {
+    surface: split,
+    origin,
+    splitEdges,
+    lengthRatio,
+  } = await mesher.refineSurface(given, options, control);
+  const surface = repairedSurface(given, { surface: split, origin });
+  const counts = { given: countTriangles(given), triangles: countTriangles(surface) };
+  const refinement = { ...counts, splitEdges, lengthRatio };
+  return { surface, refinement };
+}
+
+interface RemeshedSurface {
+  readonly surface: SurfaceFile;
+  readonly remesh: RemeshReport;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export async function remeshed(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: RemeshOptions,
+  control: PartialControl,
+): Promise<RemeshedSurface> {
+  const made = await mesher.remeshSurface(given, options, control);
+  const { surface: _surface, origin: _origin, triangleDeviation: _deviation, diagnostics, ...figures } = made;
+  const surface = repairedSurface(given, made);
+  const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
+  return { surface, remesh, diagnostics };
+}

@@ -1,0 +1,67 @@
+/** Whether a repair changed what one sees of a surface. */
+import { cornersOf, lengthOf, minus, normalOf } from "../base/vectors.js";
+import { diagonalOf } from "../formats/near-points.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import { NO_ORIGIN } from "../generated/constants.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
+import type { PreparedSurface } from "./surface-preparation.js";
+
+/** Length / diagonal below which a change cannot be seen. */
+const VISIBLE = 1e-3;
+
+/** Area / area of the surface below which added or removed triangles cannot be seen. */
+const VISIBLE_AREA = 1e-4;
+
+/**
+ * Returns whether a repair moved a node, moved the box of the surface, filled a hole or removed a sheet so that it can be
+ * seen. Parts inside bodies that intersect are removed without being seen.
+ */
+export function isVisiblyChanged(given: SurfaceFile, made: PreparedSurface): boolean {
+  const { surface, changes = [], repairDeviation = 0 } = made;
+  if (changes.length === 0) return false;
+  const limit = VISIBLE * diagonalOf(given.points);
+  if (repairDeviation > limit || hasOtherBox(given, surface, limit)) return true;
+  const filled = [...(surface.origin ?? []).keys()].filter((t) => surface.origin?.[t] === NO_ORIGIN);
+  const sheets = changes.flatMap((change) => (change.kind === "removed-sheet" ? [change.triangle] : []));
+  const smallest = VISIBLE_AREA * areaOf(given, all(given));
+  return [
+    { of: surface, triangles: filled },
+    { of: given, triangles: sheets },
+  ].some(
+    ({ of, triangles }) => areaOf(of, triangles) > smallest && triangles.some((t) => widthOf(of, t) > limit),
+  );
+}
+
+const all = ({ triangles }: SurfaceInput): number[] =>
+  Array.from({ length: triangles.length / 3 }, (_, t) => t);
+
+const areaOfTriangle = (surface: SurfaceInput, t: number): number =>
+  lengthOf(normalOf(cornersOf(surface, t))) / 2;
+
+const areaOf = (surface: SurfaceInput, triangles: readonly number[]): number =>
+  triangles.reduce((sum, t) => sum + areaOfTriangle(surface, t), 0);
+
+/** Returns the smallest height of a triangle. */
+function widthOf(surface: SurfaceInput, t: number): number {
+  const [a, b, c] = cornersOf(surface, t);
+  const longest = Math.max(lengthOf(minus(b, a)), lengthOf(minus(c, b)), lengthOf(minus(a, c)));
+  return longest > 0 ? (2 * areaOfTriangle(surface, t)) / longest : 0;
+}
+
+function hasOtherBox(one: SurfaceInput, other: SurfaceInput, limit: number): boolean {
+  const [a, b] = [boxOf(one), boxOf(other)];
+  return a.some((value, k) => Math.abs(value - (b[k] ?? value)) > limit);
+}
+
+/** Returns the least and the greatest coordinates of the nodes that triangles use. */
+function boxOf({ points, triangles }: SurfaceInput): readonly number[] {
+  const box = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+  for (const node of triangles) {
+    for (let axis = 0; axis < 3; axis++) {
+      const x = points[3 * node + axis] ?? 0;
+      box[axis] = Math.min(box[axis] ?? x, x);
+      box[3 + axis] = Math.max(box[3 + axis] ?? x, x);
+    }
+  }
+  return box;
+}

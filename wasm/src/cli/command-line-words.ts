@@ -1,0 +1,37 @@
+/**
+ * Messages of the package name its options and calls in backquotes: `weld: 0.1` or `repairSurface()`. On the command line, they
+ * are named as they are typed there: --weld 0.1 and --repair.
+ */
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+
+/** Options whose name on the command line is not that of the call in other letters. */
+const OPTIONS: ReadonlyMap<string, string> = new Map([["optimization", "optimize"]]);
+
+/** What does the same as a call of the package. */
+const CALLS: ReadonlyMap<string, string> = new Map([
+  ["repairSurface", "--repair"],
+  ["refineSurface", "--surface refine"],
+  ["remeshSurface", "--surface remesh"],
+  ["inspectSurface", "tetrafront check"],
+]);
+
+const OPTION_OR_CALL = /`([a-zA-Z]+(?:: (?:"[^"`]*"|[^"`]+))?)`,? or `[a-zA-Z]+\(\)`/g;
+const CODE = /`([a-zA-Z]+)(?:(\(\))|: (?:"([^"`]*)"|([^"`]+)))?`/g;
+
+/** Returns a text of the package with the names of the command line. */
+export function inCommandLineWords(text: string): string {
+  return text.replace(OPTION_OR_CALL, "`$1`").replace(CODE, asTyped);
+}
+
+function asTyped(code: string, name: string, call?: string, word?: string, value?: string): string {
+  if (call !== undefined) return CALLS.get(name) ?? code;
+  const option = `--${OPTIONS.get(name) ?? name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  const given = word ?? value;
+  return given === undefined || given === "true" ? option : `${option} ${given}`;
+}
+
+/** Returns a diagnostic with the names of the command line. */
+export function asTypedDiagnostic(found: Diagnostic): Diagnostic {
+  const [message, remedy] = [inCommandLineWords(found.message), inCommandLineWords(found.remedy)];
+  return message === found.message && remedy === found.remedy ? found : { ...found, message, remedy };
+}

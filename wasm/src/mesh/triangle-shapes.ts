@@ -1,0 +1,49 @@
+/** Shapes of the triangles of a surface: whether a mesh that keeps them is fit for use. */
+import { type Steps, stepwise } from "../base/steps.js";
+import type { SurfaceInput } from "./mesh.js";
+
+/** Angle, in degrees, below which a triangle is a needle or a cap: elements next to it have angles as small. */
+const NEEDLE_ANGLE = 10;
+/** Share of needles above which they shape a large part of the mesh: each has several elements next to it. */
+const MAX_NEEDLES = 0.1;
+
+export interface TriangleShapes {
+  readonly triangles: number;
+  /** Number of triangles that are needles or caps. */
+  readonly needles: number;
+  /** Degrees. */
+  readonly smallestAngle: number;
+}
+
+/** Measures all triangles of a surface with valid indices. O(n). */
+export function* triangleShapes({ points, triangles }: SurfaceInput): Steps<TriangleShapes> {
+  const count = triangles.length / 3;
+  let needles = 0;
+  let smallestAngle = count === 0 ? 0 : 180;
+  yield* stepwise(count, (t) => {
+    const angle = smallestAngleOf(points, triangles.subarray(3 * t, 3 * t + 3));
+    if (angle < NEEDLE_ANGLE) needles++;
+    if (angle < smallestAngle) smallestAngle = angle;
+  });
+  return { triangles: count, needles, smallestAngle };
+}
+
+/** Returns whether a mesh that keeps the triangles can be used. */
+export function areFit({ triangles, needles }: TriangleShapes): boolean {
+  return needles <= MAX_NEEDLES * triangles;
+}
+
+/** Returns the smallest angle of a triangle in degrees, 0 without area or of invalid nodes. */
+function smallestAngleOf(points: Float64Array, [a = 0, b = 0, c = 0]: Uint32Array): number {
+  const edges = [distance(points, a, b), distance(points, b, c), distance(points, c, a)] as const;
+  const [p, q, r] = edges.toSorted((x, y) => x - y) as [number, number, number];
+  // Half the angle opposite the shortest edge, by the half-angle formula, which is exact for needles too.
+  const sum = p + q + r;
+  const square = ((p + q - r) * (p + r - q)) / (sum * (q + r - p));
+  return square > 0 ? (360 / Math.PI) * Math.atan(Math.sqrt(square)) : 0;
+}
+
+function distance(points: Float64Array, a: number, b: number): number {
+  const along = (axis: number) => (points[3 * b + axis] ?? 0) - (points[3 * a + axis] ?? 0);
+  return Math.hypot(along(0), along(1), along(2));
+}
