@@ -136,6 +136,19 @@ export {
   type RemeshShapes,
 } from "./api/best-repair.js";
 export { createMesher } from "./api/mesher.js";
+export {
+  meshFile,
+  type MeshedFile,
+  type MeshFileOutcome,
+  type MeshFileOptions,
+  type MeshFileReport,
+} from "./api/mesh-file.js";
+export type { MeshedSurface, ReadySurface } from "./api/surface-meshing.js";
+export type { Treatment } from "./api/surface-treatment.js";
+export { SURFACE_TREATMENTS, type SurfaceMeshOptions, type SurfaceTreatment } from "./api/option-types.js";
+export type { RefinementCounts, RemeshReport } from "./api/surface-treatment.js";
+export type { TriangleShapes } from "./mesh/triangle-shapes.js";
+export type { RegionSummary } from "./mesh/region-summary.js";
 export { recordTrace } from "./api/trace-recording.js";
 export type { RecordedMesh, RecordingOptions } from "./api/trace-recording.js";
 export {

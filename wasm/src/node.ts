@@ -15,9 +15,11 @@ import {
   type WriteFileOptions,
   writeMesh,
 } from "./api/mesh-files.js";
+import { meshFile as meshSource, type MeshedFile, type MeshFileOptions, unopened } from "./api/mesh-file.js";
 import { checkArgument } from "./calls/argument-checks.js";
 import { printable } from "./diagnostics/package-diagnostic.js";
 import type { ReadResult } from "./diagnostics/read-error.js";
+import type { RunControl } from "./engine/control.js";
 import type { ByteSource } from "./formats/byte-source.js";
 import type { WrittenFile } from "./formats/file-format.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
@@ -81,6 +83,32 @@ export async function writeProjectFile(project: Project, file: string): Promise<
   await writeFile(file, writeProject(project));
 }
 
+/** Options for meshing a file by its path. */
+export type MeshPathOptions = Omit<MeshFileOptions, "fileName" | "openOther">;
+
+/**
+ * As `meshFile` of the package, for the file at a path. Other files of its format are read from the same folder.
+ *
+ *     const made = await meshFile("part.stl");
+ *     if (made.success) await writeMeshFile(made.mesh, "part.vtu");
+ *     else console.error(made.message);
+ */
+export async function meshFile(
+  file: string,
+  options: MeshPathOptions = {},
+  control?: RunControl,
+): Promise<MeshedFile> {
+  checkArgument("file", file, v.string());
+  const openOther = async (name: string) => openBeside(file, name);
+  try {
+    return await meshSource(piecesOf(file), { ...options, fileName: file, openOther }, control);
+  } catch (failure) {
+    return unopened(unreadable(file, failure));
+  }
+}
+
+type ReadFailed = Extract<ReadResult<never>, { readonly success: false }>;
+
 type Read<T> = (source: ByteSource, options: ReadFileOptions) => Promise<ReadResult<T>>;
 
 async function readFrom<T>(
@@ -112,7 +140,7 @@ async function openBeside(file: string, name: string): Promise<ByteSource | unde
 }
 
 /** Returns the error of the file system as a read error; throws any other failure. */
-function unreadable(fileName: string, failure: unknown): ReadResult<never> {
+function unreadable(fileName: string, failure: unknown): ReadFailed {
   if (!(failure instanceof Error) || !("syscall" in failure)) throw failure;
   const message = `the file cannot be read: ${printable(failure.message)}`;
   const remedy = "Check the path and the permissions of the file.";

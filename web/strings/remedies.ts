@@ -1,4 +1,4 @@
-/** What to do in the app about problems: the package's remedies name options of its calls and of the command line. */
+/** What to do in the app about problems: the package's remedies name options and calls in backquotes. */
 import type { Diagnostic } from "tetrafront";
 
 const remesh = "Select Remesh for the body, or export the surface with more uniform triangles.";
@@ -11,6 +11,13 @@ const remedies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
     "Combine the bodies (Edit, Combine bodies), move them apart, or split both patches along a common line. Remove parts that lie inside, unless they are interfaces between two regions.",
   "coarse-surface": "Select Remesh or Refine for the body, or use larger elements.",
   "needle-surface": remesh,
+  "cracked-surface": "Repair the surface, and weld nodes within the width of the crack.",
+  "divided-surface": "Select Keep for the body to keep its triangles.",
+  "replaced-surface": "Select Keep for the body to keep its triangles.",
+  "surface-contact": "If what touches should be one body, let it overlap, and repair or combine the bodies.",
+  "touching-solids": "Combine the bodies (Edit, Combine bodies), or move them apart.",
+  stalled:
+    "Use sizes that vary more gradually there, select Remesh for the body, or use sizes closer to its edge lengths.",
   "large-tetrahedra": "Select Remesh or Refine for the body, or permit a larger volume.",
   "unresolved-surface":
     "Weld nodes within a larger distance, or separate or close the parts there in the program that made them.",
@@ -33,9 +40,9 @@ const ofBodies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
   "coincident-nodes": "Repair the surface: the repair welds nodes.",
 };
 
-/** For other problems whose remedy names an option of the command line or a call. */
+/** For other problems whose remedy names an option or a call. */
 const general = "Move or change the parts there, so that they neither touch nor intersect.";
-const optionOrCall = /--[a-z]|[a-z]\(\)/;
+const optionOrCall = /`[^`]+`/;
 
 /** Returns what to do about a problem in the app. `isOfBody`: it is about the given surface of a body. */
 export function remedyInApp(

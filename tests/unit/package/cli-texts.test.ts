@@ -2,7 +2,7 @@
 import { describe, expect, test } from "vitest";
 
 import { patchShapes } from "../../../wasm/src/cli/patch-shapes.js";
-import { type DetailList, remeshText } from "../../../wasm/src/cli/remeshing.js";
+import { remeshText } from "../../../wasm/src/api/treatment-texts.js";
 import { angleText, anglesText, boxText } from "../../../wasm/src/cli/tables.js";
 
 describe("angles as text", () => {
@@ -58,7 +58,7 @@ describe("shapes of patches", () => {
 });
 
 describe("dropped details as text", () => {
-  const textOf = (details: number, whole: DetailList): string =>
+  const textOf = (details: number, whole: string): string =>
     remeshText(
       {
         ...{ given: 12, triangles: 40, size: 1, minSize: 0.1, tolerance: 0.01, deviation: 0.02 },

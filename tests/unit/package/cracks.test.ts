@@ -44,7 +44,7 @@ test("a crack between two halves is closed by the proposed weld", async () => {
   const [found] = await crackWarning(mesher, halves(0.01), { isFillable: true, regions: 2 });
   expect(found).toMatchObject({ code: "cracked-surface", severity: "warning" });
   expect(found?.message).toContain("split into 2 regions");
-  expect(found?.remedy).toBe("Use --weld 0.011 to close the crack.");
+  expect(found?.remedy).toBe("Use `weld: 0.011` to close the crack.");
   expect(await crackWarning(mesher, halves(0.01), { isFillable: true, regions: 1 })).toEqual([]);
 });
 
@@ -71,7 +71,7 @@ test("loose triangles are joined by the proposed weld", async () => {
     return corners.map((corner) => corner.map((value, k) => value + 0.01 * ((middle[k] ?? 0) - value)));
   });
   const [found] = await crackWarning(mesher, loose, refused);
-  const weld = Number(/--weld (\S+)/.exec(found?.remedy ?? "")?.[1]);
+  const weld = Number(/weld: ([^`]+)/.exec(found?.remedy ?? "")?.[1]);
   expect(weld).toBeLessThan(0.05);
   const { surface } = await mesher.repairSurface(loose, { weld });
   expect((await mesher.inspectSurface(surface)).isFillable).toBe(true);

@@ -225,8 +225,8 @@ test("the remedy of flipped triangles mentions inner shells only if they lie bet
       { ...empty, code: 50, entities: entitiesOf(5, 1), values: Float64Array.of(isBetweenRegions, 3) },
       nameByIndex,
     ).remedy;
-  expect(remedy(1)).toMatch(/--repair.*--inner-shells regions/);
-  expect(remedy(0)).toMatch(/--repair/);
+  expect(remedy(1)).toMatch(/`repair: true`.*`innerShells: "regions"`/);
+  expect(remedy(0)).toMatch(/`repairSurface\(\)`/);
   expect(remedy(0)).not.toMatch(/regions/);
 });
 

@@ -218,7 +218,7 @@ test("the remedy for flipped triangles between two regions is to mesh inner shel
   const nested = joined(box, { points: inside.points, triangles });
   const { diagnostics } = await mesher.inspectSurface(nested);
   expect(new Set(diagnostics.map(({ code }) => code))).toEqual(new Set(["flipped-triangle"]));
-  for (const { remedy } of diagnostics) expect(remedy).toMatch(/--inner-shells regions/);
+  for (const { remedy } of diagnostics) expect(remedy).toMatch(/innerShells: "regions"/);
   expect((await mesher.inspectSurface(nested, { innerShells: "regions" })).isFillable).toBe(true);
 });
 
@@ -242,7 +242,7 @@ describe("a repair", () => {
     const errors = wrong.map((t) => ["flipped-triangle", t]);
     const { report } = await mesher.fillSurface(given);
     expect([report.status, codes(report.diagnostics)]).toEqual(["invalid-input", errors]);
-    expect(report.diagnostics[0]?.remedy).toMatch(/--repair/);
+    expect(report.diagnostics[0]?.remedy).toMatch(/`repairSurface\(\)`/);
     const found = await mesher.inspectSurface(given);
     expect(found).toMatchObject({ isFillable: false, isClosed: true, isManifold: true, flippedTriangles: 3 });
     expect(codes(found.diagnostics)).toEqual(errors);

@@ -7,6 +7,7 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
 import { cubeProject } from "../../support/projects.js";
+import { offFile } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
 type AnyFunction = (...given: never[]) => unknown;
@@ -115,6 +116,22 @@ const functions: Readonly<Record<string, Arguments>> = {
     },
   },
   writeMesh: { mesh: block, fileName: "a.vtu" },
+  meshFile: {
+    file: offFile(box),
+    options: {
+      fileName: "a.off",
+      size: 1,
+      surface: "auto",
+      repair: true,
+      weld: 0,
+      fillHoles: 3,
+      splitPatches: 40,
+      get mesher() {
+        return mesher;
+      },
+    },
+    control,
+  },
   unusedData: { volume: { nodeData: new Map([["size", { components: 1, values: new Float64Array(8) }]]) } },
   volumeBackground: {
     mesher: { backgroundFromMesh: () => Promise.resolve(background) },
@@ -213,6 +230,11 @@ const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>>
     options: { angle: 30, patches: [0] },
     control,
   },
+  meshSurface: {
+    surface: { ...surfaceFile, surfaceRegions },
+    options: { size: 1, surface: "auto", splitPatches: 40, background: sourcesOnly },
+    control,
+  },
   remeshSurface: {
     surface: { ...box, trianglePatch: new Uint32Array(12) },
     options: { featureAngle: 30, layers: 1, background },
@@ -297,13 +319,14 @@ interface Answer {
   readonly errors?: readonly ReportedError[];
   readonly diagnostics?: readonly api.Diagnostic[];
   readonly report?: api.MeshReport;
+  readonly result?: { readonly report: api.MeshReport };
 }
 
 /** Returns the errors of a call; undefined if it succeeded. */
 async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] | undefined> {
   try {
     const made = (await call()) as Answer | undefined;
-    const diagnostics = made?.report?.diagnostics ?? made?.diagnostics;
+    const diagnostics = (made?.report ?? made?.result?.report)?.diagnostics ?? made?.diagnostics;
     const found = made?.errors ?? diagnostics?.filter(({ severity }) => severity === "error");
     return found?.length === 0 ? undefined : found;
   } catch (failure) {
@@ -341,6 +364,7 @@ test("every exported function and every method is tested", () => {
 
 /** Text that every message about an argument contains if it does not contain the argument's name. */
 const MESSAGE_PATTERNS: Readonly<Record<string, RegExp>> = {
+  file: /file|source/i,
   fileName: /name|extension/i,
   value: /project/,
   text: /project/,

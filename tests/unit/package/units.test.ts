@@ -53,7 +53,7 @@ test("a scale multiplies all coordinates", async () => {
 });
 
 test("a unit that is not known is an error with a remedy", async () => {
-  await expect(read({ units: "mm" })).rejects.toThrow(/does not state its unit.*--file-units/s);
+  await expect(read({ units: "mm" })).rejects.toThrow(/does not state its unit.*`fileUnits`/s);
   const wrong = { units: "yd" } as unknown as LengthOptions;
   await expect(read(wrong)).rejects.toThrow(/options\.units is invalid/);
   await expect(read({ scale: -1 })).rejects.toThrow(/options\.scale is invalid/);

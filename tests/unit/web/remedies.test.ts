@@ -9,7 +9,7 @@ import { emptyProject } from "../../../web/document/create";
 import { failureText } from "../../../web/session/failure-text";
 import { remedyInApp } from "../../../web/strings";
 
-const OPTION_OR_CALL = /--[a-z]|[a-z]\(\)/;
+const OPTION_OR_CALL = /--[a-z]|`[a-zA-Z]/;
 
 /** Returns the codes whose sentences in a file name an option or a call. */
 function codesIn(file: string, begin: RegExp): string[] {
@@ -29,20 +29,23 @@ const codes = [
   "near-nodes",
   "needle-surface",
   "poor-elements",
+  "cracked-surface",
+  "divided-surface",
+  "replaced-surface",
 ] as Diagnostic["code"][];
 
-test("the package names options of the command line in some remedies", () => {
+test("the package names options and calls in some remedies", () => {
   expect(codes).toContain("coarse-surface");
   expect(codes).toContain("open-edge");
 });
 
 test.each(codes)("the app has a remedy of its own for %s", (code) => {
-  const remedy = remedyInApp({ code, remedy: "Use --option or call().", body: 1 });
+  const remedy = remedyInApp({ code, remedy: "Use `option: 1` or `call()`.", body: 1 });
   expect(remedy).not.toMatch(OPTION_OR_CALL);
 });
 
 test.each(codes)("the app names no option for %s if it is not about one body", (code) => {
-  expect(remedyInApp({ code, remedy: "Use --option or call()." })).not.toMatch(OPTION_OR_CALL);
+  expect(remedyInApp({ code, remedy: "Use `option: 1` or `call()`." })).not.toMatch(OPTION_OR_CALL);
 });
 
 test("problems of runs and of bodies have these remedies", () => {
@@ -50,7 +53,7 @@ test("problems of runs and of bodies have these remedies", () => {
     code: "coarse-surface",
     severity: "warning",
     message: "a",
-    remedy: "Use --surface remesh.",
+    remedy: 'Use `surface: "remesh"`.',
     entities: [],
     data: { triangles: 1, lengthRatio: 3 },
   } as const;
@@ -61,7 +64,7 @@ test("problems of runs and of bodies have these remedies", () => {
   const body = { id: 1, surface: "keep", points: "", triangles: "", patches: [] } as unknown as Parameters<
     typeof bodyProblems
   >[0];
-  const open = { ...coarse, code: "open-edge", remedy: "Use --weld.", data: { count: 1 } } as const;
+  const open = { ...coarse, code: "open-edge", remedy: "Use `weld`.", data: { count: 1 } } as const;
   const inspection = { diagnostics: [open] } as unknown as Parameters<typeof bodyProblems>[1];
   expect(bodyProblems(body, inspection)[0]?.remedy).toMatch(/^Repair the surface/);
 });
@@ -71,12 +74,12 @@ test("failures of calls have these remedies", () => {
     code: "open-edge",
     severity: "error",
     message: "It is open",
-    remedy: "Use --weld.",
+    remedy: "Use `weld`.",
     entities: [],
     body: 1,
     data: { count: 1 },
   } as const;
-  const failure = new MesherError("invalid-input", "It is open. Use --weld.", { diagnostics: [failed] });
+  const failure = new MesherError("invalid-input", "It is open. Use `weld`.", { diagnostics: [failed] });
   expect(failureText(failure)).toMatch(/^It is open\. Repair the surface/);
   expect(failureText(new Error("lost"))).toBe("lost");
   expect(failureText("lost")).toBe("lost");

@@ -43,7 +43,7 @@ export async function crackWarning(
       : "it is not closed";
     const message = `the surface has a crack up to ${weld} wide; ${effect}`;
     return [
-      packageDiagnostic("cracked-surface", message, `Use --weld ${weld} to close the crack.`, "warning"),
+      packageDiagnostic("cracked-surface", message, `Use \`weld: ${weld}\` to close the crack.`, "warning"),
     ];
   }
   return [];

@@ -13,7 +13,9 @@ import {
   readDiagnostic,
 } from "../diagnostics/package-diagnostic.js";
 import type { InnerShells } from "../generated/constants.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FileGroup } from "../mesh/file-mesh.js";
+import { withPatches } from "../mesh/mesh-checks.js";
 import type { ImproveInput } from "../mesh/improvement.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
@@ -101,7 +103,9 @@ export function checkLocatedSurface(surface: SurfaceInput): Diagnostic[] {
   const wrongPoints = checkRegionPoints(surface);
   if (wrongPoints.length > 0 || !hasRegionPoints(surface)) return wrongPoints;
   const message = "the points of the file that mark regions and holes have not been located in the surface";
-  return [packageDiagnostic("unlocated-regions", message, "Pass the surface that locateRegions() returns.")];
+  return [
+    packageDiagnostic("unlocated-regions", message, "Pass the surface that `locateRegions()` returns."),
+  ];
 }
 
 const finite = v.pipe(v.number(), v.finite());
@@ -138,6 +142,14 @@ export function checkPatchedSurface(surface: PatchedSurface): Diagnostic[] {
   const wrong = checkSurface(surface);
   if (wrong.length > 0) return wrong;
   return checkArrays("surface", surface, patchesSchema, "Pass the patch of each triangle in a Uint32Array.");
+}
+
+/** Checks the surface of a file: its arrays, patches, regions and the points that mark them. */
+export function checkFileSurface(surface: SurfaceFile): Diagnostic[] {
+  const wrong = checkPatchedSurface(surface);
+  if (wrong.length > 0) return wrong;
+  const remedy = "Pass a surface as readSurface returns it.";
+  return [...checkArrays("surface", surface, withPatches, remedy), ...checkRegionPoints(surface)];
 }
 
 const groupsSchema = v.optional(v.array(v.object({ name: v.string(), tag: v.number() })));

@@ -32,7 +32,7 @@ export async function located(
 
 function shellsUnused(): Diagnostic {
   const message =
-    "--inner-shells cavities has no effect: the points of the file decide which enclosed volumes are holes, and all others are regions";
+    '`innerShells: "cavities"` has no effect: the points of the file decide which enclosed volumes are holes, and all others are regions';
   const remedy = "Omit it, or add a hole point to each cavity.";
   return packageDiagnostic("region-point", message, remedy, "warning");
 }

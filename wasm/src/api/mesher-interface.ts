@@ -28,9 +28,11 @@ import type {
   RemeshOptions,
   RepairOptions,
   SplitOptions,
+  SurfaceMeshOptions,
   SurfaceProposalOptions,
 } from "./option-types.js";
 import type { LocatedSurface } from "./region-location.js";
+import type { MeshedSurface } from "./surface-meshing.js";
 
 /** Result of `proposeSizes`. */
 export interface SizeProposal {
@@ -104,6 +106,19 @@ export interface Mesher {
    * follow the surface's own edges. Ends and rejects as `meshProject` does.
    */
   fillSurface(surface: SurfaceInput, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
+  /**
+   * Meshes the surface of a file with fit elements, as `meshFile` does after reading: joins solids that touch, locates region
+   * points, decides what becomes of the triangles (`surface`), and repairs before if that is asked for or implied. Ends and
+   * rejects as `meshProject` does. For `fileMeshOf`, pass the `surface` of the result.
+   *
+   *     const { result, surface } = await mesher.meshSurface(file);
+   *     const mesh = fileMeshOf(result, { surface });
+   */
+  meshSurface(
+    surface: SurfaceFile,
+    options?: SurfaceMeshOptions,
+    control?: RunControl,
+  ): Promise<MeshedSurface>;
   /**
    * Samples lines and patches for display and checks the project, which may be invalid. Answered between the slices of a
    * run, so that a user can edit during a run. Invalid options are reported among the diagnostics.

@@ -78,6 +78,7 @@ import type {
   RemeshOptions,
   RepairOptions,
   SplitOptions,
+  SurfaceMeshOptions,
   SurfaceProposalOptions,
 } from "./option-types.js";
 import {
@@ -103,6 +104,7 @@ import {
   withPreparation,
 } from "./report.js";
 import { givenRegionsOf, surfaceNamer } from "./surface-numbers.js";
+import { meshedSurface } from "./surface-meshing.js";
 import { SurfaceTools } from "./surface-tools.js";
 
 /**
@@ -225,6 +227,12 @@ class WorkerMesher implements Mesher {
     } as const;
     const name = surfaceNamer(surface);
     return this.#run(request, control, () => name);
+  }
+
+  async meshSurface(surface: SurfaceFile, options: SurfaceMeshOptions = {}, control: RunControl = {}) {
+    const early = this.#endedEarly(control);
+    if (early !== undefined) return { surface, diagnostics: [], result: early, isExact: false };
+    return meshedSurface(this, surface, options, control);
   }
 
   async prepareBody(

@@ -72,7 +72,7 @@ function gapWarning(
   const text = short(width, DIGITS);
   const message = `The solids ${names} almost touch: a gap of ${text} is left between them, so they share no faces`;
   // Nodes that face each other are further apart where their triangles differ.
-  const remedy = `Use --weld ${short(2 * width, 2)} if they are meant to touch and their triangles match; otherwise move the solids.`;
+  const remedy = `Use \`weld: ${short(2 * width, 2)}\` if they are meant to touch and their triangles match; otherwise move the solids.`;
   return { ...packageDiagnostic("touching-solids", message, remedy, "warning"), position };
 }
 

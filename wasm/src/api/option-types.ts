@@ -238,6 +238,7 @@ export interface ProjectMeshOptions extends MeshOptions {
 
 /** What becomes of the triangles of a surface before it is filled. */
 export const SURFACE_TREATMENTS = ["auto", "keep", "refine", "remesh"] as const;
+/** One of `SURFACE_TREATMENTS`. */
 export type SurfaceTreatment = (typeof SURFACE_TREATMENTS)[number];
 
 /** Options of `meshSurface`. */

@@ -102,7 +102,7 @@ function overlapsIn(
 }
 
 const JOINED_REMEDY =
-  "Use --surface remesh, which cuts them where they touch; or divide their faces there in the CAD program.";
+  'Use `surface: "remesh"`, which cuts them where they touch; or divide their faces there in the CAD program.';
 
 /** As `withSolidRegions` for a surface that is not repaired. Rejects with `invalid-input`, which names the solids that intersect. */
 export async function checkedSolids(

@@ -34,6 +34,8 @@ const BEFORE_FILLING: ReadonlySet<string> = new Set<Exclude<keyof SurfaceMeshOpt
 
 /** Returns the options of the mesh itself, among them unknown ones. */
 export function meshPart(options: SurfaceMeshOptions): MeshOptions {
+  // Anything else is for the check.
+  if (typeof options !== "object" || (options as unknown) === null) return options;
   const own = Object.entries(options).filter(([name]) => !BEFORE_FILLING.has(name));
   return Object.fromEntries(own);
 }
@@ -74,12 +76,30 @@ export function checkSurfaceMeshOptions(options: SurfaceMeshOptions): Diagnostic
   const { size, growth, maxVolume, innerShells, background, surface = "auto" } = options;
   const setting = givenRemeshSetting(options);
   return [
+    ...wrongSwitches(options),
     ...checkRemeshOptions({ ...remeshSettings(options), size, growth, maxVolume, innerShells, background }),
     ...(repair === undefined ? [] : checkRepairOptions(repair)),
     ...(split === undefined ? [] : checkSplitOptions(split)),
     ...(SURFACE_TREATMENTS.includes(surface) ? [] : [unknownTreatment(surface)]),
     ...(setting !== undefined && (surface === "keep" || surface === "refine")
       ? [withoutRemeshing(setting)]
+      : []),
+  ];
+}
+
+function wrongSwitches({ repair = false, splitPatches = false }: SurfaceMeshOptions): Diagnostic[] {
+  const wrongRepair = typeof repair !== "boolean";
+  const wrongSplit = typeof splitPatches !== "boolean" && typeof splitPatches !== "number";
+  return [
+    ...(wrongRepair ? [invalidOption("repair", `the repair is ${shown(repair)}`, "Use true or false.")] : []),
+    ...(wrongSplit
+      ? [
+          invalidOption(
+            "splitPatches",
+            `the angle between patches is ${shown(splitPatches)}`,
+            "Use true, false or an angle in degrees.",
+          ),
+        ]
       : []),
   ];
 }
@@ -92,4 +112,11 @@ function unknownTreatment(surface: unknown): Diagnostic {
 function withoutRemeshing(setting: string): Diagnostic {
   const message = `\`${setting}\` is for surfaces that are remeshed`;
   return invalidOption(setting, message, `Use \`surface: "remesh"\`, or omit \`${setting}\`.`);
+}
+
+/** Returns the first option given that is for surfaces only; undefined without one. */
+export function surfaceOption(options: SurfaceMeshOptions): string | undefined {
+  return Object.entries(options).find(
+    ([name, value]) => BEFORE_FILLING.has(name) && value !== undefined,
+  )?.[0];
 }

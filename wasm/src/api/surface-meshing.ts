@@ -11,11 +11,14 @@ import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshResult } from "../mesh/report.js";
 import { areFit, triangleShapes } from "../mesh/triangle-shapes.js";
 import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
+import { checkControl, checkFileSurface as checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, SurfaceMeshOptions } from "./option-types.js";
 import { emptyResult } from "./report.js";
+import { stagedControl } from "./staged-progress.js";
 import {
+  checkSurfaceMeshOptions,
   givenRemeshSetting,
   meshPart,
   remeshSettings,
@@ -170,4 +173,37 @@ async function fill(
   const { report } = result;
   // Those of the treatment came first.
   return { ...result, report: { ...report, diagnostics: [...diagnostics, ...report.diagnostics] } };
+}
+
+/** Implements `meshSurface` of the mesher. */
+export async function meshedSurface(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: SurfaceMeshOptions,
+  control: RunControl,
+  origin: SurfaceOrigin = {},
+): Promise<MeshedSurface> {
+  refuse(checkControl(control));
+  const refused = (diagnostics: readonly Diagnostic[]): MeshedSurface => {
+    const result = emptyResult("invalid-input", diagnostics);
+    return { surface: given, diagnostics: [], result, isExact: false };
+  };
+  const wrong = [...checkSurface(given), ...checkSurfaceMeshOptions(options)];
+  if (wrong.length > 0) return refused(wrong);
+  const controlOf = stagedControl(control);
+  const found: Diagnostic[] = [];
+  try {
+    const ready = await readySurface(withControl(mesher, controlOf("check")), given, options, origin);
+    found.push(...ready.diagnostics);
+    const ofRun = (step?: string) => controlOf(step === "remesh" ? step : "run");
+    const made = await filledSurface(mesher, given, ready, { options, ...origin, controlOf: ofRun });
+    const { report } = made.result;
+    const diagnostics = [...made.diagnostics, ...report.diagnostics];
+    return { ...made, result: { ...made.result, report: { ...report, diagnostics } } };
+  } catch (failure) {
+    if (!(failure instanceof MesherError)) throw failure;
+    if (failure.code === "cancelled") return { ...refused([]), result: emptyResult("cancelled", found) };
+    if (failure.code !== "invalid-input") throw failure;
+    return refused([...failure.data.diagnostics, ...found]);
+  }
 }

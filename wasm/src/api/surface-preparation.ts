@@ -184,6 +184,6 @@ export async function madeFillable(
 
 function limitsLost(): Diagnostic {
   const message = "the largest volumes of regions have no effect, because the surface was repaired";
-  const remedy = "Use --max-volume, which limits all tetrahedra.";
+  const remedy = "Use `maxVolume`, which limits all tetrahedra.";
   return packageDiagnostic("region-point", message, remedy, "warning");
 }

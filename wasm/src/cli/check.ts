@@ -1,4 +1,5 @@
 /** `tetrafront check`: lists all problems of a project, a surface or a mesh, without meshing it. */
+import { readingNotes } from "../api/reading-notes.js";
 import { ofBody } from "../api/body-preparation.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import type { PreviewOptions, RepairOptions } from "../api/option-types.js";
@@ -12,6 +13,7 @@ import { LIMITS } from "../base/limits.js";
 import { plural } from "../base/plural.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { countOf } from "../diagnostics/lines.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { listed } from "../formats/groups.js";
@@ -30,7 +32,6 @@ import {
   asInvalidInput,
   asEngineFailure,
   InvalidInput,
-  countOf,
   ExitCode,
   jsonPieces,
   print,
@@ -38,7 +39,7 @@ import {
 } from "./messages.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repairOptions } from "./repair.js";
 import type { UnitOptions } from "./units.js";
-import { meshLines, oppositeOrderLines, readingLines, surfaceLines } from "./tables.js";
+import { meshLines, oppositeOrderLines, surfaceLines } from "./tables.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions, UnitOptions {
   readonly size?: string;
@@ -267,7 +268,7 @@ async function locatedOrNot(
 
 /** Notes about the file that are not problems. */
 function notes(mesh: FileMesh): Diagnostic[] {
-  return [...oppositeOrderLines(mesh), ...readingLines(mesh)].map((line) =>
+  return [...oppositeOrderLines(mesh), ...readingNotes(mesh)].map((line) =>
     packageDiagnostic("left-out", line, "", "information"),
   );
 }

@@ -4,8 +4,25 @@
  */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 
+/** Options that messages name; a name in backquotes that a user has given stays as it is. */
+const OPTIONS: ReadonlySet<string> = new Set([
+  ...([
+    "size",
+    "growth",
+    "background",
+    "maxVolume",
+    "gradation",
+    "innerShells",
+    "order",
+    "optimization",
+  ] as const),
+  ...(["minSize", "maxSize", "tolerance", "featureAngle", "anglePerEdge", "layers", "dropDetails"] as const),
+  ...(["surface", "repair", "weld", "fillHoles", "splitPatches", "elementOrder"] as const),
+  ...(["scale", "units", "fileUnits"] as const),
+]);
+
 /** Options whose name on the command line is not that of the call in other letters. */
-const OPTIONS: ReadonlyMap<string, string> = new Map([["optimization", "optimize"]]);
+const OTHERS: ReadonlyMap<string, string> = new Map([["optimization", "optimize"]]);
 
 /** What does the same as a call of the package. */
 const CALLS: ReadonlyMap<string, string> = new Map([
@@ -25,7 +42,8 @@ export function inCommandLineWords(text: string): string {
 
 function asTyped(code: string, name: string, call?: string, word?: string, value?: string): string {
   if (call !== undefined) return CALLS.get(name) ?? code;
-  const option = `--${OPTIONS.get(name) ?? name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  if (!OPTIONS.has(name)) return code;
+  const option = `--${OTHERS.get(name) ?? name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
   const given = word ?? value;
   return given === undefined || given === "true" ? option : `${option} ${given}`;
 }

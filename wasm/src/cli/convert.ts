@@ -2,10 +2,12 @@
  * `tetrafront convert`: converts a mesh file to another format; of a volume mesh the boundary, if the format stores
  * surfaces only; to a project with its bodies.
  */
+import { readingNotes } from "../api/reading-notes.js";
 import path from "node:path";
 import { writeMesh } from "../api/mesh-files.js";
 import type { RepairOptions } from "../api/option-types.js";
 import { repaired } from "../api/surface-preparation.js";
+import { splitText } from "../api/treatment-texts.js";
 import { plural } from "../base/plural.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -28,9 +30,9 @@ import { formatName, isProject, readMeshFile } from "./input.js";
 import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repairOptions } from "./repair.js";
-import { type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
+import { type SplitCommandOptions, splitOptions, withSplit } from "./splitting.js";
 import type { UnitOptions } from "./units.js";
-import { mixedOrientationLines, readingLines, unusedPointLines } from "./tables.js";
+import { mixedOrientationLines, unusedPointLines } from "./tables.js";
 
 /** Options as commander passes them. */
 export interface ConvertCommandOptions
@@ -65,7 +67,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
       if (left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
       const notes = [
         ...mixedOrientationLines(given),
-        ...readingLines({ ...given, notes: whole.notes }),
+        ...readingNotes({ ...given, notes: whole.notes }),
         ...unusedPointLines(given),
       ];
       for (const line of notes) print(`note: ${input}: ${line}`);
@@ -105,7 +107,7 @@ async function convertToProject(
   if (!isQuiet) {
     const left = [...given.nodeData.keys()];
     if (left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
-    for (const line of [...readingLines(given), ...unusedPointLines(given)]) print(`note: ${input}: ${line}`);
+    for (const line of [...readingNotes(given), ...unusedPointLines(given)]) print(`note: ${input}: ${line}`);
     print(`${input}: ${contentsOf(mesh)} -> ${output}`);
   }
   return ExitCode.meshed;

@@ -1,4 +1,5 @@
 /** `tetrafront improve`: improves the elements of a volume mesh, and compares their shapes before and after. */
+import { readingNotes } from "../api/reading-notes.js";
 import type { ImproveOptions } from "../api/option-types.js";
 import { improvedMesh } from "../api/improvement.js";
 import { writeMesh } from "../api/mesh-files.js";
@@ -15,7 +16,7 @@ import type { UnitOptions } from "./units.js";
 import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { withRun } from "./run.js";
-import { angleText, mixedOrientationLines, readingLines } from "./tables.js";
+import { angleText, mixedOrientationLines } from "./tables.js";
 
 /** Options as commander passes them. */
 export interface ImproveCommandOptions extends UnitOptions {
@@ -55,7 +56,7 @@ async function improveAndWrite(input: string, options: ImproveCommandOptions): P
   const name = await checkPaths(input, options);
   const given = await readVolumeMesh(input, options);
   if (!isQuiet) {
-    for (const line of [...mixedOrientationLines(given), ...readingLines(given)]) {
+    for (const line of [...mixedOrientationLines(given), ...readingNotes(given)]) {
       print(`note: ${input}: ${line}`);
     }
   }

@@ -1,4 +1,5 @@
 /** `tetrafront info` prints the contents of a file; `tetrafront stats` prints the quality of its elements. */
+import { readingNotes } from "../api/reading-notes.js";
 import { plural } from "../base/plural.js";
 import { short } from "../base/short.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
@@ -23,7 +24,6 @@ import {
   mixedOrientationLines,
   oppositeOrderLines,
   qualityLines,
-  readingLines,
 } from "./tables.js";
 
 /** Options as commander passes them. */
@@ -48,7 +48,7 @@ export function infoOnFile(input: string, options: InfoCommandOptions): Promise<
         ...contentLines(held),
         ...oppositeOrderLines(mesh),
         ...mixedOrientationLines(mesh),
-        ...readingLines(mesh),
+        ...readingNotes(mesh),
       ],
     };
   });
@@ -75,7 +75,7 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
       ...qualityLines(found.quality),
       ...oppositeOrderLines(mesh),
       ...mixedOrientationLines(mesh),
-      ...readingLines(mesh),
+      ...readingNotes(mesh),
       ...defects,
     ];
     return { json, lines };

@@ -1,4 +1,5 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
+import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
 import { fileMeshOf } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
@@ -12,14 +13,18 @@ import {
   readySurface,
 } from "../api/surface-meshing.js";
 import type { RefinementCounts, RemeshReport } from "../api/surface-treatment.js";
+import { refinementText, remeshText, splitText } from "../api/treatment-texts.js";
 import { plural } from "../base/plural.js";
+import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
+import { type RegionSummary, regionSummaries } from "../mesh/region-summary.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/schema.js";
 import { asTypedDiagnostic } from "./command-line-words.js";
@@ -31,13 +36,7 @@ import { readGiven, subjectOf } from "./joined-inputs.js";
 import { asInvalidInput, asEngineFailure, ExitCode, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, givenFiles, outputFiles } from "./paths.js";
 import { EXACT_REPAIR, printChanges, refuseRepair, type RepairCommandOptions } from "./repair.js";
-import {
-  refinementText,
-  refuseRemeshing,
-  type RemeshCommandOptions,
-  remeshSettingsIn,
-  remeshText,
-} from "./remeshing.js";
+import { refuseRemeshing, type RemeshCommandOptions, remeshSettingsIn } from "./remeshing.js";
 import { requiredAngleError, requiredAngleOf } from "./required-angle.js";
 import { withRun } from "./run.js";
 import {
@@ -49,8 +48,8 @@ import {
   sizesIn,
   withGrid,
 } from "./sizes.js";
-import { refuseSplit, type SplitCommandOptions, splitText } from "./splitting.js";
-import { anglesText, readingLines, unmeshedLines } from "./tables.js";
+import { refuseSplit, type SplitCommandOptions } from "./splitting.js";
+import { anglesText } from "./tables.js";
 import type { UnitOptions } from "./units.js";
 
 /** Options as commander passes them: numbers are still text. */
@@ -94,6 +93,8 @@ interface Outcome {
   readonly exitCode: number;
   /** File that contains the mesh, if any. */
   readonly written: string | null;
+  /** Regions of the mesh; none without tetrahedra. */
+  readonly regions?: readonly RegionSummary[] | undefined;
   /** Changes of the surface, if a repair was requested. */
   readonly changes?: readonly RepairChange[] | undefined;
   readonly repairDeviation?: number | undefined;
@@ -109,7 +110,7 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   // If the report cannot be written, that failure is not reported in it either.
   if (failedCheck !== undefined) return failedCheck.exitCode;
   const outcome = await meshAndWrite(input, options).catch(whereFailed);
-  const { changes, repairDeviation, refinement, remesh, written } = outcome;
+  const { changes, repairDeviation, refinement, remesh, written, regions = [] } = outcome;
   const done = {
     ...(changes && { repair: changes, repairDeviation }),
     ...(refinement && { refinement }),
@@ -117,7 +118,7 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   };
   const inputs = joined === undefined ? {} : { inputs: joined };
   const diagnostics = outcome.report.diagnostics.map(asTypedDiagnostic);
-  const report = { ...outcome.report, diagnostics, ...done, input, ...inputs, output: written };
+  const report = { ...outcome.report, regions, diagnostics, ...done, input, ...inputs, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
@@ -143,7 +144,9 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const { changes, repairDeviation, refinement, remesh } = made.made ?? {};
   const { report } = result;
   const shouldWrite = mayWrite(result, options);
-  const written = shouldWrite && (await writeResult(input, options, result, meshed)) ? options.output : null;
+  const mesh = result.volume.tetrahedra.length === 0 ? undefined : namedMesh(input, options, result, meshed);
+  const isWritten = shouldWrite && mesh !== undefined && (await writeResult(input, options, mesh, meshed));
+  const written = isWritten ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(subject, report, written, options));
   const isLost = shouldWrite && written === null;
   const poor = requiredAngleError(
@@ -157,6 +160,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const diagnostics = [...found, ...report.diagnostics, ...poor];
   return {
     report: { ...report, diagnostics },
+    regions: mesh && (await inSteps(regionSummaries(mesh))),
     written,
     exitCode,
     changes,
@@ -262,7 +266,7 @@ function printReady(subject: string, given: SurfaceFile, ready: ReadySurface): v
   printChanges(subject, ready);
   const { split } = ready;
   if (split !== undefined) print(`${subject}: ${splitText(split)}`);
-  for (const line of readingLines(given)) print(`note: ${subject}: ${line}`);
+  for (const line of readingNotes(given)) print(`note: ${subject}: ${line}`);
 }
 
 /** Prints how the surface was changed to be meshed. */
@@ -346,25 +350,33 @@ function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOp
   return report.status === "done" || (keepPartial === true && volume.tetrahedra.length > 0);
 }
 
+/** Returns the mesh with the names of its patches and regions. */
+function namedMesh(input: string, options: MeshCommandOptions, result: MeshResult, model: Input): FileMesh {
+  const isAssembly = isAnyCad(input, options) || (options.joined ?? []).length > 1;
+  return fileMeshOf(result, { ...model, interfacePatches: isAssembly });
+}
+
 async function writeResult(
   input: string,
   options: MeshCommandOptions,
-  result: MeshResult,
+  mesh: FileMesh,
   model: Input,
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;
   const subject = subjectOf(input, options.joined);
   const name = writableName(output, to, ["volume"]);
-  const isAssembly = isAnyCad(input, options) || (options.joined ?? []).length > 1;
-  const mesh = fileMeshOf(result, { ...model, interfacePatches: isAssembly });
   if (!isQuiet && model.kind === "surface") {
-    for (const line of unmeshedLines(model.surface, mesh)) print(`note: ${subject}: ${line}`);
+    for (const line of unmeshedNotes(model.surface, mesh)) print(`note: ${subject}: ${line}`);
   }
   const files = await writeMesh(mesh, name, { elementOrder: elementOrderFor(options, name) });
   return succeeds(() => writeAll(files, { input: subject, output, name, isQuiet }));
 }
 
-type CommandReport = MeshReport & { readonly input: string; readonly output: string | null };
+type CommandReport = MeshReport & {
+  readonly input: string;
+  readonly output: string | null;
+  readonly regions: readonly RegionSummary[];
+};
 
 async function writeReport(file: string, report: CommandReport): Promise<boolean> {
   const text = `${JSON.stringify(report, null, 2)}\n`;

@@ -1,6 +1,6 @@
 /** Messages and exit codes of the command line. */
-import type { DiagnosticCode } from "../diagnostics/codes.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { diagnosticLines } from "../diagnostics/lines.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic, printable, readDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadError } from "../diagnostics/read-error.js";
@@ -88,9 +88,6 @@ export function unreadable(error: ReadError, readAs?: string): Diagnostic {
   return readDiagnostic({ ...error, message: `${other}${location}${message}` });
 }
 
-/** Largest number of lines per code, unless the user asks for more: more of the same would hide the others. */
-const MAX_PER_CODE = 5;
-
 interface PrintOptions {
   /** Whether to print errors only. */
   readonly isQuiet: boolean;
@@ -105,82 +102,13 @@ export function printDiagnostics(
   diagnostics: readonly Diagnostic[],
   options: PrintOptions,
 ): void {
-  const { isQuiet, perCode = MAX_PER_CODE, onLine = print } = options;
+  const { isQuiet, perCode, onLine = print } = options;
   const reported = diagnostics
     .filter(({ severity }) => !isQuiet || severity === "error")
     .map((found) => asTypedDiagnostic(found));
-  for (const group of byKind(reported)) {
-    for (const line of groupLines(subject, group, perCode)) onLine(line);
+  for (const { severity, text } of diagnosticLines(reported, perCode)) {
+    onLine(`${WORDS[severity]}: ${subject}: ${text}`);
   }
-}
-
-/** Groups diagnostics by severity and code, in the order of first appearance. */
-function byKind(diagnostics: readonly Diagnostic[]): Iterable<readonly Diagnostic[]> {
-  const groups = new Map<string, Diagnostic[]>();
-  for (const diagnostic of diagnostics) {
-    const key = `${diagnostic.severity} ${diagnostic.code}`;
-    const group = groups.get(key);
-    if (group === undefined) groups.set(key, [diagnostic]);
-    else group.push(diagnostic);
-  }
-  return groups.values();
-}
-
-/** Returns the number of problems of this severity, including those that are not listed individually. */
-export function countOf(diagnostics: readonly Diagnostic[], severity: Diagnostic["severity"]): number {
-  const found = diagnostics.filter((diagnostic) => diagnostic.severity === severity);
-  return [...byKind(found)].reduce((sum, group) => sum + allOfAKind(group), 0);
-}
-
-/** Codes whose only diagnostic is about all elements at once; its message states their number. */
-const SUMMARIES: ReadonlySet<DiagnosticCode> = new Set(["near-nodes", "needle-surface", "poor-elements"]);
-
-/**
- * Returns the total number of problems of one kind, of which only some are listed. Each diagnostic of a given
- * surface states the total. A diagnostic of a drawing counts only the problems at its own lines and patches.
- */
-function allOfAKind(group: readonly Diagnostic[]): number {
-  const [first] = group;
-  if (first === undefined || SUMMARIES.has(first.code)) return group.length;
-  if (!isOfSurface(first) || !("count" in first.data)) return group.length;
-  return Math.max(group.length, first.data.count ?? 0);
-}
-
-/** Returns whether the diagnostic is about a given surface, whose triangles and nodes have no names. */
-function isOfSurface({ entities }: Diagnostic): boolean {
-  return entities.every(({ kind }) => kind === "triangle" || kind === "surface-node");
-}
-
-/**
- * Returns the lines about a group of diagnostics. Lines that name no entity or position and differ only in their numbers become one
- * line with a count. A remedy is printed once for the lines that have it one after the other.
- */
-function groupLines(subject: string, group: readonly Diagnostic[], perCode: number): string[] {
-  const lines = new Map<string, { readonly line: string; readonly remedy: string; count: number }>();
-  for (const diagnostic of group) {
-    const { severity, code, message, remedy, position } = diagnostic;
-    const line = `${WORDS[severity]}: ${subject}: ${message}.`;
-    // Coordinates that are not finite are not a position either.
-    const isAlike = isOfSurface(diagnostic) && (position === undefined || code === "not-finite");
-    const key = isAlike ? message.replace(/[-+\d.e]*\d/g, "#") : `${line} ${remedy}`;
-    const known = lines.get(key);
-    if (known === undefined) lines.set(key, { line, remedy, count: 1 });
-    else known.count++;
-  }
-  const printed: string[] = [];
-  let rest = allOfAKind(group);
-  let before = "";
-  for (const { line, remedy, count } of [...lines.values()].slice(0, perCode)) {
-    const text = remedy === "" || remedy === before ? line : `${line} ${remedy}`;
-    printed.push(count === 1 ? text : `${text} (and ${count - 1} similar)`);
-    before = remedy;
-    rest -= count;
-  }
-  const [first] = group;
-  if (first !== undefined && rest > 0) {
-    printed.push(`${WORDS[first.severity]}: ${subject}: and ${rest} more "${first.code}".`);
-  }
-  return printed;
 }
 
 /** Diagnostics per piece of JSON: a million of them would exceed the longest string. */

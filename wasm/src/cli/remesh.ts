@@ -1,11 +1,14 @@
 /** `tetrafront remesh`: replaces the triangles of a surface by well-shaped ones, and checks the written file. */
+import { readingNotes } from "../api/reading-notes.js";
 import { hasWelded, remeshedBest } from "../api/best-repair.js";
 import { located } from "../api/located-surface.js";
 import { readSurface, writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import { madeFillable, type PreparedSurface, repaired } from "../api/surface-preparation.js";
 import { remeshed, type RemeshReport } from "../api/surface-treatment.js";
+import { remeshText, splitText } from "../api/treatment-texts.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { countOf } from "../diagnostics/lines.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { WrittenFile } from "../formats/file-format.js";
 import { formatOf } from "../formats/file-formats.js";
@@ -17,17 +20,9 @@ import type { SurfaceInput } from "../mesh/mesh.js";
 import { writableName, writeAll } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
 import { readModel, refuseOptions } from "./input.js";
-import {
-  countOf,
-  ExitCode,
-  failedOutcome,
-  InvalidInput,
-  jsonPieces,
-  print,
-  printDiagnostics,
-} from "./messages.js";
+import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
-import { type RemeshCommandOptions, remeshOptions, remeshText } from "./remeshing.js";
+import { type RemeshCommandOptions, remeshOptions } from "./remeshing.js";
 import { EXACT_REPAIR, printChanges, type RepairCommandOptions, repairOptions } from "./repair.js";
 import type { UnitOptions } from "./units.js";
 import { withRun } from "./run.js";
@@ -40,8 +35,7 @@ import {
   sizesIn,
   withGrid,
 } from "./sizes.js";
-import { type SplitCommandOptions, splitOptions, splitText, withSplit } from "./splitting.js";
-import { readingLines } from "./tables.js";
+import { type SplitCommandOptions, splitOptions, withSplit } from "./splitting.js";
 
 /** Options as commander passes them: numbers are still text. */
 export interface RemeshFileOptions
@@ -99,7 +93,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     };
     const welded = await prepare(false);
     if (!isQuiet) printChanges(input, welded.treated);
-    if (!isQuiet) for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
+    if (!isQuiet) for (const line of readingNotes(given.surface)) print(`note: ${input}: ${line}`);
     if (split !== undefined && !isQuiet) {
       const [before, after] = [welded.treated.surface, welded.divided].map(({ patches }) => patches.length);
       print(`${input}: ${splitText({ before: before ?? 0, after: after ?? 0 })}`);

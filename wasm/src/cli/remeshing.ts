@@ -2,9 +2,6 @@
 import type { MeshOptions, RemeshOptions, RemeshSettings } from "../api/option-types.js";
 import { checkRemeshOptions } from "../api/options.js";
 import { givenRemeshSetting } from "../api/surface-mesh-options.js";
-import type { RefinementCounts, RemeshReport } from "../api/surface-treatment.js";
-import { plural } from "../base/plural.js";
-import { short } from "../base/short.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { numberIn, refuseOptions } from "./input.js";
 
@@ -49,41 +46,4 @@ export function refuseRemeshing(given: RemeshSettings): void {
   if (setting === undefined) return;
   const message = `\`${setting}\` is for surfaces, but the input is a project`;
   refuseOptions([invalidOption(setting, message, "Omit it: each body has a remeshing of its own.")]);
-}
-
-export function refinementText({ given, triangles, splitEdges }: RefinementCounts): string {
-  return `refined: ${plural(given, "triangle")} before, ${triangles} after, ${plural(splitEdges, "edge")} split`;
-}
-
-/** Number of significant digits of lengths. */
-const DIGITS = 3;
-const POSITION_DIGITS = 5;
-const LISTED_DETAILS = 5;
-
-/** The option of a command that lists all dropped details. */
-export type DetailList = "--report FILE" | "--json";
-
-function mergedText(merged: RemeshReport["mergedDetails"], whole: DetailList): string {
-  const at = (position: readonly number[]) =>
-    `(${position.map((coordinate) => short(coordinate, POSITION_DIGITS)).join(", ")})`;
-  const moves = merged.slice(0, LISTED_DETAILS).map(({ from, onto }) => `${at(from)} onto ${at(onto)}`);
-  const left = merged.length - LISTED_DETAILS;
-  const more = left > 0 ? `, and ${left} more (${whole} lists all ${merged.length})` : "";
-  return `${plural(merged.length, "detail")} dropped: ${moves.join(", ")}${more}`;
-}
-
-/**
- * Describes a remeshing: triangles, chosen sizes, shapes, the distance from the given surface, and the first of the details
- * that were dropped. `whole`: the option that lists all of them.
- */
-export function remeshText(remesh: RemeshReport, whole: DetailList): string {
-  const { given, triangles, size, minSize, tolerance, deviation, patches, featureLines } = remesh;
-  return [
-    `remeshed: ${plural(given, "triangle")} before, ${triangles} after`,
-    `target sizes ${short(minSize, DIGITS)} to ${short(size, DIGITS)}`,
-    `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
-    `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,
-    `deviation at most ${short(deviation, DIGITS)} (tolerance ${short(tolerance, DIGITS)})`,
-    ...(remesh.mergedDetails.length === 0 ? [] : [mergedText(remesh.mergedDetails, whole)]),
-  ].join("; ");
 }

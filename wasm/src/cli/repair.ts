@@ -2,8 +2,8 @@
 import type { RepairOptions } from "../api/option-types.js";
 import { checkRepairOptions } from "../api/options.js";
 import type { PreparedSurface } from "../api/surface-preparation.js";
+import { repairText } from "../api/treatment-texts.js";
 import { plural } from "../base/plural.js";
-import { short } from "../base/short.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
@@ -43,9 +43,6 @@ export function refuseRepair(options: RepairOptions | undefined, what: string): 
 /** Largest number of lines per kind of change; `--json` and `--report` list all. */
 const MAX_PER_KIND = 20;
 
-/** Number of significant digits of a deviation. */
-const DIGITS = 3;
-
 /** Prints one line per change, one per kind that has more, and the largest distance by which a node was moved. */
 export function printChanges(
   input: string,
@@ -53,7 +50,6 @@ export function printChanges(
   onLine: (line: string) => void = print,
 ): void {
   if (changes === undefined) return;
-  if (changes.length === 0) return onLine(`repair: ${input}: nothing to repair`);
   const kinds = new Map<RepairChange["kind"], RepairChange[]>();
   for (const change of changes) {
     const known = kinds.get(change.kind);
@@ -65,11 +61,7 @@ export function printChanges(
     const rest = all.length - MAX_PER_KIND;
     if (rest > 0) onLine(`repair: ${input}: and ${rest} more "${kind}".`);
   }
-  const moved =
-    repairDeviation === 0
-      ? "no node was moved"
-      : `nodes were moved by at most ${short(repairDeviation, DIGITS)}`;
-  onLine(`repair: ${input}: ${plural(changes.length, "change")}; ${moved}.`);
+  onLine(`repair: ${input}: ${repairText(changes, repairDeviation)}`);
 }
 
 /** Describes a change with ids and position. */

@@ -2,7 +2,6 @@
 import type { Mesher, SplitInput, SplitSurface } from "../api/mesher-interface.js";
 import type { SplitOptions } from "../api/option-types.js";
 import { checkSplitOptions } from "../api/options.js";
-import { plural } from "../base/plural.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { numberIn, refuseOptions } from "./input.js";
 
@@ -35,9 +34,4 @@ export async function withSplit<Surface extends SplitInput & SplitSurface>(
   options: SplitOptions | undefined,
 ): Promise<Surface> {
   return options === undefined ? surface : mesher.splitPatches(surface, options);
-}
-
-/** Describes a split by the numbers of patches. */
-export function splitText({ before, after }: { readonly before: number; readonly after: number }): string {
-  return `split: ${plural(before, "patch")} before, ${after} after`;
 }

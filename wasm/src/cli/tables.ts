@@ -83,53 +83,12 @@ export function oppositeOrderLines({ tetrahedra, reversedTetrahedra }: FileMesh)
   return isOtherWay ? ["the file uses the opposite node order: all tetrahedra were reoriented"] : [];
 }
 
-/** Returns lines about ignored content of a file. */
-export function readingLines(
-  mesh: Pick<FileMesh, "notes" | "duplicateTetrahedra" | "duplicateTriangles" | "unlocatedRegions">,
-): string[] {
-  return [...duplicateLines(mesh), ...unlocatedLines(mesh), ...(mesh.notes ?? [])];
-}
-
-/** Reports elements that keep only their first group. */
-function duplicateLines({
-  duplicateTetrahedra = 0,
-  duplicateTriangles = 0,
-}: Pick<FileMesh, "duplicateTetrahedra" | "duplicateTriangles">): string[] {
-  const lines = (count: number, noun: string) =>
-    count === 0 ? [] : [`${plural(count, "repeated entry")} of ${noun} ignored: the first entry counts`];
-  return [...lines(duplicateTetrahedra, "tetrahedra"), ...lines(duplicateTriangles, "triangles")];
-}
-
 /** Reports values at the nodes of a background grid that are not used. */
 export function unusedLines(volume: Pick<FileMesh, "nodeData">): string[] {
   const unused = unusedData(volume);
   if (unused.length === 0) return [];
   const names = listed(unused.map((name) => `"${name}"`));
   return [`values at the nodes are not used: ${names}; only "size", and "stretching" with "direction", are`];
-}
-
-/** Reports names of regions that are lost. */
-function unlocatedLines({ unlocatedRegions = [] }: Pick<FileMesh, "unlocatedRegions">): string[] {
-  if (unlocatedRegions.length === 0) return [];
-  const names = unlocatedRegions.map((name) => `"${name}"`).join(", ");
-  return [
-    `the file does not define where ${names} ${unlocatedRegions.length === 1 ? "is" : "are"}: regions are numbered`,
-  ];
-}
-
-/** Reports regions of the file that are not meshed. */
-export function unmeshedLines(
-  { surfaceRegions, givenRegions }: Pick<FileMesh, "surfaceRegions" | "givenRegions">,
-  { regions }: Pick<FileMesh, "regions">,
-): string[] {
-  const leftOut = (surfaceRegions?.regions ?? []).filter(({ tag }) =>
-    regions.every((one) => one.tag !== tag),
-  );
-  if (leftOut.length === 0) return [];
-  const names = leftOut.map(({ name }) => `"${name}"`).join(", ");
-  // Given regions state what inner shells bound.
-  const hint = givenRegions === undefined ? "; --inner-shells regions also meshes inside inner shells" : "";
-  return [`regions of the file that are not meshed: ${names}${hint}`];
 }
 
 /** Returns a sentence about points that a command does not use. */

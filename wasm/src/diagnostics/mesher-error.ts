@@ -4,6 +4,7 @@ import type { Progress, ProgressPhase } from "../base/progress.js";
 import type { CallFailure } from "../generated/constants.js";
 import type { DiagnosticCode } from "./codes.js";
 import type { Diagnostic } from "./diagnostic.js";
+import { countOf } from "./lines.js";
 
 /** Code of every error: of diagnostics, of reading, and of rejected calls. */
 export type ErrorCode = DiagnosticCode | MesherErrorCode;
@@ -98,21 +99,26 @@ export const MesherError: {
   readonly prototype: MesherError;
 } = class<Code extends MesherErrorCode> extends Error {
   override readonly name = "MesherError";
+  declare readonly data: MesherErrorData[Code];
   constructor(
     readonly code: Code,
     message: string,
-    readonly data: MesherErrorData[Code],
+    data: MesherErrorData[Code],
     options?: ErrorOptions,
   ) {
     super(message, options);
+    // Programs print the enumerable properties of an error that nobody has caught: thousands of diagnostics would hide its message.
+    Object.defineProperty(this, "data", { value: data, enumerable: false });
   }
 };
 
-/** Throws if there are diagnostics; the message is that of the first. */
+/** Throws if there are diagnostics; the message is that of the first, with the number of the others. */
 export function refuse(diagnostics: readonly Diagnostic[]): void {
   const [first] = diagnostics;
   if (first === undefined) return;
-  throw new MesherError("invalid-input", `${first.message}. ${first.remedy}`, { diagnostics });
+  const others = countOf(diagnostics, first.severity) - 1;
+  const more = others > 0 ? ` (${plural(others, "more problem")}: see data.diagnostics.)` : "";
+  throw new MesherError("invalid-input", `${first.message}. ${first.remedy}${more}`, { diagnostics });
 }
 
 /** Error for an aborted signal. */

@@ -90,9 +90,9 @@ const UNRESOLVED_REMEDIES = [
   "Use a surface that encloses a volume: thicken sheets in the program that made them, or close large holes.",
   "Remove the triangles that enclose nothing, or close the surface that they belong to.",
   "Remove copies of the surface, or repair its parts one by one.",
-  "Repair the surface near this position, or its parts one by one, or weld its nodes first (--weld).",
-  "Weld the nodes near this position (--weld), or move the parts apart by more than the rounding of their coordinates.",
-  "Separate the parts that touch near this position, or weld their nodes (--weld).",
+  "Repair the surface near this position, or its parts one by one, or weld its nodes first (`weld`).",
+  "Weld the nodes near this position (`weld`), or move the parts apart by more than the rounding of their coordinates.",
+  "Separate the parts that touch near this position, or weld their nodes (`weld`).",
 ];
 
 /** One entry per engine code: the compiler rejects a table with a gap. */
@@ -227,12 +227,12 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
         ...(edges > 0 ? [plural(edges, "edge")] : []),
         ...(nodes > 0 ? [plural(nodes, "node")] : []),
       ].join(" and ")}${at}: the tetrahedra on both sides share only these`,
-    remedy: "If what touches should be one body, let it overlap, and use --repair or repairSurface().",
+    remedy:
+      "If what touches should be one body, let it overlap, and use `repair: true` or `repairSurface()`.",
   },
   "empty-background-grid": {
     message: () => "The project has no background grid, so the element sizes are unknown",
-    remedy:
-      "Set a uniform element size (--size on the command line), or create a background grid that covers the model.",
+    remedy: "Set a uniform element size (`size`), or create a background grid that covers the model.",
   },
   "size-out-of-range": {
     message: ({ main, data }) => `${main} has the element size ${short(data.size)}, which is out of range`,
@@ -285,7 +285,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     remedy: ({ drawn }) =>
       drawn
         ? "Add the missing patch, or use the same line in the neighbouring patch. Every line of an interface must belong to other patches too."
-        : "Close the surface: every edge needs at least two triangles. --surface remesh, --repair and repairSurface() close cracks and holes if the surface then encloses a volume; --weld and --fill-holes set limits.",
+        : 'Close the surface: every edge needs at least two triangles. `surface: "remesh"`, or a repair (`repair: true` or `repairSurface()`), closes cracks and holes if the surface then encloses a volume; `weld` and `fillHoles` set limits.',
   },
   "dangling-sheet": {
     message: ({ all, at }) =>
@@ -293,7 +293,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     remedy: ({ drawn }) =>
       drawn
         ? "Remove the patch, or add others until it encloses a region."
-        : "Extend the sheet until it encloses a region, or remove it: --surface remesh, --repair and repairSurface() remove sheets.",
+        : 'Extend the sheet until it encloses a region, or remove it: `surface: "remesh"`, or a repair (`repair: true` or `repairSurface()`), removes sheets.',
   },
   "inconsistent-orientation": {
     message: ({ all, at }) =>
@@ -311,14 +311,14 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     remedy: ({ drawn }) =>
       drawn
         ? "Move the patches apart, or use smaller elements where curved patches are close to each other."
-        : "Triangles may have only shared nodes and edges in common. --surface remesh, --repair and repairSurface() cut them where they intersect, and keep the boundary of what they enclose.",
+        : 'Triangles may have only shared nodes and edges in common. `surface: "remesh"`, or a repair (`repair: true` or `repairSurface()`), cuts them where they intersect, and keeps the boundary of what they enclose.',
   },
   "duplicate-triangle": {
     message: ({ all, at }) => `${all(SHELL_KINDS, "Two triangles")} are duplicates${at}`,
     remedy: ({ drawn }) =>
       drawn
         ? "Remove one of them."
-        : "Remove one of them, also between two regions, where one interface is enough: --repair or repairSurface() removes duplicates and lists each change.",
+        : "Remove one of them, also between two regions, where one interface is enough: a repair (`repair: true` or `repairSurface()`) removes duplicates and lists each change.",
   },
   "degenerate-triangle": {
     message: ({ all, at }) =>
@@ -343,9 +343,9 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   "flipped-triangle": {
     message: ({ main, at }) => `${main} faces inward, but other triangles of its component face outward${at}`,
     remedy: ({ data }) =>
-      `Flip it: --repair or repairSurface() flips such triangles and lists each change.${
+      `Flip it: a repair (\`repair: true\` or \`repairSurface()\`) flips such triangles and lists each change.${
         data.isBetweenRegions
-          ? " To mesh the volumes on both of its sides, use --inner-shells regions, or innerShells."
+          ? ' To mesh the volumes on both of its sides, use `innerShells: "regions"`.'
           : ""
       }`,
   },
@@ -355,18 +355,18 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     remedy: ({ drawn }) =>
       drawn
         ? "Use one point in both lines, or move them apart."
-        : "Weld them (--weld or repairSurface()), or move them apart.",
+        : "Weld them (`weld` or `repairSurface()`), or move them apart.",
   },
   "coarse-surface": {
     message: ({ the, at, data: { triangles, lengthRatio } }) =>
       `${the("triangle")}${at} has an edge ${short(lengthRatio)} times the target length${triangles === 1 ? "" : `; ${triangles} triangles have edges above twice the target length`}, and elements next to ${triangles === 1 ? "it" : "them"} will be as large`,
     remedy:
-      "Refine the surface (--surface refine or refineSurface()), remesh it (--surface remesh or remeshSurface()), or use larger elements.",
+      'Refine the surface (`surface: "refine"` or `refineSurface()`), remesh it (`surface: "remesh"` or `remeshSurface()`), or use larger elements.',
   },
   "inconsistent-regions": {
     message: ({ the, at, data }) =>
       `${the("triangle")}${at} has given regions that contradict those of other triangles${total(data.count, "triangle")}`,
-    remedy: "Repair the surface first, then call locateRegions().",
+    remedy: "Repair the surface before its regions are located.",
   },
   "unresolved-surface": {
     message: ({ the, at, data: { reason, count, limit } }) =>
@@ -378,7 +378,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     message: ({ at, data: { count, volumeRatio } }) =>
       `The largest tetrahedron has ${short(volumeRatio)} times the permitted volume${at}${total(count, "tetrahedron")}`,
     remedy:
-      "Split the triangles of the surface (--surface refine or refineSurface()), replace them (--surface remesh or remeshSurface()), or permit a larger volume.",
+      'Split the triangles of the surface (`surface: "refine"` or `refineSurface()`), replace them (`surface: "remesh"` or `remeshSurface()`), or permit a larger volume.',
   },
   stalled: {
     message: ({ data, all, at }) => {
@@ -387,7 +387,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       return `The front stalled${where} with ${plural(data.faces, "face")} that no tetrahedron can complete; the mesh is partial`;
     },
     remedy:
-      "Use sizes that vary more gradually there. Remesh a given surface (--surface remesh or remeshSurface()), or use sizes closer to its edge lengths.",
+      'Use sizes that vary more gradually there. Remesh a given surface (`surface: "remesh"` or `remeshSurface()`), or use sizes closer to its edge lengths.',
   },
   "verification-failed": {
     message: ({ all, data }) => {

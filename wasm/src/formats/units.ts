@@ -44,12 +44,12 @@ export function lengthInFile(length: number, { scale = 1, units, fileUnits = "mm
 export function* inUnits(mesh: FileMesh, { scale = 1, units, fileUnits }: LengthOptions): Steps<FileMesh> {
   if (mesh.unit !== undefined && fileUnits !== undefined && fileUnits !== mesh.unit) {
     const message = `the format defines the unit of the file, ${mesh.unit}, but ${fileUnits} is given`;
-    throw new ReadFailure({ code: "invalid-argument", message, remedy: "Omit fileUnits (--file-units)." });
+    throw new ReadFailure({ code: "invalid-argument", message, remedy: "Omit `fileUnits`." });
   }
   const from = mesh.unit ?? fileUnits;
   if (units !== undefined && from === undefined) {
     const message = `the lengths cannot be converted to ${units}, because the file does not state its unit`;
-    const remedy = `State it by fileUnits (--file-units), one of ${UNITS.join(", ")}, or use scale (--scale).`;
+    const remedy = `State it by \`fileUnits\`, one of ${UNITS.join(", ")}, or use \`scale\`.`;
     throw new ReadFailure({ code: "invalid-argument", message, remedy });
   }
   const to = units ?? from;

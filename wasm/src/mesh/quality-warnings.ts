@@ -1,42 +1,36 @@
 /** Warnings about the shapes of a surface's triangles and of a mesh's elements. */
 import { plural } from "../base/plural.js";
-import { type Steps, stepwise } from "../base/steps.js";
+import type { Steps } from "../base/steps.js";
 import { joined, withCounting } from "../diagnostics/describe.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { nameByIndex } from "../diagnostics/entity-names.js";
 import type { SurfaceInput } from "./mesh.js";
 import type { ElementQuality, QualityReport } from "./quality.js";
+import { areFit, triangleShapes } from "./triangle-shapes.js";
 
-/** Needles and caps, as the engine's statistics count them (quality_statistics.h). */
-const NEEDLE_RADIUS_RATIO = 0.3;
-/** Share of needles above which they shape a large part of the mesh: each has several elements next to it. */
-const MAX_NEEDLES = 0.1;
 /** Smallest dihedral angle, in degrees, that finite elements tolerate well. */
 const POOR_ANGLE = 10;
 /** Share of poor elements above which a mesh is of little use, however good the others are. */
 const MAX_POOR = 0.01;
 
 const REMESH =
-  "Remesh the surface (--surface remesh or remeshSurface()), or export it with more uniform triangles.";
+  'Remesh the surface (`surface: "remesh"` or `remeshSurface()`), or export it with more uniform triangles.';
 
 /** Number of poor elements that the warning names. */
 const NAMED_ELEMENTS = 5;
 
-/** Returns a warning if more than a tenth of the triangles are needles or caps. O(n). */
-export function* needleWarnings({ points, triangles }: SurfaceInput): Steps<Diagnostic[]> {
-  let count = 0;
-  const all = triangles.length / 3;
-  yield* stepwise(all, (t) => {
-    if (radiusRatio(points, triangles.subarray(3 * t, 3 * t + 3)) < NEEDLE_RADIUS_RATIO) count++;
-  });
-  if (count <= MAX_NEEDLES * all) return [];
+/** Returns a warning if the triangles are not fit: too many are needles or caps. O(n). */
+export function* needleWarnings(surface: SurfaceInput): Steps<Diagnostic[]> {
+  const shapes = yield* triangleShapes(surface);
+  if (areFit(shapes)) return [];
+  const { needles: count, triangles } = shapes;
   const warning: DiagnosticOf<"needle-surface"> = {
     code: "needle-surface",
     severity: "warning",
-    message: `${shareOf(count, all, "triangle")} needles or caps; elements next to them will have small angles`,
+    message: `${shareOf(count, triangles, "triangle")} needles or caps; elements next to them would have small angles`,
     remedy: REMESH,
     entities: [],
-    data: { count, triangles: all },
+    data: { count, triangles },
   };
   return [warning];
 }
@@ -64,7 +58,7 @@ export function poorElementWarnings(quality: QualityReport): Diagnostic[] {
     message: withCounting(message, entities),
     remedy: isByNeedles
       ? REMESH
-      : "Use smaller elements in narrow gaps and at sharp edges, or --optimize thorough.",
+      : 'Use smaller elements in narrow gaps and at sharp edges, or `optimization: "thorough"`.',
     entities,
     position: worst[0]?.centroid,
     data: { count, tetrahedra: all },
@@ -84,16 +78,4 @@ function worstOf({ worst, limitedByBoundary }: QualityReport): ElementQuality[] 
 /** Returns "1 of 8 triangles (13 %) is" or "3 of 8 triangles (38 %) are". */
 function shareOf(count: number, all: number, noun: string): string {
   return `${count} of ${plural(all, noun)} (${Math.round((100 * count) / all)} %) ${count === 1 ? "is" : "are"}`;
-}
-
-/** Returns 2 × inradius / circumradius: 1 for the equilateral triangle, 0 without area or of invalid nodes. */
-function radiusRatio(points: Float64Array, [a = 0, b = 0, c = 0]: Uint32Array): number {
-  const [p, q, r] = [distance(points, a, b), distance(points, b, c), distance(points, c, a)];
-  const product = (q + r - p) * (r + p - q) * (p + q - r);
-  return product > 0 ? product / (p * q * r) : 0;
-}
-
-function distance(points: Float64Array, a: number, b: number): number {
-  const along = (axis: number) => (points[3 * b + axis] ?? 0) - (points[3 * a + axis] ?? 0);
-  return Math.hypot(along(0), along(1), along(2));
 }

@@ -7,6 +7,7 @@ const NEEDLE_ANGLE = 10;
 /** Share of needles above which they shape a large part of the mesh: each has several elements next to it. */
 const MAX_NEEDLES = 0.1;
 
+/** How many triangles of a surface are needles. */
 export interface TriangleShapes {
   readonly triangles: number;
   /** Number of triangles that are needles or caps. */

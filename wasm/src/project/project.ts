@@ -131,7 +131,7 @@ function checkHead(value: unknown): ReadError | undefined {
     return {
       code: "invalid-project",
       message: `expected a project of version ${PROJECT_VERSION}, found version ${version}`,
-      remedy: "Pass it through parseProject() or readProject(), which upgrade it.",
+      remedy: "Pass it through `parseProject()` or `readProject()`, which upgrade it.",
       path: "version",
     };
   }

@@ -1,0 +1,44 @@
+/** Sentences about content of a file that is not used. */
+import { plural } from "../base/plural.js";
+import type { FileMesh } from "../mesh/file-mesh.js";
+
+/** Returns sentences about ignored content of a file. */
+export function readingNotes(
+  mesh: Pick<FileMesh, "notes" | "duplicateTetrahedra" | "duplicateTriangles" | "unlocatedRegions">,
+): string[] {
+  return [...duplicateLines(mesh), ...unlocatedLines(mesh), ...(mesh.notes ?? [])];
+}
+
+/** Reports elements that keep only their first group. */
+function duplicateLines({
+  duplicateTetrahedra = 0,
+  duplicateTriangles = 0,
+}: Pick<FileMesh, "duplicateTetrahedra" | "duplicateTriangles">): string[] {
+  const lines = (count: number, noun: string) =>
+    count === 0 ? [] : [`${plural(count, "repeated entry")} of ${noun} ignored: the first entry counts`];
+  return [...lines(duplicateTetrahedra, "tetrahedra"), ...lines(duplicateTriangles, "triangles")];
+}
+
+/** Reports names of regions that are lost. */
+function unlocatedLines({ unlocatedRegions = [] }: Pick<FileMesh, "unlocatedRegions">): string[] {
+  if (unlocatedRegions.length === 0) return [];
+  const names = unlocatedRegions.map((name) => `"${name}"`).join(", ");
+  return [
+    `the file does not define where ${names} ${unlocatedRegions.length === 1 ? "is" : "are"}: regions are numbered`,
+  ];
+}
+
+/** Reports regions of the file that are not meshed. */
+export function unmeshedNotes(
+  { surfaceRegions, givenRegions }: Pick<FileMesh, "surfaceRegions" | "givenRegions">,
+  { regions }: Pick<FileMesh, "regions">,
+): string[] {
+  const leftOut = (surfaceRegions?.regions ?? []).filter(({ tag }) =>
+    regions.every((one) => one.tag !== tag),
+  );
+  if (leftOut.length === 0) return [];
+  const names = leftOut.map(({ name }) => `"${name}"`).join(", ");
+  // Given regions state what inner shells bound.
+  const hint = givenRegions === undefined ? '; `innerShells: "regions"` also meshes inside inner shells' : "";
+  return [`regions of the file that are not meshed: ${names}${hint}`];
+}

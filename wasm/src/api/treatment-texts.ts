@@ -1,0 +1,52 @@
+/** Sentences about what was done to a surface before it was filled. */
+import { plural } from "../base/plural.js";
+import { short } from "../base/short.js";
+import type { RepairChange } from "../mesh/inspection.js";
+import type { RefinementCounts, RemeshReport } from "./surface-treatment.js";
+
+/** Describes a split of patches by their numbers. */
+export function splitText({ before, after }: { readonly before: number; readonly after: number }): string {
+  return `split: ${plural(before, "patch")} before, ${after} after`;
+}
+
+/** Describes a repair by the numbers of its changes, and the largest distance by which a node was moved. */
+export function repairText(changes: readonly RepairChange[], deviation: number): string {
+  if (changes.length === 0) return "nothing to repair";
+  const moved =
+    deviation === 0 ? "no node was moved" : `nodes were moved by at most ${short(deviation, DIGITS)}`;
+  return `${plural(changes.length, "change")}; ${moved}.`;
+}
+
+export function refinementText({ given, triangles, splitEdges }: RefinementCounts): string {
+  return `refined: ${plural(given, "triangle")} before, ${triangles} after, ${plural(splitEdges, "edge")} split`;
+}
+
+/** Number of significant digits of lengths. */
+const DIGITS = 3;
+const POSITION_DIGITS = 5;
+const LISTED_DETAILS = 5;
+
+function mergedText(merged: RemeshReport["mergedDetails"], whole: string): string {
+  const at = (position: readonly number[]) =>
+    `(${position.map((coordinate) => short(coordinate, POSITION_DIGITS)).join(", ")})`;
+  const moves = merged.slice(0, LISTED_DETAILS).map(({ from, onto }) => `${at(from)} onto ${at(onto)}`);
+  const left = merged.length - LISTED_DETAILS;
+  const more = left > 0 ? `, and ${left} more (${whole} lists all ${merged.length})` : "";
+  return `${plural(merged.length, "detail")} dropped: ${moves.join(", ")}${more}`;
+}
+
+/**
+ * Describes a remeshing: triangles, chosen sizes, shapes, the distance from the given surface, and the first of the details
+ * that were dropped. `whole`: what lists all of them.
+ */
+export function remeshText(remesh: RemeshReport, whole: string): string {
+  const { given, triangles, size, minSize, tolerance, deviation, patches, featureLines } = remesh;
+  return [
+    `remeshed: ${plural(given, "triangle")} before, ${triangles} after`,
+    `target sizes ${short(minSize, DIGITS)} to ${short(size, DIGITS)}`,
+    `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
+    `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,
+    `deviation at most ${short(deviation, DIGITS)} (tolerance ${short(tolerance, DIGITS)})`,
+    ...(remesh.mergedDetails.length === 0 ? [] : [mergedText(remesh.mergedDetails, whole)]),
+  ].join("; ");
+}
