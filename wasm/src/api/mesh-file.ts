@@ -3,7 +3,7 @@ import { asObject, shown } from "../base/values.js";
 import { inSteps } from "../calls/yielder.js";
 import { diagnosticLines } from "../diagnostics/lines.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import { refuse } from "../diagnostics/mesher-error.js";
+import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import { invalidOption, readDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import type { RunControl } from "../engine/control.js";
@@ -16,7 +16,7 @@ import type { LengthOptions } from "../formats/units.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import { type RegionSummary, regionSummaries } from "../mesh/region-summary.js";
-import type { MeshReport, MeshResult } from "../mesh/report.js";
+import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
 import { fileMeshOf, type NameSource } from "./generated-mesh.js";
@@ -79,7 +79,7 @@ export type MeshedFile =
 /**
  * Reads a file and meshes it with fit elements: a surface, a CAD file or a project. Joins solids that touch, replaces the needles
  * of CAD programs, and repairs a surface before if that changes nothing visible; `notes` state what was done, and `surface`,
- * `repair`, `weld` and others decide otherwise. Rejects with a `MesherError` only if the signal or the mesher is invalid,
+ * `repair`, `weld` and others decide otherwise. Rejects with a `MesherError` only if the control is invalid,
  * memory runs out, the mesher is disposed of, or the engine cannot be loaded or fails.
  *
  *     const made = await meshFile(file, { size: 0.5 });
@@ -92,6 +92,19 @@ export async function meshFile(
   control: RunControl = {},
 ): Promise<MeshedFile> {
   refuse(checkControl(control));
+  try {
+    return await readAndMeshed(file, options, control);
+  } catch (failure) {
+    if (failure instanceof MesherError && failure.code === "cancelled") return failed([], "cancelled");
+    throw failure;
+  }
+}
+
+async function readAndMeshed(
+  file: ByteSource,
+  options: MeshFileOptions,
+  control: RunControl,
+): Promise<MeshedFile> {
   if (typeof options !== "object" || (options as unknown) === null) return failed(checkOptions(options));
   const { fileName = nameOf(file), openOther, mesher, scale, units, fileUnits, ...meshing } = options;
   const wrong = [...checkSurfaceMeshOptions(meshing), ...checkMesher(mesher)];
@@ -135,9 +148,12 @@ export function unopened({ errors }: Extract<ReadResult<never>, { readonly succe
   return failed(errors.map((error) => readDiagnostic(error)));
 }
 
-function failed(diagnostics: readonly Diagnostic[]): MeshedFile {
-  const report = { ...emptyReport("invalid-input", diagnostics), regions: [] };
-  return { success: false, message: messageOf(diagnostics), mesh: undefined, report, notes: [] };
+function failed(
+  diagnostics: readonly Diagnostic[],
+  status: Exclude<MeshStatus, "done"> = "invalid-input",
+): MeshedFile {
+  const report = { ...emptyReport(status, diagnostics), regions: [] };
+  return { success: false, message: messageOf(report), mesh: undefined, report, notes: [] };
 }
 
 /** Calls `use` with the given mesher, or with one of its own. */
@@ -215,15 +231,15 @@ async function outcome(result: MeshResult, { names, notes = [], done = {} }: Don
   const all = [...notes, ...left, ...diagnosticLines(others).map(({ text }) => text)];
   const whole = { report: { ...report, ...done, regions }, notes: all };
   if (status === "done" && mesh !== undefined) return { success: true, mesh, ...whole };
-  const message = status === "cancelled" ? "The run was cancelled." : messageOf(diagnostics);
-  return { success: false, message, mesh, ...whole };
+  return { success: false, message: messageOf(report), mesh, ...whole };
 }
 
 /** Number of lines of a message. */
 const MAX_LINES = 4;
 
 /** Returns the first problems, an example of each kind, and the number of the others. */
-function messageOf(diagnostics: readonly Diagnostic[]): string {
+function messageOf({ status, diagnostics }: Pick<MeshReport, "status" | "diagnostics">): string {
+  if (status === "cancelled") return "The call was cancelled.";
   const errors = diagnostics.filter(({ severity }) => severity === "error");
   const lines = diagnosticLines(errors.length > 0 ? errors : diagnostics, 1).map(({ text }) => text);
   return lines.length === 0 ? "There is no mesh." : lines.slice(0, MAX_LINES).join(" ");

@@ -1,8 +1,18 @@
 /** Whether a repair changed what one sees of a surface. */
-import { cornersOf, lengthOf, minus, normalOf } from "../base/vectors.js";
+import {
+  centroidOf,
+  cornersOf,
+  cross,
+  dot,
+  lengthOf,
+  minus,
+  normalOf,
+  type Vector,
+} from "../base/vectors.js";
 import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_ORIGIN } from "../generated/constants.js";
+import type { RepairChange } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import type { PreparedSurface } from "./surface-preparation.js";
 
@@ -12,8 +22,14 @@ const VISIBLE = 1e-3;
 /** Area / area of the surface below which added or removed triangles cannot be seen. */
 const VISIBLE_AREA = 1e-4;
 
+/** Largest number of removed triangles that are looked at, the largest first. */
+const MAX_REMOVED = 64;
+
+/** Winding number above which a position is inside a closed surface, or on it. */
+const INSIDE = 0.25;
+
 /**
- * Returns whether a repair moved a node, moved the box of the surface, filled a hole or removed a sheet so that it can be
+ * Returns whether a repair moved a node, moved the box of the surface, filled a hole or removed triangles so that it can be
  * seen. Parts inside bodies that intersect are removed without being seen.
  */
 export function isVisiblyChanged(given: SurfaceFile, made: PreparedSurface): boolean {
@@ -21,15 +37,40 @@ export function isVisiblyChanged(given: SurfaceFile, made: PreparedSurface): boo
   if (changes.length === 0) return false;
   const limit = VISIBLE * diagonalOf(given.points);
   if (repairDeviation > limit || hasOtherBox(given, surface, limit)) return true;
-  const filled = [...(surface.origin ?? []).keys()].filter((t) => surface.origin?.[t] === NO_ORIGIN);
-  const sheets = changes.flatMap((change) => (change.kind === "removed-sheet" ? [change.triangle] : []));
   const smallest = VISIBLE_AREA * areaOf(given, all(given));
-  return [
-    { of: surface, triangles: filled },
-    { of: given, triangles: sheets },
-  ].some(
-    ({ of, triangles }) => areaOf(of, triangles) > smallest && triangles.some((t) => widthOf(of, t) > limit),
+  const areSeen = (of: SurfaceInput, triangles: readonly number[]) =>
+    areaOf(of, triangles) > smallest && triangles.some((t) => widthOf(of, t) > limit);
+  const filled = all(surface).filter((t) => surface.origin?.[t] === NO_ORIGIN);
+  if (areSeen(surface, filled)) return true;
+  const removed = changes
+    .flatMap((change) => (isRemoved(change) ? [change.triangle] : []))
+    .toSorted((a, b) => areaOfTriangle(given, b) - areaOfTriangle(given, a))
+    .slice(0, MAX_REMOVED);
+  return areSeen(
+    given,
+    removed.filter((t) => windingNumber(surface, centroidOf(cornersOf(given, t))) < INSIDE),
   );
+}
+
+/** Returns whether a change removed a whole triangle that has an area, and whose place none other has taken. */
+const isRemoved = (
+  change: RepairChange,
+): change is Extract<RepairChange, { readonly kind: "removed-sheet" | "resolved-intersection" }> =>
+  change.kind === "removed-sheet" || (change.kind === "resolved-intersection" && change.parts === 0);
+
+/** Returns how often a surface that faces outward winds around a position: 1 inside, 0 outside; by solid angles. O(n). */
+function windingNumber(surface: SurfaceInput, position: Vector): number {
+  const sum = all(surface).reduce((angle, t) => {
+    const [a, b, c] = cornersOf(surface, t).map((corner) => minus(corner, position)) as [
+      Vector,
+      Vector,
+      Vector,
+    ];
+    const [x, y, z] = [lengthOf(a), lengthOf(b), lengthOf(c)];
+    const below = x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y;
+    return angle + 2 * Math.atan2(dot(a, cross(b, c)), below);
+  }, 0);
+  return sum / (4 * Math.PI);
 }
 
 const all = ({ triangles }: SurfaceInput): number[] =>
