@@ -3,11 +3,11 @@
 // `tetrafront mesh 'parts/*.stl' -o 'meshes/{name}.vtu'` does the same; this example shows how to write your own
 // batch.
 import { fork } from "node:child_process";
-import { createReadStream } from "node:fs";
-import { readdir, writeFile } from "node:fs/promises";
+import { readdir } from "node:fs/promises";
 import { availableParallelism } from "node:os";
 import path from "node:path";
-import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
+import { createMesher } from "tetrafront";
+import { meshFile, writeMeshFile } from "tetrafront/node";
 
 if (process.send === undefined) await main(process.argv[2], process.argv[3]);
 else work();
@@ -50,13 +50,8 @@ function work() {
 }
 
 async function meshed(mesher, input, output) {
-  const read = await readSurface(createReadStream(input), { fileName: input });
-  if (!read.success) return { status: "unreadable", message: read.errors[0].message };
-  const mesh = await mesher.fillSurface(read.value);
-  const { status, tetrahedra } = mesh.report;
-  if (status !== "done") return { status, message: mesh.report.diagnostics[0]?.message };
-  const name = path.join(output, `${path.basename(input, ".stl")}.vtu`);
-  for (const { fileName, bytes } of await writeMesh(fileMeshOf(mesh, { surface: read.value }), name))
-    await writeFile(fileName, bytes);
-  return { status, tetrahedra };
+  const made = await meshFile(input, { mesher });
+  if (!made.success) return { status: made.report.status, message: made.message };
+  await writeMeshFile(made.mesh, path.join(output, `${path.basename(input, ".stl")}.vtu`));
+  return { status: made.report.status, tetrahedra: made.report.tetrahedra };
 }

@@ -1,20 +1,16 @@
 // node mesh.mjs part.stl part.vtu: fills a closed surface with tetrahedra.
-import { createMesher, fileMeshOf } from "tetrafront";
-import { readSurfaceFile, writeMeshFile } from "tetrafront/node";
+import { meshFile, writeMeshFile } from "tetrafront/node";
 
 const [, , input, output] = process.argv;
-const read = await readSurfaceFile(input);
-if (!read.success) throw new Error(read.errors[0].message);
-
-const mesher = await createMesher();
-const mesh = await mesher.fillSurface(read.value);
-const { status, tetrahedra, dihedral, diagnostics } = mesh.report;
-for (const { message, remedy } of diagnostics) console.error(`${message}. ${remedy}`);
-if (status === "done") {
-  await writeMeshFile(fileMeshOf(mesh, { surface: read.value }), output);
+const made = await meshFile(input);
+for (const note of made.notes) console.error(note);
+if (made.success) {
+  const { tetrahedra, dihedral } = made.report;
+  await writeMeshFile(made.mesh, output);
   console.log(
     `${tetrahedra} tetrahedra, dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
   );
+} else {
+  console.error(made.message);
+  process.exitCode = 1;
 }
-mesher.dispose();
-process.exitCode = status === "done" ? 0 : 1;

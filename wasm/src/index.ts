@@ -51,7 +51,13 @@ export { setCadLibrary } from "./cad/cad-library.js";
 export type { CadLibrary } from "./cad/protocol.js";
 export { extensionsFor, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
 export type { ElementOrder, FileGroup, FileMesh, NodeData, SurfaceRegions } from "./mesh/file-mesh.js";
-export { fileMeshOf, patchNames, type NameSource } from "./api/generated-mesh.js";
+export {
+  fileMeshOf,
+  patchNames,
+  regionSummaries,
+  type NameSource,
+  type RegionSummary,
+} from "./api/generated-mesh.js";
 export {
   readMesh,
   readSurface,
@@ -148,7 +154,6 @@ export type { Treatment } from "./api/surface-treatment.js";
 export { SURFACE_TREATMENTS, type SurfaceMeshOptions, type SurfaceTreatment } from "./api/option-types.js";
 export type { RefinementCounts, RemeshReport } from "./api/surface-treatment.js";
 export type { TriangleShapes } from "./mesh/triangle-shapes.js";
-export type { RegionSummary } from "./mesh/region-summary.js";
 export { recordTrace } from "./api/trace-recording.js";
 export type { RecordedMesh, RecordingOptions } from "./api/trace-recording.js";
 export {

@@ -350,6 +350,7 @@ const TESTED_ELSEWHERE = [
   "liveNotes",
   "hasWelded",
   "remeshedBest",
+  "regionSummaries",
 ];
 
 test("every exported function and every method is tested", () => {

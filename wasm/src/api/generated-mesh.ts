@@ -7,6 +7,7 @@ import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { countOf, hasGenericName, numbered } from "../formats/groups.js";
 import { carriedRegions } from "../formats/region-names.js";
+import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import { withPatches } from "../mesh/mesh-checks.js";
 import type { MeshResult } from "../mesh/report.js";
@@ -71,6 +72,35 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
     regions: carried?.regions ?? numbered("region", regionCount),
     nodeData: new Map(),
   };
+}
+
+/** What a region of a mesh consists of. */
+export interface RegionSummary {
+  readonly name: string;
+  readonly tetrahedra: number;
+  /** In cubed model units. */
+  readonly volume: number;
+}
+
+/** Returns name, number of tetrahedra and volume of each region of a mesh, in their order. O(n). */
+export function regionSummaries({
+  points,
+  tetrahedra,
+  tetrahedronRegion,
+  regions,
+}: Pick<FileMesh, "points" | "tetrahedra" | "tetrahedronRegion" | "regions">): RegionSummary[] {
+  const counts = regions.map(() => 0);
+  const sixfold = regions.map(() => 0);
+  tetrahedronRegion.forEach((region, t) => {
+    const [a = 0, b = 0, c = 0, d = 0] = tetrahedra.subarray(4 * t, 4 * t + 4);
+    counts[region] = (counts[region] ?? 0) + 1;
+    sixfold[region] = (sixfold[region] ?? 0) + Math.abs(sixfoldVolume(points, d, a, b, c).volume);
+  });
+  return regions.map(({ name }, r) => ({
+    name,
+    tetrahedra: counts[r] ?? 0,
+    volume: (sixfold[r] ?? 0) / 6,
+  }));
 }
 
 /** Returns the regions of a file on both sides of the triangles of a mesh. */

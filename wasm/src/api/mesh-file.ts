@@ -1,6 +1,5 @@
 /** One call from a file to its mesh. */
 import { asObject, shown } from "../base/values.js";
-import { inSteps } from "../calls/yielder.js";
 import { diagnosticLines } from "../diagnostics/lines.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
@@ -15,11 +14,10 @@ import type { SurfaceFile } from "../formats/surface-file.js";
 import type { LengthOptions } from "../formats/units.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
-import { type RegionSummary, regionSummaries } from "../mesh/region-summary.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
-import { fileMeshOf, type NameSource } from "./generated-mesh.js";
+import { fileMeshOf, type NameSource, regionSummaries, type RegionSummary } from "./generated-mesh.js";
 import { checkControl } from "./input-checks.js";
 import { readSurface } from "./mesh-files.js";
 import type { Mesher } from "./mesher-interface.js";
@@ -220,12 +218,12 @@ interface Done {
   readonly done?: Omit<MeshFileReport, keyof MeshReport | "regions">;
 }
 
-async function outcome(result: MeshResult, { names, notes = [], done = {} }: Done): Promise<MeshedFile> {
+function outcome(result: MeshResult, { names, notes = [], done = {} }: Done): MeshedFile {
   const { report, volume } = result;
   const { diagnostics, status } = report;
   const isEmpty = volume.tetrahedra.length === 0;
   const mesh = isEmpty ? undefined : fileMeshOf(result, names);
-  const regions = mesh === undefined ? [] : await inSteps(regionSummaries(mesh));
+  const regions = mesh === undefined ? [] : regionSummaries(mesh);
   const left = mesh === undefined || names.surface === undefined ? [] : unmeshedNotes(names.surface, mesh);
   const others = diagnostics.filter(({ severity }) => severity !== "error");
   const all = [...notes, ...left, ...diagnosticLines(others).map(({ text }) => text)];

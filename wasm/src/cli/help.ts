@@ -57,16 +57,18 @@ CAD files
   interface, named after both, and the mesh fits together.
 
 Surfaces
-  By default, the mesh keeps every triangle of other surfaces, unless the given sizes are far smaller: if an edge is
-  longer than twice the target length, large triangles are split or, if many are needles, replaced. A note
-  states what was done.
+  By default, --surface auto, the mesh keeps every triangle of other surfaces if they are fit. If more than a tenth
+  have an angle below 10 degrees, as in STL files of CAD programs, or an option of a remeshing such as --max-size
+  or --tolerance is given, all are replaced. If an edge is longer than twice the target length, fit triangles are
+  split. A note states what was done. --join and several solids do not change this.
 
   --surface keep keeps all triangles. If a triangle is larger than the target size, so are the elements next
-  to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. Needle triangles, as in
-  STL files of CAD programs, lead to elements with small angles. Warnings report both.
+  to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. Needle triangles lead to
+  elements with small angles. Warnings report both.
   --surface refine first splits triangles that are larger than the target size, and keeps the shape.
   --surface remesh first replaces all triangles by well-shaped ones near the given surface. Without sizes, it
   chooses them by the shape. \`tetrafront remesh --help\` explains its options.
+  Bodies of a project have a treatment of their own.
 
 Element order
   --element-order 2 writes straight-edged second-order elements, with a node at the middle of every edge, as
@@ -84,20 +86,21 @@ Patches
   pieces of a named patch are called "wing", "wing 2".
 
 Surfaces with problems
-  \`tetrafront check\` lists the problems of a surface. Nothing is repaired unless you ask for it. --repair welds
-  coincident nodes, removes degenerate and duplicate triangles, and flips triangles outward. If that is not
+  \`tetrafront check\` lists the problems of a surface. Before needles are replaced, it is repaired if it cannot be
+  filled and nothing that is seen changes. Other repairs are made only if you ask for them. --repair welds coincident
+  nodes, removes degenerate and duplicate triangles, and flips triangles outward. If that is not
   enough, it closes cracks and holes, and cuts triangles where they intersect: the boundary of what they enclose
   remains. --surface remesh repairs in the same way if necessary. --weld also welds nodes within a distance,
   --fill-holes also closes small holes. Messages and the report list every change.
 ${EXIT_CODES_HELP}
 
 Examples
-  tetrafront mesh part.stl -o part.vtu --surface remesh
+  tetrafront mesh part.stl -o part.vtu
   tetrafront mesh part.step -o part.vtu
   tetrafront mesh base.step post.step -o assembly.msh --join
   tetrafront mesh surface.ply -o mesh.vtu
   tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
-  tetrafront mesh part.stl -o part.msh --surface remesh --split-patches
+  tetrafront mesh part.stl -o part.msh --split-patches
   tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2
   tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20
   tetrafront mesh duct.json -o finer.vtu --background sizes.vtu
@@ -286,7 +289,7 @@ Examples
 export const PROGRAM_HELP = `
 Start with
   tetrafront check part.stl              list the problems of a surface
-  tetrafront mesh part.stl -o part.vtu   fill it with tetrahedra; --surface remesh improves it first
+  tetrafront mesh part.stl -o part.vtu   fill it with tetrahedra
   tetrafront stats part.vtu              print the quality of the mesh
 
 Help on a command: tetrafront mesh --help`;

@@ -1,6 +1,6 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
-import { fileMeshOf } from "../api/generated-mesh.js";
+import { fileMeshOf, regionSummaries, type RegionSummary } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
 import { emptyReport, emptyResult } from "../api/report.js";
@@ -15,7 +15,6 @@ import {
 import type { RefinementCounts, RemeshReport } from "../api/surface-treatment.js";
 import { refinementText, remeshText, splitText } from "../api/treatment-texts.js";
 import { plural } from "../base/plural.js";
-import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
@@ -24,10 +23,9 @@ import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
-import { type RegionSummary, regionSummaries } from "../mesh/region-summary.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/schema.js";
-import { asTypedDiagnostic } from "./command-line-words.js";
+import { asTypedDiagnostic, inCommandLineWords } from "./command-line-words.js";
 import { writableName, writeAll } from "./convert.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
@@ -93,13 +91,12 @@ interface Outcome {
   readonly exitCode: number;
   /** File that contains the mesh, if any. */
   readonly written: string | null;
-  /** Regions of the mesh; none without tetrahedra. */
-  readonly regions?: readonly RegionSummary[] | undefined;
   /** Changes of the surface, if a repair was requested. */
   readonly changes?: readonly RepairChange[] | undefined;
   readonly repairDeviation?: number | undefined;
   readonly refinement?: RefinementCounts | undefined;
   readonly remesh?: RemeshReport | undefined;
+  readonly regions?: readonly RegionSummary[];
 }
 
 /** Runs the command; resolves with the exit code. */
@@ -118,7 +115,7 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   };
   const inputs = joined === undefined ? {} : { inputs: joined };
   const diagnostics = outcome.report.diagnostics.map(asTypedDiagnostic);
-  const report = { ...outcome.report, regions, diagnostics, ...done, input, ...inputs, output: written };
+  const report = { ...outcome.report, diagnostics, regions, ...done, input, ...inputs, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
@@ -144,9 +141,9 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const { changes, repairDeviation, refinement, remesh } = made.made ?? {};
   const { report } = result;
   const shouldWrite = mayWrite(result, options);
-  const mesh = result.volume.tetrahedra.length === 0 ? undefined : namedMesh(input, options, result, meshed);
-  const isWritten = shouldWrite && mesh !== undefined && (await writeResult(input, options, mesh, meshed));
-  const written = isWritten ? options.output : null;
+  const isAssembly = isAnyCad(input, options) || (options.joined ?? []).length > 1;
+  const mesh = fileMeshOf(result, { ...meshed, interfacePatches: isAssembly });
+  const written = shouldWrite && (await writeResult(input, options, mesh, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(subject, report, written, options));
   const isLost = shouldWrite && written === null;
   const poor = requiredAngleError(
@@ -160,13 +157,13 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const diagnostics = [...found, ...report.diagnostics, ...poor];
   return {
     report: { ...report, diagnostics },
-    regions: mesh && (await inSteps(regionSummaries(mesh))),
     written,
     exitCode,
     changes,
     repairDeviation,
     refinement,
     remesh,
+    regions: regionSummaries(mesh),
   };
 }
 
@@ -350,12 +347,6 @@ function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOp
   return report.status === "done" || (keepPartial === true && volume.tetrahedra.length > 0);
 }
 
-/** Returns the mesh with the names of its patches and regions. */
-function namedMesh(input: string, options: MeshCommandOptions, result: MeshResult, model: Input): FileMesh {
-  const isAssembly = isAnyCad(input, options) || (options.joined ?? []).length > 1;
-  return fileMeshOf(result, { ...model, interfacePatches: isAssembly });
-}
-
 async function writeResult(
   input: string,
   options: MeshCommandOptions,
@@ -366,16 +357,18 @@ async function writeResult(
   const subject = subjectOf(input, options.joined);
   const name = writableName(output, to, ["volume"]);
   if (!isQuiet && model.kind === "surface") {
-    for (const line of unmeshedNotes(model.surface, mesh)) print(`note: ${subject}: ${line}`);
+    for (const line of unmeshedNotes(model.surface, mesh)) {
+      print(`note: ${subject}: ${inCommandLineWords(line)}`);
+    }
   }
   const files = await writeMesh(mesh, name, { elementOrder: elementOrderFor(options, name) });
   return succeeds(() => writeAll(files, { input: subject, output, name, isQuiet }));
 }
 
 type CommandReport = MeshReport & {
+  readonly regions: readonly RegionSummary[];
   readonly input: string;
   readonly output: string | null;
-  readonly regions: readonly RegionSummary[];
 };
 
 async function writeReport(file: string, report: CommandReport): Promise<boolean> {
