@@ -153,6 +153,7 @@ export type { MeshedSurface, ReadySurface } from "./api/surface-meshing.js";
 export type { Treatment } from "./api/surface-treatment.js";
 export { SURFACE_TREATMENTS, type SurfaceMeshOptions, type SurfaceTreatment } from "./api/option-types.js";
 export type { RefinementCounts, RemeshReport } from "./api/surface-treatment.js";
+export { measureTriangles } from "./api/triangle-shapes.js";
 export type { TriangleShapes } from "./mesh/triangle-shapes.js";
 export { recordTrace } from "./api/trace-recording.js";
 export type { RecordedMesh, RecordingOptions } from "./api/trace-recording.js";

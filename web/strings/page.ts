@@ -153,6 +153,8 @@ export const pageStrings = {
     meshDescription: "Surface or mesh file",
     meshNotSaved:
       "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
+    needles: (needles: number, triangles: number) =>
+      `${needles.toLocaleString("en-US")} of ${triangles.toLocaleString("en-US")} triangles are needles, so Generate mesh replaces all by well-shaped ones. Select Keep under Triangles to mesh them as they are.`,
     regionPointsUnused: (count: number) =>
       `${count === 1 ? "A point that marks a region or hole is" : `${count} points that mark regions and holes are`} not used in projects. The command line uses them: tetrafront mesh.`,
     scaledUnit: (name: string, unit: string, units: string) =>

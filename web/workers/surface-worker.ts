@@ -5,6 +5,7 @@ import {
   createBodies,
   createBody,
   formatOf,
+  measureTriangles,
   mergePatches,
   meshWithBoundary,
   readMesh,
@@ -38,9 +39,9 @@ serveCalls<SurfaceProtocol>({
     }
     const read = await readSurface(file.stream(), { fileName, openOther });
     if (!read.success) return refusal(read.errors);
-    const made = createBodies(read.value, head).map(newBody);
     const { unit } = read.value;
-    const notes = notesOf(read.value);
+    const notes = [...notesOf(read.value), ...(await needleNotes(read.value, fileName))];
+    const made = createBodies(read.value, head).map(newBody);
     const solids = made.map(({ loaded }) => loaded.surface);
     const isInner = hasInnerSolid(solids, read.value.surfaceRegions);
     return {
@@ -64,6 +65,13 @@ serveCalls<SurfaceProtocol>({
     return { answer, transfer: buffersOfDrawn(answer) };
   },
 });
+
+/** Says that needles will be replaced. Faces of CAD programs are triangulated to be remeshed. */
+async function needleNotes(file: SurfaceFile, fileName: string): Promise<string[]> {
+  if (formatOf(fileName)?.isCad === true) return [];
+  const { isFit, needles, triangles } = await measureTriangles(file);
+  return isFit ? [] : [strings.files.needles(needles, triangles)];
+}
 
 /** Bodies have no points that mark regions and holes. */
 function notesOf({ notes = [], regionPoints }: SurfaceFile): string[] {

@@ -194,6 +194,7 @@ const functions: Readonly<Record<string, Arguments>> = {
     },
     inspection,
   },
+  measureTriangles: { surface: box },
   isInterface: { surface: meshed.surface, triangle: 0 },
 };
 

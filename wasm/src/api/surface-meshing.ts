@@ -9,7 +9,7 @@ import type { RunControl } from "../engine/control.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshResult } from "../mesh/report.js";
-import { areFit, triangleShapes } from "../mesh/triangle-shapes.js";
+import { triangleShapes } from "../mesh/triangle-shapes.js";
 import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
 import { checkControl, checkFileSurface as checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
@@ -103,7 +103,7 @@ async function decided(
   if (wanted !== "auto") return { kind: wanted };
   if (givenRemeshSetting(options) !== undefined) return { kind: "remesh" };
   const shapes = await inSteps(triangleShapes(surface));
-  return areFit(shapes) ? { kind: "smaller" } : { kind: "remesh", needles: shapes };
+  return shapes.isFit ? { kind: "smaller" } : { kind: "remesh", needles: shapes };
 }
 
 /** A mesh, and what was done to the surface before. */

@@ -57,7 +57,7 @@ CAD files
   interface, named after both, and the mesh fits together.
 
 Surfaces
-  By default, --surface auto, the mesh keeps every triangle of other surfaces if they are fit. If more than a tenth
+  By default, --surface auto, the mesh keeps every triangle of other surfaces if they are fit. If more than 2 %
   have an angle below 10 degrees, as in STL files of CAD programs, or an option of a remeshing such as --max-size
   or --tolerance is given, all are replaced. If an edge is longer than twice the target length, fit triangles are
   split. A note states what was done. --join and several solids do not change this.

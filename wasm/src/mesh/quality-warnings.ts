@@ -6,7 +6,7 @@ import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { nameByIndex } from "../diagnostics/entity-names.js";
 import type { SurfaceInput } from "./mesh.js";
 import type { ElementQuality, QualityReport } from "./quality.js";
-import { areFit, triangleShapes } from "./triangle-shapes.js";
+import { triangleShapes } from "./triangle-shapes.js";
 
 /** Smallest dihedral angle, in degrees, that finite elements tolerate well. */
 const POOR_ANGLE = 10;
@@ -22,7 +22,7 @@ const NAMED_ELEMENTS = 5;
 /** Returns a warning if the triangles are not fit: too many are needles or caps. O(n). */
 export function* needleWarnings(surface: SurfaceInput): Steps<Diagnostic[]> {
   const shapes = yield* triangleShapes(surface);
-  if (areFit(shapes)) return [];
+  if (shapes.isFit) return [];
   const { needles: count, triangles } = shapes;
   const warning: DiagnosticOf<"needle-surface"> = {
     code: "needle-surface",

@@ -4,8 +4,8 @@ import type { SurfaceInput } from "./mesh.js";
 
 /** Angle, in degrees, below which a triangle is a needle or a cap: elements next to it have angles as small. */
 const NEEDLE_ANGLE = 10;
-/** Share of needles above which they shape a large part of the mesh: each has several elements next to it. */
-const MAX_NEEDLES = 0.1;
+/** Share of needles above which the mesh is of little use: each has several elements next to it, and one poor element in a hundred is too many. */
+const MAX_NEEDLES = 0.02;
 
 /** How many triangles of a surface are needles. */
 export interface TriangleShapes {
@@ -14,6 +14,8 @@ export interface TriangleShapes {
   readonly needles: number;
   /** Degrees. */
   readonly smallestAngle: number;
+  /** Whether a mesh that keeps the triangles can be used: few are needles. */
+  readonly isFit: boolean;
 }
 
 /** Measures all triangles of a surface with valid indices. O(n). */
@@ -26,12 +28,7 @@ export function* triangleShapes({ points, triangles }: SurfaceInput): Steps<Tria
     if (angle < NEEDLE_ANGLE) needles++;
     if (angle < smallestAngle) smallestAngle = angle;
   });
-  return { triangles: count, needles, smallestAngle };
-}
-
-/** Returns whether a mesh that keeps the triangles can be used. */
-export function areFit({ triangles, needles }: TriangleShapes): boolean {
-  return needles <= MAX_NEEDLES * triangles;
+  return { triangles: count, needles, smallestAngle, isFit: needles <= MAX_NEEDLES * count };
 }
 
 /** Returns the smallest angle of a triangle in degrees, 0 without area or of invalid nodes. */
