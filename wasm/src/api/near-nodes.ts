@@ -44,7 +44,7 @@ export function* nearNodeWarnings(
     code: "near-nodes",
     severity: "warning",
     message: sentence(`${begin}, at most ${digits(gap)} apart: ${words.join(", ")}${more}`),
-    remedy: `If they are meant to be the same, weld them (\`weld: ${distance}\`).`,
+    remedy: `If they are meant to be the same, use \`weld: ${distance}\`, or move them apart.`,
     entities: named.flatMap(({ one, other }) => [name("surface-node", one), name("surface-node", other)]),
     position: positionOf(points, named[0]?.one ?? 0),
     data: { count, distance },
