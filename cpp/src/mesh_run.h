@@ -174,6 +174,7 @@ class MeshRun::Impl {
   std::vector<double> maxVolumes_;
   std::optional<Model> model_;          ///< none if a surface is given
   std::optional<BodySurfaces> bodies_;  ///< without triangles once they are in the surface
+  std::uint32_t firstOfBodies_ = 0;     ///< first triangle of bodies in the surface
   BackgroundGrid grid_;
   MeshStatus status_ = MeshStatus::kRunning;
   Phase phase_ = Phase::kCheck;

@@ -151,6 +151,7 @@ Task<bool> MeshRun::Impl::checkBoundary(Work& work) {
   const BoundarySource source =
       model_ || bodies_ ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface;
   BoundaryCheck check(surface_, source, options_.innerShells, MixedOrientation::kRefuse);
+  if (bodies_) check.setFirstOfBodies(firstOfBodies_);
   co_await work.finish(check);
   for (const Diagnostic& found : check.diagnostics()) {
     // The input check has already reported how the regions of a model are nested and touch.
@@ -191,6 +192,7 @@ void MeshRun::Impl::addBodies() {
   constexpr std::uint32_t kInvalid = 0xffffffffU;
   const auto nodes = static_cast<std::uint32_t>(boundaryNodes());
   const auto patches = static_cast<std::uint32_t>(patches_.size());
+  firstOfBodies_ = countTriangles(surface_);
   const BodySurfaces bodies = std::exchange(*bodies_, BodySurfaces{});
   bodies_->patches = std::max(bodies.patches, 1U);
   surface_.points.insert(surface_.points.end(), bodies.points.begin(), bodies.points.end());

@@ -37,6 +37,9 @@ enum class Optimization : std::uint8_t {
 enum class InnerShells : std::uint8_t {
   kCavities = 0,  ///< bounds a cavity; a shell inside the cavity bounds a region again, and so on
   kRegions = 1,   ///< bounds a region of its own, whose mesh conforms to the region around it
+  /// Bounds a region of its own if its triangles face the same way as those of the shell around it: outward, as those of
+  /// every solid; else a cavity. Drawn patches, which may face any way, bound cavities.
+  kByOrientation = 2,
 };
 
 struct MeshOptions {
@@ -54,7 +57,7 @@ struct MeshOptions {
   /// size of each node is capped at the size of its neighbour + (gradation - 1) x distance. A grid that already
   /// satisfies this is not changed. 0: no limit. Sources have a growth of their own.
   double gradation = 1.3;
-  InnerShells innerShells = InnerShells::kCavities;
+  InnerShells innerShells = InnerShells::kByOrientation;
   FrontOrder order = FrontOrder::kLayered;
   /// Uses a cheap test to discard faces that cannot cross a new element, before the full test
   /// (second section 6 (b) of the paper; the boxes of (a) are part of the search). Without the

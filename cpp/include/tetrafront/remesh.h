@@ -55,7 +55,7 @@ struct RemeshOptions {
   /// Largest number of triangles that the sizes may ask for; above it, the result has kTooManyElements. The given
   /// triangles are never too many.
   std::uint32_t maxTriangles = 5'000'000;
-  InnerShells innerShells = InnerShells::kCavities;
+  InnerShells innerShells = InnerShells::kByOrientation;
 };
 
 /// A node of a feature line of the given surface, and the point of another line onto which it was moved.

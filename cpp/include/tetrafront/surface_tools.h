@@ -68,7 +68,7 @@ struct SurfaceInspection {
 
 struct InspectionOptions {
   /// Decides which orientation an inner shell must have: as an interface, either one is valid.
-  InnerShells innerShells = InnerShells::kCavities;
+  InnerShells innerShells = InnerShells::kByOrientation;
   /// Number of diagnostics listed per code, about 200 bytes each; further ones are only counted.
   std::uint32_t maxDiagnostics = kDefaultMaxDiagnostics;
 };
@@ -100,7 +100,7 @@ struct RepairOptions {
   /// volume by more than 0.1 % is not made; a quarter and a sixteenth of the distance are tried then.
   double weldIntersections = 0.0;
   /// Meaning of inner shells: the triangles around a cavity are oriented the other way.
-  InnerShells innerShells = InnerShells::kCavities;
+  InnerShells innerShells = InnerShells::kByOrientation;
 };
 inline constexpr std::uint32_t kMaxHoleEdges = 200;
 

@@ -75,13 +75,19 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   if (report_.hasErrors()) co_return;
 
   work.beginPart(0.95);
-  RegionMap regions = findRegions(mesh_, edges, tree, innerShells_, givenRegions_, report_);
+  RegionMap regions = findRegions(mesh_, edges, tree, meshedRule(), report_);
   if (report_.hasErrors()) co_return;
   reportContacts(regions, edges);
   co_await work.yield();
 
   orientOutward(regions);
   if (!report_.hasErrors()) numberRegions(regions);
+}
+
+MeshedRule BoundaryCheck::meshedRule() const {
+  const std::uint32_t firstOriented =
+      source_ == BoundarySource::kGivenSurface ? 0 : std::min(firstOfBodies_, countTriangles(mesh_));
+  return {innerShells_, firstOriented, givenRegions_};
 }
 
 void BoundaryCheck::orientOutward(RegionMap& regions) {

@@ -57,9 +57,13 @@ class BoundaryCheck {
   /// `mesh` must outlive this object and not change meanwhile. If its triangleRegions are not empty, they state what
   /// is meshed, and `innerShells` has no effect. `maxDiagnostics`: limit per code.
   BoundaryCheck(SurfaceMesh& mesh, BoundarySource source,
-                InnerShells innerShells = InnerShells::kCavities,
+                InnerShells innerShells = InnerShells::kByOrientation,
                 MixedOrientation mixed = MixedOrientation::kFlip,
                 std::size_t maxDiagnostics = kDefaultMaxDiagnostics);
+
+  /// Declares that the triangles of drawn patches end at `triangle`, where those of bodies begin: their orientation means
+  /// something. Must be called before the first advance().
+  void setFirstOfBodies(std::uint32_t triangle) { firstOfBodies_ = triangle; }
 
   /// Does work for about `budget` triangles; returns true when finished. O(n log n) in total for surfaces with few
   /// self-intersections.
@@ -85,6 +89,7 @@ class BoundaryCheck {
   Task<> run(Work& work);
   Task<> closeBoundary(Work& work);
 
+  [[nodiscard]] MeshedRule meshedRule() const;
   /// Makes the meshed side the back of every triangle. Does not flip interfaces.
   void orientOutward(RegionMap& regions);
   void reportFlippedPatches(const std::vector<std::uint8_t>& isFlipped);
@@ -100,6 +105,7 @@ class BoundaryCheck {
   InnerShells innerShells_;
   MixedOrientation mixed_;
   BoundaryReport report_;
+  std::uint32_t firstOfBodies_ = 0xffffffffU;
   InvalidTriangles invalid_;
   std::vector<std::uint32_t> givenRegions_;  ///< two per triangle, or empty
   BoundaryResult result_;
@@ -110,6 +116,6 @@ class BoundaryCheck {
 /// Does the whole check in one call. Appends the diagnostics to `diagnostics`.
 BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
                              std::vector<Diagnostic>& diagnostics,
-                             InnerShells innerShells = InnerShells::kCavities);
+                             InnerShells innerShells = InnerShells::kByOrientation);
 
 }  // namespace tetrafront

@@ -13,13 +13,13 @@ namespace {
 class RegionFinder {
  public:
   RegionFinder(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
-               InnerShells innerShells, std::span<const std::uint32_t> givenRegions,
-               BoundaryReport& report)
+               const MeshedRule& rule, BoundaryReport& report)
       : mesh_(mesh),
         edges_(edges),
         tree_(tree),
-        innerShells_(innerShells),
-        givenRegions_(givenRegions),
+        innerShells_(rule.innerShells),
+        firstOriented_(rule.firstOriented),
+        givenRegions_(rule.givenRegions),
         report_(report) {}
 
   RegionMap run() {
@@ -121,13 +121,15 @@ class RegionFinder {
 
   void decideWhatIsMeshed() {
     const std::vector<std::uint8_t> hasInterfaces = findComponentsWithInterfaces();
-    // In a component without interfaces, exactly one side of each triangle is meshed.
+    // In a component without interfaces, exactly one side of each triangle is meshed, unless it bounds a body in a body.
     OpposedSets sets(map_.shells.size());
     for (std::uint32_t t = 0; t < map_.componentOf.size(); ++t) {
       if (hasInterfaces[map_.componentOf[t].index()] != 0) continue;
       sets.join(map_.shellOf[backOf(TriangleId(t)).index()].value,
                 map_.shellOf[frontOf(TriangleId(t)).index()].value, true);
     }
+    const bool usesOrientation = innerShells_ == InnerShells::kByOrientation;
+    if (usesOrientation) findOrientations();
     const std::vector<ShellId> order = shellsFromOutside();
     map_.isMeshed.assign(order.size(), 0);
     for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
@@ -138,15 +140,42 @@ class RegionFinder {
           ofComponent, {}, [&](ShellId shell) { return map_.shells[shell.index()].volume; });
       const ShellId around = map_.outerShellOf[outer.index()];
       const bool isMeshedAround = !around.isNone() && map_.isMeshed[around.index()] != 0;
+      const bool isBody = isMeshedAround && usesOrientation && isBodyIn(component, around);
       for (const ShellId shell : ofComponent) {
         const bool isLikeOuter =
             sets.find(shell.value).isOpposite == sets.find(outer.value).isOpposite;
         const bool isEnclosed = map_.outerShellOf[shell.index()] == shell;
-        const bool isMeshed = hasInterfaces[component.index()] != 0 ? isEnclosed || isMeshedAround
-                                                                    : isMeshedAround == isLikeOuter;
+        const bool isMeshed = hasInterfaces[component.index()] != 0 || isBody
+                                  ? isEnclosed || isMeshedAround
+                                  : isMeshedAround == isLikeOuter;
         map_.isMeshed[shell.index()] = isMeshed ? 1 : 0;
       }
     }
+  }
+
+  /// Finds the orientation of each component: that of most triangles of its outer shells. If it is given by chance, the
+  /// component counts as oriented outward, but is no body in a body.
+  void findOrientations() {
+    orientation_.assign(componentCount_, 0);
+    isTrusted_.assign(componentCount_, 1);
+    for (std::uint32_t t = 0; t < map_.componentOf.size(); ++t) {
+      const std::size_t component = map_.componentOf[t].index();
+      if (t < firstOriented_) isTrusted_[component] = 0;
+      const auto looksOut = [&](HalfFaceId halfFace) {
+        return map_.outerShellAt(halfFace) != map_.shellOf[halfFace.index()];
+      };
+      orientation_[component] += static_cast<int>(looksOut(frontOf(TriangleId(t)))) -
+                                 static_cast<int>(looksOut(backOf(TriangleId(t))));
+    }
+  }
+
+  /// Returns true if the component, which lies inside a meshed volume, is oriented like the shell that bounds this volume from
+  /// outside. O(1).
+  [[nodiscard]] bool isBodyIn(ComponentId component, ShellId around) const {
+    const std::size_t outer = componentOfShell(around).index();
+    const bool isOutward = isTrusted_[outer] == 0 || orientation_[outer] >= 0;
+    const std::int64_t own = orientation_[component.index()];
+    return isTrusted_[component.index()] != 0 && (isOutward ? own > 0 : own < 0);
   }
 
   /// The first half-face of a volume decides its region. The volume outside everything must have none.
@@ -187,19 +216,22 @@ class RegionFinder {
   const EdgeTable& edges_;
   const BoxTree& tree_;
   InnerShells innerShells_;
+  std::uint32_t firstOriented_;
   std::span<const std::uint32_t> givenRegions_;
   BoundaryReport& report_;
   RegionMap map_;
   std::size_t componentCount_ = 0;
   std::vector<std::uint32_t> depth_;  ///< per component: number of volumes that contain it
+  /// Per component: number of triangles of its outer shells that face outward, less those that face inward.
+  std::vector<std::int64_t> orientation_;
+  std::vector<std::uint8_t> isTrusted_;  ///< per component: whether the orientation of its triangles means something
 };
 
 }  // namespace
 
 RegionMap findRegions(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
-                      InnerShells innerShells, std::span<const std::uint32_t> givenRegions,
-                      BoundaryReport& report) {
-  return RegionFinder(mesh, edges, tree, innerShells, givenRegions, report).run();
+                      const MeshedRule& rule, BoundaryReport& report) {
+  return RegionFinder(mesh, edges, tree, rule, report).run();
 }
 
 }  // namespace tetrafront

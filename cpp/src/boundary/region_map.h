@@ -5,8 +5,9 @@
 /// If every edge of a component has an even number of triangles, the component separates meshed from empty volume:
 /// inside a region it bounds a cavity, and inside that cavity another region. If some edge of a component has an odd
 /// number of triangles, the component contains interfaces, and every volume that it encloses is meshed.
-/// InnerShells::kRegions applies the second rule to every component. If the regions on the sides of the triangles are
-/// given, they replace both rules.
+/// InnerShells::kByOrientation applies the second rule also to a component inside a region if it faces the same way as the
+/// outer shell of this region: both bound bodies. InnerShells::kRegions applies it to every component. If the regions on the
+/// sides of the triangles are given, they replace these rules.
 
 #include <cstdint>
 #include <span>
@@ -50,13 +51,21 @@ struct RegionMap {
   }
 };
 
+/// What decides which of the volumes are meshed.
+struct MeshedRule {
+  InnerShells innerShells = InnerShells::kByOrientation;
+  /// First triangle whose orientation means something; that of drawn patches does not.
+  std::uint32_t firstOriented = 0;
+  /// Two per triangle, as SurfaceMesh::triangleRegions, or empty.
+  std::span<const std::uint32_t> givenRegions;
+};
+
 /// The surface must have no open edges and no self-intersections. Reports kZeroVolume, and kDanglingSheet for
 /// triangles with the same volume on both sides; the map is then incomplete. Exact except for the signs of volumes.
-/// `givenRegions`: two per triangle, as SurfaceMesh::triangleRegions, or empty. Reports kInconsistentRegions for triangles
-/// whose given regions contradict those of others, or that have none on either side. O(n log n).
+/// Reports kInconsistentRegions for triangles whose given regions contradict those of others, or that have none on either
+/// side. O(n log n).
 [[nodiscard]] RegionMap findRegions(const SurfaceMesh& mesh, const EdgeTable& edges,
-                                    const BoxTree& tree, InnerShells innerShells,
-                                    std::span<const std::uint32_t> givenRegions,
+                                    const BoxTree& tree, const MeshedRule& rule,
                                     BoundaryReport& report);
 
 }  // namespace tetrafront

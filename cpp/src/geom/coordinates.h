@@ -47,4 +47,10 @@ inline constexpr double kSmallestExtent = 0x1p-100;
   return position;
 }
 
+/// Returns the position nearest to the given one that is exact in coordinates about `centre`, too: adding the centre to it
+/// rounds nothing.
+[[nodiscard]] inline Vec3 exactAbout(const Vec3& centre, const Vec3& position) {
+  return inExactRange((position + centre) - centre);
+}
+
 }  // namespace tetrafront

@@ -9,7 +9,6 @@
 #include "base/mesh_access.h"
 #include "base/sort.h"
 #include "boundary/surface_access.h"
-#include "geom/coordinates.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
 
@@ -325,7 +324,7 @@ bool DetailMerger::splitFeatureEdge(HalfEdgeId halfEdge, double part) {
   const double along = whole.from == a ? part : 1.0 - part;
   const double arc = whole.begin + along * (whole.end - whole.begin);
   const NodeId middle =
-      complex_.addNode(inExactRange(complex_.pointOf(a) + edge * part), NodeKind::kLine);
+      complex_.addNode(reference_.representable(complex_.pointOf(a) + edge * part), NodeKind::kLine);
   complex_.collectEdge(a, b, edge_);
   removed_.clear();
   added_.clear();

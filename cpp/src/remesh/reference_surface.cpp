@@ -18,6 +18,10 @@ namespace {
 /// the coordinates: an allowance for rounding.
 constexpr double kPlanarPerDiagonal = 1e-6;
 constexpr double kPlanarPerCoordinate = 2e-7;
+/// Rounding of double precision / rounding of single precision.
+constexpr double kDoublePerSingle = 0x1p-29;
+/// Largest rounding / diagonal that counts as such. A surface that is rounded more has no planar patches to recognize.
+constexpr double kLargestNoise = 1e-3;
 /// A node counts as the tip of a cone if the cosine between the normal of one of its triangles and
 /// the mean normal is below this.
 constexpr double kApexCosine = 0.70710678;
@@ -44,17 +48,33 @@ double cornerWeight(const std::array<Vec3, 3>& corners, std::size_t k) {
   return glm::length(u - v);
 }
 
+/// Returns whether all coordinates are numbers of single precision in the user's coordinates.
+bool isSinglePrecision(const SurfaceMesh& mesh, const Vec3& centre) {
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const double coordinate = mesh.points[i] + centre[static_cast<int>(i % 3)];
+    if (static_cast<double>(static_cast<float>(coordinate)) != coordinate) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, std::span<const std::uint32_t> groups,
-                                   const FeatureRules& rules)
-    : mesh_(mesh), groups_(groups), rules_(rules) {
+                                   const FeatureRules& rules, const Vec3& centre)
+    : mesh_(mesh), groups_(groups), rules_(rules), centre_(centre) {
   const Bounds bounds = boundsOf(mesh);
   diagonal_ = glm::length(bounds.high - bounds.low);
   for (int k = 0; k < 3; ++k) {
     largestCoordinate_ =
         std::max({largestCoordinate_, std::fabs(bounds.low[k]), std::fabs(bounds.high[k])});
   }
+  if (centre == Vec3(0.0)) return;
+  // Nodes are rounded to the digits that they have in the user's coordinates.
+  const double far = magnitudeOf(centre);
+  const double rounded = isSinglePrecision(mesh, centre)
+                             ? std::min(far, kLargestNoise * diagonal_ / kPlanarPerCoordinate)
+                             : kDoublePerSingle * far;
+  largestCoordinate_ = std::max(largestCoordinate_, rounded);
 }
 
 Task<> ReferenceSurface::prepare(Work& work) {

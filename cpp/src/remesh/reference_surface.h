@@ -12,6 +12,7 @@
 #include "base/mesh_access.h"
 #include "base/task.h"
 #include "boundary/edge_table.h"
+#include "geom/coordinates.h"
 #include "geom/triangle_frame.h"
 #include "remesh/feature_line.h"
 #include "search/box_tree.h"
@@ -63,15 +64,19 @@ struct Facet {
 class ReferenceSurface {
  public:
   /// `mesh`: a valid boundary, which must outlive this. `groups`: the given patch of each triangle;
-  /// empty if there is only one.
+  /// empty if there is only one. `centre`: the nodes are relative to it.
   ReferenceSurface(const SurfaceMesh& mesh, std::span<const std::uint32_t> groups,
-                   const FeatureRules& rules);
+                   const FeatureRules& rules, const Vec3& centre = Vec3(0.0));
 
   /// Finds features and patches, and builds the search tree. O(n log n).
   Task<> prepare(Work& work);
 
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
   [[nodiscard]] const FeatureRules& rules() const { return rules_; }
+  /// Returns the position nearest to the given one that a node can have: in the user's coordinates it must be exact, too.
+  [[nodiscard]] Vec3 representable(const Vec3& position) const {
+    return centre_ == Vec3(0.0) ? inExactRange(position) : exactAbout(centre_, position);
+  }
   [[nodiscard]] double diagonal() const { return diagonal_; }
   [[nodiscard]] const std::vector<FeatureLine>& lines() const { return lines_; }
   [[nodiscard]] const FeatureLine& line(FeatureLineId id) const { return lines_[id.index()]; }
@@ -150,6 +155,7 @@ class ReferenceSurface {
   const SurfaceMesh& mesh_;
   std::span<const std::uint32_t> groups_;
   FeatureRules rules_;
+  Vec3 centre_;
   double diagonal_ = 0.0;
   double largestCoordinate_ = 0.0;
   std::vector<TriangleFrame> frames_;

@@ -231,9 +231,9 @@ Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const Reme
 Task<> remeshCoarse(Work& work, const ReferenceSurface& reference, const RemeshLengths& lengths,
                     RemeshSizes& sizes, double share, const PassInput& input, RemeshPass& pass) {
   const RemeshPass coarse = std::move(pass);
-  const PassSurface surface = nextSurface(coarse);
+  const PassSurface surface = nextSurface(coarse, input.surface.centre);
   work.beginPart(0.1);
-  ReferenceSurface next(surface.mesh, surface.groups, reference.rules());
+  ReferenceSurface next(surface.mesh, surface.groups, reference.rules(), surface.centre);
   co_await next.prepare(work);
   setRegions(sizes, next, surface.origin, input.sizes.ofRegions);
   pass = RemeshPass{};
@@ -259,8 +259,9 @@ FeatureRules featureRulesOf(const RemeshOptions& options) {
   return {cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
 }
 
-PassSurface nextSurface(const RemeshPass& pass) {
+PassSurface nextSurface(const RemeshPass& pass, const Vec3& centre) {
   PassSurface surface;
+  surface.centre = centre;
   surface.mesh.points = pass.remesh.points;
   surface.mesh.triangles = pass.remesh.triangles;
   surface.groups = pass.patches;
@@ -294,7 +295,7 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenS
   work.beginPart(0.05);
   RemeshPass pass;
   SurfaceRemesh& result = pass.remesh;
-  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
+  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options), surface.centre);
   co_await reference.prepare(work);
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   const RemeshLengths lengths =

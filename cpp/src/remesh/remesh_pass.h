@@ -22,6 +22,7 @@ struct PassSurface {
   std::vector<std::uint32_t> origin;  ///< per triangle: the given one
   /// Per node: 1 if all its triangles come from a remeshing and need no other one; empty if none do.
   std::vector<std::uint8_t> isSettled;
+  Vec3 centre{0.0};  ///< the nodes are relative to it
 };
 
 /// What one remeshing may do.
@@ -50,7 +51,7 @@ Task<bool> finishUnlessStopped(Work& work, Job<T>& job, const bool& isStopped) {
 }
 
 /// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
-[[nodiscard]] PassSurface nextSurface(const RemeshPass& pass);
+[[nodiscard]] PassSurface nextSurface(const RemeshPass& pass, const Vec3& centre);
 
 [[nodiscard]] FeatureRules featureRulesOf(const RemeshOptions& options);
 

@@ -117,7 +117,7 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const PassSurface
                        const DetailRule& rule, SimplifiedSurface& simplified) {
   work.beginPart(0.2);
   const RemeshOptions& options = remeshing.options;
-  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options));
+  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options), surface.centre);
   co_await reference.prepare(work);
   DetailMerger merger(reference, rule.distance, rule.choice);
   Job<> merging([&](Work& inner) { return merger.run(inner); });
@@ -129,6 +129,7 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const PassSurface
   if (isUseless) co_return Dropped::kNone;
   if (count > largest) co_return Dropped::kTooMany;
   PassSurface made;
+  made.centre = surface.centre;
   std::vector<TriangleId> parents;
   merger.copyTo(made.mesh, parents);
   for (const TriangleId parent : parents) {
@@ -167,7 +168,7 @@ Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface
   for (int i = 1; i <= kMaxPoorMerges && dropped == Dropped::kMade; ++i) {
     if (!isWorthSteps(remeshing, next.pass.remesh)) break;
     work.beginPart(static_cast<double>(i) / kMaxPoorMerges);
-    const PassSurface from = nextSurface(next.pass);
+    const PassSurface from = nextSurface(next.pass, remeshing.given.centre);
     const double left = (1.0 - kNextShare) * tolerance - (next.deviation - next.ofChosen);
     if (!(left > 0.0)) break;
     const DetailRule rule{.distance = std::min(left, kMergeShare * tolerance),
@@ -208,7 +209,7 @@ Task<SimplifiedSurface> remeshInSteps(Work& work, const Remeshing& remeshing) {
   surface.deviation = surface.pass.remesh.deviation;
   if (options.dropDetails > 0.0 && isComplete(surface.pass.remesh)) {
     work.beginPart(0.7);
-    const PassSurface from = nextSurface(surface.pass);
+    const PassSurface from = nextSurface(surface.pass, remeshing.given.centre);
     const DetailRule rule{.distance = options.dropDetails,
                           .choice = DetailChoice::kAll,
                           .remeshing = rulesOfShare(kNextShare, kFirstShare),

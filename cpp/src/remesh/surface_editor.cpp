@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "field/size_field.h"
-#include "geom/coordinates.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
 #include "quality/metrics.h"
@@ -240,13 +239,13 @@ bool SurfaceEditor::split(NodeId a, NodeId b, double part) {
   complex_.collectEdge(a, b, edge_);
   if (edge_.empty()) return false;
   const Vec3 straight =
-      inExactRange(complex_.pointOf(a) + (complex_.pointOf(b) - complex_.pointOf(a)) * part);
+      reference_.representable(complex_.pointOf(a) + (complex_.pointOf(b) - complex_.pointOf(a)) * part);
   const StretchId id = complex_.stretchOf(edge_[0]);
   if (!id.isNone()) {
     const Stretch& stretch = complex_.stretch(id);
     const double along = stretch.from == a ? part : 1.0 - part;
     const double arc = stretch.begin + (stretch.end - stretch.begin) * along;
-    const Vec3 onLine = inExactRange(reference_.line(stretch.line).at(arc));
+    const Vec3 onLine = reference_.representable(reference_.line(stretch.line).at(arc));
     return trySplit(a, b, onLine, id, arc) ||
            (onLine != straight && trySplit(a, b, straight, id, arc));
   }
@@ -261,10 +260,10 @@ Vec3 SurfaceEditor::splitPosition(const Vec3& straight, TriangleId triangle) con
   const SmoothPatchId patch = complex_.patchOf(triangle);
   if (reference_.patch(patch).isPlanar) return straight;
   if (const PatchFacetId id = surface_.facetUnder({&triangle, 1}); !id.isNone())
-    return inExactRange(reference_.facet(id).projected(straight));
+    return reference_.representable(reference_.facet(id).projected(straight));
   const NearestPoint nearest =
       reference_.nearest(straight, patch, 2.0 * surface_.tolerance(), surface_.beneath(triangle));
-  return nearest.triangle.isNone() ? straight : inExactRange(nearest.position);
+  return nearest.triangle.isNone() ? straight : reference_.representable(nearest.position);
 }
 
 /// Divides a stretch at an arc, where the line has this position; returns nothing if a part would leave the tolerance.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <span>
 
-#include "geom/coordinates.h"
 #include "remesh/surface_editor.h"
 #include "remesh/triangle_parts.h"
 
@@ -73,17 +72,17 @@ bool SurfaceEditor::projectMove(NodeId node) {
   const SmoothPatch& patch = reference_.patch(id);
   if (patch.isPlanar) {
     const double height = glm::dot(change_.position - here, patch.normal);
-    change_.position = inExactRange(change_.position - patch.normal * height);
+    change_.position = reference_.representable(change_.position - patch.normal * height);
     return true;
   }
   if (const PatchFacetId facet = surface_.facetUnder(change_.removed); !facet.isNone()) {
-    change_.position = inExactRange(reference_.facet(facet).projected(change_.position));
+    change_.position = reference_.representable(reference_.facet(facet).projected(change_.position));
     return true;
   }
   const double reach = std::max(2.0 * surface_.tolerance(), 0.5 * sizeOf(node));
   const NearestPoint nearest =
       reference_.nearest(change_.position, id, reach, surface_.beneath(change_.removed[0]));
-  change_.position = inExactRange(nearest.position);
+  change_.position = reference_.representable(nearest.position);
   return !nearest.triangle.isNone();
 }
 
@@ -111,7 +110,7 @@ bool SurfaceEditor::moveOnLine(NodeId node, double arc, MovePurpose purpose) {
   for (const double part : partsFor(purpose)) {
     first.end = here + (arc - here) * part;
     second.begin = first.end + jump;
-    change_.position = inExactRange(reference_.line(first.line).at(first.end));
+    change_.position = reference_.representable(reference_.line(first.line).at(first.end));
     if (!isBetter(before, purpose) ||
         !follows(first.line, first.begin, first.end, complex_.pointOf(line.before),
                  change_.position) ||

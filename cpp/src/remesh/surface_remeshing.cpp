@@ -16,6 +16,7 @@
 #include "field/size_octree_builder.h"
 #include "geom/angles.h"
 #include "geom/coordinates.h"
+#include "remesh/centred.h"
 #include "remesh/deviation.h"
 #include "remesh/reference_surface.h"
 #include "remesh/remesh_pass.h"
@@ -90,7 +91,7 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
   const bool isSampled = !result.triangleDeviation.empty();
   if (isComplete(result) && !remeshing.isStopped && !isSampled) {
     const PassSurface& given = remeshing.given;
-    ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(remeshing.options));
+    ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(remeshing.options), given.centre);
     co_await reference.prepare(work);
     result.patches = static_cast<std::uint32_t>(reference.patchCount());
     result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
@@ -114,18 +115,22 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   if (anyError(problems)) co_return refused(std::move(problems));
   work.beginPart(1.0);
   mesh.triangleRegions = {};
-  PassSurface given{std::move(mesh), std::move(groups), {}, {}};
+  PassSurface given{std::move(mesh), std::move(groups), {}, {}, Vec3(0.0)};
   given.origin.resize(countTriangles(given.mesh));
   std::iota(given.origin.begin(), given.origin.end(), 0U);
+  given.centre = moveToCentre(given.mesh);
+  const BackgroundGrid movedGrid = relativeTo(given.centre, sizes.grid);
+  const GivenSizes movedSizes{movedGrid, sizes.ofRegions};
   const Bounds bounds = boundsOf(given.mesh);
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   const RemeshLengths lengths =
       remeshLengthsOf(options, hasTargets, glm::length(bounds.high - bounds.low));
-  const Remeshing remeshing{given, regions, sizes, options, lengths, isStopped};
+  const Remeshing remeshing{given, regions, movedSizes, options, lengths, isStopped};
   work.beginPart(0.95);
   SimplifiedSurface surface = co_await remeshAndDrop(work, remeshing);
   work.beginPart(1.0);
   SurfaceRemesh result = co_await finish(work, remeshing, surface);
+  moveBack(given.centre, result);
   if (result.diagnostics.empty()) result.diagnostics = std::move(problems);
   co_return result;
 }
@@ -141,7 +146,8 @@ Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
   result.diagnostics = co_await checkInput(work, mesh, noGrid, options);
   if (!result.diagnostics.empty()) co_return result;
   work.beginPart(0.2);
-  ReferenceSurface reference(mesh, groups, featureRulesOf(options));
+  const Vec3 centre = moveToCentre(mesh);
+  ReferenceSurface reference(mesh, groups, featureRulesOf(options), centre);
   co_await reference.prepare(work);
   const RemeshLengths lengths = remeshLengthsOf(options, options.size > 0.0, reference.diagonal());
   work.beginPart(0.6);

@@ -8,7 +8,6 @@
 
 #include "base/mesh_access.h"
 #include "boundary/surface_access.h"
-#include "geom/coordinates.h"
 #include "quality/metrics.h"
 
 namespace tetrafront {
@@ -185,7 +184,7 @@ bool VolumeCorrection::tryMove(NodeId node, const Vec3& to) {
   if (complex_.kindOf(node) == NodeKind::kLine && !followsLine(node, to)) return false;
   change_.clear();
   change_.moved = node;
-  change_.position = inExactRange(to);
+  change_.position = reference_.representable(to);
   complex_.collectStar(node, change_.removed);
   for (const TriangleId t : change_.removed) {
     std::array<Vec3, 3> corners = complex_.cornersOf(t);
