@@ -35,9 +35,10 @@ struct Outcome {
   }
 };
 
-Outcome close(SurfaceMesh& mesh, BoundarySource source = BoundarySource::kGivenSurface) {
+Outcome close(SurfaceMesh& mesh, BoundarySource source = BoundarySource::kGivenSurface,
+              InnerShells innerShells = InnerShells::kByOrientation) {
   Outcome outcome;
-  outcome.result = closeBoundary(mesh, source, outcome.diagnostics);
+  outcome.result = closeBoundary(mesh, source, outcome.diagnostics, innerShells);
   const bool hasError =
       std::any_of(outcome.diagnostics.begin(), outcome.diagnostics.end(),
                   [](const Diagnostic& d) { return d.severity == Severity::kError; });
@@ -122,7 +123,7 @@ TEST(BoundaryTest, RestoresRandomlyFlippedTriangles) {
   for (Shape& shape : validShapes()) {
     const auto expected = orientationsOf(shape.mesh);
     flipRandomly(shape.mesh, 11);
-    const Outcome outcome = close(shape.mesh);
+    const Outcome outcome = close(shape.mesh, BoundarySource::kGivenSurface, InnerShells::kCavities);
     ASSERT_TRUE(outcome.result.isValid) << shape.name;
     EXPECT_EQ(orientationsOf(shape.mesh), expected) << shape.name;
     const std::vector<Diagnostic> told = withoutTopology(outcome.diagnostics, shape);
@@ -202,7 +203,7 @@ TEST(BoundaryTest, IsInvariantUnderRotationTranslationScalingAndReflection) {
     shuffle(mesh, seed);
     const auto expected = orientationsOf(mesh);
     flipRandomly(mesh, seed);
-    const Outcome outcome = close(mesh);
+    const Outcome outcome = close(mesh, BoundarySource::kGivenSurface, InnerShells::kCavities);
     // If a model of size 1e-9 is moved to 1e3, rounding can make nodes coincide or a thin plate intersect itself.
     // The check must report this and nothing else.
     if (!outcome.result.isValid) {
@@ -234,7 +235,7 @@ TEST(BoundaryTest, NestedShellsBoundRegionsAndCavitiesInTurn) {
   SurfaceMesh mesh = nestedSpheres(kDepth, 2);
   const std::size_t each = triangleCount(mesh) / kDepth;
   flipRandomly(mesh, 12);
-  const Outcome outcome = close(mesh);
+  const Outcome outcome = close(mesh, BoundarySource::kGivenSurface, InnerShells::kCavities);
   ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 3U);
   const std::array<std::uint32_t, kDepth> regions{0, 0, 1, 1, 2};
@@ -307,7 +308,7 @@ TEST(BoundaryInterfacesTest, ComponentsInsideRegions) {
   scale(divided, 0.25);
   translate(divided, Vec3(1.25, 0.25, 0.25));
   append(mesh, divided);
-  const Outcome outcome = close(mesh);
+  const Outcome outcome = close(mesh, BoundarySource::kGivenSurface, InnerShells::kCavities);
   ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 4U);
   std::vector<double> volumes = regionVolumes(mesh);
@@ -361,6 +362,72 @@ TEST(BoundaryInterfacesTest, ReportsADanglingSheet) {
   EXPECT_EQ(outcome.diagnostics[0].entities.at(0).index, 2U * 12U * kMinor);
 }
 
+/// Nested boxes: for each, whether it faces outward and the region expected behind its triangles, inside the box.
+struct NestedBoxes {
+  const char* name;
+  std::vector<bool> facesOutward;  ///< from the outermost box to the innermost
+  std::vector<double> volumes;     ///< of the regions, in ascending order
+};
+
+/// Boxes from 0 to 8, 1 to 7 and so on, divided so that the volumes are 512, 216, 64 and 8.
+SurfaceMesh nestedBoxesOf(const std::vector<bool>& facesOutward) {
+  SurfaceMesh mesh;
+  for (std::size_t i = 0; i < facesOutward.size(); ++i) {
+    const auto inset = static_cast<double>(i);
+    SurfaceMesh box = gridBox(Vec3(inset), Vec3(8.0 - inset), {2, 2, 2});
+    if (!facesOutward[i]) {
+      for (std::size_t h = 0; h < box.triangles.size(); h += 3)
+        std::swap(box.triangles[h + 1], box.triangles[h + 2]);
+    }
+    append(mesh, box);
+  }
+  return mesh;
+}
+
+TEST(BoundaryTest, NestedShellsThatFaceTheSameWayAreBodies) {
+  const std::vector<NestedBoxes> cases{
+      {"inclusion", {true, true}, {216, 512 - 216}},
+      {"void", {true, false}, {512 - 216}},
+      {"inclusion in an inclusion", {true, true, true}, {64, 216 - 64, 512 - 216}},
+      {"void in an inclusion", {true, true, false}, {216 - 64, 512 - 216}},
+      {"body in a void", {true, false, true}, {64, 512 - 216}},
+      {"void in a body in a void", {true, false, true, false}, {64 - 8, 512 - 216}},
+      {"inclusion in a body in a void", {true, false, true, true}, {8, 64 - 8, 512 - 216}},
+      {"all inverted: inclusion", {false, false}, {216, 512 - 216}},
+      {"all inverted: void", {false, true}, {512 - 216}},
+      {"all inverted: void in an inclusion", {false, false, true}, {216 - 64, 512 - 216}},
+      {"a void has nothing to be empty in", {true, false, false}, {64, 512 - 216}},
+  };
+  for (const NestedBoxes& nested : cases) {
+    SurfaceMesh mesh = nestedBoxesOf(nested.facesOutward);
+    const Outcome outcome = close(mesh);
+    ASSERT_TRUE(outcome.result.isValid) << nested.name;
+    std::vector<double> volumes = regionVolumes(mesh);
+    std::ranges::sort(volumes);
+    std::vector<double> expected = nested.volumes;
+    std::ranges::sort(expected);
+    ASSERT_EQ(volumes.size(), expected.size()) << nested.name;
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      EXPECT_NEAR(volumes[i], expected[i], 1e-9) << nested.name;
+  }
+}
+
+/// One flipped triangle of many does not make a body a cavity; shells of random orientation bound cavities, as they always did.
+TEST(BoundaryTest, AFewFlippedTrianglesDoNotDecide) {
+  SurfaceMesh mesh = nestedBoxesOf({true, true});
+  std::swap(mesh.triangles.end()[-1], mesh.triangles.end()[-2]);
+  SurfaceMesh random = nestedBoxesOf({true, true});
+  flipRandomly(random, 4);
+  EXPECT_EQ(close(mesh).result.regionCount, 2U);
+  EXPECT_EQ(close(random).result.regionCount, 1U);
+}
+
+TEST(BoundaryTest, TheOrientationOfDrawnPatchesMeansNothing) {
+  SurfaceMesh mesh = nestedBoxesOf({true, true});
+  mesh.trianglePatch.assign(triangleCount(mesh), 0);
+  EXPECT_EQ(close(mesh, BoundarySource::kDrawnPatches).result.regionCount, 1U);
+}
+
 /// A cavity belongs to the smallest region around it, in any order of the triangles.
 TEST(BoundaryTest, TwoCavitiesAndARegionInsideOneOfThem) {
   const auto box = [](double from, double to) { return gridBox(Vec3(from), Vec3(to), {1, 1, 1}); };
@@ -369,7 +436,7 @@ TEST(BoundaryTest, TwoCavitiesAndARegionInsideOneOfThem) {
   append(mesh, box(0.1, 0.2));       // another cavity
   append(mesh, box(0.0, 1.0));       // the outer boundary
   append(mesh, box(2.0, 3.0));       // a separate region
-  const Outcome outcome = close(mesh);
+  const Outcome outcome = close(mesh, BoundarySource::kGivenSurface, InnerShells::kCavities);
   ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 3U);
   const std::array<std::uint32_t, 5> regions{0, 1, 1, 1, 2};

@@ -123,9 +123,16 @@ TEST(Bodies, BesideADrawnCubeAddTheirVolume) {
   }
 }
 
+/// The triangles of a body face outward, those around a cavity inward.
 TEST(Bodies, InsideADrawnCubeAreCavitiesOrRegions) {
   const BodySurfaces ball = singleBody(testing::geodesicSphere(4), 0.25, Vec3(0.5));
+  BodySurfaces inverted = ball;
+  for (std::size_t h = 0; h < inverted.triangles.size(); h += 3)
+    std::swap(inverted.triangles[h + 1], inverted.triangles[h + 2]);
   MeshOptions options = uniformSize(0.2);
+  expectVolume(runToEnd(MeshRun(unitCube(), ball, {}, options)), 1.0, 2);
+  expectVolume(runToEnd(MeshRun(unitCube(), inverted, {}, options)), 1.0 - bodyVolumeOf(ball), 1);
+  options.innerShells = InnerShells::kCavities;
   expectVolume(runToEnd(MeshRun(unitCube(), ball, {}, options)), 1.0 - bodyVolumeOf(ball), 1);
   options.innerShells = InnerShells::kRegions;
   expectVolume(runToEnd(MeshRun(unitCube(), ball, {}, options)), 1.0, 2);

@@ -335,10 +335,12 @@ export const panelStrings = {
     gradationHint: "Limits the size ratio of neighbouring elements in the background grid; 0 means no limit.",
     invalidGradation: "Must be 0, or above 1 and up to 10",
     innerShells: "Inner shells",
-    innerShellModes: { cavities: "Cavities", regions: "Regions" },
+    innerShellModes: { cavities: "Cavities", regions: "Regions", "by-orientation": "By orientation" },
     innerShellHints: {
       cavities: "Leaves closed shells inside a region empty.",
       regions: "Meshes closed shells inside a region as regions of their own.",
+      "by-orientation":
+        "Meshes bodies inside a region if their triangles face outward, like those around it. Drawn patches bound cavities.",
     },
   },
   regions: {

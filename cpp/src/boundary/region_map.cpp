@@ -10,6 +10,19 @@
 namespace tetrafront {
 namespace {
 
+/// How the triangles of a shell face.
+struct Orientation {
+  std::uint64_t outward = 0;
+  std::uint64_t inward = 0;
+
+  /// A few triangles may be flipped; a random orientation says nothing.
+  [[nodiscard]] bool isMostlyOutward() const { return outward > kClearMajority * inward; }
+  [[nodiscard]] bool isMostlyInward() const { return inward > kClearMajority * outward; }
+
+  /// Triangles that face one way / those that face the other, from which on the orientation is clear.
+  static constexpr std::uint64_t kClearMajority = 4;
+};
+
 class RegionFinder {
  public:
   RegionFinder(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
@@ -153,29 +166,26 @@ class RegionFinder {
     }
   }
 
-  /// Finds the orientation of each component: that of most triangles of its outer shells. If it is given by chance, the
-  /// component counts as oriented outward, but is no body in a body.
+  /// Finds how the triangles of the outer shell of each component face. Drawn ones face any way.
   void findOrientations() {
-    orientation_.assign(componentCount_, 0);
-    isTrusted_.assign(componentCount_, 1);
+    orientations_.assign(componentCount_, {});
+    const auto looksOut = [&](HalfFaceId halfFace) {
+      return map_.outerShellAt(halfFace) != map_.shellOf[halfFace.index()];
+    };
     for (std::uint32_t t = 0; t < map_.componentOf.size(); ++t) {
-      const std::size_t component = map_.componentOf[t].index();
-      if (t < firstOriented_) isTrusted_[component] = 0;
-      const auto looksOut = [&](HalfFaceId halfFace) {
-        return map_.outerShellAt(halfFace) != map_.shellOf[halfFace.index()];
-      };
-      orientation_[component] += static_cast<int>(looksOut(frontOf(TriangleId(t)))) -
-                                 static_cast<int>(looksOut(backOf(TriangleId(t))));
+      Orientation& found = orientations_[map_.componentOf[t].index()];
+      if (t < firstOriented_) continue;
+      if (looksOut(frontOf(TriangleId(t)))) ++found.outward;
+      if (looksOut(backOf(TriangleId(t)))) ++found.inward;
     }
   }
 
-  /// Returns true if the component, which lies inside a meshed volume, is oriented like the shell that bounds this volume from
-  /// outside. O(1).
+  /// Returns true if the component, which lies inside a meshed volume, faces the same way as the shell that bounds this volume
+  /// from outside. A shell without a clear orientation counts as facing outward if it is outside, and as a cavity if it is inside.
   [[nodiscard]] bool isBodyIn(ComponentId component, ShellId around) const {
-    const std::size_t outer = componentOfShell(around).index();
-    const bool isOutward = isTrusted_[outer] == 0 || orientation_[outer] >= 0;
-    const std::int64_t own = orientation_[component.index()];
-    return isTrusted_[component.index()] != 0 && (isOutward ? own > 0 : own < 0);
+    const bool isInverted = orientations_[componentOfShell(around).index()].isMostlyInward();
+    const Orientation& own = orientations_[component.index()];
+    return isInverted ? own.isMostlyInward() : own.isMostlyOutward();
   }
 
   /// The first half-face of a volume decides its region. The volume outside everything must have none.
@@ -222,9 +232,7 @@ class RegionFinder {
   RegionMap map_;
   std::size_t componentCount_ = 0;
   std::vector<std::uint32_t> depth_;  ///< per component: number of volumes that contain it
-  /// Per component: number of triangles of its outer shells that face outward, less those that face inward.
-  std::vector<std::int64_t> orientation_;
-  std::vector<std::uint8_t> isTrusted_;  ///< per component: whether the orientation of its triangles means something
+  std::vector<Orientation> orientations_;  ///< per component
 };
 
 }  // namespace

@@ -16,7 +16,8 @@ constexpr double kFar = 256.0;
 /// Returns the centre along an axis; 0 if differences from it would round. They are exact if all coordinates and the centre
 /// are within a factor of 2 of each other (Sterbenz 1974).
 double centreAlong(double low, double high) {
-  const auto [near, far] = std::minmax(std::fabs(low), std::fabs(high));
+  const double near = std::min(std::fabs(low), std::fabs(high));
+  const double far = std::max(std::fabs(low), std::fabs(high));
   const bool isExact = (low > 0.0 || high < 0.0) && far <= 2.0 * near;
   return isExact ? low + 0.5 * (high - low) : 0.0;
 }

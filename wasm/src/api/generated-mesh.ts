@@ -8,6 +8,7 @@ import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { countOf, hasGenericName, numbered } from "../formats/groups.js";
 import { carriedRegions } from "../formats/region-names.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
+import { namesOfSolids } from "../formats/solid-names.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import { withPatches } from "../mesh/mesh-checks.js";
 import type { MeshResult } from "../mesh/report.js";
@@ -33,8 +34,8 @@ export interface NameSource {
 
 /**
  * Returns a generated mesh, ready to be written. Its patches are those of the project and its bodies (named, else
- * "patch 12" by id), those of the given surface, or its shells. Its regions are those of the surface's file, else numbered. A
- * partial mesh yields a partial file. Throws a `MesherError` if an argument is invalid or the surface has a
+ * "patch 12" by id), those of the given surface, or its shells. Its regions are those of the surface's file, else those of its
+ * solids, else numbered. A partial mesh yields a partial file. Throws a `MesherError` if an argument is invalid or the surface has a
  * different number of triangles than the mesh.
  */
 export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: NameSource = {}): FileMesh {
@@ -69,9 +70,21 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
       isKept && kept ? kept.patches : numbered(word, countOf(trianglePatch), project && patchNames(project)),
     tetrahedra: volume.tetrahedra,
     tetrahedronRegion: carried?.tetrahedronRegion ?? volume.regions,
-    regions: carried?.regions ?? numbered("region", regionCount),
+    regions:
+      carried?.regions ?? numbered("region", regionCount, namesFor(surface, regionCount, kept, isKept)),
     nodeData: new Map(),
   };
+}
+
+/** Returns the names of regions that the file does not state: those of its solids, if there are several. */
+function namesFor(
+  surface: MeshResult["surface"],
+  count: number,
+  given: NameSource["surface"],
+  isKept: boolean,
+): (string | undefined)[] {
+  if (!isKept || given === undefined || count < 2) return [];
+  return namesOfSolids(surface, given.trianglePatch, given.patches, count);
 }
 
 /** What a region of a mesh consists of. */

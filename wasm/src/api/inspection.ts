@@ -25,6 +25,7 @@ import type {
 import type { SurfaceInput } from "../mesh/mesh.js";
 import { needleWarnings } from "../mesh/quality-warnings.js";
 import { nearNodeWarnings } from "./near-nodes.js";
+import { resolutionWarnings } from "../mesh/resolution-warnings.js";
 import { originsOf } from "./surface-numbers.js";
 
 /** Type of the objects of type `Given` that have no fields but those of `Known`. */
@@ -35,7 +36,10 @@ export function* describedInspection(
   surface: SurfaceInput,
   name: EntityNamer,
 ): Steps<SurfaceInspection> {
-  const warnings = found.isFillable ? yield* needleWarnings(surface) : [];
+  const warnings = [
+    ...(found.isFillable ? yield* needleWarnings(surface) : []),
+    ...(yield* resolutionWarnings(surface)),
+  ];
   const near = found.openEdges > 0 ? yield* nearNodeWarnings(surface, name) : [];
   const { low, high, shortestEdge, meanEdge, longestEdge, diagnostics, ...rest } = found;
   return {

@@ -15,6 +15,8 @@ import type {
 } from "../mesh/inspection.js";
 import type { ImproveInput, MeshImprovement } from "../mesh/improvement.js";
 import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import { inSteps } from "../calls/yielder.js";
+import { resolutionWarnings } from "../mesh/resolution-warnings.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
@@ -226,7 +228,10 @@ class WorkerMesher implements Mesher {
       options: engineOptions(withInnerShells(surface, options)),
     } as const;
     const name = surfaceNamer(surface);
-    return this.#run(request, control, () => name);
+    const coarse = await inSteps(resolutionWarnings(surface));
+    const result = await this.#run(request, control, () => name);
+    const diagnostics = [...result.report.diagnostics, ...coarse];
+    return coarse.length === 0 ? result : { ...result, report: { ...result.report, diagnostics } };
   }
 
   async meshSurface(surface: SurfaceFile, options: SurfaceMeshOptions = {}, control: RunControl = {}) {

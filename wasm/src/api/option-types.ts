@@ -28,7 +28,7 @@ export interface RepairOptions {
    * that changes the volume by more than 0.1 % is not made; a quarter and a sixteenth of the distance are tried then. Default 0: none.
    */
   readonly weldIntersections?: number | undefined;
-  /** Meaning of inner shells, as in `MeshOptions`: shells of cavities have the opposite orientation. Default `cavities`. */
+  /** Meaning of inner shells, as in `MeshOptions`: shells of cavities have the opposite orientation. Default `by-orientation`. */
   readonly innerShells?: InnerShells | undefined;
 }
 
@@ -87,7 +87,7 @@ export interface RemeshOptions {
   readonly growth?: number | undefined;
   /** Largest volume of a tetrahedron of the future mesh, as in `MeshOptions`: it caps all sizes. */
   readonly maxVolume?: number | undefined;
-  /** Meaning of inner shells, as in `MeshOptions`. Default `cavities`. */
+  /** Meaning of inner shells, as in `MeshOptions`. Default `by-orientation`. */
   readonly innerShells?: InnerShells | undefined;
   /**
    * Background grid, which must cover the surface and cannot be combined with `size`. Without nodes, its sources cap
@@ -144,7 +144,7 @@ export interface PreviewOptions {
 export interface InspectionOptions {
   /**
    * Meaning of inner shells, as in the `MeshOptions` with which the surface will be filled. Shells of cavities must have
-   * the opposite orientation; shells of regions may have either. Default `cavities`.
+   * the opposite orientation; shells of regions may have either. Default `by-orientation`.
    */
   readonly innerShells?: InnerShells | undefined;
   /**
@@ -207,7 +207,8 @@ export interface MeshOptions {
    */
   readonly maxVolume?: number | undefined;
   /**
-   * What closed shells inside a region bound. Default `cavities`, which stay empty; with `regions`, each is meshed as a
+   * What closed shells inside a region bound. Default `by-orientation`: a region if their triangles face the same way as
+   * those of the shell around them (outward), else a cavity. With `cavities`, they stay empty; with `regions`, each is meshed as a
    * region that conforms to the surrounding one.
    */
   readonly innerShells?: InnerShells | undefined;

@@ -12,6 +12,7 @@ import type {
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { PatchedSurface, SurfaceInput } from "../mesh/mesh.js";
+import { resolutionWarnings } from "../mesh/resolution-warnings.js";
 import { emptyGrid, withNodes } from "../project/grid-arrays.js";
 import { afterPause, beginCall } from "./call-checks.js";
 import {
@@ -52,6 +53,12 @@ import {
 } from "./options.js";
 import { splitSurface } from "./patch-names.js";
 import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
+
+/** Returns the errors, with the warning that may explain them; nothing without errors. */
+function withCause(found: readonly Diagnostic[], coarse: readonly Diagnostic[]): Diagnostic[] {
+  const errors = found.filter(({ severity }) => severity === "error");
+  return errors.length === 0 ? [] : [...errors, ...coarse];
+}
 
 /**
  * Calls of a mesher about surfaces. Diagnostics name triangles by their indices in the surface's origin, unless another
@@ -103,8 +110,9 @@ export class SurfaceTools {
     } as const;
     const repair = await this.#client.ask(question, control);
     const found = changeDiagnostics(repair, surfaceNamer(surface));
-    refuse(found.filter(({ severity }) => severity === "error"));
-    return describedRepair(repair, surface, found);
+    const coarse = await inSteps(resolutionWarnings(surface), control.signal);
+    refuse(withCause(found, coarse));
+    return describedRepair(repair, surface, [...found, ...coarse]);
   }
 
   async refine(
@@ -161,8 +169,9 @@ export class SurfaceTools {
     } as const;
     const remesh = await this.#client.ask(question, control);
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface));
-    refuse(found.filter(({ severity }) => severity === "error"));
-    return describedRemesh(remesh, found);
+    const coarse = await inSteps(resolutionWarnings(surface), control.signal);
+    refuse(withCause(found, coarse));
+    return describedRemesh(remesh, [...found, ...coarse]);
   }
 
   /**

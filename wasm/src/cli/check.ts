@@ -2,12 +2,9 @@
 import { readingNotes } from "../api/reading-notes.js";
 import { ofBody } from "../api/body-preparation.js";
 import type { Mesher } from "../api/mesher-interface.js";
-import type { PreviewOptions, RepairOptions } from "../api/option-types.js";
-import { located, type Located } from "../api/located-surface.js";
-import { hasSolids, withoutRegions } from "../api/solid-regions.js";
-import { withSolidRegions } from "../api/solids.js";
-import { repaired } from "../api/surface-preparation.js";
-import { touchingSolids } from "../api/touching-solids.js";
+import type { PreviewOptions } from "../api/option-types.js";
+import { withoutRegions } from "../api/solid-regions.js";
+import { readySurface } from "../api/surface-meshing.js";
 import { checkInspectionOptions, checkPreviewOptions } from "../api/options.js";
 import { LIMITS } from "../base/limits.js";
 import { plural } from "../base/plural.js";
@@ -18,7 +15,6 @@ import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { listed } from "../formats/groups.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
-import type { InnerShells } from "../generated/constants.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "../mesh/inspection.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
@@ -26,7 +22,15 @@ import { bodySurface } from "../project/bodies.js";
 import type { Project } from "../project/schema.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
-import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions, surfaceIn } from "./input.js";
+import {
+  isCadInput,
+  isProject,
+  numberIn,
+  readMeshFile,
+  readProjectFile,
+  refuseOptions,
+  surfaceIn,
+} from "./input.js";
 import { readGiven, subjectOf } from "./joined-inputs.js";
 import {
   asInvalidInput,
@@ -202,7 +206,11 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     throw new InvalidInput(input, [nothing]);
   }
   const given = await inSteps(surfaceOf(mesh));
-  return inspectedSurface(mesher, given, { options, repair, notes: notes({ ...mesh, notes: given.notes }) });
+  return inspectedSurface(mesher, given, {
+    options,
+    isCad: isCadInput(input, options.from),
+    notes: notes({ ...mesh, notes: given.notes }),
+  });
 }
 
 /** Checks the surfaces of several files as one, as `tetrafront mesh --join` meshes them. */
@@ -211,59 +219,55 @@ async function inspectedTogether(
   input: string,
   options: CheckCommandOptions,
 ): Promise<CheckResult> {
-  const repair = repairOptions(options);
+  repairOptions(options);
   refuseOption("--size", options.size, "projects", "several surfaces");
   const { given, diagnostics } = await readGiven(input, options, undefined);
-  return inspectedSurface(mesher, surfaceIn(given), { options, repair, notes: diagnostics });
+  const isCad = (options.joined ?? [input]).some((file) => isCadInput(file, options.from));
+  return inspectedSurface(mesher, surfaceIn(given), { options, isCad, notes: diagnostics });
 }
 
 interface SurfaceCheck {
   readonly options: CheckCommandOptions;
-  readonly repair: RepairOptions | undefined;
+  /** Whether the surface was triangulated from shapes. */
+  readonly isCad: boolean;
   readonly notes: readonly Diagnostic[];
 }
 
+/** Checks the surface that `mesh` would treat and fill. If `mesh` refuses it, says why, and describes it as it is. */
 async function inspectedSurface(
   mesher: Mesher,
   given: SurfaceFile,
-  { options, repair, notes: others }: SurfaceCheck,
+  { options, isCad, notes: others }: SurfaceCheck,
 ): Promise<CheckResult> {
-  const { surface: whole, changes, repairDeviation, warnings = [] } = await repaired(mesher, given, repair);
-  const { surface, diagnostics: found } = await locatedOrNot(mesher, whole, options.innerShells);
-  const { innerShells = whole.regionPoints && "regions" } = options;
-  const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
-  const isAssembly = repair === undefined && hasSolids(surface);
-  const first = await mesher.inspectSurface(surface, inspectionOptions);
-  const isShared = isAssembly && first.diagnostics.some(({ code }) => code === "inconsistent-regions");
-  const { diagnostics, ...inspection } = isShared
-    ? await mesher.inspectSurface(withoutRegions(surface), inspectionOptions)
-    : first;
-  const touching = touchingSolids(given.surfaceRegions, diagnostics);
-  const isWhole = isAssembly && inspection.isFillable;
-  const { warnings: ofSolids } = isWhole
-    ? await withSolidRegions(mesher, surface, surface)
-    : { warnings: [] };
+  const { repair, weld, fillHoles, innerShells } = options;
+  const settings = { repair, weld: numberIn(weld), fillHoles: numberIn(fillHoles), innerShells };
+  const ready = await readySurface(mesher, given, settings, { isCad }).catch(refusal);
+  const surface = "refused" in ready ? withoutRegions(given) : ready.surface;
+  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, {
+    innerShells: innerShells ?? (given.regionPoints && "regions"),
+    maxDiagnostics: maxDiagnosticsOf(options),
+  });
+  const result = { kind: "surface", inspection } as const;
+  if ("refused" in ready) {
+    const { refused } = ready;
+    const isSaid = ({ code }: Diagnostic) => refused.some((found) => found.code === code);
+    const more = diagnostics.filter((found) => !isSaid(found));
+    return { ...result, diagnostics: [...refused, ...more, ...others] };
+  }
+  const { changes, repairDeviation } = ready;
   return {
-    kind: "surface",
-    diagnostics: [...warnings, ...touching, ...ofSolids, ...found, ...diagnostics, ...others],
+    ...result,
+    diagnostics: [...ready.diagnostics, ...diagnostics, ...others],
     changes,
     repairDeviation,
-    inspection,
   };
 }
 
-/** Returns the surface as it is, with errors, if its region points cannot be located; the inspection finds other errors. */
-async function locatedOrNot(
-  mesher: Mesher,
-  surface: SurfaceFile,
-  innerShells?: InnerShells,
-): Promise<Located> {
-  try {
-    return await located(mesher, surface, innerShells);
-  } catch (failure) {
-    if (!(failure instanceof MesherError) || failure.code !== "invalid-input") throw failure;
-    return { surface, diagnostics: failure.data.diagnostics.filter(({ code }) => code === "region-point") };
-  }
+/** Returns why the input is refused; rethrows other failures. */
+function refusal(failure: unknown): { readonly refused: readonly Diagnostic[] } {
+  if (failure instanceof MesherError && failure.code === "invalid-input")
+    return { refused: failure.data.diagnostics };
+  throw failure;
 }
 
 /** Notes about the file that are not problems. */

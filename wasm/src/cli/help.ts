@@ -47,7 +47,8 @@ Regions
   Hole points of TetGen's .smesh and .poly files keep volumes empty; region points number regions and limit the
   volume of their tetrahedra. The smallest of these limits also applies to triangles that are split or replaced.
   Without such points, closed shells inside a region of these files are regions, unless --inner-shells is
-  cavities.
+  cavities. In other files, a closed shell inside a region is a region if its triangles face outward, as those
+  around it, and bounds a cavity if they face inward; --inner-shells decides otherwise.
 
 CAD files
   STEP, IGES and BREP files are triangulated, remeshed and, if needed, repaired. Each solid becomes a region, in

@@ -74,7 +74,7 @@ export const withRemeshing = (command: Command, prefix = ""): Command =>
 export const innerShellsOption = (): Option =>
   new Option(
     "--inner-shells <meaning>",
-    `leave closed shells inside a region empty, or mesh them as regions (default ${MESH_DEFAULTS.innerShells})`,
+    `what closed shells inside a region bound: cavities, regions, or bodies if they face outward (default ${MESH_DEFAULTS.innerShells})`,
   ).choices(INNER_SHELLS);
 
 export const shapeOption = (): Option =>

@@ -11,6 +11,8 @@ export type PackageCode =
   | "invalid-mesh"
   /** Many triangles of a surface are needles or caps. */
   | "needle-surface"
+  /** The digits of the coordinates are few for the triangles, which are far from the origin. */
+  | "coarse-coordinates"
   /** A remeshed surface may be farther from the given one than the tolerance. */
   | "deviation-above-tolerance"
   /** Two solids of a file overlap, or touch in faces with different boundaries. */

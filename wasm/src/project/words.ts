@@ -35,7 +35,7 @@ export const WORDS = {
   size: `Uniform size in model units that replaces the background grid, above 0, up to ${LENGTH}; sources still apply`,
   gradation: `Largest size ratio of neighbouring elements, above 1, up to ${LIMITS.gradation}; 0 for no limit; default ${MESH_DEFAULTS.gradation}`,
   innerShells:
-    "What closed shells inside a region bound: cavities (default), or regions, which are meshed too",
+    "What closed shells inside a region bound: cavities, or regions, which are meshed too; by default (by-orientation), regions if their triangles face the same way as those around them",
   order:
     "Next face of the front: one of the lowest layer (default), the smallest, the first in, or a random one",
   optimization: "Effort spent on improving the elements after the front",

@@ -1,0 +1,81 @@
+/** Names of regions from the solids or groups of a file that bound them: the format states no regions. */
+import type { FileGroup } from "../mesh/file-mesh.js";
+import type { SurfaceMesh } from "../mesh/mesh.js";
+import { NO_REGION } from "../generated/constants.js";
+import { hasGenericName } from "./groups.js";
+
+/**
+ * Returns the name of each region: that of the patch which alone is its outer shell; undefined for other regions, without a name,
+ * and if several regions would have it. `trianglePatch`: indices in `patches`. O(n).
+ */
+export function namesOfSolids(
+  surface: Pick<SurfaceMesh, "points" | "triangles" | "triangleRegions">,
+  trianglePatch: Uint32Array,
+  patches: readonly FileGroup[],
+  regions: number,
+): (string | undefined)[] {
+  const shells = shellsOf(surface.triangles, surface.points.length / 3);
+  const outer = outerShells(surface, shells, regions);
+  const patchOfShell = patchesOfShells(shells, trianglePatch);
+  const found = outer.map((shell) => {
+    const patch = patches[patchOfShell.get(shell) ?? -1];
+    return patch === undefined || hasGenericName(patch) ? undefined : patch.name;
+  });
+  const count = (name: string | undefined) => found.filter((other) => other === name).length;
+  return found.map((name) => (count(name) > 1 ? undefined : name));
+}
+
+/** Returns per triangle the least node of the triangles that are connected to it. */
+function shellsOf(triangles: Uint32Array, nodes: number): Uint32Array {
+  const parent = Uint32Array.from({ length: nodes }, (_, node) => node);
+  const rootOf = (node: number): number => {
+    let at = node;
+    for (let next = parent[at] ?? at; next !== at; next = parent[at] ?? at) {
+      parent[at] = parent[next] ?? next;
+      at = next;
+    }
+    return at;
+  };
+  for (let t = 0; t < triangles.length; t += 3) {
+    for (const other of [t + 1, t + 2]) {
+      const [a, b] = [rootOf(triangles[t] ?? 0), rootOf(triangles[other] ?? 0)];
+      parent[Math.max(a, b)] = Math.min(a, b);
+    }
+  }
+  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => rootOf(triangles[3 * t] ?? 0));
+}
+
+/** Returns the shell of each region that has a node farthest along x: nothing of the region lies outside of it. */
+function outerShells(
+  { points, triangles, triangleRegions }: Pick<SurfaceMesh, "points" | "triangles" | "triangleRegions">,
+  shells: Uint32Array,
+  regions: number,
+): number[] {
+  const outer = Array.from({ length: regions }, () => -1);
+  const farthest = Array.from({ length: regions }, () => -Infinity);
+  triangleRegions.forEach((region, side) => {
+    if (region === NO_REGION) return;
+    const t = side >>> 1;
+    for (const node of triangles.subarray(3 * t, 3 * t + 3)) {
+      const x = points[3 * node] ?? 0;
+      if (x <= (farthest[region] ?? 0)) continue;
+      farthest[region] = x;
+      outer[region] = shells[t] ?? 0;
+    }
+  });
+  return outer;
+}
+
+/** Returns the patch of each shell whose triangles are all of one. */
+function patchesOfShells(shells: Uint32Array, trianglePatch: Uint32Array): Map<number, number> {
+  const patchOf = new Map<number, number>();
+  const mixed = new Set<number>();
+  shells.forEach((shell, t) => {
+    const patch = trianglePatch[t] ?? 0;
+    const known = patchOf.get(shell);
+    if (known === undefined) patchOf.set(shell, patch);
+    else if (known !== patch) mixed.add(shell);
+  });
+  for (const shell of mixed) patchOf.delete(shell);
+  return patchOf;
+}

@@ -1,0 +1,48 @@
+/** Warning about coordinates with few digits: far from the origin, numbers are too coarse for small triangles. */
+import { type Steps, stepwise } from "../base/steps.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import type { SurfaceInput } from "./mesh.js";
+
+/** Resolution of the coordinates / size of the surface above which its triangles are rounded visibly. */
+const COARSE = 1e-4;
+
+/** Largest coordinate / size of the surface below which it is not far from the origin. */
+const FAR = 16;
+
+/** Distance of neighbouring numbers / number: at most 2 to the power of minus these. */
+const SINGLE_BITS = 23;
+const DOUBLE_BITS = 52;
+
+/** Number of significant digits of lengths. */
+const DIGITS = 2;
+
+/**
+ * Returns a warning if the coordinates of a surface far from the origin are so coarse that they change the shape of the surface. The
+ * coordinates of a file in single precision have about 7 digits, others about 16. O(n).
+ */
+export function* resolutionWarnings({ points }: SurfaceInput): Steps<Diagnostic[]> {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  let longer = 0;
+  yield* stepwise(points.length, (i) => {
+    const x = points[i] ?? 0;
+    const k = i % 3;
+    low[k] = Math.min(low[k] ?? x, x);
+    high[k] = Math.max(high[k] ?? x, x);
+    if (Math.fround(x) !== x) longer++;
+  });
+  const isSingle = longer === 0;
+  const size = Math.hypot(...[0, 1, 2].map((k) => (high[k] ?? 0) - (low[k] ?? 0)));
+  const largest = Math.max(...low.map(Math.abs), ...high.map(Math.abs));
+  if (!(largest > FAR * size) || !Number.isFinite(largest)) return [];
+  const resolution = 2 ** (Math.floor(Math.log2(largest)) - (isSingle ? SINGLE_BITS : DOUBLE_BITS));
+  if (resolution <= COARSE * size) return [];
+  const text = (length: number) => String(Number(length.toPrecision(DIGITS)));
+  const digits = isSingle
+    ? "single precision, with about 7 digits"
+    : "double precision, with about 16 digits";
+  const message = `the surface is ${text(size)} large and ${text(largest)} away from the origin, where coordinates in ${digits}, are multiples of ${text(resolution)}: its triangles are rounded to them`;
+  const remedy = `Export it nearer to the origin${isSingle ? ", or with more digits" : ""}.`;
+  return [packageDiagnostic("coarse-coordinates", message, remedy, "warning")];
+}
