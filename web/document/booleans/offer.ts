@@ -24,7 +24,9 @@ export function offerBoolean(
   kind: BooleanKind,
 ): Offer {
   const innerShells = project.meshing?.innerShells ?? MESH_DEFAULTS.innerShells;
-  const hasInnerRegions = innerShells === "regions" && (first.hasInnerShells || second.hasInnerShells);
+  const hasInnerRegions = [first, second].some(({ hasInnerShells, hasInnerBodies }) =>
+    innerShells === "by-orientation" ? hasInnerBodies : innerShells === "regions" && hasInnerShells,
+  );
   if (hasInnerRegions) return { possible: false, reason: texts.innerRegions };
   const combined = combine(library, first, second, kind);
   if (!combined) return { possible: false, reason: texts.nothing };

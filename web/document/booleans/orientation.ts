@@ -9,6 +9,8 @@ export interface OrientedSurface {
   readonly triangles: Uint32Array;
   /** Whether a component lies within another. */
   readonly hasInnerShells: boolean;
+  /** Whether a component within another one was given facing the same way: both bound bodies. */
+  readonly hasInnerBodies: boolean;
 }
 
 /**
@@ -23,11 +25,13 @@ export function orientedSurface(points: Float64Array, triangles: Uint32Array): O
   const oriented = triangles.slice();
   const visited = new Uint8Array(count);
   const components: number[][] = [];
+  const facesInward: boolean[] = [];
   for (let seed = 0; seed < count; ++seed) {
     if (visited[seed]) continue;
     const component = orientedFrom(seed, triangles, oriented, neighbours, visited);
     if (!component) return null;
     const volume = component.reduce((sum, triangle) => sum + volumeBelow(points, oriented, triangle), 0);
+    facesInward.push(volume < 0);
     if (volume < 0) for (const triangle of component) flip(oriented, triangle);
     components.push(component);
   }
@@ -35,7 +39,12 @@ export function orientedSurface(points: Float64Array, triangles: Uint32Array): O
   components.forEach((component, index) => {
     if ((depths[index] ?? 0) % 2 === 1) for (const triangle of component) flip(oriented, triangle);
   });
-  return { triangles: oriented, hasInnerShells: depths.some((depth) => depth > 0) };
+  const isInverted = facesInward[depths.indexOf(0)];
+  return {
+    triangles: oriented,
+    hasInnerShells: depths.some((depth) => depth > 0),
+    hasInnerBodies: depths.some((depth, index) => depth % 2 === 1 && facesInward[index] === isInverted),
+  };
 }
 
 /** A component, with its own nodes only. */

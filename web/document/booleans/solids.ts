@@ -22,6 +22,8 @@ export interface Solid {
   readonly triangles: Uint32Array;
   /** Whether a part of the surface lies within another, as the boundary of a cavity does. */
   readonly hasInnerShells: boolean;
+  /** Whether such a part bounds a body of its own, by the orientation of its triangles. */
+  readonly hasInnerBodies: boolean;
   /** Per triangle: index in `patches`. */
   readonly trianglePatch: Uint32Array;
   readonly patches: readonly SolidPatch[];
@@ -161,6 +163,8 @@ function solidOfPatches(
     entities,
     points: flat,
     ...oriented,
+    // Drawn patches may face any way.
+    hasInnerBodies: false,
     trianglePatch: Uint32Array.from(trianglePatch),
     patches,
     isPlanar,
