@@ -409,6 +409,8 @@ TEST(BoundaryTest, NestedShellsThatFaceTheSameWayAreBodies) {
     ASSERT_EQ(volumes.size(), expected.size()) << nested.name;
     for (std::size_t i = 0; i < volumes.size(); ++i)
       EXPECT_NEAR(volumes[i], expected[i], 1e-9) << nested.name;
+    // What was oriented has the same regions.
+    EXPECT_EQ(close(mesh).result.regionCount, expected.size()) << nested.name;
   }
 }
 

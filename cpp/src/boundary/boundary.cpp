@@ -94,7 +94,9 @@ void BoundaryCheck::orientOutward(RegionMap& regions) {
   std::vector<std::uint8_t> isFlipped(countTriangles(mesh_), 0);
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
     const TriangleId triangle(t);
-    if (regions.isMeshedAt(backOf(triangle))) continue;
+    const bool isInverted = !regions.isInvertedBody.empty() &&
+                            regions.isInvertedBody[regions.componentOf[t].index()] != 0;
+    if (regions.isMeshedAt(backOf(triangle)) && !isInverted) continue;
     isFlipped[t] = 1;
     flipTriangle(mesh_, triangle);
     std::swap(regions.shellOf[backOf(triangle).index()],

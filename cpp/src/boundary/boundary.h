@@ -90,7 +90,7 @@ class BoundaryCheck {
   Task<> closeBoundary(Work& work);
 
   [[nodiscard]] MeshedRule meshedRule() const;
-  /// Makes the meshed side the back of every triangle. Does not flip interfaces.
+  /// Makes the meshed side the back of every triangle. Flips interfaces only with a body inside a body, if both face inward.
   void orientOutward(RegionMap& regions);
   void reportFlippedPatches(const std::vector<std::uint8_t>& isFlipped);
   void reportFlippedComponents(const RegionMap& regions,

@@ -145,6 +145,7 @@ class RegionFinder {
     if (usesOrientation) findOrientations();
     const std::vector<ShellId> order = shellsFromOutside();
     map_.isMeshed.assign(order.size(), 0);
+    map_.isInvertedBody.assign(componentCount_, 0);
     for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
       const ComponentId component = componentOfShell(order[i]);
       while (j < order.size() && componentOfShell(order[j]) == component) ++j;
@@ -154,6 +155,8 @@ class RegionFinder {
       const ShellId around = map_.outerShellOf[outer.index()];
       const bool isMeshedAround = !around.isNone() && map_.isMeshed[around.index()] != 0;
       const bool isBody = isMeshedAround && usesOrientation && isBodyIn(component, around);
+      if (isBody && orientations_[component.index()].isMostlyInward())
+        map_.isInvertedBody[component.index()] = 1;
       for (const ShellId shell : ofComponent) {
         const bool isLikeOuter =
             sets.find(shell.value).isOpposite == sets.find(outer.value).isOpposite;

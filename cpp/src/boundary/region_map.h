@@ -31,6 +31,8 @@ struct RegionMap {
   /// positive, and none if the volume is unbounded.
   std::vector<ShellId> outerShellOf;
   std::vector<std::uint8_t> isMeshed;  ///< per shell: whether the volume it bounds is meshed
+  /// Per component: whether it bounds a body inside a body, and both face inward: the whole is inverted.
+  std::vector<std::uint8_t> isInvertedBody;
   /// Per shell: the given region, SurfaceMesh::kNoRegion if its volume is not meshed; empty if none are given.
   std::vector<std::uint32_t> givenRegionOf;
 

@@ -231,7 +231,10 @@ describe("Boolean operations on other bodies", () => {
   });
 });
 
-/** Nested cubes with the middle (2, 2, 2) as one body, all oriented outward; and a box that covers x < 2. */
+/**
+ * Nested cubes with the middle (2, 2, 2) as one body, all oriented outward, in a project in which inner shells bound cavities; and
+ * a box that covers x < 2.
+ */
 function nestedAndHalf(...edges: readonly number[]): Project {
   const project = boxes({ size: [4, 8, 8], low: [-2, -2, -2] });
   const cubes = edges.map((edge) => boxSurface(2, cubeCorner(2 - edge / 2), cubeCorner(2 + edge / 2)));
@@ -244,7 +247,8 @@ function nestedAndHalf(...edges: readonly number[]): Project {
     trianglePatch: new Uint32Array(triangles.length / 3),
     patches: [{ name: "cubes" }],
   };
-  return { ...project, bodies: [createBody(surface, { id: 1, firstPatchId: 100, name: "cubes" })] };
+  const bodies = [createBody(surface, { id: 1, firstPatchId: 100, name: "cubes" })];
+  return { ...project, bodies, meshing: { innerShells: "cavities" } };
 }
 
 const cubeCorner = (x: number): Position => [x, x, x];
@@ -263,16 +267,13 @@ describe("Boolean operations on bodies with inner shells", () => {
     expect(volume("intersection", 1, 4, 2)).toBeCloseTo(32 - 4 + 0.5, 5);
   });
 
-  it("are refused if inner shells are regions", () => {
-    const offerIn = (project: Project) =>
-      offerBoolean(
-        library,
-        { ...project, meshing: { innerShells: "regions" } },
-        solidsOf(project),
-        "intersection",
-      );
-    expect(offerIn(nestedAndHalf(4, 2))).toMatchObject({ possible: false, reason: /regions/ });
-    expect(offerIn(nestedAndHalf(4)).possible).toBe(true);
+  it("are refused if inner shells are regions, also by their orientation", () => {
+    for (const innerShells of ["regions", "by-orientation"] as const) {
+      const offerIn = (project: Project) =>
+        offerBoolean(library, { ...project, meshing: { innerShells } }, solidsOf(project), "intersection");
+      expect(offerIn(nestedAndHalf(4, 2))).toMatchObject({ possible: false, reason: /regions/ });
+      expect(offerIn(nestedAndHalf(4)).possible).toBe(true);
+    }
   });
 });
 

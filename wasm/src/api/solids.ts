@@ -13,6 +13,7 @@ import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { InnerShells } from "../generated/constants.js";
+import type { SurfaceRegions } from "../mesh/file-mesh.js";
 import type { SharedVolume } from "../mesh/inspection.js";
 import { almostTouching } from "./near-solids.js";
 import { solidOf } from "./overlaps.js";
@@ -54,7 +55,9 @@ export async function withSolidRegions(
   const isTold = new Set(all.flatMap(({ regions }) => [...regions]));
   const merged = shared.filter(({ regions }) => regions.some((one) => !isLeft(one) && !isTold.has(one)));
   const told = (assigned ?? []).map((one) => assignedDiagnostic(given, one, isLeft));
-  const isKept = made === given && shared.length === 0;
+  // A solid inside another one has it on its outer side, which the given regions do not state.
+  const isStated = haveSameSides(given.surfaceRegions, surface.surfaceRegions);
+  const isKept = made === given && shared.length === 0 && isStated;
   return {
     surface: isKept ? given : surface,
     warnings: [
@@ -68,6 +71,11 @@ export async function withSolidRegions(
       ...(left.size > 2 ? sharedFacesNote(surface) : []),
     ],
   };
+}
+
+function haveSameSides(one: SurfaceRegions | undefined, other: SurfaceRegions | undefined): boolean {
+  const [a, b] = [one?.triangleRegions ?? [], other?.triangleRegions ?? []];
+  return a.length === b.length && a.every((region, side) => region === b[side]);
 }
 
 /** Says which solid got a volume that two shared. */

@@ -151,6 +151,10 @@ export async function madeFillable(
   const before = await mesher.inspectSurface(given, { innerShells });
   if (before.isFillable)
     return hasSolids(given) ? withSolidRegions(mesher, given, given) : { surface: given };
+  const areNested =
+    hasSolids(given) && before.diagnostics.some(({ code }) => code === "inconsistent-regions");
+  if (areNested && (await mesher.inspectSurface(withoutRegions(given), { innerShells })).isFillable)
+    return withSolidRegions(mesher, given, given);
   const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
   const repair = await withinLimit(mesher, given, { innerShells, weldIntersections });
   const { changes, deviation: repairDeviation, diagnostics } = repair;
