@@ -123,7 +123,8 @@ TEST(BoundaryTest, RestoresRandomlyFlippedTriangles) {
   for (Shape& shape : validShapes()) {
     const auto expected = orientationsOf(shape.mesh);
     flipRandomly(shape.mesh, 11);
-    const Outcome outcome = close(shape.mesh, BoundarySource::kGivenSurface, InnerShells::kCavities);
+    const Outcome outcome =
+        close(shape.mesh, BoundarySource::kGivenSurface, InnerShells::kCavities);
     ASSERT_TRUE(outcome.result.isValid) << shape.name;
     EXPECT_EQ(orientationsOf(shape.mesh), expected) << shape.name;
     const std::vector<Diagnostic> told = withoutTopology(outcome.diagnostics, shape);

@@ -85,8 +85,9 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
 }
 
 MeshedRule BoundaryCheck::meshedRule() const {
-  const std::uint32_t firstOriented =
-      source_ == BoundarySource::kGivenSurface ? 0 : std::min(firstOfBodies_, countTriangles(mesh_));
+  const std::uint32_t firstOriented = source_ == BoundarySource::kGivenSurface
+                                          ? 0
+                                          : std::min(firstOfBodies_, countTriangles(mesh_));
   return {innerShells_, firstOriented, givenRegions_};
 }
 

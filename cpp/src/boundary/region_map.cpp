@@ -234,7 +234,7 @@ class RegionFinder {
   BoundaryReport& report_;
   RegionMap map_;
   std::size_t componentCount_ = 0;
-  std::vector<std::uint32_t> depth_;  ///< per component: number of volumes that contain it
+  std::vector<std::uint32_t> depth_;       ///< per component: number of volumes that contain it
   std::vector<Orientation> orientations_;  ///< per component
 };
 

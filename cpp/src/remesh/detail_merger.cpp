@@ -323,8 +323,8 @@ bool DetailMerger::splitFeatureEdge(HalfEdgeId halfEdge, double part) {
   const Stretch whole = complex_.stretch(id);
   const double along = whole.from == a ? part : 1.0 - part;
   const double arc = whole.begin + along * (whole.end - whole.begin);
-  const NodeId middle =
-      complex_.addNode(reference_.representable(complex_.pointOf(a) + edge * part), NodeKind::kLine);
+  const NodeId middle = complex_.addNode(
+      reference_.representable(complex_.pointOf(a) + edge * part), NodeKind::kLine);
   complex_.collectEdge(a, b, edge_);
   removed_.clear();
   added_.clear();

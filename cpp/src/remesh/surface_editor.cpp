@@ -238,8 +238,8 @@ bool SurfaceEditor::follows(FeatureLineId line, double begin, double end, const 
 bool SurfaceEditor::split(NodeId a, NodeId b, double part) {
   complex_.collectEdge(a, b, edge_);
   if (edge_.empty()) return false;
-  const Vec3 straight =
-      reference_.representable(complex_.pointOf(a) + (complex_.pointOf(b) - complex_.pointOf(a)) * part);
+  const Vec3 straight = reference_.representable(
+      complex_.pointOf(a) + (complex_.pointOf(b) - complex_.pointOf(a)) * part);
   const StretchId id = complex_.stretchOf(edge_[0]);
   if (!id.isNone()) {
     const Stretch& stretch = complex_.stretch(id);

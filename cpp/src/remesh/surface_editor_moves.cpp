@@ -76,7 +76,8 @@ bool SurfaceEditor::projectMove(NodeId node) {
     return true;
   }
   if (const PatchFacetId facet = surface_.facetUnder(change_.removed); !facet.isNone()) {
-    change_.position = reference_.representable(reference_.facet(facet).projected(change_.position));
+    change_.position =
+        reference_.representable(reference_.facet(facet).projected(change_.position));
     return true;
   }
   const double reach = std::max(2.0 * surface_.tolerance(), 0.5 * sizeOf(node));

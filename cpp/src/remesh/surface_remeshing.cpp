@@ -91,7 +91,8 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
   const bool isSampled = !result.triangleDeviation.empty();
   if (isComplete(result) && !remeshing.isStopped && !isSampled) {
     const PassSurface& given = remeshing.given;
-    ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(remeshing.options), given.centre);
+    ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(remeshing.options),
+                               given.centre);
     co_await reference.prepare(work);
     result.patches = static_cast<std::uint32_t>(reference.patchCount());
     result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
