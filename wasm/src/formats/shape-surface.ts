@@ -6,6 +6,7 @@ import { type Steps, stepwise } from "../base/steps.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
 import { listed } from "./groups.js";
+import { imprinted } from "./imprint.js";
 import {
   joinedShapes,
   type JoinedShapes,
@@ -26,11 +27,12 @@ export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
 export function* joinedSurface(
   shapes: readonly Shape[],
 ): Steps<{ readonly mesh: FileMesh; readonly closedShapes: number }> {
-  const joined = joinedShapes(shapes);
+  let joined = joinedShapes(shapes);
   const open = yield* weldShapes(joined);
   yield* orientShapes(joined);
   if (open.size > 0) joined.notes.push(`not closed: ${namesOf(joined, open)}`);
   if (shapes.length > 1) {
+    joined = yield* imprinted(joined);
     yield* shareFaces(joined);
     yield* shareTriangles(joined);
     yield* sharePlanarPieces(joined);
