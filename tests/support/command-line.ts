@@ -4,7 +4,10 @@ import { fileURLToPath } from "node:url";
 const program = fileURLToPath(new URL("../../wasm/bin/tetrafront.mjs", import.meta.url));
 
 export interface CommandResult {
+  /** Null if a signal ended the program. */
   readonly code: number | null;
+  /** The signal that ended a program in a process of its own. */
+  readonly signal?: NodeJS.Signals | null;
   readonly stdout: string;
   readonly stderr: string;
 }
@@ -74,7 +77,7 @@ function inOwnProcess(
     child.stdout.on("data", (chunk: Buffer) => (stdout += chunk.toString()));
     child.stderr.on("data", (chunk: Buffer) => (stderr += chunk.toString()));
     child.on("error", reject);
-    child.on("close", (code) => resolve({ code, stdout, stderr }));
+    child.on("close", (code, signal) => resolve({ code, signal, stdout, stderr }));
     // A program that stops reading its input closes the pipe.
     child.stdin.on("error", () => undefined).end(input);
     started?.(child);
@@ -97,4 +100,10 @@ export function signalAtProgress(
     TETRAFRONT_TEST_TARGET: target,
     ...(fraction !== undefined && { TETRAFRONT_TEST_FRACTION: String(fraction) }),
   };
+}
+
+/** Returns an environment in which the program gets a signal while it waits for a worker that never answers again. */
+export function signalInLongCall(signal: NodeJS.Signals): Record<string, string> {
+  const hook = new URL("./silent-after-signal.mjs", import.meta.url).href;
+  return { NODE_OPTIONS: `--import "${hook}"`, TETRAFRONT_TEST_SIGNAL: signal };
 }

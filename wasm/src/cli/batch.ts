@@ -8,6 +8,8 @@ import { extensionOf } from "../formats/file-formats.js";
 import { emptyName, FileError, STANDARD_STREAM } from "./files.js";
 import { ExitCode, print } from "./messages.js";
 import { BatchBar } from "./progress-bar.js";
+import { type EndingSignal, offEndingSignals, onEndingSignals } from "./signals.js";
+import { enterStage, setBarShown, SILENT } from "./stages.js";
 
 const GLOB = /[*?[\]{}]/;
 
@@ -108,9 +110,11 @@ export async function runTasks(
 ): Promise<TaskResult[]> {
   const results: TaskResult[] = [];
   const bar = process.stderr.isTTY && !isQuiet ? new BatchBar(tasks.length) : undefined;
+  setBarShown(bar !== undefined);
   const messages: string[] = [];
   let next = 0;
   let printed = 0;
+  let finished = 0;
   const printInOrder = () => {
     for (let message = messages[printed]; message !== undefined; message = messages[++printed]) {
       if (message === "") continue;
@@ -122,12 +126,13 @@ export async function runTasks(
   let isStopped = false;
   // A terminal sends the first signal to all processes. Send the children the other signal, because the same signal
   // received twice would end them immediately.
-  const stopBy = (other: NodeJS.Signals) => () => {
+  const onSignal = (signal: EndingSignal) => {
+    process.off(signal, onSignal);
     isStopped = true;
-    for (const child of children) child.kill(other);
+    for (const child of children) child.kill(signal === "SIGTERM" ? "SIGINT" : "SIGTERM");
   };
-  const [onInterrupt, onEnd] = [stopBy("SIGTERM"), stopBy("SIGINT")];
-  process.once("SIGINT", onInterrupt).once("SIGTERM", onEnd);
+  onEndingSignals(onSignal);
+  enterStage(`0 of ${plural(tasks.length, "file")} finished`);
   const work = async () => {
     for (let at = next++; at < tasks.length && !isStopped; at = next++) {
       const task = tasks[at];
@@ -136,11 +141,13 @@ export async function runTasks(
       results[at] = result;
       messages[at] = stderr;
       bar?.advance();
+      finished++;
+      enterStage(`${finished} of ${plural(tasks.length, "file")} finished`);
       printInOrder();
     }
   };
   await Promise.all(Array.from({ length: Math.min(jobs, tasks.length) }, work));
-  process.off("SIGINT", onInterrupt).off("SIGTERM", onEnd);
+  offEndingSignals(onSignal);
   bar?.stop();
   // Tasks that were not started count as not completed.
   const all = tasks.map(
@@ -168,7 +175,10 @@ function runTask(
   children: Set<ChildProcess>,
 ): Promise<TaskResult & { readonly stderr: string }> {
   return new Promise((resolve) => {
-    const child = spawn(process.execPath, [PROGRAM, ...args], { stdio: ["ignore", "pipe", "pipe"] });
+    const child = spawn(process.execPath, [PROGRAM, ...args], {
+      stdio: ["ignore", "pipe", "pipe"],
+      env: { ...process.env, [SILENT]: "1" },
+    });
     children.add(child);
     child.on("close", () => children.delete(child));
     const stdout: Buffer[] = [];

@@ -31,6 +31,7 @@ import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js"
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { printChanges, refuseRepair, type RepairCommandOptions, repairOptions } from "./repair.js";
 import { type SplitCommandOptions, splitOptions, withSplit } from "./splitting.js";
+import { enterStage } from "./stages.js";
 import type { UnitOptions } from "./units.js";
 import { mixedOrientationLines, unusedPointLines } from "./tables.js";
 
@@ -167,6 +168,7 @@ export async function writeAll(
   files: readonly WrittenFile[],
   { input, output, name, isQuiet }: Destination,
 ): Promise<void> {
+  enterStage(`writing ${output}`);
   for (const { notes } of files) printDiagnostics(input, notes, { isQuiet });
   for (const { fileName, bytes } of files) await writeOutput(fileName === name ? output : fileName, bytes);
 }

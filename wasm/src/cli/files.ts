@@ -5,6 +5,7 @@ import { access, lstat, open, readFile, realpath, rename, rm, stat } from "node:
 import path from "node:path";
 import { isatty } from "node:tty";
 import { allBytes } from "../formats/byte-source.js";
+import { type EndingSignal, offEndingSignals, onEndingSignals } from "./signals.js";
 
 /** Failure of a file operation; ends the command with a message. */
 export class FileError extends Error {
@@ -192,14 +193,14 @@ async function unlessInterrupted(
   temporary: string,
   work: (temporary: string) => Promise<void>,
 ): Promise<void> {
-  if (temporaries.size === 0) process.on("SIGINT", endBySignal).on("SIGTERM", endBySignal);
+  if (temporaries.size === 0) onEndingSignals(endBySignal);
   temporaries.add(temporary);
   try {
     await work(temporary);
   } finally {
     await rm(temporary, { force: true });
     temporaries.delete(temporary);
-    if (temporaries.size === 0) process.off("SIGINT", endBySignal).off("SIGTERM", endBySignal);
+    if (temporaries.size === 0) offEndingSignals(endBySignal);
   }
 }
 
@@ -207,7 +208,7 @@ async function unlessInterrupted(
  * Removes the temporary files and ends the process by the signal. If another listener is present, that listener
  * decides.
  */
-function endBySignal(signal: NodeJS.Signals): void {
+function endBySignal(signal: EndingSignal): void {
   if (process.listenerCount(signal) > 1) return;
   for (const temporary of temporaries) rmSync(temporary, { force: true });
   process.off(signal, endBySignal);

@@ -14,6 +14,7 @@ import { readProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
 import { checkInput, FileError, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
 import { InvalidInput, unreadable } from "./messages.js";
+import { enterStage } from "./stages.js";
 import { lengthOptions, refuseUnits, type UnitOptions } from "./units.js";
 
 export { numberIn, refuseOptions } from "./numbers.js";
@@ -80,6 +81,7 @@ export async function readModel(
     refuseUnits(lengths);
     return { kind: "project", project: await readProjectFile(input, from) };
   }
+  enterStage(`reading ${input}`);
   const read = await readSurface(piecesOfInput(input), {
     ...openedAs(input, name),
     size,
@@ -97,6 +99,7 @@ export async function readMeshFile(
   const known = new Set([...extensionsFor("read", "surface"), ...extensionsFor("read", "volume")]);
   await checkedExtension(input, name, [...known], OR_FROM);
   const options = { ...openedAs(input, name), ...lengthOptions(lengths) };
+  enterStage(`reading ${input}`);
   return valueOf(input, await readMesh(piecesOfInput(input), options), name);
 }
 

@@ -38,6 +38,7 @@ import { propose, type ProposeOptions } from "./propose.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
 import { type TraceCommandOptions, traceFile } from "./trace.js";
 import { FRONT_SEARCHES, MAX_TOLERANCE } from "../trace/experiment.js";
+import { startStageLines } from "./stages.js";
 import { withUnits } from "./units.js";
 import {
   backgroundOption,
@@ -65,6 +66,10 @@ export async function main(args: readonly string[]): Promise<number> {
     setExitCode: (code) => (exitCode = code),
     printHelp: (text) => (helpText += text),
   });
+  let stop = (): void => undefined;
+  program.hook("preAction", (_, command) => {
+    if (command.opts<{ readonly quiet?: boolean }>().quiet !== true) stop = startStageLines();
+  });
   try {
     await program.parseAsync(withoutHelpOfUnknown(args, program), { from: "user" });
     return exitCode;
@@ -72,6 +77,8 @@ export async function main(args: readonly string[]): Promise<number> {
     if (failure instanceof ClosedPipe) return ExitCode.closedPipe;
     if (!(failure instanceof CommanderError)) throw failure;
     return failure.exitCode === 0 ? await writeHelp(helpText) : ExitCode.invalidInput;
+  } finally {
+    stop();
   }
 }
 

@@ -99,6 +99,10 @@ class ConstrainedTriangulation {
   }
 
   #find(from: number, to: number): number | undefined {
+    if (from >= this.#count) {
+      const back = to < this.#count ? this.#find(to, from) : undefined;
+      return back === undefined ? undefined : this.#twins[back];
+    }
     for (const half of this.#around(from)) if (this.#corner(next(half)) === to) return half;
     return undefined;
   }

@@ -1,0 +1,82 @@
+/** What a command says in a log while it works, and how it ends if it is asked to. */
+import { writeFileSync } from "node:fs";
+import path from "node:path";
+
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+
+import { enterPhase, enterStage, setBarShown, startStageLines } from "../../../wasm/src/cli/stages.js";
+import { signalInLongCall, tetrafront } from "../../support/command-line.js";
+import { stlBinary } from "../../support/surface-files.js";
+import { sphereSurface } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
+
+const folder = temporaryFolder();
+
+describe("every ten seconds, a line", () => {
+  let lines: string[] = [];
+  beforeEach(() => {
+    vi.useFakeTimers();
+    lines = [];
+    vi.spyOn(process.stderr, "write").mockImplementation((text) => {
+      lines.push(String(text));
+      return true;
+    });
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.restoreAllMocks();
+    setBarShown(false);
+  });
+
+  test("names the stage, the share that is done, and the time", () => {
+    const stop = startStageLines();
+    enterStage("reading part.step");
+    vi.advanceTimersByTime(9000);
+    expect(lines).toEqual([]);
+    vi.advanceTimersByTime(1000);
+    enterPhase("check", "remesh", 0.437);
+    vi.advanceTimersByTime(10_000);
+    enterPhase("volume", undefined, 0.5);
+    vi.advanceTimersByTime(10_000);
+    stop();
+    vi.advanceTimersByTime(60_000);
+    expect(lines).toEqual([
+      "tetrafront: reading part.step, 10 s so far\n",
+      "tetrafront: remeshing the surface, 43 %, 20 s so far\n",
+      "tetrafront: filling the volume, 50 %, 30 s so far\n",
+    ]);
+  });
+
+  test("gives way to a progress bar", () => {
+    const stop = startStageLines();
+    setBarShown(true);
+    vi.advanceTimersByTime(20_000);
+    stop();
+    expect(lines).toEqual([]);
+  });
+});
+
+describe("a signal while the worker is in a long call ends the command by the signal, within about a second:", () => {
+  const commands = [
+    ["mesh", "ball.stl", "-o", "out.vtu", "--surface", "remesh"],
+    ["remesh", "ball.stl", "-o", "out.stl"],
+    ["mesh", "ball.stl", "-o", "out.vtu", "--surface", "keep"],
+  ];
+  const signals = ["SIGTERM", "SIGINT", "SIGHUP"] as const;
+  const cases = commands.map((command, i) => [signals[i % 3] ?? "SIGTERM", command] as const);
+
+  test.each(cases)("%s, %j", async (given, command) => {
+    writeFileSync(path.join(folder.path, "ball.stl"), stlBinary(sphereSurface(20)));
+    let ended = 0;
+    const { code, signal, stderr } = await tetrafront(folder.path, command, {
+      env: signalInLongCall(given),
+      started: (child) => child.on("exit", () => (ended = Date.now())),
+    });
+    const sent = Number(/signal at (\d+)/.exec(stderr)?.[1]);
+    // A run is given up after half a second, and its report is written; other calls end the process.
+    if (command.includes("keep")) expect(code).toBe(1);
+    else expect(signal).toBe(given);
+    expect(ended - sent).toBeGreaterThan(0);
+    expect(ended - sent).toBeLessThan(5000);
+  });
+});
