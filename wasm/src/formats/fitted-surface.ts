@@ -101,10 +101,11 @@ export function fittedSurface(
   const axis = axisOf(triangles);
   const cylinderFit = nodes.length >= cylinder ? revolved(nodes, axis, false) : undefined;
   if (isOn(cylinderFit)) return cylinderFit;
-  const sphereFit = nodes.length >= sphere ? sphereOf(nodes) : undefined;
-  if (isOn(sphereFit)) return sphereFit;
+  // Two circles of nodes with one axis are on a sphere, too: as a face, they are much more often a cone.
   const coneFit = nodes.length >= cone ? revolved(nodes, axis, true) : undefined;
-  return isOn(coneFit) ? coneFit : undefined;
+  if (isOn(coneFit)) return coneFit;
+  const sphereFit = nodes.length >= sphere ? sphereOf(nodes) : undefined;
+  return isOn(sphereFit) ? sphereFit : undefined;
 }
 
 function planeOf(triangles: readonly Corners[]): FittedSurface | undefined {
