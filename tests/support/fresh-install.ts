@@ -1,6 +1,6 @@
 /** The package as users get it: packed by npm and installed into an empty folder. */
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -54,8 +54,10 @@ function unpack(tarball: string, folder: string): void {
   rmSync(path.join(folder, "node_modules"), { recursive: true, force: true });
   mkdirSync(target, { recursive: true });
   execFileSync("tar", ["xzf", tarball, "--strip-components=1", "-C", target]);
-  for (const name of ["cli-progress", "commander", "fflate", "occt-import-js", "tinyglobby", "valibot"])
-    link(name, folder);
+  const { dependencies, optionalDependencies } = JSON.parse(
+    readFileSync(path.join(target, "package.json"), "utf8"),
+  ) as Record<"dependencies" | "optionalDependencies", Record<string, string>>;
+  for (const name of Object.keys({ ...dependencies, ...optionalDependencies })) link(name, folder);
 }
 
 function link(name: string, folder: string): void {

@@ -191,3 +191,41 @@ test("the order of the solids does not matter for what they share", () => {
   for (const [key, area] of one ?? []) near(other?.get(key), area, 1e-3);
   expect(other?.size).toBe(one?.size);
 });
+
+describe("a pin that is too thick for its hole", () => {
+  const pin = (radius: number) => ({
+    name: "pin",
+    profile: straightFaces([0, -9], [radius, -9], [radius, 3], [0, 3]),
+    edges: 62,
+    phase: 0.02,
+  });
+
+  test("by next to nothing gets the radius of the hole, which a note says", async () => {
+    const joined = made([plate("plate", -5, 0, 0.4), pin(4.004)].map((given) => roundShape(given, TURNED)));
+    near(joined.areas.get("pin/plate"), 2 * Math.PI * 4 * 5);
+    near(joined.volumes[1], Math.PI * 16 * 12, 0.005);
+    expect(joined.surface.notes?.join()).toMatch(/moved a face of "pin" by 0\.004 onto one of "plate"/);
+    await expectJoined(joined, 2);
+  });
+
+  test("by more keeps its radius", () => {
+    const { areas, surface } = made(
+      [plate("plate", -5, 0, 0.4), pin(4.1)].map((given) => roundShape(given, TURNED)),
+    );
+    expect([...areas.keys()]).toEqual([]);
+    expect(surface.notes).toBeUndefined();
+  });
+});
+
+test("a plate that overlaps another one by next to nothing is moved onto it", async () => {
+  const box = {
+    name: "box",
+    profile: straightFaces([0, -0.003], [9, -0.003], [9, 4], [0, 4]),
+    edges: 60,
+    phase: 0,
+  };
+  const joined = made([plate("plate", -5, 0, 0.4), box].map((given) => roundShape(given, TURNED)));
+  near(joined.areas.get("box/plate"), Math.PI * (81 - 16));
+  expect(joined.surface.notes?.join()).toContain('moved a face of "box" by 0.003');
+  await expectJoined(joined, 2);
+});

@@ -51,7 +51,7 @@ function interruptible(mesher: Mesher, interruption: Interruption): Mesher {
       if (typeof member !== "function") return member;
       return (...args: unknown[]): unknown => {
         const call = () => Reflect.apply(member, target, args) as unknown;
-        return isCancellable(args) ? interruption.during(async () => call()) : call();
+        return isCancellable(args) ? interruption.during(() => Promise.resolve(call())) : call();
       };
     },
   });

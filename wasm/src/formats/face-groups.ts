@@ -50,18 +50,23 @@ export function* faceGroups(
   return [...groups.values()].filter(({ length }) => length > 1);
 }
 
-function areBoxesNear(one: ShapeRange, other: ShapeRange, tolerance: number): boolean {
+export function areBoxesNear(one: ShapeRange, other: ShapeRange, tolerance: number): boolean {
   return one.low.every(
     (low, k) =>
       low - tolerance <= (other.high[k] ?? 0) && (other.low[k] ?? 0) - tolerance <= (one.high[k] ?? 0),
   );
 }
 
-/** Returns whether the outsides of two faces of one surface are on different sides of it. */
-function faceEachOther(joined: JoinedShapes, one: ShapeRange, other: ShapeRange): boolean {
-  const side = ({ begin }: ShapeRange) => {
-    const corners = cornersOf(joined, begin);
-    return dot(normalOf(corners), one.surface?.outward(centroidOf(corners)) ?? [0, 0, 0]) > 0;
-  };
-  return side(one) !== side(other);
+/** Returns whether the outsides of two faces of about one surface are on different sides of it. */
+export function faceEachOther(joined: JoinedShapes, one: ShapeRange, other: ShapeRange): boolean {
+  return facesOutward(joined, one) !== facesOutward(joined, { ...other, surface: one.surface });
+}
+
+/** Returns whether a face faces away from the axis or centre of its surface; of a plane, as its normal. */
+export function facesOutward(
+  joined: JoinedShapes,
+  { begin, surface }: Pick<ShapeRange, "begin" | "surface">,
+): boolean {
+  const corners = cornersOf(joined, begin);
+  return surface !== undefined && dot(normalOf(corners), surface.outward(centroidOf(corners))) > 0;
 }

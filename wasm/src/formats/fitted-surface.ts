@@ -162,15 +162,15 @@ function revolved(nodes: readonly Vector[], start: Vector, isCone: boolean): Fit
   const size = nodes.reduce((most, p) => Math.max(most, lengthOf(minus(p, origin))), 0);
   const local = nodes.map((p) => scaled(minus(p, origin), 1 / size));
   let frame = frameOf(start);
-  let [centre, radius, slope] = [[0, 0], 1, 0] as [[number, number], number, number];
   const first = circleIn(local.map((p) => [dot(p, frame.x), dot(p, frame.y)]));
   if (first === undefined) return undefined;
-  [centre, radius] = [[first[0], first[1]], first[2]];
+  let [centreX, centreY, radius] = first;
+  let slope = 0;
   for (let round = 0; round < ITERATIONS; round++) {
     const system = new LeastSquares(isCone ? 6 : 5);
     for (const p of local) {
       const z = dot(p, frame.axis);
-      const [x, y] = [dot(p, frame.x) - centre[0], dot(p, frame.y) - centre[1]];
+      const [x, y] = [dot(p, frame.x) - centreX, dot(p, frame.y) - centreY];
       const rho = Math.sqrt(x * x + y * y);
       if (!(rho > 0)) return undefined;
       const [cosine, sine] = [x / rho, y / rho];
@@ -183,15 +183,15 @@ function revolved(nodes: readonly Vector[], start: Vector, isCone: boolean): Fit
     if (step === undefined) return undefined;
     const [dx = 0, dy = 0, dr = 0, tx = 0, ty = 0, dk = 0] = step;
     // The centre stays where the axis passes the plane through the mean of the nodes.
-    const moved = plus(scaled(frame.x, centre[0] + dx), scaled(frame.y, centre[1] + dy));
+    const moved = plus(scaled(frame.x, centreX + dx), scaled(frame.y, centreY + dy));
     frame = frameOf(plus(frame.axis, plus(scaled(frame.x, tx), scaled(frame.y, ty))));
-    centre = [dot(moved, frame.x), dot(moved, frame.y)];
+    [centreX, centreY] = [dot(moved, frame.x), dot(moved, frame.y)];
     radius += dr;
     slope += dk;
     if (step.every((part) => Math.abs(part) <= CONVERGED)) break;
   }
   if (!(radius > 0) || !Number.isFinite(radius + slope)) return undefined;
-  const onAxis = plus(scaled(frame.x, centre[0]), scaled(frame.y, centre[1]));
+  const onAxis = plus(scaled(frame.x, centreX), scaled(frame.y, centreY));
   return surfaceOfRevolution(plus(origin, scaled(onAxis, size)), frame, radius * size, slope);
 }
 

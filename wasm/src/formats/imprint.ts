@@ -4,23 +4,15 @@
  * triangulation serves all faces on it. Each shape stays closed.
  */
 import { PAUSE, type Steps } from "../base/steps.js";
-import {
-  centroidOf,
-  cornersOf,
-  cross,
-  dot,
-  lengthOf,
-  minus,
-  normalOf,
-  type Vector,
-} from "../base/vectors.js";
+import { cornersOf, cross, dot, lengthOf, minus, type Vector } from "../base/vectors.js";
 import { unifyCurves } from "./common-curves.js";
 import { CrossingConstraints } from "./constrained-triangulation.js";
-import { type FaceGroup, faceGroups } from "./face-groups.js";
+import { type FaceGroup, faceGroups, facesOutward } from "./face-groups.js";
 import type { FittedSurface } from "./fitted-surface.js";
 import { GrowingNodes } from "./growing-nodes.js";
 import type { JoinedShapes } from "./joined-shapes.js";
 import { diagonalOf } from "./near-points.js";
+import { withoutPressFits } from "./press-fits.js";
 import { directedKey, type FacesAndRims, facesAndRims, pairKey, type Rim, type ShapeRange } from "./rims.js";
 import { type Segment, type Split, trianglesWithin, UnrolledGroup } from "./unrolled-group.js";
 
@@ -31,9 +23,16 @@ const TOUCHING = 5e-7;
 const VOLUME_CHANGE = 0.02;
 
 /** Returns the shapes with common triangles where they touch; the given ones if there are none. */
-export function* imprinted(joined: JoinedShapes): Steps<JoinedShapes> {
-  const tolerance = TOUCHING * diagonalOf(joined.points);
-  const found = yield* facesAndRims(joined, tolerance);
+export function* imprinted(given: JoinedShapes): Steps<JoinedShapes> {
+  const tolerance = TOUCHING * diagonalOf(given.points);
+  const found = yield* facesAndRims(given, tolerance);
+  const moved = yield* withoutPressFits(given, found, tolerance);
+  if (moved === undefined) return yield* imprintedFaces(given, found, tolerance);
+  const made = yield* imprintedFaces(moved, yield* facesAndRims(moved, tolerance), tolerance);
+  return keepsShapes(given, made) ? made : yield* imprintedFaces(given, found, tolerance);
+}
+
+function* imprintedFaces(joined: JoinedShapes, found: FacesAndRims, tolerance: number): Steps<JoinedShapes> {
   const given = found.rims.map(({ nodes }) => nodes);
   let groups = yield* faceGroups(joined, found, tolerance);
   while (groups.length > 0) {
@@ -201,7 +200,7 @@ class Imprint {
     try {
       const all = plane.triangles(this.#segmentsOf(faces), this.#innerNodes(faces, surface));
       for (const f of faces) {
-        const isForward = this.#isForward(f, surface);
+        const isForward = facesOutward(this.#joined, { begin: this.#found.faces[f]?.begin ?? 0, surface });
         const own = trianglesWithin(all, this.#borderOf(f, isForward));
         const corners = own.flatMap((t) => {
           const [a = 0, b = 0, c = 0] = all.subarray(3 * t, 3 * t + 3);
@@ -214,12 +213,6 @@ class Imprint {
       if (failure instanceof CrossingConstraints) return false;
       throw failure;
     }
-  }
-
-  /** Returns whether a face is seen from outside as in the plane of coordinates. */
-  #isForward(f: number, surface: FittedSurface): boolean {
-    const corners = cornersOf(this.#joined, this.#found.faces[f]?.begin ?? 0);
-    return dot(normalOf(corners), surface.outward(centroidOf(corners))) > 0;
   }
 
   #borderOf(f: number, isForward: boolean): Segment[] {
