@@ -14,7 +14,12 @@ Exit code
   0  done    1  not completed: stalled, cancelled, out of memory, not written    2  invalid input
   With several inputs, the highest of their codes. Ctrl-C during meshing cancels it (1); \`mesh\` still writes
   the report, with the statistics of a remeshing that was stopped; \`remesh\` and \`improve\` write what they have
-  made so far. Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
+  made so far. Otherwise, or if a step does not answer within a second, it ends the command without a partial
+  file (130; SIGTERM: 143; SIGHUP: 129).
+
+Progress
+  A terminal shows a bar. Elsewhere, a line every ten seconds names the step, the share that is done, and the
+  time; --quiet leaves it out.`;
 
 const READING_HELP = `
 Formats: the input formats of \`tetrafront convert --help\`; - is standard input.`;
@@ -52,7 +57,7 @@ Regions
 
 CAD files
   STEP, IGES and BREP files are triangulated, remeshed and, if needed, repaired. Each solid becomes a region, in
-  millimetres, each of its faces a patch, and a face that two solids share an interface.
+  millimetres, each of its faces a patch, and a face, or part of one, that two solids share an interface.
 
   --join meshes several files as one model, for example the parts of an assembly. Where solids touch, they share an
   interface, named after both, and the mesh fits together.

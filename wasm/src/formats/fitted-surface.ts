@@ -95,17 +95,27 @@ export function fittedSurface(
 ): FittedSurface | undefined {
   const isOn = (surface: FittedSurface | undefined): surface is FittedSurface =>
     surface !== undefined && nodes.every((p) => surface.distance(p) <= tolerance);
-  const plane = planeOf(triangles);
+  const [some, pieces] = [sampleOf(nodes), sampleOf(triangles)];
+  const plane = planeOf(pieces);
   if (isOn(plane)) return plane;
   const { cylinder, cone, sphere } = MIN_NODES;
-  const axis = axisOf(triangles);
-  const cylinderFit = nodes.length >= cylinder ? revolved(nodes, axis, false) : undefined;
+  const axis = axisOf(pieces);
+  const cylinderFit = nodes.length >= cylinder ? revolved(some, axis, false) : undefined;
   if (isOn(cylinderFit)) return cylinderFit;
   // Two circles of nodes with one axis are on a sphere, too: as a face, they are much more often a cone.
-  const coneFit = nodes.length >= cone ? revolved(nodes, axis, true) : undefined;
+  const coneFit = nodes.length >= cone ? revolved(some, axis, true) : undefined;
   if (isOn(coneFit)) return coneFit;
-  const sphereFit = nodes.length >= sphere ? sphereOf(nodes) : undefined;
+  const sphereFit = nodes.length >= sphere ? sphereOf(some) : undefined;
   return isOn(sphereFit) ? sphereFit : undefined;
+}
+
+/** Largest number of nodes or triangles that determine a surface; all nodes are compared with it. */
+const SAMPLE = 1000;
+
+function sampleOf<Item>(items: readonly Item[]): readonly Item[] {
+  // Odd, because nodes may alternate between two curves.
+  const step = Math.ceil(items.length / SAMPLE) | 1;
+  return step <= 1 ? items : items.filter((_, i) => i % step === 0);
 }
 
 function planeOf(triangles: readonly Corners[]): FittedSurface | undefined {

@@ -1,5 +1,5 @@
 /** The faces of solids and the curves between them, found in triangles that were made face by face. */
-import { PAUSE, type Steps } from "../base/steps.js";
+import { PAUSE, type Steps, stepwise } from "../base/steps.js";
 import { type Corners, cornersOf, dot, lengthOf, minus, pointOf, type Vector } from "../base/vectors.js";
 import { type FittedSurface, fittedSurface } from "./fitted-surface.js";
 import type { JoinedShapes } from "./joined-shapes.js";
@@ -53,7 +53,7 @@ export function* facesAndRims(joined: JoinedShapes, tolerance: number): Steps<Fa
   for (let begin = 0; begin < shapeOf.length;) {
     let end = begin;
     while (end < shapeOf.length && shapeOf[end] === shapeOf[begin]) end++;
-    const borders = bordersIn(joined, begin, end);
+    const borders = yield* bordersIn(joined, begin, end);
     if (borders !== undefined) {
       const first = faces.length;
       for (let from = begin; from < end;) {
@@ -79,21 +79,24 @@ interface Border {
   readonly right: number;
 }
 
-/** Returns the edges between the faces of a shape; undefined if it is not closed, or edges have more than two triangles. */
-function bordersIn(
-  { triangles, faceOf, isDropped }: JoinedShapes,
-  begin: number,
-  end: number,
-): Border[] | undefined {
+/**
+ * Returns the edges between the faces of a shape; undefined if there are none, the shape is not closed, or edges have more than
+ * two triangles.
+ */
+function* bordersIn(joined: JoinedShapes, begin: number, end: number): Steps<Border[] | undefined> {
+  const { triangles, faceOf, isDropped } = joined;
+  if (faceOf[begin] === faceOf[end - 1]) return undefined;
   const faceOfEdge = new Map<number, number>();
-  for (let t = begin; t < end; t++) {
-    if (isDropped[t] === 1) continue;
+  let isManifold = true;
+  yield* stepwise(end - begin, (i) => {
+    const t = begin + i;
+    if (isDropped[t] === 1) return;
     for (let k = 0; k < 3; k++) {
       const key = directedKey(triangles[3 * t + k] ?? 0, triangles[3 * t + ((k + 1) % 3)] ?? 0);
-      if (faceOfEdge.has(key)) return undefined;
+      isManifold &&= !faceOfEdge.has(key);
       faceOfEdge.set(key, faceOf[t] ?? 0);
     }
-  }
+  });
   const borders: Border[] = [];
   for (const [key, left] of faceOfEdge) {
     const [from, to] = [Math.floor(key / STRIDE), key % STRIDE];
@@ -101,7 +104,7 @@ function bordersIn(
     if (right === undefined) return undefined;
     if (left < right) borders.push({ from, to, left, right });
   }
-  return borders;
+  return isManifold && borders.length > 0 ? borders : undefined;
 }
 
 function rangeOf(joined: JoinedShapes, begin: number, end: number, tolerance: number): ShapeRange {
