@@ -87,13 +87,13 @@ function* bordersIn(joined: JoinedShapes, begin: number, end: number): Steps<Bor
   const { triangles, faceOf, isDropped } = joined;
   if (faceOf[begin] === faceOf[end - 1]) return undefined;
   const faceOfEdge = new Map<number, number>();
-  let isManifold = true;
+  let repeated = 0;
   yield* stepwise(end - begin, (i) => {
     const t = begin + i;
     if (isDropped[t] === 1) return;
     for (let k = 0; k < 3; k++) {
       const key = directedKey(triangles[3 * t + k] ?? 0, triangles[3 * t + ((k + 1) % 3)] ?? 0);
-      isManifold &&= !faceOfEdge.has(key);
+      if (faceOfEdge.has(key)) repeated++;
       faceOfEdge.set(key, faceOf[t] ?? 0);
     }
   });
@@ -104,7 +104,7 @@ function* bordersIn(joined: JoinedShapes, begin: number, end: number): Steps<Bor
     if (right === undefined) return undefined;
     if (left < right) borders.push({ from, to, left, right });
   }
-  return isManifold && borders.length > 0 ? borders : undefined;
+  return repeated === 0 && borders.length > 0 ? borders : undefined;
 }
 
 function rangeOf(joined: JoinedShapes, begin: number, end: number, tolerance: number): ShapeRange {
