@@ -12,7 +12,7 @@ function formatLines(list: "readable" | "writable", ...contents: readonly Conten
 const EXIT_CODES_HELP = `
 Exit code
   0  done    1  not completed: stalled, cancelled, out of memory, not written    2  invalid input
-  With several inputs, the highest of their codes. Ctrl-C during meshing cancels it (1); \`mesh\` still writes
+  With several inputs, the highest of their codes. Ctrl-C during meshing cancels it (1; SIGTERM: 143); \`mesh\` still writes
   the report, with the statistics of a remeshing that was stopped; \`remesh\` and \`improve\` write what they have
   made so far. Otherwise, or if a step does not answer within a second, it ends the command without a partial
   file (130; SIGTERM: 143; SIGHUP: 129).

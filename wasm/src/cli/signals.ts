@@ -1,5 +1,7 @@
 /** What happens if the process is asked to end. */
 
+import { constants } from "node:os";
+
 /** Signals that ask a process to end: from a terminal, from another program, and if the terminal is closed. */
 export const ENDING_SIGNALS = ["SIGINT", "SIGTERM", "SIGHUP"] as const;
 export type EndingSignal = (typeof ENDING_SIGNALS)[number];
@@ -12,6 +14,18 @@ export function onEndingSignals(listener: Listener): void {
 
 export function offEndingSignals(listener: Listener): void {
   for (const signal of ENDING_SIGNALS) process.off(signal, listener);
+}
+
+/** The first signal that cancelled calls, if any: a process runs one command. */
+let received: EndingSignal | undefined;
+
+/**
+ * Returns the exit code of a command with this one: that of the signal if SIGTERM or SIGHUP cancelled it. After an interrupt, the
+ * user has cancelled the command, which is no different from other ends without a result.
+ */
+export function exitCodeAfterSignals(exitCode: number): number {
+  const isEnded = received !== undefined && received !== "SIGINT" && exitCode === 1;
+  return isEnded ? 128 + constants.signals[received ?? "SIGTERM"] : exitCode;
 }
 
 /** How long a call may say nothing after a signal before the process ends without it, in milliseconds. */
@@ -32,6 +46,7 @@ export class Interruption {
   readonly #onSignal = (signal: EndingSignal): void => {
     // A terminal sends its signal to a batch and to its processes, and the batch then sends them the other one.
     process.off(signal, this.#onSignal);
+    received ??= signal;
     this.#heardAt = performance.now();
     this.#timer ??= setInterval(() => {
       if (performance.now() - this.#heardAt <= SILENCE_MS) return;
