@@ -17,7 +17,8 @@ export function stagedControl(control: RunControl): (stage: Stage) => RunControl
     const shared = (progress: Progress): void => {
       reached = Math.max(reached, from + (to - from) * progress.fraction);
       const elapsedSeconds = (performance.now() - began) / 1000;
-      return onProgress({ ...progress, fraction: reached, elapsedSeconds });
+      const phase = stage === "remesh" ? stage : progress.phase;
+      return onProgress({ ...progress, phase, fraction: reached, elapsedSeconds });
     };
     return { ...control, onProgress: shared };
   };

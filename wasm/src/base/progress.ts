@@ -1,8 +1,11 @@
 /** Progress of a call. */
 import type { Phase } from "../generated/constants.js";
 
-/** Phase of a call: one of the engine's, or `bodies` while the surfaces of a project's bodies are prepared. */
-export type ProgressPhase = Phase | "bodies";
+/**
+ * Phase of a call: one of the engine's, `bodies` while the surfaces of a project's bodies are prepared, or `remesh` while the
+ * given surface is remeshed before a run.
+ */
+export type ProgressPhase = Phase | "bodies" | "remesh";
 
 /** Progress of a run or another call. For other calls the phase is `check` or `bodies`, and the counts are 0. */
 export interface Progress {
