@@ -248,6 +248,8 @@ void printNumbers() {
   printNumber("MAX_REMESH_ANGLE", kMaxRemeshAngle,
               "Largest feature angle and angle per edge of a remeshing, in degrees.");
   printNumber("MAX_LAYERS", kMaxLayers, "Largest number of layers across thin walls.");
+  printNumber("MIN_SIZE_FACTOR", kMinSizeFactor, "Smallest factor on the sizes of a remeshing.");
+  printNumber("MAX_SIZE_FACTOR", kMaxSizeFactor, "Largest factor on the sizes of a remeshing.");
   printNumber("NO_REGION", SurfaceMesh::kNoRegion, "In `triangleRegions`: no region.");
   printNumber("NO_ORIGIN", kNoOrigin,
               "In `SurfaceInput.origin` and `nodeOrigin`: a triangle or node that the given "

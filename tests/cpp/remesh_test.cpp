@@ -411,6 +411,7 @@ TEST(Remesh, RefusesOptionsOutOfRange) {
       {CheckedOption::kAnglePerEdge, &RemeshOptions::anglePerEdge, {-1.0, 0.9, 181.0, nan}},
       {CheckedOption::kDropDetails, &RemeshOptions::dropDetails, {-1.0, 1e31, nan}},
       {CheckedOption::kLayers, &RemeshOptions::layers, {101.0, nan}},
+      {CheckedOption::kSizeFactor, &RemeshOptions::sizeFactor, {0.0, -1.0, 1e4, nan}},
   };
   for (const auto& [option, field, values] : ranges) {
     for (const double value : values) {

@@ -219,6 +219,26 @@ test("target sizes are shown before meshing on the model and a plane, with a leg
   await expect(page.getByTestId("size-legend")).toBeHidden();
 });
 
+test("a number of elements is reached; without it, the sizes are the given ones again", async ({ page }) => {
+  const app = new SizesPage(page);
+  await app.openCube();
+  const { tets: before } = await app.mesh();
+  await page.getByRole("switch", { name: "Reach a number of elements" }).click();
+  await app.type("elements", "2500");
+  expectNear((await app.generate()).tets, 2500);
+  const slider = page.getByRole("slider", { name: "Elements" });
+  await slider.press("ArrowRight");
+  await expect(page.getByTestId("elements")).not.toHaveValue("2500");
+  await app.type("elements", "0");
+  await expect(page.getByText("Must be a whole number from 1 to 20 million")).toBeVisible();
+  await page.getByRole("switch", { name: "Reach a number of elements" }).click();
+  await expect(page.getByTestId("elements")).toBeHidden();
+  expect((await app.generate()).tets).toBe(before);
+});
+
+const expectNear = (count: number, wanted: number): void =>
+  expect(Math.abs(count / wanted - 1)).toBeLessThanOrEqual(0.05);
+
 test("a problem is fixed by its button, and undo brings it back", async ({ page }) => {
   const app = new SizesPage(page);
   const cube = sampleProject("unit-cube");

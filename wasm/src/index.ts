@@ -252,7 +252,7 @@ export type {
   SurfaceMesh,
   VolumeMesh,
 } from "./mesh/mesh.js";
-export type { FrontRecording, MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
+export type { ElementCount, FrontRecording, MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { Progress, ProgressPhase } from "./base/progress.js";
 export type { ProjectPreview } from "./project/preview.js";

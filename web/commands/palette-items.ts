@@ -44,7 +44,9 @@ function commandItems(app: App): PaletteItem[] {
     }));
 }
 
-const isField = (id: string): id is EditedSetting => ["uniform-size", "gradation", "units"].includes(id);
+/** Returns whether a setting has a field that gets the focus. */
+const isField = (id: string): id is EditedSetting =>
+  ["uniform-size", "elements", "gradation", "units"].includes(id);
 
 /** Returns the settings: each opens the panel that has it. The field of a number gets the focus. */
 function settingItems(app: App): PaletteItem[] {

@@ -85,6 +85,7 @@ const sourceFields = fieldsOf<ProjectSource>({
 });
 const meshingFields = fieldsOf<ProjectMeshing>({
   size: true,
+  elements: true,
   gradation: true,
   innerShells: true,
   order: true,

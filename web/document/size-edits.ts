@@ -87,12 +87,17 @@ function changed<Field extends keyof ProjectMeshing>(
 }
 
 /** Changes a mesh setting of the project; null removes it, so that the default applies. */
+function labelOf(field: keyof ProjectMeshing, isRemoved: boolean): string {
+  if (isRemoved && field === "size") return stepNames.removeUniformSize;
+  return isRemoved && field === "elements" ? stepNames.removeElements : stepNames.setMeshing[field];
+}
+
 export function setMeshing<Field extends keyof ProjectMeshing>(
   field: Field,
   value: ProjectMeshing[Field] | null,
 ): DraftEdit {
   return {
-    label: field === "size" && value === null ? stepNames.removeUniformSize : stepNames.setMeshing[field],
+    label: labelOf(field, value === null),
     ...(typeof value === "number" && { mergeKey: `meshing-${field}` }),
     change: (draft) => {
       const settings = changed(draft.project as Project, field, value);

@@ -64,7 +64,7 @@ export interface ShellState {
 export type EditedField = "name" | "values";
 
 /** A setting whose field the focus can be moved to. */
-export type EditedSetting = "uniform-size" | "gradation" | "units";
+export type EditedSetting = "uniform-size" | "elements" | "gradation" | "units";
 
 export type Shell = StoreApi<ShellState>;
 

@@ -24,6 +24,7 @@ export const stepNames = {
     `Split ${count} background ${count === 1 ? "tetrahedron" : "tetrahedra"}`,
   setMeshing: {
     size: "Set uniform size",
+    elements: "Set number of elements",
     gradation: "Set gradation",
     innerShells: "Set inner shells",
     order: "Set front order",
@@ -31,6 +32,7 @@ export const stepNames = {
   },
   setUnits: "Set length unit",
   convertUnits: (from: string, to: string) => `Convert lengths from ${from} to ${to}`,
+  removeElements: "Mesh with the given sizes",
   removeUniformSize: "Use sizes of background grid",
   refineSizes: "Make all sizes finer",
   coarsenSizes: "Make all sizes coarser",

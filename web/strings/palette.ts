@@ -113,6 +113,7 @@ export const synonyms: Readonly<Record<string, string>> = {
 /** Settings and other words for them. */
 export const settingNames = {
   "uniform-size": { label: "Element size", words: "settings uniform edge length" },
+  elements: { label: "Number of elements", words: "settings count budget tetrahedra size" },
   gradation: { label: "Gradation", words: "settings growth ratio neighbouring sizes" },
   optimization: { label: "Optimization", words: "settings quality thorough fast" },
   units: { label: "Length unit", words: "settings units mm millimetre millimeter metre meter inch scale" },

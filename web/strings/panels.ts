@@ -303,6 +303,11 @@ export const panelStrings = {
     uniform: "Uniform",
     uniformSize: "Uniform size",
     uniformHint: "Uses one size everywhere; only sources make it smaller.",
+    reachCount: "Reach a number of elements",
+    count: "Elements",
+    countMarks: ["100", "1k", "10k", "100k", "1M"],
+    countHint: "Multiplies all sizes by one factor, so that the mesh has this number, within 5 %.",
+    invalidCount: "Must be a whole number from 1 to 20 million",
     noGrid: "There is no background grid yet.",
     gridCounts: (nodes: string, tetrahedra: string) =>
       `${nodes} nodes, ${tetrahedra} ${tetrahedra === "1" ? "tetrahedron" : "tetrahedra"}`,

@@ -20,6 +20,10 @@ namespace tetrafront {
 inline constexpr double kMinRemeshAngle = 1.0;
 inline constexpr double kMaxRemeshAngle = 180.0;
 
+/// Range of RemeshOptions::sizeFactor.
+inline constexpr double kMinSizeFactor = 1e-3;
+inline constexpr double kMaxSizeFactor = 1e3;
+
 /// Largest number of layers across thin walls.
 inline constexpr double kMaxLayers = 100.0;
 
@@ -31,16 +35,19 @@ struct RemeshOptions {
   double size = 0.0;
   /// Smallest automatic size; 0: chosen automatically, with smaller sizes at shorter feature lines and narrower gaps.
   double minSize = 0.0;
-  double maxSize = 0.0;  ///< largest automatic size; 0: a twentieth of the surface's diagonal
+  double maxSize = 0.0;  ///< largest automatic size; 0: a fifteenth of the surface's diagonal
   /// Largest distance between the two surfaces, measured from each to the other, in model units; 0:
-  /// 1/700 of the diagonal, and at most a twentieth of `size`.
+  /// 1/250 of the diagonal; with given sizes 1/700, and at most a twentieth of `size`.
   double tolerance = 0.0;
   double featureAngle =
       40.0;  ///< edges with a larger angle between their triangles stay sharp; degrees
-  /// Largest angle that an edge may span on a curved patch, in degrees; 0: 20, and 60 if a size or a grid is given.
+  /// Largest angle that an edge may span on a curved patch, in degrees; 0: 36, and 60 if a size or a grid is given.
   double anglePerEdge = 0.0;
   /// Elements across the thickness of thin parts; 0: thickness has no influence; negative: 1, and 0 if a size or a grid is given.
   double layers = -1.0;
+  /// Factor on all automatic lengths, angles and layers: below 1, all sizes shrink by it; above 1, flat and curved faces get
+  /// coarser first, then thin walls and gaps, and the automatic tolerance grows as far as the curvature requires.
+  double sizeFactor = 1.0;
   /// Details below this are dropped first: where feature lines are nearer to each other, they become one. In model units;
   /// 0: all details are kept.
   double dropDetails = 0.0;

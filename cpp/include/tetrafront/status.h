@@ -136,6 +136,7 @@ enum class CheckedOption : std::uint8_t {
   kLayers = 8,
   kDropDetails = 9,
   kMaxVolume = 10,
+  kSizeFactor = 11,  ///< of a remeshing
 };
 
 enum class Severity : std::uint8_t { kInformation = 0, kWarning = 1, kError = 2 };

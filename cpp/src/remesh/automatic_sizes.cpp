@@ -199,9 +199,11 @@ void ShapeMeasure::measureLine(const FeatureLine& line) {
     first = i + 1;
   }
   const double length = line.length();
+  // A line keeps at least one edge, and a closed one three, however large the sizes are.
+  const double detail = std::min(rules_.detailFactor, 1.0) * length;
   const double size = line.isClosed()
-                          ? std::max(length / kEdgesPerLoop, rules_.minSize)
-                          : sizeForDetail(length, kSizePerShortLine, rules_.minSizeAtLines);
+                          ? std::max(detail / kEdgesPerLoop, rules_.minSize)
+                          : sizeForDetail(detail, kSizePerShortLine, rules_.minSizeAtLines);
   const double step = std::max(0.25 * length, 0.5 * std::min(size, rules_.minSize));
   for (double arc = 0.0; arc <= length; arc += step) addUnlimited(line.at(arc), size);
 }
@@ -228,7 +230,8 @@ void ShapeMeasure::measureGaps(FeatureLineId id) {
   for (double arc = 0.5 * step; arc < line.length();) {
     const Gap gap = gapAt(id, arc);
     const double least = gap.isAtCorner ? rules_.minSize : rules_.minSizeAtGaps;
-    const double size = sizeForDetail(kSizePerGap * gap.width, kSizePerNarrowGap, least);
+    const double size =
+        sizeForDetail(rules_.detailFactor * kSizePerGap * gap.width, kSizePerNarrowGap, least);
     addUnlimited(line.at(arc), size);
     arc += size < rules_.minSize ? std::min(step, kEdgesPerGapStep * size) : step;
   }

@@ -21,6 +21,7 @@ struct ShapeSizeRules {
   double anglePerEdge = 0.0;    ///< largest angle that an edge spans, in radians
   double layers =
       0.0;  ///< elements across the thickness of thin parts; 0: thickness has no influence
+  double detailFactor = 1.0;  ///< on the sizes at gaps between feature lines and at short lines
 };
 
 /// Positions at which the shape requires a size below the largest one.

@@ -22,8 +22,10 @@ namespace tetrafront {
 namespace {
 
 // Automatic lengths / diagonal of the surface, or / size.
-constexpr double kMaxSizePerDiagonal = 1.0 / 20.0;
-constexpr double kMinSizePerDiagonal = 1.0 / 300.0;
+constexpr double kMaxSizePerDiagonal = 1.0 / 15.0;
+constexpr double kMinSizePerDiagonal = 1.0 / 150.0;
+/// As kMinSizePerDiagonal, if a background grid gives the sizes: it may ask for smaller ones than the shape.
+constexpr double kMinGridSizePerDiagonal = 1.0 / 300.0;
 constexpr double kMinSizePerSize = 0.1;
 /// Smallest sizes at short feature lines and at narrow gaps / smallest automatic size. Triangles around a short line grow
 /// quickly and are few; along a gap there are many.
@@ -32,9 +34,11 @@ constexpr double kGapSizePerMinSize = 1.0 / 25.0;
 /// Upper bound of the triangles that one size below the smallest one adds. Around a point at which the size is 1/1000 of
 /// the smallest, and from which it grows by 0.3 per unit of distance, there are about 900.
 constexpr double kTrianglesPerDetail = 1000.0;
-constexpr double kTolerancePerDiagonal = 1.0 / 700.0;
+constexpr double kTolerancePerDiagonal = 1.0 / 250.0;
+/// As kTolerancePerDiagonal, if sizes are given.
+constexpr double kCoarseTolerancePerDiagonal = 1.0 / 700.0;
 constexpr double kTolerancePerSize = 0.05;
-constexpr double kDegreesPerEdge = 20.0;
+constexpr double kDegreesPerEdge = 36.0;
 /// Angle per edge if sizes are given: a coarse limit that keeps round shapes round.
 constexpr double kCoarseDegreesPerEdge = 60.0;
 /// Tested tolerance / tolerance.
@@ -49,6 +53,15 @@ constexpr double kCoarsePlannedTolerance = 0.7;
 constexpr double kCuspTolerance = 1.25;
 /// Largest edge at a cusp / size that follows from the shape without gaps.
 constexpr double kCuspPerSize = 1.6;
+/// With a size factor f above 1, flat faces get coarser before curved ones: their largest size grows with this power of f, up to
+/// a part of the diagonal; curved ones with f itself. Thin walls and gaps follow last, with a smaller power, up to a limit.
+constexpr double kFlatPower = 1.5;
+constexpr double kMaxFlatSizePerDiagonal = 1.0 / 2.0;
+constexpr double kDetailPower = 0.5;
+constexpr double kMaxDetailFactor = 1.5;
+/// Limits of the angle per edge and of the tolerance, as a part of the diagonal, that a size factor may lead to.
+constexpr double kMaxDegreesPerEdge = 100.0;
+constexpr double kMaxTolerancePerDiagonal = 1.0 / 16.0;
 /// Relative error of the sizes that the shape asks for.
 constexpr float kSlack = 0.01F;
 /// Upper bound of the sizes placed along lines where regions with a largest volume end.
@@ -157,31 +170,65 @@ void addRegionSizes(const ReferenceSurface& reference, const RemeshSizes& given,
 
 }  // namespace
 
+namespace {
+
+/// The effect of RemeshOptions::sizeFactor on the automatic values.
+struct SizeFactors {
+  explicit SizeFactors(double f)
+      : flat(f > 1.0 ? std::pow(f, kFlatPower) : f),
+        curved(f),
+        detail(f > 1.0 ? std::min(std::pow(f, kDetailPower), kMaxDetailFactor) : f),
+        tolerance(f > 1.0 ? f * f : f) {}
+
+  double flat;
+  double curved;
+  double detail;
+  double tolerance;
+};
+
+double toleranceOf(const RemeshOptions& options, bool hasTargets, double diagonal, double factor) {
+  if (options.tolerance > 0.0) return options.tolerance;
+  const double share = hasTargets ? kCoarseTolerancePerDiagonal : kTolerancePerDiagonal;
+  const double tolerance = std::min(factor * share, kMaxTolerancePerDiagonal) * diagonal;
+  return options.size > 0.0 ? std::min(tolerance, kTolerancePerSize * options.size) : tolerance;
+}
+
+}  // namespace
+
 RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal,
                               double plannedShare) {
   const bool hasSize = options.size > 0.0;
+  const SizeFactors factors(options.sizeFactor);
   RemeshLengths lengths{};
-  lengths.maxSize = options.maxSize > 0.0 ? options.maxSize : kMaxSizePerDiagonal * diagonal;
+  lengths.maxSize =
+      std::min(factors.flat * kMaxSizePerDiagonal, kMaxFlatSizePerDiagonal) * diagonal;
+  if (options.maxSize > 0.0) lengths.maxSize = options.maxSize;
   if (hasTargets) lengths.maxSize = hasSize ? options.size : diagonal;
   if (options.maxVolume > 0.0) {
     lengths.maxSize = std::min(lengths.maxSize, sizeForVolume(options.maxVolume));
   }
-  lengths.minSize = hasSize ? kMinSizePerSize * options.size : kMinSizePerDiagonal * diagonal;
+  const double least = hasTargets ? kMinGridSizePerDiagonal : kMinSizePerDiagonal;
+  lengths.minSize = factors.curved * (hasSize ? kMinSizePerSize * options.size : least * diagonal);
   if (options.minSize > 0.0) lengths.minSize = options.minSize;
   lengths.minSize = std::min(lengths.minSize, lengths.maxSize);
   const bool isExact = options.minSize > 0.0;
   lengths.minSizeAtLines = (isExact ? 1.0 : kLineSizePerMinSize) * lengths.minSize;
   lengths.minSizeAtGaps = (isExact ? 1.0 : kGapSizePerMinSize) * lengths.minSize;
-  lengths.tolerance = kTolerancePerDiagonal * diagonal;
-  if (hasSize) lengths.tolerance = std::min(lengths.tolerance, kTolerancePerSize * options.size);
-  if (options.tolerance > 0.0) lengths.tolerance = options.tolerance;
+  lengths.tolerance = toleranceOf(options, hasTargets, diagonal, factors.tolerance);
   lengths.testedTolerance = kTestedTolerance * lengths.tolerance;
   lengths.plannedTolerance =
       (hasTargets ? kCoarsePlannedTolerance : kPlannedTolerance) * plannedShare * lengths.tolerance;
+  // Curved faces then shrink by the factor, as all others do: an edge deviates by the square of its length.
+  if (options.sizeFactor < 1.0 && !(options.tolerance > 0.0)) {
+    lengths.plannedTolerance *= options.sizeFactor;
+  }
   const double automatic = hasTargets ? kCoarseDegreesPerEdge : kDegreesPerEdge;
-  lengths.radiansPerEdge = radians(options.anglePerEdge > 0.0 ? options.anglePerEdge : automatic);
+  const double degrees =
+      std::min(factors.curved * automatic, std::max(kMaxDegreesPerEdge, automatic));
+  lengths.radiansPerEdge = radians(options.anglePerEdge > 0.0 ? options.anglePerEdge : degrees);
   lengths.layers = options.layers;
-  if (options.layers < 0.0) lengths.layers = hasTargets ? 0.0 : 1.0;
+  if (options.layers < 0.0) lengths.layers = hasTargets ? 0.0 : 1.0 / factors.detail;
+  lengths.detailFactor = factors.detail;
   return lengths;
 }
 
@@ -228,10 +275,10 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   co_await work.yield();
 
   work.beginPart(0.7);
-  const ShapeSizeRules rules{
-      lengths.maxSize,       lengths.minSize,          lengths.minSizeAtLines,
-      lengths.minSizeAtGaps, lengths.plannedTolerance, lengths.radiansPerEdge,
-      lengths.layers};
+  const ShapeSizeRules rules{lengths.maxSize,          lengths.minSize,
+                             lengths.minSizeAtLines,   lengths.minSizeAtGaps,
+                             lengths.plannedTolerance, lengths.radiansPerEdge,
+                             lengths.layers,           lengths.detailFactor};
   ShapeSizes ofShape = co_await findShapeSizes(work, reference, rules);
   if (hasRegions) addRegionSizes(reference, *found.sizes, ofShape);
   if (ofShape.positions.empty()) co_return found;

@@ -30,6 +30,7 @@ struct RemeshLengths {
   double plannedTolerance;  ///< deviation that sizes aim at
   double radiansPerEdge;
   double layers;
+  double detailFactor;  ///< as ShapeSizeRules::detailFactor
 };
 
 /// `hasTargets`: a size or a background grid is given. `diagonal`: of the surface. `plannedShare`: of the tolerance, for which

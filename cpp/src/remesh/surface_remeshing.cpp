@@ -47,7 +47,10 @@ std::vector<Diagnostic> checkRemeshOptions(const RemeshOptions& options) {
   const auto [minSize, maxSize, tolerance] =
       std::array{options.minSize, options.maxSize, options.tolerance};
   const auto [featureAngle, perEdge] = std::array{options.featureAngle, options.anglePerEdge};
-  const std::array<OptionValue, 7> checked{{
+  const double factor = options.sizeFactor;
+  const bool isFactor = factor >= kMinSizeFactor && factor <= kMaxSizeFactor;
+  const std::array<OptionValue, 8> checked{{
+      {CheckedOption::kSizeFactor, factor, isFactor},
       {CheckedOption::kMinSize, minSize, isLength(minSize)},
       {CheckedOption::kMaxSize, maxSize, isLength(maxSize)},
       {CheckedOption::kTolerance, tolerance, isLength(tolerance)},

@@ -53,12 +53,18 @@ export function bodyProblems({ bodies = [] }: Project): Diagnostic[] {
   );
 }
 
-/** Prepares a body. `options`: valid ones, with the project's settings. */
+/** Options of the bodies of a run: valid ones, with the project's settings. */
+export interface BodyOptions extends MeshOptions {
+  /** As in `RemeshOptions`. */
+  readonly sizeFactor?: number | undefined;
+}
+
+/** Prepares a body. */
 export async function preparedBody(
   calls: SurfaceCalls,
   project: Project,
   body: ProjectBody,
-  options: MeshOptions,
+  options: BodyOptions,
   { signal, onProgress }: RunControl,
 ): Promise<PreparedBody> {
   // Decoding, placing and sending a large surface are tasks of their own.
@@ -86,7 +92,7 @@ async function treated(
   project: Project,
   body: ProjectBody,
   given: PlacedSurface,
-  options: MeshOptions,
+  { sizeFactor, ...options }: BodyOptions,
   control: RunControl,
 ): Promise<Omit<PreparedBody, "body">> {
   const { surface: treatment = "remesh", remeshing = {} } = body;
@@ -95,7 +101,7 @@ async function treated(
   const named = (found: readonly Diagnostic[]) => found.map((one) => ofBody(one, body, given.trianglePatch));
   if (treatment === "remesh") {
     const { innerShells } = options;
-    const wanted: RemeshOptions = { ...remeshing, ...sizes, innerShells };
+    const wanted: RemeshOptions = { ...remeshing, ...sizes, innerShells, sizeFactor };
     const { surface, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
     return { ...withPatches(given, surface, origin), ...figures, diagnostics: named(diagnostics) };
   }
@@ -199,7 +205,7 @@ export function afterBodies(control: RunControl, seconds: number): RunControl {
 export async function preparedBodies(
   calls: SurfaceCalls,
   project: Project,
-  options: MeshOptions,
+  options: BodyOptions,
   known: readonly PreparedBody[],
   control: RunControl,
 ): Promise<PreparedBodies> {

@@ -34,6 +34,7 @@ import { projectNamer, withMissingId, withPatchOfTriangle } from "../project/nam
 import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground } from "../project/schema.js";
 import {
+  type BodyOptions,
   bodyProblems,
   bodyWithId,
   joinedBodies,
@@ -43,6 +44,8 @@ import {
   preparedBody,
 } from "./body-preparation.js";
 import { beginCall } from "./call-checks.js";
+import type { FinerPart } from "./element-count.js";
+import { elementsReached } from "./element-target.js";
 import {
   checkControl,
   checkImproveInput,
@@ -66,6 +69,16 @@ import type {
   SurfaceSizeProposal,
 } from "./mesher-interface.js";
 import { type LocatedSurface, locateRegions } from "./region-location.js";
+import {
+  ballOf,
+  largestSize,
+  longestEdge,
+  pointsOf,
+  scaledKeptOptions,
+  scaledMeshOptions,
+  scaledProject,
+  withBall,
+} from "./scaled-sizes.js";
 import { sampleSizes } from "./size-samples.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
@@ -95,6 +108,7 @@ import {
   engineOptions,
   engineProposalOptions,
   levelOfImprovement,
+  wantedElements,
   withSettings,
 } from "./options.js";
 import {
@@ -145,14 +159,64 @@ class WorkerMesher implements Mesher {
     const settled = withSettings(own, project);
     const wrong = checkOptions(settled);
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
-    if (hasBodies(project)) return this.#meshWithBodies(project, settled, known, control);
-    return this.#meshModel(project, settled, control);
+    const elements = wantedElements(own, project);
+    return elements === undefined
+      ? this.#meshSettled(project, settled, known, control)
+      : this.#meshToElements(project, settled, { elements, known }, control);
+  }
+
+  /** Meshes a valid project with valid options, which include the project's settings. */
+  #meshSettled(
+    project: Project,
+    options: BodyOptions,
+    known: readonly PreparedBody[],
+    control: RunControl,
+  ): Promise<MeshResult> {
+    if (hasBodies(project)) return this.#meshWithBodies(project, options, known, control);
+    const { sizeFactor: _, ...own } = options;
+    return this.#meshModel(project, own, control);
+  }
+
+  /** As `#meshSettled`, until the mesh has the number of elements. Known bodies and a recording have the final sizes only. */
+  async #meshToElements(
+    project: Project,
+    options: MeshOptions,
+    { elements, known }: { readonly elements: number; readonly known: readonly PreparedBody[] },
+    control: RunControl,
+  ): Promise<MeshResult> {
+    const points = pointsOf(project);
+    const size = options.size ?? largestSize(project, options);
+    const scaledRun = (factor: number, ofRun: RunControl, finer?: FinerPart): Promise<MeshResult> => {
+      const isSame = factor === 1 && finer === undefined;
+      const ofFactor = { ...scaledMeshOptions(options, factor), sizeFactor: factor };
+      const ball = finer && size !== undefined ? ballOf(points, size * finer.factor, finer.share) : undefined;
+      const scaled = { ...ofFactor, background: withBall(ofFactor.background, ball) };
+      const onBody = isSame ? ofRun.onBody : undefined;
+      return this.#meshSettled(scaledProject(project, factor), scaled, isSame ? known : [], {
+        ...ofRun,
+        onBody,
+      });
+    };
+    const expected = hasBodies(project) ? null : await this.#expected(project, options, control);
+    const hasFinerParts = size !== undefined;
+    return elementsReached({ elements, expected, run: scaledRun, hasFinerParts }, control);
+  }
+
+  /** Returns the expected number of elements of a drawn model; null if it is not known. */
+  async #expected(project: Project, options: MeshOptions, { signal }: RunControl): Promise<number | null> {
+    const none = new Float64Array();
+    const ask = sampleSizes(this.#client, project, none, options, { signal });
+    const found = await ask.catch((failure: unknown) => {
+      if (failure instanceof MesherError) return null;
+      throw failure;
+    });
+    return found?.tetrahedra ?? null;
   }
 
   /** Prepares the bodies of a valid project, then meshes it. `options`: valid ones, with the project's settings. */
   async #meshWithBodies(
     project: Project,
-    options: MeshOptions,
+    { sizeFactor, ...options }: BodyOptions,
     known: readonly PreparedBody[],
     control: RunControl,
   ): Promise<MeshResult> {
@@ -161,7 +225,7 @@ class WorkerMesher implements Mesher {
     try {
       const errors = await this.#errorsBefore(project, options, control.signal);
       if (errors.length > 0) return emptyResult("invalid-input", errors, seconds());
-      const ready = await preparedBodies(this.#surfaces, project, options, known, control);
+      const ready = await preparedBodies(this.#surfaces, project, { ...options, sizeFactor }, known, control);
       const { bodies, diagnostics } = ready;
       if (bodies.length < (project.bodies?.length ?? 0)) {
         return emptyResult("invalid-input", diagnostics, seconds());
@@ -213,6 +277,20 @@ class WorkerMesher implements Mesher {
     if (early !== undefined) return early;
     const wrong = [...checkLocatedSurface(surface), ...checkOptions(options)];
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
+    const { elements } = options;
+    if (elements === undefined) return this.#fill(surface, options, control);
+    const longest = longestEdge(surface);
+    const hasFinerParts = (options.background?.sizes.length ?? 0) === 0;
+    const run = (factor: number, ofRun: RunControl, finer?: FinerPart) => {
+      const scaled = scaledKeptOptions(options, factor, longest);
+      const ball = finer && ballOf(surface.points, longest * finer.factor, finer.share);
+      return this.#fill(surface, { ...scaled, background: withBall(scaled.background, ball) }, ofRun);
+    };
+    return elementsReached({ elements, run, isKept: true, hasFinerParts }, control);
+  }
+
+  /** Fills a valid surface with valid options. */
+  #fill(surface: SurfaceInput, options: MeshOptions, control: RunControl): Promise<MeshResult> {
     const { background } = options;
     // Copies: transferring the caller's own arrays would empty them.
     const request = {

@@ -33,7 +33,7 @@ export interface RepairOptions {
 }
 
 /** Options of `refineSurface`: those with which the surface will be filled. */
-export interface RefineOptions extends MeshOptions {
+export interface RefineOptions extends Omit<MeshOptions, "elements"> {
   /**
    * Enclosed volume, as returned by `inspectSurface`, in cubed model units. If given, sizes that require more tetrahedra
    * than a run permits are rejected before anything is split; otherwise only the number of triangles is limited.
@@ -49,15 +49,15 @@ export interface RemeshOptions {
    */
   readonly size?: number | undefined;
   /**
-   * Smallest size that the shape may ask for, in model units. Default: a tenth of `size`, or 1/300 of the diagonal; and
+   * Smallest size that the shape may ask for, in model units. Default: a tenth of `size`, or 1/150 of the diagonal; and
    * smaller near sharp edges and gaps that are smaller themselves.
    */
   readonly minSize?: number | undefined;
-  /** Largest automatic size, in model units. Default: 1/20 of the diagonal. Not together with other sizes. */
+  /** Largest automatic size, in model units. Default: 1/15 of the diagonal. Not together with other sizes. */
   readonly maxSize?: number | undefined;
   /**
-   * Largest distance between the given and the new surface, in both directions, in model units. Default: 1/700 of the
-   * diagonal, but at most 1/20 of `size`.
+   * Largest distance between the given and the new surface, in both directions, in model units. Default: 1/250 of the
+   * diagonal; with `size` or the nodes of a `background` 1/700, but at most 1/20 of `size`.
    */
   readonly tolerance?: number | undefined;
   /**
@@ -66,7 +66,7 @@ export interface RemeshOptions {
    */
   readonly featureAngle?: number | undefined;
   /**
-   * Largest angle that an edge may span on a curved patch, 1 to 180 degrees; 20 gives 18 edges around a circle. Default 20,
+   * Largest angle that an edge may span on a curved patch, 1 to 180 degrees; 36 gives 10 edges around a circle. Default 36,
    * or 60 with `size` or the nodes of a `background`.
    */
   readonly anglePerEdge?: number | undefined;
@@ -83,6 +83,11 @@ export interface RemeshOptions {
    * provided that the triangles get better.
    */
   readonly dropDetails?: number | undefined;
+  /**
+   * Factor on all sizes that follow from the shape, 0.001 to 1000. Default 1. Below 1, all shrink by it; above 1, flat faces
+   * get coarser first, then curved ones, for which the automatic tolerance grows, then thin walls and gaps.
+   */
+  readonly sizeFactor?: number | undefined;
   /** Growth of the size per unit of distance, 0 to 10. Default 0.3. */
   readonly growth?: number | undefined;
   /** Largest volume of a tetrahedron of the future mesh, as in `MeshOptions`: it caps all sizes. */
@@ -188,6 +193,13 @@ export interface MeshOptions {
    * `refineSurface` splits such triangles first.
    */
   readonly size?: number | undefined;
+  /**
+   * Number of elements that the mesh is to have, a whole number from 1 to 20 million; it is reached within 5 % where the shape
+   * permits. All sizes are multiplied by one factor, found by a few runs: given ones, and automatic ones too. Of a surface
+   * whose triangles are kept, only the sizes inside change. If the number cannot be reached, the mesh has the nearest one, and
+   * `element-count` warns. It cannot be combined with `size`; in a project, it scales that of the project.
+   */
+  readonly elements?: number | undefined;
   /**
    * Background grid, which must cover the model. It replaces the grid of a project, but not its sources; for a given
    * surface, it replaces the sizes of the surface's own edges. Without nodes, it adds its sources only.

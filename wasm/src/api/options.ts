@@ -23,9 +23,11 @@ import {
   MAX_LAYERS,
   MAX_LENGTH,
   MAX_REMESH_ANGLE,
+  MAX_SIZE_FACTOR,
   MESH_DEFAULTS,
   MIN_LENGTH,
   MIN_REMESH_ANGLE,
+  MIN_SIZE_FACTOR,
   OPTIMIZATIONS,
   PROPOSAL_DEFAULTS,
   REMESH_DEFAULTS,
@@ -106,8 +108,16 @@ const switchOption = (label: string, otherwise: boolean) =>
 const background = v.optional(v.custom<BackgroundArrays>(() => true));
 const innerShells = choiceOption("meaning of inner shells", INNER_SHELLS, MESH_DEFAULTS.innerShells);
 
+const elementsOption = option(
+  "number of elements",
+  `a whole number from 1 to ${MESH_DEFAULTS.maxTetrahedra}`,
+  wholeWithin(1, MESH_DEFAULTS.maxTetrahedra),
+  undefined,
+);
+
 const meshEntries = {
   size: sizeOption("element size"),
+  elements: elementsOption,
   background,
   growth: growthOption(MESH_DEFAULTS.growth),
   gradation: option(
@@ -155,8 +165,9 @@ const projectMeshSchema = objectWith({
   ),
 } satisfies EntriesOf<ProjectMeshOptions>);
 
+const { elements: _noElements, ...refineEntries } = meshEntries;
 const refineSchema = objectWith({
-  ...meshEntries,
+  ...refineEntries,
   volume: option(
     "volume",
     "the enclosed volume, as inspectSurface returns it",
@@ -192,6 +203,12 @@ const remeshEntries = {
     `0 or a distance from ${limitText(MIN_LENGTH)} to ${limitText(MAX_LENGTH)}, in model units`,
     v.union([v.literal(0), within(MIN_LENGTH, MAX_LENGTH)]),
     undefined,
+  ),
+  sizeFactor: option(
+    "factor on the sizes",
+    `a factor from ${MIN_SIZE_FACTOR} to ${MAX_SIZE_FACTOR}`,
+    within(MIN_SIZE_FACTOR, MAX_SIZE_FACTOR),
+    REMESH_DEFAULTS.sizeFactor,
   ),
   growth: growthOption(REMESH_DEFAULTS.growth),
   maxVolume: meshEntries.maxVolume,
@@ -282,11 +299,24 @@ const repairSchema = objectWith({
 const gridSchema = objectWith({ sizes: v.optional(v.unknown()) });
 
 export function checkOptions(options: MeshOptions): Diagnostic[] {
-  return checkWithBackground(options, meshSchema);
+  return [...checkWithBackground(options, meshSchema), ...twoSizes(options)];
 }
 
 export function checkProjectOptions(options: ProjectMeshOptions): Diagnostic[] {
-  return checkWithBackground(options, projectMeshSchema);
+  return [...checkWithBackground(options, projectMeshSchema), ...twoSizes(options)];
+}
+
+/** Returns an error about a size beside a number of elements. */
+export function excludedSize(option: "size" | "minSize" | "maxSize"): Diagnostic {
+  const message = `\`elements\` and \`${option}\` exclude each other`;
+  return invalidOption("elements", message, `Omit \`${option}\`: the number of elements decides the sizes.`);
+}
+
+/** Returns an error if both a size and a number of elements are given. */
+function twoSizes(options: MeshOptions): Diagnostic[] {
+  const { size, elements } = asObject(options) as typeof options;
+  if (size === undefined || elements === undefined) return [];
+  return [excludedSize("size")];
 }
 
 /** Checks the options of `refineSurface`, which needs sizes. `hasSizes`: the surface has sizes of its own. */
@@ -399,21 +429,34 @@ function wordsOf(schema: v.GenericSchema | undefined, name: string): OptionWords
 
 /**
  * Adds the project's own settings to options that the caller omits. A background grid of the caller also replaces
- * the project's uniform size.
+ * the project's uniform size. The number of elements is left out: see `wantedElements`.
  */
 export function withSettings(options: MeshOptions, { meshing }: Project): MeshOptions {
-  if (meshing === undefined) return options;
-  const given = Object.entries(options).filter(([, value]) => value !== undefined);
+  if (meshing === undefined) return { ...options, elements: undefined };
+  const { elements: _elements, ...own } = options;
+  const given = Object.entries(own).filter(([, value]) => value !== undefined);
   const { background } = options;
   const keepsSize = background === undefined || hasSourcesOnly(background);
-  const settings = keepsSize ? meshing : { ...meshing, size: undefined };
+  const { elements: _ofProject, ...others } = meshing;
+  const settings = keepsSize ? others : { ...others, size: undefined };
   return { ...settings, ...Object.fromEntries(given) };
+}
+
+/** Returns the number of elements that a mesh of a project is to have: that of the caller, whose size would replace the project's. */
+export function wantedElements({ elements, size }: MeshOptions, { meshing }: Project): number | undefined {
+  return elements ?? (size === undefined ? meshing?.elements : undefined);
 }
 
 /** Converts valid options; a size of 0 means none. */
 export function engineOptions(options: MeshOptions): EngineOptions {
   const parsed = v.parse(meshSchema, options);
-  const { background: _, size = MESH_DEFAULTS.size, maxVolume = MESH_DEFAULTS.maxVolume, ...chosen } = parsed;
+  const {
+    background: _,
+    elements: _elements,
+    size = MESH_DEFAULTS.size,
+    maxVolume = MESH_DEFAULTS.maxVolume,
+    ...chosen
+  } = parsed;
   return {
     ...chosen,
     size,

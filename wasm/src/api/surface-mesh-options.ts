@@ -3,7 +3,13 @@ import { shown } from "../base/values.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { SURFACE_TREATMENTS } from "./option-types.js";
-import { checkOptions, checkRemeshOptions, checkRepairOptions, checkSplitOptions } from "./options.js";
+import {
+  checkOptions,
+  excludedSize,
+  checkRemeshOptions,
+  checkRepairOptions,
+  checkSplitOptions,
+} from "./options.js";
 import type {
   MeshOptions,
   RemeshSettings,
@@ -75,6 +81,8 @@ export function checkSurfaceMeshOptions(options: SurfaceMeshOptions): Diagnostic
   const split = splitPart(options);
   const { size, growth, maxVolume, innerShells, background, surface = "auto" } = options;
   const setting = givenRemeshSetting(options);
+  const limits = (["minSize", "maxSize"] as const).filter((name) => options[name] !== undefined);
+  if (options.elements !== undefined && limits.length > 0) return limits.map(excludedSize);
   return [
     ...wrongSwitches(options),
     ...checkRemeshOptions({ ...remeshSettings(options), size, growth, maxVolume, innerShells, background }),

@@ -10,6 +10,7 @@ import type { SurfaceFile } from "../formats/surface-file.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
+import { filledToElements } from "./counted-surface.js";
 import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
 import { checkControl, checkFileSurface as checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
@@ -101,6 +102,8 @@ async function decided(
   options: SurfaceMeshOptions,
 ): Promise<Treatment> {
   if (wanted !== "auto") return { kind: wanted };
+  // Its triangles would limit the number of elements.
+  if (options.elements !== undefined) return { kind: "remesh" };
   if (givenRemeshSetting(options) !== undefined) return { kind: "remesh" };
   const shapes = await inSteps(triangleShapes(surface));
   return shapes.isFit ? { kind: "smaller" } : { kind: "remesh", needles: shapes };
@@ -120,21 +123,44 @@ export interface FillingOptions extends SurfaceOrigin {
   /** Options of the mesh and of a remeshing; the background grid has been read. */
   readonly options: SurfaceMeshOptions;
   readonly controlOf: ControlOf;
+  /** Factor on the automatic sizes of a remeshing. Default 1. */
+  readonly sizeFactor?: number | undefined;
   /** Whether the front is recorded, also one that stalls: then no second surface is tried. Default false. */
   readonly isRecorded?: boolean | undefined;
 }
 
-/**
- * Treats and fills a surface. If its triangles are poor after a repair that welded nodes and a remeshing, tries an exact repair
- * too, and keeps the better. Cancelled, the result has this status.
- */
+/** As `filledOnce`, until the mesh has the number of elements, if that is asked for. */
 export async function filledSurface(
   mesher: Mesher,
   given: SurfaceFile,
   ready: ReadySurface,
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
-  const { options, controlOf } = filling;
+  const { surface, treatment } = ready;
+  const { elements } = filling.options;
+  // The call that fills a kept surface reaches the number itself.
+  if (elements === undefined || treatment.kind === "keep") return filledOnce(mesher, given, ready, filling);
+  const counted = { surface, isRemeshed: treatment.kind === "remesh" };
+  try {
+    return await filledToElements(mesher, counted, { ...filling, elements }, (scaled) =>
+      filledOnce(mesher, given, ready, { ...filling, ...scaled }),
+    );
+  } catch (failure) {
+    return cancelled(failure, ready);
+  }
+}
+
+/**
+ * Treats and fills a surface. If its triangles are poor after a repair that welded nodes and a remeshing, tries an exact repair
+ * too, and keeps the better. Cancelled, the result has this status.
+ */
+async function filledOnce(
+  mesher: Mesher,
+  given: SurfaceFile,
+  ready: ReadySurface,
+  filling: FillingOptions,
+): Promise<MeshedSurface> {
+  const { options, controlOf, sizeFactor } = filling;
   const mesh = meshPart(options);
   const again = () => readySurface(withControl(mesher, controlOf()), given, options, filling, true);
   const isExactPossible = repairPart(options) === undefined && ready.treatment.kind === "remesh";
@@ -144,6 +170,7 @@ export async function filledSurface(
       treatment,
       remeshing: remeshSettings(options),
       options: mesh,
+      sizeFactor,
       controlOf,
     });
   try {
@@ -157,9 +184,14 @@ export async function filledSurface(
       ? { ...done, ...counts, surface, result, isExact }
       : { ...done, result, isExact };
   } catch (failure) {
-    if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
-    return { ...ready, result: emptyResult("cancelled"), isExact: false };
+    return cancelled(failure, ready);
   }
+}
+
+/** Returns what a run that was cancelled has made; throws other failures. */
+function cancelled(failure: unknown, ready: ReadySurface): MeshedSurface {
+  if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
+  return { ...ready, result: emptyResult("cancelled"), isExact: false };
 }
 
 async function fill(

@@ -43,6 +43,8 @@ export interface TreatmentOptions {
   readonly remeshing: RemeshSettings;
   /** Options of the mesh, including the background grid. */
   readonly options: MeshOptions;
+  /** Factor on the automatic sizes of a remeshing. Default 1. */
+  readonly sizeFactor?: number | undefined;
   readonly controlOf: ControlOf;
 }
 
@@ -72,10 +74,10 @@ export async function treatedSurface(
 async function replaced(
   mesher: Mesher,
   given: SurfaceFile,
-  { treatment: { needles }, remeshing, options, controlOf }: TreatmentOptions,
+  { treatment: { needles }, remeshing, options, sizeFactor, controlOf }: TreatmentOptions,
 ): Promise<TreatedSurface> {
   const { size, growth, maxVolume, innerShells, background } = options;
-  const all = { ...remeshing, size, growth, maxVolume, innerShells, background };
+  const all = { ...remeshing, size, sizeFactor, growth, maxVolume, innerShells, background };
   const made = await remeshed(mesher, given, all, { ...controlOf("remesh"), partial: true });
   return needles === undefined ? made : { ...made, diagnostics: [needlesNote(needles), ...made.diagnostics] };
 }

@@ -5,7 +5,7 @@ export const limitText = (limit: number): string => String(limit).replace("+", "
 
 /**
  * Height of steps between faces that nearly coincide / diagonal, up to which they are removed by the repair before a
- * remeshing: a sixth of the default tolerance of a remeshing.
+ * remeshing: a sixteenth of the default tolerance of a remeshing.
  */
 export const STEP_HEIGHT = 1 / 4096;
 

@@ -48,6 +48,12 @@ Element sizes
   --source limits the sizes around a position. --max-volume caps all sizes, and tetrahedra that are larger
   nonetheless are split; the boundary does not change.
 
+Number of elements
+  --elements makes as many elements as you ask for, within 5 %. All sizes, those of a project, a grid or a source
+  too, are multiplied by one factor, which a few runs find; surfaces are remeshed. Fewer elements make flat faces
+  coarser first, then curved ones, then thin walls. If the shape permits no such number, or --surface keep keeps
+  its triangles, the mesh has the nearest one, and a warning states the least or the most. --report has both numbers.
+
 Regions
   Hole points of TetGen's .smesh and .poly files keep volumes empty; region points number regions and limit the
   volume of their tetrahedra. The smallest of these limits also applies to triangles that are split or replaced.
@@ -103,6 +109,7 @@ ${EXIT_CODES_HELP}
 Examples
   tetrafront mesh part.stl -o part.vtu
   tetrafront mesh part.step -o part.vtu
+  tetrafront mesh part.step -o part.vtu --elements 50000
   tetrafront mesh base.step post.step -o assembly.msh --join
   tetrafront mesh surface.ply -o mesh.vtu
   tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json

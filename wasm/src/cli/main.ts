@@ -153,6 +153,10 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
   );
   withUnits(withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption())))
     .option(
+      "--elements <count>",
+      "number of elements to reach within 5 %: all sizes are multiplied by one factor; surfaces are remeshed",
+    )
+    .option(
       "--require-angle <degrees>",
       "exit with 1 if the smallest dihedral angle is below this; still write the mesh",
     )

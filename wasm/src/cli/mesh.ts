@@ -310,6 +310,7 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOp
   const meshOptions: SurfaceMeshOptions = {
     ...sizesIn(options),
     ...remeshSettingsIn(options),
+    elements: numberIn(options.elements),
     gradation: numberIn(options.gradation),
     maxVolume: numberIn(options.maxVolume),
     innerShells: options.innerShells,

@@ -47,12 +47,12 @@ export const withRemeshing = (command: Command, prefix = ""): Command =>
   command
     .option(
       "--min-size <length>",
-      `${prefix}smallest size that the shape may ask for (default: 1/10 of --size, or 1/300 of the diagonal; smaller at tiny details)`,
+      `${prefix}smallest size that the shape may ask for (default: 1/10 of --size, or 1/150 of the diagonal; smaller at tiny details)`,
     )
-    .option("--max-size <length>", `${prefix}largest automatic size (default: 1/20 of the diagonal)`)
+    .option("--max-size <length>", `${prefix}largest automatic size (default: 1/15 of the diagonal)`)
     .option(
       "--tolerance <distance>",
-      `${prefix}largest distance from the given surface (default: 1/700 of the diagonal, at most 1/20 of --size)`,
+      `${prefix}largest distance from the given surface (default: 1/250 of the diagonal; with given sizes 1/700, at most 1/20 of --size)`,
     )
     .option(
       "--feature-angle <degrees>",
@@ -60,7 +60,7 @@ export const withRemeshing = (command: Command, prefix = ""): Command =>
     )
     .option(
       "--angle-per-edge <degrees>",
-      `${prefix}largest angle that an edge spans where the surface is curved (default 20; 60 with given sizes)`,
+      `${prefix}largest angle that an edge spans where the surface is curved (default 36; 60 with given sizes)`,
     )
     .option(
       "--layers <count>",

@@ -12,6 +12,7 @@ import { unusedLines } from "./tables.js";
 /** Options as commander passes them. */
 export interface SizeCommandOptions {
   readonly size?: string;
+  readonly elements?: string;
   readonly growth?: string;
   readonly source?: readonly string[];
   readonly background?: string;

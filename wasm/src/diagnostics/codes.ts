@@ -27,6 +27,8 @@ export type PackageCode =
   | "divided-surface"
   /** Too many triangles of a surface were needles, and all were replaced. */
   | "replaced-surface"
+  /** A mesh does not have the number of elements that was asked for. */
+  | "element-count"
   /** A surface was valid, but is not after the rounding of its file format. */
   | "invalid-when-rounded"
   /** Many elements of a mesh have small dihedral angles. */

@@ -9,9 +9,11 @@ import {
   type EngineCode,
   type EntityKind,
   MAX_LAYERS,
+  MAX_SIZE_FACTOR,
   MAX_REMESH_ANGLE,
   MIN_LENGTH,
   MIN_REMESH_ANGLE,
+  MIN_SIZE_FACTOR,
 } from "../generated/constants.js";
 import type { DiagnosticData } from "./data.js";
 
@@ -57,6 +59,7 @@ const OPTION_WORDS: Readonly<Record<CheckedOption, readonly [name: string, range
   "angle-per-edge": ["angle per edge", ANGLE_RANGE],
   "drop-details": ["length of dropped details", `a distance from 0 up to ${LENGTH}`],
   layers: ["number of layers", `a number from 0 to ${MAX_LAYERS}`],
+  "size-factor": ["factor on the sizes", `a factor from ${MIN_SIZE_FACTOR} to ${MAX_SIZE_FACTOR}`],
   "max-volume": ["largest volume of a tetrahedron", "a volume above 0"],
 };
 

@@ -15,7 +15,7 @@ import { joinedSurface } from "./shape-surface.js";
 import { stepNotes, stepText } from "./step-text.js";
 
 /**
- * The distance is at most 1/5000 of the diagonal of each part, far below the remesher's tolerance of 1/700; the mean
+ * The distance is at most 1/5000 of the diagonal of each part, far below the remesher's tolerance of 1/250; the mean
  * side of a box is at most its diagonal / √3. With this angle, a circle has 63 edges and loses 0.17 % of its area.
  */
 const PER_DIAGONAL = 5000;

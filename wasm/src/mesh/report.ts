@@ -20,6 +20,16 @@ export interface Seconds {
   readonly optimize: number;
 }
 
+/** The number of elements that was asked for by `elements`, and how it was reached. */
+export interface ElementCount {
+  readonly asked: number;
+  readonly reached: number;
+  /** Factor by which all sizes were multiplied. */
+  readonly sizeFactor: number;
+  /** Number of meshes that were made. */
+  readonly runs: number;
+}
+
 /** Statistics and diagnostics of a run. */
 export interface MeshReport {
   readonly status: MeshStatus;
@@ -64,6 +74,8 @@ export interface MeshReport {
    * Empty if the run was cancelled or never began.
    */
   readonly fingerprint: string;
+  /** Present if a number of elements was asked for. `seconds.total` is then the time of all runs. */
+  readonly elements?: ElementCount | undefined;
   readonly diagnostics: readonly Diagnostic[];
 }
 

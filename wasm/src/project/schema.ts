@@ -13,6 +13,7 @@ import {
   LINE_TYPES,
   MAX_LAYERS,
   MAX_REMESH_ANGLE,
+  MESH_DEFAULTS,
   OPTIMIZATIONS,
   PATCH_TYPES,
   REPAIR_KINDS,
@@ -191,6 +192,9 @@ const backgroundSchema = v.pipe(
 const meshingSchema = v.pipe(
   objectWith({
     size: v.optional(described(WORDS.size, upTo(LIMITS.length))),
+    elements: v.optional(
+      described(WORDS.elements, v.pipe(integer, v.minValue(1), v.maxValue(MESH_DEFAULTS.maxTetrahedra))),
+    ),
     gradation: v.optional(described(WORDS.gradation, upTo(LIMITS.gradation))),
     innerShells: v.optional(described(WORDS.innerShells, v.picklist(INNER_SHELLS))),
     order: v.optional(described(WORDS.order, v.picklist(FRONT_ORDERS))),

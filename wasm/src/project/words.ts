@@ -33,6 +33,8 @@ export const WORDS = {
   coverageMargin:
     "Positions up to this distance outside the grid count as covered; a fraction of the longest edge of the nearest tetrahedron",
   size: `Uniform size in model units that replaces the background grid, above 0, up to ${LENGTH}; sources still apply`,
+  elements:
+    "Number of elements that the mesh is to have: all sizes are multiplied by the factor with which it is reached within 5 %",
   gradation: `Largest size ratio of neighbouring elements, above 1, up to ${LIMITS.gradation}; 0 for no limit; default ${MESH_DEFAULTS.gradation}`,
   innerShells:
     "What closed shells inside a region bound: cavities, or regions, which are meshed too; by default (by-orientation), regions if their triangles face the same way as those around them",

@@ -12,6 +12,7 @@ import { strings } from "../../strings";
 import { useApp, useProject, useView } from "../shared/app-context";
 import { useEditedSetting } from "../shared/use-edited-setting";
 import { aboveZero, sizeStep, unitsOf, upTo } from "../shared/size-fields";
+import { ElementCount } from "./element-count";
 import { SectionTitle } from "../../ui/frames/section-title";
 
 const texts = strings.background;
@@ -39,6 +40,7 @@ export function ElementSize() {
         />
         {uniformSize === undefined ? <GridCounts /> : <UniformSize size={uniformSize} />}
       </div>
+      <ElementCount />
       <Group gap={5}>
         {["cover", "propose"].map((id) => (
           <SizeCommand key={id} id={id} />

@@ -8,6 +8,7 @@ import { NumberField } from "../../ui/fields/number-field";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
+import { ElementCount } from "../background/element-count";
 import { useApp, useProject } from "../shared/app-context";
 import { aboveZero, featureAngle, notNegative, sizeStep } from "../shared/size-fields";
 import styles from "./bodies.module.css";
@@ -65,6 +66,7 @@ export function BodyTreatment({ body }: { readonly body: ProjectBody }) {
       {surface === "remesh" && (
         <>
           <RemeshingField body={body} field="size" />
+          <ElementCount />
           <details className={styles["options"]} data-testid="remeshing-options">
             <summary>{texts.options}</summary>
             {fields.slice(1).map((field) => (
@@ -126,10 +128,10 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
 
 /** Defaults of the package, as shares of the diagonal and of a given size. */
 const defaults = {
-  size: 1 / 20,
-  minSize: { diagonal: 1 / 300, size: 1 / 10 },
-  tolerance: { diagonal: 1 / 700, size: 1 / 20 },
-  anglePerEdge: { automatic: 20, size: 60 },
+  size: 1 / 15,
+  minSize: { diagonal: 1 / 150, size: 1 / 10 },
+  tolerance: { automatic: 1 / 250, diagonal: 1 / 700, size: 1 / 20 },
+  anglePerEdge: { automatic: 36, size: 60 },
   growth: 0.3,
 } as const;
 
@@ -148,7 +150,10 @@ function useAutomaticValues(body: ProjectBody): { readonly [F in Field]: number 
     minSize: prepared?.minSize ?? (given === undefined ? minSize.diagonal * diagonal : minSize.size * given),
     maxSize: size,
     tolerance:
-      prepared?.tolerance ?? Math.min(tolerance.diagonal * diagonal, tolerance.size * (given ?? Infinity)),
+      prepared?.tolerance ??
+      (given === undefined
+        ? tolerance.automatic * diagonal
+        : Math.min(tolerance.diagonal * diagonal, tolerance.size * given)),
     featureAngle: REMESH_DEFAULTS.featureAngle,
     anglePerEdge: given === undefined ? anglePerEdge.automatic : anglePerEdge.size,
     layers: given === undefined ? 1 : 0,

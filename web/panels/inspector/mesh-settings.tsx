@@ -19,8 +19,8 @@ import styles from "./mesh-settings.module.css";
 
 const texts = strings.meshing;
 
-/** Settings of a project apart from its size. */
-type Setting = Exclude<keyof ProjectMeshing, "size">;
+/** Settings of a project apart from its sizes. */
+type Setting = Exclude<keyof ProjectMeshing, "size" | "elements">;
 
 const refuseGradation = (value: number): string | null =>
   value === 0 || (value > 1 && value <= LIMITS.gradation) ? null : texts.invalidGradation;

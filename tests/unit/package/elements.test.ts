@@ -1,0 +1,172 @@
+/** Meshes with a wanted number of elements: `elements` of the calls, and `--elements` of the command line. */
+import { readFileSync } from "node:fs";
+
+import { createMesher, type MeshReport, type MeshResult, type Project, writeProject } from "tetrafront";
+import { afterAll, beforeAll, expect, test } from "vitest";
+
+import { expectValid } from "../../support/expect-valid.js";
+import { cubeProject } from "../../support/projects.js";
+import { boxSolid, stepFile } from "../../support/step-files.js";
+import { offFile, stlText } from "../../support/surface-files.js";
+import { boxSurface, sphereSurface, torusSurface } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
+
+const { save, run, inFolder } = temporaryFolder();
+let mesher: Awaited<ReturnType<typeof createMesher>>;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+const codes = (report: MeshReport) => report.diagnostics.map(({ code }) => code);
+
+/** Expects a mesh with the wanted number of elements within 5 %, as its report says. */
+function expectReached({ status, tetrahedra, elements }: MeshReport, wanted: number): void {
+  expect(status).toBe("done");
+  expect(Math.abs(tetrahedra / wanted - 1), `${tetrahedra} of ${wanted}`).toBeLessThanOrEqual(0.05);
+  expect(elements).toMatchObject({ asked: wanted, reached: tetrahedra });
+}
+
+async function meshed(input: string, ...more: readonly string[]): Promise<MeshReport> {
+  const result = await run("mesh", input, "-o", "part.vtu", "--report", "part.json", ...more);
+  expect(result.code, result.stderr).toBe(0);
+  return JSON.parse(readFileSync(inFolder("part.json"), "utf8")) as MeshReport;
+}
+
+const SHAPES = {
+  sphere: () => sphereSurface(24),
+  box: () => boxSurface(1, [0, 0, 0], [3, 2, 1]),
+  plate: () => boxSurface(2, [0, 0, 0], [10, 8, 0.5]),
+  torus: () => torusSurface(48, 24, 5, 2),
+};
+
+test.each([
+  ["sphere", 300],
+  ["sphere", 3000],
+  ["sphere", 30_000],
+  ["box", 200],
+  ["box", 2000],
+  ["box", 20_000],
+  ["plate", 2000],
+  ["plate", 20_000],
+  ["torus", 1000],
+  ["torus", 10_000],
+] as const)("--elements is reached within 5 %%: %s, %i", async (shape, wanted) => {
+  save("part.stl", stlText(SHAPES[shape]()));
+  const report = await meshed("part.stl", "--elements", String(wanted));
+  expectReached(report, wanted);
+  expect(report.dihedral.min).toBeGreaterThan(10);
+  expect(codes(report)).not.toContain("element-count");
+});
+
+test("a STEP file of several solids is meshed with the number", async () => {
+  const solids = [boxSolid("a", [0, 0, 0], [10, 10, 10]), boxSolid("b", [20, 0, 0], [24, 30, 5])];
+  save("part.step", stepFile(solids));
+  expectReached(await meshed("part.step", "--elements", "4000"), 4000);
+});
+
+test("the number decides the sizes of a drawn model with a background grid and sources", async () => {
+  const project = cubeProject(0.25);
+  const source = { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.05, distance: 0.1 } as const;
+  const withSource: Project = { ...project, background: { ...project.background, sources: [source] } };
+  for (const wanted of [400, 8000]) {
+    const result = await mesher.meshProject(withSource, { elements: wanted });
+    expectReached(result.report, wanted);
+    expectValid(result);
+    // Elements at the source stay the smallest ones.
+    expect(edgeNear(result, [0, 0, 0])).toBeLessThan(0.7 * edgeNear(result, [1, 1, 1]));
+  }
+});
+
+/** Returns the length of the shortest edge at the node nearest to a position. */
+function edgeNear({ volume: { points, tetrahedra } }: MeshResult, position: readonly number[]): number {
+  const distance = (a: number, to: readonly number[]) =>
+    Math.hypot(...to.map((value, k) => value - (points[3 * a + k] ?? 0)));
+  let nearest = 0;
+  for (let n = 1; n < points.length / 3; n++) {
+    if (distance(n, position) < distance(nearest, position)) nearest = n;
+  }
+  const at = [...points.subarray(3 * nearest, 3 * nearest + 3)];
+  const others = [...tetrahedra].flatMap((_, i) => {
+    const corners = tetrahedra.subarray(i - (i % 4), i - (i % 4) + 4);
+    return tetrahedra[i] === nearest ? [...corners].filter((node) => node !== nearest) : [];
+  });
+  return Math.min(...others.map((node) => distance(node, at)));
+}
+
+test("a project keeps the number among its settings; a size of the caller replaces it", async () => {
+  const project: Project = { ...cubeProject(0.3), meshing: { size: 0.3, elements: 1500 } };
+  expectReached((await mesher.meshProject(project)).report, 1500);
+  const sized = await mesher.meshProject(project, { size: 0.3 });
+  expect(sized.report.elements).toBeUndefined();
+  save("cube.json", new TextEncoder().encode(writeProject(project)));
+  expectReached(await meshed("cube.json"), 1500);
+  expectReached(await meshed("cube.json", "--elements", "600"), 600);
+});
+
+test("the same number gives the same mesh", async () => {
+  const surface = sphereSurface(8);
+  const meshes = [1, 2].map(() => mesher.fillSurface(surface, { elements: 9000 }));
+  const [a, b] = await Promise.all(meshes);
+  expect(a?.report.fingerprint).toBe(b?.report.fingerprint);
+  if (a) expectReached(a.report, 9000);
+});
+
+test("a kept surface limits the number, and the warning states the limit", async () => {
+  const { report } = await mesher.fillSurface(sphereSurface(16), { elements: 10 });
+  expect(report.status).toBe("done");
+  expect(codes(report)).toContain("element-count");
+  const told = report.diagnostics.find(({ code }) => code === "element-count");
+  expect(told).toMatchObject({ severity: "warning" });
+  expect(told?.message).toContain(`10 elements asked for, ${report.tetrahedra} reached`);
+  expect(told?.message).toContain("the triangles of the surface are kept");
+});
+
+test("a number below what the shape permits ends with the fewest and exit code 0", async () => {
+  save("part.off", offFile(torusSurface(40, 20, 5, 1)));
+  const result = await run("mesh", "part.off", "-o", "part.vtu", "--elements", "5", "--report", "part.json");
+  expect(result.code).toBe(0);
+  expect(result.stderr).toMatch(/warning: part\.off: 5 elements asked for, \d+ reached/);
+});
+
+test.each([
+  [["--size", "0.1"], "--elements and --size exclude each other"],
+  [["--max-size", "0.1"], "--elements and --max-size exclude each other"],
+  [["--min-size", "0.1"], "--elements and --min-size exclude each other"],
+])("sizes and a number exclude each other: %j", async (more, message) => {
+  save("part.off", offFile(boxSurface(1)));
+  const { code, stderr } = await run("mesh", "part.off", "-o", "part.vtu", "--elements", "100", ...more);
+  expect(code).toBe(2);
+  expect(stderr).toContain(message);
+});
+
+test.each(["0", "-5", "2.5", "many", "1e9"])("%s is no number of elements", async (count) => {
+  save("part.off", offFile(boxSurface(1)));
+  const { code, stderr } = await run("mesh", "part.off", "-o", "part.vtu", "--elements", count);
+  expect(code).toBe(2);
+  expect(stderr).toMatch(/number of elements/);
+});
+
+test("a size and a number in one call are refused", async () => {
+  const { report } = await mesher.fillSurface(boxSurface(1), { size: 0.2, elements: 100 });
+  expect(report.status).toBe("invalid-input");
+  expect(codes(report)).toEqual(["invalid-option"]);
+});
+
+test("progress never decreases and ends at 1; cancelling ends all runs", async () => {
+  const fractions: number[] = [];
+  await mesher.fillSurface(
+    sphereSurface(16),
+    { elements: 20_000 },
+    { onProgress: ({ fraction }) => fractions.push(fraction) },
+  );
+  expect(fractions).toEqual([...fractions].sort((a, b) => a - b));
+  expect(fractions.at(-1)).toBe(1);
+  const stop = new AbortController();
+  const { report } = await mesher.fillSurface(
+    sphereSurface(16),
+    { elements: 200_000 },
+    { signal: stop.signal, onProgress: ({ tetrahedra }) => tetrahedra > 1000 && stop.abort() },
+  );
+  expect(report.status).toBe("cancelled");
+});

@@ -1,0 +1,215 @@
+/** Runs that reach a number of elements: their common progress, and what the report says about the number. */
+import type { Progress } from "../base/progress.js";
+import { plural } from "../base/plural.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { MesherError } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { RunControl } from "../engine/control.js";
+import type { ElementCount, MeshResult } from "../mesh/report.js";
+import { type CountResult, type FinerPart, meshedToCount, type SearchEnd } from "./element-count.js";
+
+export interface ElementTarget<Made> {
+  /** Wanted number of elements. */
+  readonly elements: number;
+  /** Number of elements that a run without a factor is expected to make; null if it is not known. */
+  readonly expected?: number | null | undefined;
+  /** Makes a mesh with all sizes multiplied by the factor. */
+  readonly run: (factor: number, control: RunControl, finer?: FinerPart) => Promise<Made>;
+  /** Whether `run` can make a finer part. Default false. */
+  readonly hasFinerParts?: boolean | undefined;
+  readonly resultOf: (made: Made) => MeshResult;
+  /** Whether the triangles of the surface are kept, so that they limit the number. */
+  readonly isKept?: boolean | undefined;
+}
+
+/** What was made, with the result of its run: its report states the number that was asked for. */
+export interface ElementRun<Made> {
+  readonly made: Made;
+  readonly result: MeshResult;
+  readonly factor: number;
+}
+
+/** Meshes until the number of elements is within 5 % of the wanted one, or as near as possible, which a warning then says. */
+export async function meshedToElements<Made>(
+  target: ElementTarget<Made>,
+  control: RunControl,
+): Promise<ElementRun<Made>> {
+  const { elements, expected, run, resultOf } = target;
+  const { onTrace, experiment, ...untraced } = control;
+  const shared = new SharedProgress(untraced);
+  let failure: unknown;
+  const found = await meshedToCount<Made | undefined>({
+    wanted: elements,
+    first: firstFactor(elements, expected ?? elements),
+    hasFinerParts: target.hasFinerParts,
+    mesh: async (factor, share, finer) => {
+      try {
+        const made = await shared.during(share, (ofRun) => run(factor, ofRun, finer));
+        const { status, tetrahedra } = resultOf(made).report;
+        return { factor, finer, count: status === "done" ? tetrahedra : undefined, made };
+      } catch (error) {
+        if (!isLimit(error)) throw error;
+        failure ??= error;
+        return { factor, count: undefined, made: undefined };
+      }
+    },
+    isEnded: () => control.signal?.aborted === true,
+  });
+  const { factor, finer } = found.best;
+  // A recording has the steps of one run.
+  const isRecorded = onTrace !== undefined && found.end !== "failed";
+  const made = isRecorded
+    ? await shared.during(1, (ofRun) => run(factor, { ...ofRun, onTrace, experiment }, finer))
+    : found.best.made;
+  shared.end();
+  if (made === undefined) throw failure;
+  return { made, factor, result: reported(resultOf(made), found, target, shared.seconds) };
+}
+
+/** As `meshedToElements`, for runs that make nothing else. */
+export async function elementsReached(
+  target: Omit<ElementTarget<MeshResult>, "resultOf">,
+  control: RunControl,
+): Promise<MeshResult> {
+  const { result } = await meshedToElements({ ...target, resultOf: (made: MeshResult) => made }, control);
+  return result;
+}
+
+/** Powers of the number over the factor that are assumed for the first run, towards fewer and towards more elements. */
+const FEWER_POWER = 2.2;
+const MORE_POWER = 2.8;
+/** A first run with far more elements than expected without a factor makes fewer than all: its factor may be wrong, and it takes long. */
+const MANY = 50_000;
+const FAR = 10;
+const FIRST_PART = 6;
+
+function firstFactor(elements: number, expected: number): number {
+  let ratio = elements / Math.max(1, expected);
+  if (elements > MANY && ratio > FAR) ratio /= FIRST_PART;
+  return ratio ** (-1 / (ratio > 1 ? MORE_POWER : FEWER_POWER));
+}
+
+/** Sizes that ask for too many elements, or for more memory than there is. */
+function isLimit(error: unknown): boolean {
+  if (!(error instanceof MesherError)) return false;
+  return (
+    error.code === "out-of-memory" ||
+    (error.code === "invalid-input" &&
+      error.data.diagnostics.some(({ code }) => code === "too-many-elements"))
+  );
+}
+
+function reported<Made>(
+  result: MeshResult,
+  { end, runs, best }: CountResult<unknown>,
+  { elements, isKept = false }: ElementTarget<Made>,
+  seconds: number,
+): MeshResult {
+  const { report } = result;
+  const reached = report.tetrahedra;
+  const counted: ElementCount = { asked: elements, reached, sizeFactor: best.factor, runs };
+  const all =
+    report.status === "done" ? [...report.diagnostics, ...missed(counted, end, isKept)] : report.diagnostics;
+  return {
+    ...result,
+    report: {
+      ...report,
+      seconds: { ...report.seconds, total: seconds },
+      elements: counted,
+      diagnostics: all,
+    },
+  };
+}
+
+/** Returns a warning if the number was not reached. */
+function missed({ asked, reached }: ElementCount, end: SearchEnd, isKept: boolean): Diagnostic[] {
+  if (end === "reached" || end === "failed") return [];
+  const [why, remedy] = reasons(end, isKept, reached);
+  const message = `${plural(asked, "element")} asked for, ${reached} reached: ${why}`;
+  return [packageDiagnostic("element-count", message, remedy, "warning")];
+}
+
+const REMESH = 'Remesh the surface (`surface: "remesh"` or `remeshSurface()`)';
+
+function reasons(
+  end: Exclude<SearchEnd, "reached" | "failed">,
+  isKept: boolean,
+  reached: number,
+): [string, string] {
+  switch (end) {
+    case "least":
+      return isKept
+        ? [
+            `about ${reached} are the fewest, because the triangles of the surface are kept`,
+            `${REMESH}, so that its triangles get larger.`,
+          ]
+        : [
+            `about ${reached} are the fewest that this shape permits: its sharp edges, narrow faces and thin walls need them`,
+            "Drop details of the shape, or accept this number.",
+          ];
+    case "most":
+      return isKept
+        ? [
+            `about ${reached} are the most, because the triangles of the surface are kept, or because memory ends`,
+            `${REMESH}, so that its triangles get smaller.`,
+          ]
+        : [
+            `about ${reached} are the most that other given sizes or the limits of memory permit`,
+            "Ask for fewer, or omit limits of sizes.",
+          ];
+    case "nearest":
+      return [
+        "this is the nearest number found, because the number jumps where edges and faces get one element more",
+        "Ask for another number, or accept this one.",
+      ];
+  }
+}
+
+/** Returns a control for a part of a run, whose progress goes from one fraction to another. */
+export function controlOfPart(control: RunControl, from: number, to: number): RunControl {
+  const { onProgress } = control;
+  if (onProgress === undefined) return control;
+  const tell = (progress: Progress): void =>
+    onProgress({ ...progress, fraction: from + (to - from) * progress.fraction });
+  return { ...control, onProgress: tell };
+}
+
+/** Progress of runs that follow each other: it never decreases, and ends at 1. */
+class SharedProgress {
+  readonly #control: RunControl;
+  readonly #began = performance.now();
+  #done = 0;
+  #last: Progress | undefined;
+
+  constructor(control: RunControl) {
+    this.#control = control;
+  }
+
+  get seconds(): number {
+    return (performance.now() - this.#began) / 1000;
+  }
+
+  /** Makes a run, which is a share of the remaining work. */
+  async during<T>(share: number, run: (control: RunControl) => Promise<T>): Promise<T> {
+    const part = (1 - this.#done) * share;
+    const before = this.#done;
+    const onProgress = (progress: Progress): void => {
+      const fraction = Math.max(this.#last?.fraction ?? 0, before + part * progress.fraction);
+      this.#tell({ ...progress, fraction, elapsedSeconds: this.seconds });
+    };
+    const isWatched = this.#control.onProgress !== undefined;
+    const made = await run({ ...this.#control, ...(isWatched && { onProgress }) });
+    this.#done = before + part;
+    return made;
+  }
+
+  end(): void {
+    const last = this.#last;
+    if (last !== undefined) this.#tell({ ...last, fraction: 1, elapsedSeconds: this.seconds });
+  }
+
+  #tell(progress: Progress): void {
+    this.#last = progress;
+    this.#control.onProgress?.(progress);
+  }
+}
