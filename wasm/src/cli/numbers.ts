@@ -1,5 +1,6 @@
 /** Numbers in the text of options. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { asTypedDiagnostic } from "./command-line-words.js";
 import { InvalidInput } from "./messages.js";
 
 /** Decimal notation; 0x10, 1_000 and the empty word are not numbers. */
@@ -14,5 +15,5 @@ export function numberIn(text: string | undefined): number | undefined {
 
 /** Throws the problems found by a check of options. */
 export function refuseOptions(wrong: readonly Diagnostic[]): void {
-  if (wrong.length > 0) throw new InvalidInput("command line", wrong);
+  if (wrong.length > 0) throw new InvalidInput("command line", wrong.map(asTypedDiagnostic));
 }
