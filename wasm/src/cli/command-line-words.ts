@@ -8,6 +8,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 const OPTIONS: ReadonlySet<string> = new Set([
   ...([
     "size",
+    "elements",
     "growth",
     "background",
     "maxVolume",
