@@ -53,11 +53,7 @@ export default tseslint.config(
     extends: [...tseslint.configs.recommendedTypeChecked],
     languageOptions: {
       parserOptions: {
-        // vite.config.ts runs in Node: it belongs to no page's project.
-        projectService: {
-          allowDefaultProject: ["web/vite.config.ts"],
-          defaultProject: "tests/tsconfig.json",
-        },
+        projectService: true,
         tsconfigRootDir: import.meta.dirname,
       },
     },
@@ -80,7 +76,7 @@ export default tseslint.config(
     },
   },
   {
-    files: ["scripts/**/*.mjs", "tests/**/*.mjs", "wasm/bin/**/*.mjs", "*.mjs"],
+    files: ["scripts/**/*.mjs", "tests/**/*.mjs", "wasm/bin/**/*.mjs", "web/*.mjs", "*.mjs"],
     languageOptions: { globals: globals.node },
   },
   // A benchmark is a program whose output is its result.

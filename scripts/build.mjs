@@ -27,7 +27,16 @@ export const steps = {
     await minifyScripts();
   },
   async package() {
-    const inputs = filesUnder([inRoot("wasm"), inRoot("tsconfig.base.json"), inRoot("package-lock.json")]);
+    const inputs = filesUnder(
+      [
+        inRoot("wasm"),
+        inRoot("tsconfig.base.json"),
+        inRoot("package-lock.json"),
+        inRoot("scripts", "lib", "notices.mjs"),
+        inRoot("scripts", "notices"),
+      ],
+      { skip: ["node_modules", "dist", "THIRD-PARTY-NOTICES.txt"] },
+    );
     const types = ["engine", "tools", "trace"].map((module) =>
       inRoot("wasm", "dist", "engine", `${module}.d.ts`),
     );
@@ -47,6 +56,8 @@ export const steps = {
       inRoot("public"),
       inRoot("package-lock.json"),
       inRoot("tsconfig.base.json"),
+      inRoot("scripts", "lib"),
+      inRoot("scripts", "notices"),
     ]);
     const hash = hashOf([...inputs, ...filesUnder([inRoot("wasm", "dist")], { skip: [] })]);
     const stamp = inRoot("build", "site.stamp");

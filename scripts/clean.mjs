@@ -5,6 +5,7 @@ import { inRoot } from "./lib/paths.mjs";
 for (const folder of [
   "build",
   "wasm/dist",
+  "wasm/THIRD-PARTY-NOTICES.txt",
   "wasm/src/generated",
   "web/dist",
   "test-results",

@@ -85,6 +85,9 @@ Dir::Cache "$state/cache";
 APT::Sandbox::User "";
 APT::Default-Release "";
 Acquire::Languages "none";
+Acquire::AllowInsecureRepositories "false";
+Acquire::AllowWeakRepositories "false";
+APT::Get::AllowUnauthenticated "false";
 Acquire::Retries "3";
 CONF
 ours() { apt-get -qq -c "$state/apt.conf" "$@" >&2; }
@@ -92,6 +95,19 @@ say "reading the package index of $SUITE"
 ours update || die "no verified index of $SUITE (a keyring without its key? install a newer debian-archive-keyring)"
 say "fetching ${#PACKAGES[@]} packages (about 320 MB; what is there already is kept)"
 (cd "$debs" && ours download "${PACKAGES[@]}") || die "download incomplete: run this again to resume"
+
+# Also packages of an earlier run, which may have been interrupted: each must be the one of the signed index.
+say "checking the packages"
+for package in "${PACKAGES[@]%%=*}"; do
+  file=$(ls -t "$debs/${package}"_*.deb | head -n 1)
+  version=$(dpkg-deb -f "$file" Version)
+  expected=$(apt-cache -c "$state/apt.conf" show "$package=$version" | sed -n 's/^SHA256: //p' | sort -u)
+  found=$(sha256sum "$file" | cut -d ' ' -f 1)
+  if [ -z "$expected" ] || ! grep -qx "$found" <<<"$expected"; then
+    mv "$file" "$file.refused"
+    die "$(basename "$file") has the SHA-256 $found, not ${expected:-one of the signed index}: it is not used; run this again"
+  fi
+done
 
 say "unpacking"
 rm -rf "$part"; mkdir "$part"

@@ -3,7 +3,6 @@ import "@fontsource-variable/inter/wght.css";
 import "./ui/theme/base.css";
 import "@mantine/core/styles.layer.css";
 import "@mantine/spotlight/styles.layer.css";
-import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
 import { createApp, type Intent, type Start } from "./app/create-app";
 import { offerLeftDocument } from "./commands/project-actions";
@@ -12,20 +11,43 @@ import { Page } from "./panels/page/page";
 import { lessonIn, withLesson } from "./lessons/lesson-address";
 import { sharedFrontIn, withoutFront } from "./player/shared-front";
 import { listenForPalette } from "./panels/shared/palette";
-import { cssVariables, theme } from "./ui/theme/theme";
+import { ThemeProvider } from "./ui/theme/theme-provider";
 
 listenForPalette();
 
 const query = new URLSearchParams(window.location.search);
 const still = query.get("test") === "1";
+// Loaded only for a link with a project in it.
+const linked = window.location.hash.startsWith("#project=")
+  ? await import("./player/project-link").then(({ linkedIn }) => linkedIn(window.location.hash))
+  : null;
 const app = await createApp({
   autosave: "main",
   generate: true,
-  intent: intentOf(query),
+  intent: linked?.kind === "linked" ? { kind: "project", project: linked.linked.project } : intentOf(query),
   still,
 });
 
 offerLeftDocument(app);
+
+const sharing = () => import("./commands/share-actions");
+if (linked) {
+  // A reload continues with the project as it is then.
+  window.history.replaceState(null, "", window.location.href.replace(/#.*$/s, ""));
+  void sharing().then(({ showLinked, showLinkFailure }) =>
+    linked.kind === "linked" ? showLinked(app, linked.linked) : showLinkFailure(app, linked),
+  );
+}
+window.addEventListener("hashchange", () => {
+  void sharing().then(({ openLink }) => openLink(app, window.location.hash));
+});
+
+void import("./commands/document-pictures")
+  .then(({ keepPictures }) => keepPictures(app))
+  .catch(() => undefined);
+void import("./commands/offline-actions")
+  .then(({ followOffline }) => followOffline(app))
+  .catch(() => undefined);
 
 /**
  * The address selects the document to open, `model=ID` or `new=1`, but a reload continues with the document as it was
@@ -46,7 +68,7 @@ function startOf(query: URLSearchParams): Start | null {
 
 const shared = sharedFrontIn(query);
 if (shared) {
-  void import("./commands/share-actions").then(({ showSharedIfOpen }) => showSharedIfOpen(app, shared));
+  void sharing().then(({ showSharedIfOpen }) => showSharedIfOpen(app, shared));
 }
 
 // The step that the address names belongs to the first document.
@@ -87,13 +109,8 @@ if (still) {
 const root = document.getElementById("root");
 if (root) {
   createRoot(root).render(
-    <MantineProvider
-      theme={theme}
-      cssVariablesResolver={cssVariables}
-      defaultColorScheme="auto"
-      env={still ? "test" : "default"}
-    >
+    <ThemeProvider still={still}>
       <Page app={app} />
-    </MantineProvider>,
+    </ThemeProvider>,
   );
 }

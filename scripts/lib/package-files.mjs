@@ -2,6 +2,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
+import { ENGINE_PARTS, noticesText } from "./notices.mjs";
 import { inRoot } from "./paths.mjs";
 
 /** The modules of the compiled engine in dist/engine. */
@@ -94,8 +95,9 @@ export async function bundlePages() {
   const { build } = await import("esbuild");
   const dist = inRoot("wasm", "dist");
   const outdir = inRoot("wasm", "dist", "page");
-  const { outputFiles } = await build({
+  const { outputFiles, metafile } = await build({
     write: false,
+    metafile: true,
     entryPoints: {
       tetrafront: `${dist}/index.js`,
       worker: `${dist}/engine/worker.js`,
@@ -128,10 +130,17 @@ export async function bundlePages() {
   });
   rmSync(outdir, { recursive: true, force: true });
   mkdirSync(outdir, { recursive: true });
+  writePackageNotices(Object.keys(metafile.inputs).map((file) => path.resolve(file)));
   const named = plainChunkNames(outputFiles.map((file) => path.basename(file.path)));
   for (const file of outputFiles) {
     writeFileSync(path.join(outdir, named(path.basename(file.path))), named(file.text));
   }
+}
+
+/** Writes the licences of what the package contains of others: the modules bundled for pages, and parts of the engine. */
+function writePackageNotices(modules) {
+  const text = noticesText(modules, ENGINE_PARTS, "This package");
+  writeFileSync(inRoot("wasm", "THIRD-PARTY-NOTICES.txt"), text);
 }
 
 /**

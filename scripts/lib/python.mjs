@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node
 import path from "node:path";
 import { withLock } from "./lock.mjs";
 import { inRoot, toolchain } from "./paths.mjs";
-import { output, run, say } from "./run.mjs";
+import { output, run, say, UserError } from "./run.mjs";
 import { which } from "./tools.mjs";
 
 const folder = path.join(toolchain, "python");
@@ -14,7 +14,7 @@ const own = path.join(
   ...(process.platform === "win32" ? ["Scripts", "python.exe"] : ["bin", "python"]),
 );
 /**
- * Files of pinned packages, installed separately because Gmsh is not built for every machine. `debian` lists the
+ * Files of pinned packages with their checksums, installed separately because Gmsh is not built for every machine. `debian` lists the
  * system packages that it may need.
  */
 const PARTS = [
@@ -30,6 +30,7 @@ const PIP = [
   "--no-compile",
   "--disable-pip-version-check",
   "--only-binary=:all:",
+  "--require-hashes",
   "--retries=1",
 ];
 /** Time limit per step; on a fast network all steps take about 15 s. */
@@ -70,10 +71,24 @@ async function addParts(works, missing) {
   for (const { name, module, debian = [] } of missing) {
     const isThere = await quietly(own, [...PIP, "-r", listOf(name)], name);
     if (isThere) writeFileSync(stampOf(name), digestOf(name));
-    else say(`setup: scripts/${name}.txt could not be installed: see .toolchain/${name}.log`);
+    else if (wasRefused(name)) {
+      throw new UserError(
+        `A Python package differs from its checksum in scripts/${name}.txt, and was not installed: see .toolchain/${name}.log`,
+      );
+    } else say(`setup: scripts/${name}.txt could not be installed: see .toolchain/${name}.log`);
     if (isThere && output(own, ["-c", `import ${module}`]) === undefined) await addDebian(debian);
   }
 }
+
+/** Returns whether pip has refused a package because of its checksum: that is no failure of the network. */
+function wasRefused(name) {
+  const log = path.join(toolchain, `${name}.log`);
+  return existsSync(log) && isChecksumError(readFileSync(log, "utf8"));
+}
+
+/** Returns whether the output of pip says that a file differs from its checksum, or has none. */
+export const isChecksumError = (output) =>
+  /DO NOT MATCH THE HASHES|Hashes are required|Expected sha256/.test(output);
 
 async function makeEnvironment() {
   const make = () => quietly(which("python3", "python") ?? "python3", ["-m", "venv", folder], "python");

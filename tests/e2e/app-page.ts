@@ -40,6 +40,8 @@ export class AppPage {
   async open(scheme: "dark" | "light" = "dark", model?: string): Promise<MeshState> {
     await this.page.addInitScript((scheme) => {
       localStorage.setItem("mantine-color-scheme-value", scheme);
+      // The start page covers a part of the view.
+      localStorage.setItem("tetrafront-start-page", "never");
       Reflect.deleteProperty(window, "showOpenFilePicker");
       Reflect.deleteProperty(window, "showSaveFilePicker");
     }, scheme);

@@ -171,7 +171,8 @@ test("two tabs keep their own projects after a reload", async ({ page, context }
   await first.type("entity-name", "mine");
   await expect(first.viewport).toHaveAttribute("data-autosaved", "true");
   const second = new AppPage(await context.newPage());
-  await second.open();
+  await second.page.goto("./?test=1");
+  await expect(second.viewport).toHaveAttribute("data-frames", /./);
   await second.openExample("plate-with-hole");
   await expect(second.viewport).toHaveAttribute("data-autosaved", "true");
   await page.reload();

@@ -133,7 +133,7 @@ test("a new tab does not open a project that is open in another tab", async ({ p
   await renameProject(page, "mine");
   await kept(app);
   const other = new AppPage(await context.newPage());
-  await other.open();
+  await other.page.goto("./?test=1");
   await expect(projectName(other.page)).toHaveValue("Engine intake");
   const dialog = await openRecentDialog(other.page);
   await expect(dialog.getByRole("listitem")).toHaveText([/^mine.*Open in another tab/]);

@@ -77,10 +77,12 @@ test("on a phone, no legend of an embedded front covers a label", async ({ page 
 test("an embedded front fits into a narrow frame, and is loaded when it is seen", async ({ page }) => {
   await page.goto("./embed.html?model=none");
   await expect(page.getByTestId("embed-failure")).toContainText("names no model");
-  // A page of a course with a frame far below.
+  // A page of a course, on another host, with a frame far below.
+  const site = new URL("./", page.url()).href;
+  await page.goto("about:blank");
   await page.setContent(
     `<html lang="en"><body style="margin: 0"><p style="height: 3000px">Text</p>
-    <iframe title="front" width="320" height="300" src="/embed.html?test=1&model=unit-cube&step=5"></iframe></body></html>`,
+    <iframe title="front" width="320" height="300" src="${site}embed.html?test=1&model=unit-cube&step=5"></iframe></body></html>`,
   );
   const frame = page.frameLocator("iframe");
   await expect(frame.locator("#root")).toBeAttached();
@@ -95,9 +97,9 @@ test("an embedded front fits into a narrow frame, and is loaded when it is seen"
     frame.getByTestId("viewport").evaluate((view) => view.clientHeight);
   expect(await height()).toBeGreaterThan(160);
   // With the sentence about a candidate, too.
-  await page.locator("iframe").evaluate((element: HTMLIFrameElement) => {
-    element.src = "/embed.html?test=1&model=unit-cube&step=258&candidate=0";
-  });
+  await page.locator("iframe").evaluate((element: HTMLIFrameElement, address) => {
+    element.src = address;
+  }, `${site}embed.html?test=1&model=unit-cube&step=258&candidate=0`);
   await expect(frame.getByTestId("supposed-front")).toContainText("was refused");
   await expect.poll(height).toBeGreaterThan(130);
 });
@@ -111,7 +113,7 @@ test("a link leads to the same model, step, candidate, colours and camera", asyn
   await expect(page.getByTestId("player-coloring")).toHaveValue("layer");
   await page.getByTestId("player-forward").click();
   await page.getByTestId("player-share").click();
-  await page.getByTestId("share-link").click();
+  await page.getByTestId("share-step-link").click();
   await expect(page.getByText("The link to this step is in the clipboard.")).toBeVisible();
   const link = new URL(await page.evaluate(() => navigator.clipboard.readText()));
   expect(Object.fromEntries(link.searchParams)).toEqual({
@@ -179,14 +181,19 @@ test("what an address asks for and cannot get is reported, in the app and in an 
   await expect(failure).toContainText("unit-cube");
 });
 
-test("a changed model has no link, and the app says why", async ({ page }) => {
+test("the link to a changed model holds it, and only examples are embedded", async ({ page }) => {
   await page.goto("./?test=1&model=unit-cube&step=10");
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "10");
   await page.getByRole("tab", { name: "Inspector" }).click();
   await page.getByTestId("project-name").fill("Mine");
   await page.getByTestId("project-name").press("Enter");
   await page.getByTestId("player-share").click();
-  await page.getByTestId("share-link").click();
+  await page.getByTestId("share-step-link").click();
+  await expect(page.getByRole("dialog", { name: "Share link" })).toContainText("the step of the front");
+  await expect(page.getByTestId("share-link-text")).toHaveValue(/#project=/);
+  await page.keyboard.press("Escape");
+  await page.getByTestId("player-share").click();
+  await page.getByTestId("share-embed").click();
   await expect(page.getByRole("dialog")).toContainText("unchanged examples");
 });
 

@@ -1,6 +1,7 @@
 import type { Mesher } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { Player } from "../player/player";
+import { DocumentPictures } from "../session/document-pictures";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
 import { createShell, showNotice, type Shell } from "../session/shell";
@@ -46,6 +47,8 @@ export class App extends Session {
   readonly generate: boolean;
   readonly still: boolean;
   readonly left: LeftDocument | null;
+  /** Small pictures of the documents in the library. */
+  readonly pictures = new DocumentPictures();
 
   constructor(session: SessionOptions, { gallery, generate, still, left = null }: PageOptions) {
     super(session);

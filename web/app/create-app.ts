@@ -7,8 +7,11 @@ import { BrowserStorage } from "../session/document-storage";
 import { newDocument } from "../session/document-store";
 import { loadGallery, loadModel, type Gallery } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
+import { startPage } from "../session/start-page";
 import { BrowserTabMemory } from "../session/tab-memory";
 import { strings } from "../strings";
+import { workerStrings } from "../strings/passing";
+import { onWorkerLost } from "../workers/worker-client";
 import { App } from "./app";
 
 /** What a new app shows first. */
@@ -57,11 +60,13 @@ export async function createApp({ autosave, generate, intent, still = false }: A
     return noGallery;
   });
   const known = knownIntent(intent, gallery);
+  // Its own documents are locked only from now on.
+  const isFurther = (await library?.isOpenElsewhere().catch(() => false)) ?? false;
   const first = await firstDocument(library, gallery, known).catch((error: unknown) => {
     noteFailure(error);
-    return { document: newDocument(emptyProject()) };
+    return { document: newDocument(emptyProject()), isOpening: false };
   });
-  const replaces = known.kind === "model" || known.kind === "new";
+  const replaces = known.kind !== "continue";
   const left = replaces ? ((await library?.unsaved().catch(() => null)) ?? null) : null;
 
   const app = new App({ first, mesher, previewMesher, library }, { gallery, generate, still, left });
@@ -72,7 +77,12 @@ export async function createApp({ autosave, generate, intent, still = false }: A
     app.shell.setState({ message: { title: strings.messages.unknownExample(intent.id), lines } });
   }
   keepDocuments(app);
-  if (generate && !isEmptyProject(first.document.history.present.project)) void app.run.generate("app");
+  reportLostWorkers(app);
+  const isOpening = first.isOpening === true && autosave !== null;
+  if (isOpening && (isFurther || startPage.isWanted())) app.shell.setState({ startPage: true });
+  // The example is meshed in one tab.
+  const isMeshed = generate && !(isOpening && isFurther);
+  if (isMeshed && !isEmptyProject(first.document.history.present.project)) void app.run.generate("app");
   return app;
 }
 
@@ -82,11 +92,17 @@ function knownIntent(intent: Intent, { models }: Gallery): Intent {
   return isKnown ? intent : { kind: "continue", otherwise: null };
 }
 
+interface FirstDocument extends Pick<LockedDocument, "document"> {
+  readonly release?: () => void;
+  /** The gallery's opening model, because there is nothing else to show. */
+  readonly isOpening?: boolean;
+}
+
 async function firstDocument(
   library: DocumentLibrary | null,
   gallery: Gallery,
   intent: Intent,
-): Promise<Pick<LockedDocument, "document"> & Partial<LockedDocument>> {
+): Promise<FirstDocument> {
   if (intent.kind === "project") return { document: newDocument(intent.project) };
   if (intent.kind === "continue") {
     // Without storage, for example in a private window, there is nothing to continue.
@@ -98,7 +114,20 @@ async function firstDocument(
   const model =
     gallery.models.find(({ id }) => id === start?.id) ??
     gallery.models.find(({ id }) => id === gallery.opening);
-  return { document: newDocument(model ? await loadModel(model) : emptyProject()) };
+  const project = model ? await loadModel(model) : emptyProject();
+  return { document: newDocument(project), isOpening: start === null };
+}
+
+/** Says that a worker has ended by itself. Its client starts another one; runs report the end of the engine. */
+function reportLostWorkers({ shell }: App): void {
+  onWorkerLost((reason) =>
+    showNotice(shell, {
+      key: "worker",
+      tone: "warning",
+      text: workerStrings.lost(reason),
+      action: { label: workerStrings.understood, run: () => undefined },
+    }),
+  );
 }
 
 /** Stores the documents of an app until the user leaves the page. */

@@ -37,6 +37,7 @@ export const DOWNLOADS: readonly string[] = [
 ];
 
 export const fileMenu: readonly Command[] = [
+  define("file", 0)("start", commandLabels.start, (app) => app.shell.setState({ startPage: true })),
   define("file", 0)("new", commandLabels.new, newProject),
   define("file", 0)("new-template", commandLabels.newTemplate, (app) =>
     app.shell.setState({ dialog: "templates" }),
@@ -61,6 +62,10 @@ export const fileMenu: readonly Command[] = [
   define("file", 1)("save-as", commandLabels.saveAs, (app) => void save(app, true), {
     keys: ["mod+shift+S"],
     inFields: true,
+  }),
+  define("file", 1)("share", commandLabels.share, (app) => app.shell.setState({ dialog: "share" })),
+  define("file", 1)("picture", commandLabels.picture, (app) => app.shell.setState({ dialog: "picture" }), {
+    enabled: (app) => app.viewer.getState().viewer !== null,
   }),
   define("file", 2)("export", exportStrings.menu, (app) => app.shell.setState({ dialog: "export" }), {
     keys: ["mod+shift+E"],

@@ -1,5 +1,7 @@
 import { commandLabels } from "../strings";
+import { canWorkOffline } from "../session/offline";
 import { define, type Command } from "./command";
+import { keepOffline } from "./offline-actions";
 
 export const helpMenu: readonly Command[] = [
   define("help", 0)("lessons", commandLabels.lessons, (app) =>
@@ -13,5 +15,8 @@ export const helpMenu: readonly Command[] = [
   ),
   define("help", 0)("help", commandLabels.help, (app) => app.shell.setState({ dialog: "help" }), {
     keys: ["shift+?"],
+  }),
+  define("help", 1)("keep-offline", commandLabels.keepOffline, (app) => void keepOffline(app), {
+    enabled: () => canWorkOffline(),
   }),
 ];

@@ -33,7 +33,11 @@ export async function savePicture(app: App): Promise<void> {
   const viewer = viewerOf(app);
   if (!viewer) return;
   try {
-    const picture = await viewer.picture((paper) => drawLabels(app, viewer, paper));
+    const picture = await viewer.picture((paper) => {
+      const scale = paper.canvas.width / viewer.size.width;
+      paper.scale(scale, scale);
+      drawLabels(app, viewer, paper);
+    });
     download([picture], `${nameOf(app)}.png`, "image/png");
   } catch (error) {
     showFailure(app, texts.noPicture, error);
@@ -59,12 +63,10 @@ function labelsOf(state: PlayerState): readonly LensLabel[] {
     : [];
 }
 
-/** Draws the labels of what the lens shows, which are not in the canvas of the view. */
-function drawLabels({ player }: App, viewer: Viewer, paper: CanvasRenderingContext2D): void {
+/** Draws the labels of what the lens shows, which are not in the canvas of the view, in CSS pixels of the view. */
+export function drawLabels({ player }: App, viewer: Viewer, paper: CanvasRenderingContext2D): void {
   const labels = placedLabels({ labels: labelsOf(player.state.getState()) }, drawingView(viewer));
-  const scale = paper.canvas.width / viewer.size.width;
   paper.save();
-  paper.scale(scale, scale);
   paper.font = `${svgFont}px sans-serif`;
   paper.textAlign = "center";
   paper.textBaseline = "middle";

@@ -154,7 +154,7 @@ async function reopen(app: App, document: DocumentState): Promise<void> {
 
 function finishOpening(app: App, before: DocumentState): void {
   app.viewer.getState().viewer?.framing.reset();
-  app.shell.setState({ drawer: null, dialog: null, leftTab: "model", message: null });
+  app.shell.setState({ drawer: null, dialog: null, startPage: false, leftTab: "model", message: null });
   if (!hasUnsavedChanges(before)) hideNotice(app.shell, "document-left");
   else offerReopening(app, settledProject(before).name, () => reopen(app, before));
 }

@@ -4,16 +4,19 @@ import type { App } from "../app/app";
 import { meshKey } from "../document/content-keys";
 import { knownCandidate, queryOf, type SharedFront } from "../player/shared-front";
 import { firstState } from "../player/phases";
-import { isUntouched } from "../session/document-store";
+import { linkedIn, linkTo, withoutLink, type LinkedProject, type LinkFailure } from "../player/project-link";
+import { isUntouched, settledProject } from "../session/document-store";
 import { loadModel } from "../session/gallery";
 import { showNotice } from "../session/shell";
 import { untilState } from "../session/until-state";
 import { addressStrings } from "../strings/address";
+import { linkStrings } from "../strings/passing";
 import { shareStrings as texts } from "../strings/share";
 import { breakpoints } from "../ui/theme/theme";
 import type { Viewer } from "../viewer/viewer";
 import { showAddressProblems } from "./address-problems";
 import { showFailure, showMessage } from "./messages";
+import { openProject } from "./project-actions";
 
 /**
  * Shows the state that an address names if its model is open and unchanged. After a reload, another document may be open.
@@ -23,8 +26,11 @@ export async function showSharedIfOpen(app: App, shared: SharedFront): Promise<v
   if (open?.id === shared.model) await showShared(app, shared);
 }
 
+/** A state of a front, and how it is seen. */
+type ShownFront = Omit<SharedFront, "model">;
+
 /** Records the front of the present model, and shows the state that an address names. */
-export async function showShared(app: App, shared: SharedFront): Promise<void> {
+export async function showShared(app: App, shared: ShownFront): Promise<void> {
   app.shell.setState({ bottomTab: "front", drawer: "bottom" });
   app.run.cancel();
   await untilState(app.run.state, ({ busy }) => !busy);
@@ -51,7 +57,7 @@ export async function showShared(app: App, shared: SharedFront): Promise<void> {
 }
 
 /** Resolves when the view is there; never without WebGL. */
-function viewerOf({ viewer: store }: App): Promise<Viewer> {
+export function viewerOf({ viewer: store }: App): Promise<Viewer> {
   const { viewer } = store.getState();
   if (viewer) return Promise.resolve(viewer);
   return new Promise((resolve) => {
@@ -101,8 +107,11 @@ async function openModel({ documents, gallery }: App, order: FrontOrder): Promis
   return given === open ? { id: model.id, original } : null;
 }
 
+/** Copies the link to the step: an unchanged example has a short one; any other model is in the link. */
 export async function copyLink(app: App): Promise<void> {
-  await withShared(app, (shared) => copy(app, addressOf("index.html", shared), texts.linkCopied));
+  const shared = await sharedFrontOf(app).catch(() => null);
+  if (shared) await copy(app, addressOf("index.html", shared), texts.linkCopied);
+  else app.shell.setState({ dialog: "share" });
 }
 
 /** Copies the HTML that shows the state in a frame of another page. */
@@ -113,6 +122,40 @@ export async function copyEmbedCode(app: App): Promise<void> {
     const code = `<iframe src="${address}" title="${title}" loading="lazy" style="width: 100%; aspect-ratio: 4 / 3; border: 0"></iframe>`;
     return copy(app, code, texts.codeCopied);
   });
+}
+
+/** Returns the link to the open project, as it is seen. */
+export async function projectLink(app: App): Promise<string> {
+  const { trace, step, coloring, candidate } = app.player.state.getState();
+  const { cut } = app.view.state.getState();
+  return linkTo(new URL("./", document.baseURI).href, {
+    project: settledProject(app.documents.state.getState()),
+    camera: app.viewer.getState().viewer?.pose ?? null,
+    cut: cut.enabled ? cut : null,
+    front: trace ? { step, order: trace.header.order, coloring, candidate } : null,
+  });
+}
+
+/** Shows what a link says beside the project, which is open. */
+export async function showLinked(app: App, { camera, cut, front }: LinkedProject): Promise<void> {
+  if (cut) app.view.setCut(cut);
+  if (front) await showShared(app, { ...front, camera });
+  else if (camera) (await viewerOf(app)).setPose(camera);
+}
+
+/** Opens the project of a link that was entered while another one was open, which Recent keeps. */
+export async function openLink(app: App, hash: string): Promise<void> {
+  const found = await linkedIn(hash);
+  if (!found) return;
+  window.history.replaceState(null, "", withoutLink(window.location.href));
+  if (found.kind !== "linked") return showLinkFailure(app, found);
+  openProject(app, found.linked.project);
+  await showLinked(app, found.linked);
+}
+
+export function showLinkFailure(app: App, failure: LinkFailure): void {
+  const line = failure.kind === "damaged" ? linkStrings.damaged : linkStrings.invalid(failure.reason);
+  showMessage(app, linkStrings.noLink, [line]);
 }
 
 /** Calls `pass` with the state of the front that is shown, or says why no address names it. */

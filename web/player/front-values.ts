@@ -1,7 +1,8 @@
 import type { Trace } from "tetrafront";
 
 /** What the colours of the front's faces mean. */
-export type FrontColoring = "age" | "size" | "layer";
+export const frontColorings = ["age", "size", "layer"] as const;
+export type FrontColoring = (typeof frontColorings)[number];
 
 /**
  * How a front is faded behind what the lens shows. It loses most of its colour and some contrast, the more the farther it is from

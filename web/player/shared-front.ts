@@ -1,7 +1,7 @@
 /** A state of the front of a model of the gallery, as an address names it. */
 import { FRONT_ORDERS, type FrontOrder, type Trace } from "tetrafront";
 import type { CameraPose } from "../viewer/camera";
-import type { FrontColoring } from "./front-values";
+import { frontColorings, type FrontColoring } from "./front-values";
 import { surfaceState } from "./phases";
 
 export interface SharedFront {
@@ -17,7 +17,6 @@ export interface SharedFront {
   readonly camera: CameraPose | null;
 }
 
-const colorings: readonly FrontColoring[] = ["age", "size", "layer"];
 /** Digits of the camera's coordinates. */
 const digits = 5;
 
@@ -30,7 +29,7 @@ export function sharedFrontIn(query: URLSearchParams): SharedFront | null {
     model,
     step,
     order: FRONT_ORDERS.find((order) => order === query.get("order")) ?? null,
-    coloring: colorings.find((coloring) => coloring === query.get("color")) ?? "age",
+    coloring: frontColorings.find((coloring) => coloring === query.get("color")) ?? "age",
     candidate: countIn(query.get("candidate")),
     camera: cameraIn(query.get("camera")),
   };

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { isUntouched, type DocumentState, type DocumentStore } from "./document-store";
+import { isListed, type DocumentState, type DocumentStore } from "./document-store";
 import type { DocumentStorage } from "./document-storage";
 import { keptDocument } from "./kept-document";
 
@@ -132,8 +132,7 @@ export class Autosave {
   /** Starts to write. Only this part blocks the page; the storage does the rest in the background. */
   #issue(state: DocumentState): Promise<void> {
     const started = performance.now();
-    const isListed = state.file !== null || !isUntouched(state);
-    const writing = this.#storage.write(keptDocument(state, Date.now(), isListed));
+    const writing = this.#storage.write(keptDocument(state, Date.now(), isListed(state)));
     this.#lastBlockingTime = performance.now() - started;
     return writing;
   }

@@ -92,6 +92,12 @@ export class DocumentLibrary {
     return taken === "open-in-another-tab" ? this.#copy(own) : null;
   }
 
+  /** Returns whether another tab has a document open. */
+  async isOpenElsewhere(): Promise<boolean> {
+    const ids = await this.#locks.openIds();
+    return [...ids].some((id) => id !== this.#open?.id && id !== this.#tab.read());
+  }
+
   /**
    * Returns the document with which `resume` would continue, if no file contains its last changes. Does not
    * lock it.

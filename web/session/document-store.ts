@@ -3,6 +3,7 @@ import { liveNotes, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { documentKey, shownMeshKey } from "../document/content-keys";
 import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
+import { bodiesOf } from "../document/entities";
 import { agreement } from "../document/expression-edits";
 import { paintedSizes } from "../document/painted-sizes";
 import { addStep, commit, redo, startHistory, stepFrom, undo, type History, type Step } from "./history";
@@ -260,6 +261,11 @@ export function hasUnsavedChanges(state: DocumentState): boolean {
 export function isUntouched(state: DocumentState): boolean {
   const { past, future } = state.history;
   return past.length === 0 && future.length === 0 && !hasUnsavedChanges(state);
+}
+
+/** Returns whether lists show the document: it is in a file, was made of one, as all bodies are, or was changed. */
+export function isListed(state: DocumentState): boolean {
+  return state.file !== null || bodiesOf(state.history.present.project).length > 0 || !isUntouched(state);
 }
 
 /**

@@ -3,6 +3,7 @@ import { readProjectBlob, writeProjectBlob } from "../workers/project-files";
 import { readSurfaceFile, type FileContent, type OpenedMesh } from "../workers/surface-files";
 import { strings } from "../strings";
 import type { ProjectFile } from "./document-store";
+import { keepWhatReads } from "./offline";
 
 /** Result of opening a file. `cancelled` means that the user closed the dialog. */
 export type OpenResult =
@@ -110,6 +111,7 @@ async function contentOf(file: File, others: readonly File[], signal: AbortSigna
   const head = { id: 1, firstPatchId: 1, name };
   const read = await readSurfaceFile(file, others, head, signal);
   if (!read.success) return { kind: "failed", fileName: file.name, reasons: read.reasons };
+  keepWhatReads(file.name);
   const { mesh } = read;
   return mesh ? { kind: "mesh", name, fileName: file.name, read, mesh } : { kind: "surface", name, read };
 }

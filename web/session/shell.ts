@@ -6,7 +6,16 @@ export const schemes = ["light", "dark", "auto"] as const;
 export type Scheme = (typeof schemes)[number];
 
 export type DialogName =
-  "help" | "new-point" | "new-node" | "cover" | "propose" | "recent" | "templates" | "export";
+  | "help"
+  | "new-point"
+  | "new-node"
+  | "cover"
+  | "propose"
+  | "recent"
+  | "templates"
+  | "export"
+  | "share"
+  | "picture";
 
 /** A message that does not interrupt the work and needs no answer. */
 export interface Notice {
@@ -22,7 +31,10 @@ export interface Notice {
     | "shared"
     | "animation"
     | "address"
-    | "lesson-model";
+    | "lesson-model"
+    | "update"
+    | "offline"
+    | "worker";
   readonly tone: "information" | "warning";
   readonly text: string;
   readonly action: { readonly label: string; readonly run: () => void };
@@ -43,6 +55,8 @@ export interface ShellState {
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
   readonly dialog: DialogName | null;
+  /** Whether the start page is shown beside the model. */
+  readonly startPage: boolean;
   /** The length unit that the user has chosen for a project with numbers, until the use of the numbers is decided. */
   readonly chosenUnit: Unit | null;
   /** Field of the selected entity that gets the focus as soon as the inspector shows it; null if none. */
@@ -78,6 +92,7 @@ export function createShell(): Shell {
     bottomTab: "log",
     drawer: null,
     dialog: null,
+    startPage: false,
     chosenUnit: null,
     editing: null,
     editedSetting: null,

@@ -10,6 +10,10 @@ export const commandLabels = {
   examples: "Open example…",
   save: "Save project",
   saveAs: "Save project as…",
+  start: "Start page",
+  share: "Share link…",
+  picture: "Export picture…",
+  keepOffline: "Keep for offline use",
   download: (format: string) => `Download mesh as ${format}`,
   downloadReport: "Download mesh report (JSON)",
 

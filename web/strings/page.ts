@@ -231,6 +231,8 @@ export const pageStrings = {
     ],
     about:
       "Tetrafront fills shapes with tetrahedra by the advancing-front method of R. Löhner and P. Parikh, “Generation of three-dimensional unstructured grids by the advancing-front method”, Int. J. Numer. Methods Fluids 8 (1988).",
+    license: "Licence of Tetrafront: MIT",
+    notices: "licences of works of others",
     cadLibrary:
       "CAD files are read by a library that is loaded when the first one is opened. Its licence is the LGPL 2.1:",
   },

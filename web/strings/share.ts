@@ -15,9 +15,9 @@ export const shareStrings = {
   linkCopied: "The link to this step is in the clipboard.",
   codeCopied: "The code that shows this step in a web page is in the clipboard.",
   understood: "OK",
-  noLink: "There is no link to this step",
+  noLink: "There is no code for this step",
   onlyGallery:
-    "Links lead to unchanged examples. Open one under Examples, or save the trace and pass on its file.",
+    "Web pages show unchanged examples. Open one under Examples, or share a link, which holds any model.",
   copyByHand: "Copy this text",
   wheelHint: "Ctrl and the wheel zoom the view.",
   openInApp: "Open in Tetrafront",

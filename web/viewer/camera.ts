@@ -213,6 +213,21 @@ export class ViewCamera {
     void this.controls.dollyTo(this.controls.distance / factor, animate);
   }
 
+  /**
+   * Frames a picture of another shape: it shows all that the view shows, with the target in the middle. Returns a function
+   * that restores the view.
+   */
+  frame(aspect: number): () => void {
+    const { aspect: before, filmOffset } = this.camera;
+    this.camera.aspect = aspect;
+    this.camera.filmOffset = 0;
+    this.camera.zoom = Math.min(1, aspect / before);
+    return () => {
+      Object.assign(this.camera, { aspect: before, filmOffset, zoom: 1 });
+      this.camera.clearViewOffset();
+    };
+  }
+
   /** Advances running motions. Returns whether the picture changes. */
   update(seconds: number): boolean {
     const moved = this.controls.update(seconds);

@@ -1,6 +1,6 @@
 /**
  * Replaces three's deprecated clock, which prints warnings, for the library of the view cube (see
- * vite.config.ts).
+ * vite.config.mjs).
  */
 export class Clock {
   #last = performance.now();

@@ -22,6 +22,7 @@ import type { ScreenPoint } from "./screen";
 /** The layers of a scene: updates them together and finds what the pointer hits. */
 export class SceneLayers {
   readonly mesh: MeshLayer;
+  readonly axes = new AxesLayer();
   readonly #scene: Scene;
   readonly #patches: PatchesLayer;
   readonly #bodies: BodiesLayer;
@@ -124,6 +125,6 @@ export class SceneLayers {
     const entities = [this.#lines, this.#points, this.#grid, this.#sources];
     this.#entities.add(...entities.map(({ root }) => root));
     this.#scene.add(this.#entities);
-    return [new GroundLayer(), new AxesLayer(), ...surfaces, new SizesLayer(), ...entities];
+    return [new GroundLayer(), this.axes, ...surfaces, new SizesLayer(), ...entities];
   }
 }

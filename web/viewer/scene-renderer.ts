@@ -1,4 +1,5 @@
 import { Scene, WebGLRenderer, WebGLRenderTarget, type PerspectiveCamera } from "three";
+import type { Tile } from "./picture-tiles";
 import type { Viewport } from "./scene-state";
 import { prepareShaders } from "./shaders";
 import { drawsInSoftware } from "./software-drawing";
@@ -10,6 +11,8 @@ export interface SceneRendererOptions {
 }
 
 const maxPixelRatio = 2;
+/** Width and height of the buffer in which parts of a picture are drawn; every WebGL 2 has this size. */
+const tileBuffer = 2048;
 /** Time between two questions whether everything is drawn, in milliseconds. */
 const fencePollMs = 10;
 
@@ -64,6 +67,31 @@ export class SceneRenderer {
     } finally {
       this.webgl.setRenderTarget(null);
     }
+  }
+
+  /** Pixels that are averaged in each direction for a pixel of a picture. */
+  get #samples(): number {
+    return this.webgl.getContextAttributes().antialias ? 1 : maxPixelRatio;
+  }
+
+  /** Largest width and height of a tile, in pixels of the picture. */
+  get tileSide(): number {
+    return tileBuffer / this.#samples;
+  }
+
+  /** Device pixels per CSS pixel in the buffer of a tile, if a CSS pixel has `scale` pixels in the picture. */
+  tileRatio(scale: number): number {
+    return scale * this.#samples;
+  }
+
+  /** Draws a part of a picture. The canvas has another size afterwards: see `resize`. */
+  drawTile(paper: CanvasRenderingContext2D, camera: PerspectiveCamera, tile: Tile): void {
+    const { width, height } = paper.canvas;
+    camera.setViewOffset(width, height, tile.x, tile.y, tile.width, tile.height);
+    this.webgl.setPixelRatio(1);
+    this.webgl.setSize(tile.width * this.#samples, tile.height * this.#samples, false);
+    this.webgl.render(this.scene, camera);
+    paper.drawImage(this.webgl.domElement, tile.x, tile.y, tile.width, tile.height);
   }
 
   /** Resolves when everything is drawn, without blocking the page. */

@@ -9,6 +9,7 @@ import type { Hit, Layer } from "./layers/layer";
 import { MotionWatch } from "./motion-watch";
 import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { Position } from "../document/position";
+import { tilesOf } from "./picture-tiles";
 import { pointerView, type PointerView } from "./pointer-view";
 import { SceneLayers } from "./scene-layers";
 import { SceneChanges, type SceneState, type ShownState, type Viewport } from "./scene-state";
@@ -286,6 +287,36 @@ export class Viewer {
     this.#renderer.copyTo(paper, background);
   }
 
+  /**
+   * Draws the view over what is on a canvas of any size. Lines and points are as wide as in the view, relative to the model.
+   * Returns the number of pixels for a CSS pixel of the view; the middle of its free part is in the middle of the picture.
+   */
+  drawSized(paper: CanvasRenderingContext2D, { axes }: { readonly axes: boolean }): number {
+    const { width, height } = paper.canvas;
+    const { viewport } = this.#state;
+    const { camera } = this.#view;
+    const hadRatio = this.#renderer.webgl.getPixelRatio();
+    const restore = this.#view.frame(width / height);
+    const scale = (height * camera.zoom) / viewport.height;
+    this.#layers.axes.root.visible = axes;
+    try {
+      for (const tile of tilesOf({ width, height }, this.#renderer.tileSide)) {
+        const [across, down] = [tile.width / scale, tile.height / scale];
+        const pixelRatio = this.#renderer.tileRatio(scale);
+        this.#setViewport({ width: across, height: down, pixelRatio, isHurried: false });
+        this.#renderer.drawTile(paper, camera, tile);
+      }
+      return scale;
+    } finally {
+      restore();
+      this.#layers.axes.root.visible = true;
+      this.#renderer.webgl.setPixelRatio(hadRatio);
+      this.#renderer.resize(viewport.width, viewport.height);
+      this.#setViewport(viewport);
+      this.#loop.drawNow();
+    }
+  }
+
   /** Calls back after every frame. Returns a function that ends this. */
   onDrawn(listener: () => void): () => void {
     return this.#loop.onDrawn(listener);
@@ -361,10 +392,15 @@ export class Viewer {
   }
 
   #setScale(scale: number): void {
-    const before = this.#state;
+    const { viewport } = this.#state;
     const pixelRatio = this.#renderer.setScale(scale);
-    if (pixelRatio === before.viewport.pixelRatio) return;
-    this.#state = { ...before, viewport: { ...before.viewport, pixelRatio, isHurried: scale < 1 } };
+    if (pixelRatio !== viewport.pixelRatio)
+      this.#setViewport({ ...viewport, pixelRatio, isHurried: scale < 1 });
+  }
+
+  #setViewport(viewport: Viewport): void {
+    const before = this.#state;
+    this.#state = { ...before, viewport };
     this.#updateLayers(before);
   }
 

@@ -1,4 +1,5 @@
-import type { Call, Protocol, Reply } from "./worker-client";
+import type { Call, Message, Protocol, Reply } from "./worker-client";
+import { live } from "./worker-life";
 
 /** An answer and the buffers in it that move to the page instead of being copied. */
 export interface Answer<T> {
@@ -16,7 +17,7 @@ export type Handlers<P extends Protocol<P>> = {
 /** The part of a worker's global scope used here; the DOM types describe a window's. */
 export interface WorkerScope {
   postMessage(reply: Reply, transfer: Transferable[]): void;
-  onmessage: ((event: MessageEvent<Call>) => void) | null;
+  onmessage: ((event: MessageEvent<Message>) => void) | null;
 }
 
 /** Answers the calls of a `WorkerClient`. An error thrown by a handler rejects its call. */
@@ -35,5 +36,8 @@ export function serveCalls<P extends Protocol<P>>(
       scope.postMessage({ kind: "failure", id, message }, []);
     }
   };
-  scope.onmessage = ({ data }) => void reply(data);
+  scope.onmessage = ({ data }) => {
+    if ("lock" in data) live(data, () => scope.postMessage({ kind: "lives" }, []));
+    else void reply(data);
+  };
 }

@@ -3,10 +3,24 @@
  * each answer to its call by id. Workers answer in the order of the calls unless their handlers are asynchronous.
  */
 
+import { LifeWatch, type LifeReply, type LifeRequest } from "./worker-life";
+
 /** The calls of a worker: argument and answer of each, by name. */
 export type Protocol<P> = {
   readonly [K in keyof P]: { readonly argument: unknown; readonly answer: unknown };
 };
+
+/** Why calls reject when their worker has ended without a word. */
+const killed = "A worker of the app has ended, for example because memory ran out";
+
+type Listener = (reason: string) => void;
+const listeners = new Set<Listener>();
+
+/** Calls back when a worker of this page has ended by itself. The next call starts another one. */
+export function onWorkerLost(listener: Listener): () => void {
+  listeners.add(listener);
+  return () => listeners.delete(listener);
+}
 
 type Name<P> = keyof P & string;
 
@@ -16,7 +30,10 @@ export interface Call {
   readonly argument: unknown;
 }
 
+export type Message = Call | LifeRequest;
+
 export type Reply =
+  | LifeReply
   | { readonly kind: "answer"; readonly id: number; readonly answer: unknown }
   | { readonly kind: "failure"; readonly id: number; readonly message: string };
 
@@ -36,6 +53,7 @@ export class WorkerClient<P extends Protocol<P>> {
   readonly #startWorker: () => WorkerPort;
   readonly #onLost: () => void;
   #worker: WorkerPort | null = null;
+  #life: LifeWatch | null = null;
   #lastId = 0;
   readonly #pending = new Map<number, PendingCall>();
 
@@ -73,15 +91,22 @@ export class WorkerClient<P extends Protocol<P>> {
     if (this.#worker) return this.#worker;
     const worker = this.#startWorker();
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#receive(data);
+    const lose = (reason: string): void => {
+      this.#end(reason);
+      for (const listener of listeners) listener(reason);
+    };
     worker.onerror = (event) => {
       event.preventDefault();
-      this.#end(failureOf(event));
+      lose(failureOf(event));
     };
     this.#worker = worker;
+    this.#life = LifeWatch.of(() => lose(killed));
+    if (this.#life) worker.postMessage(this.#life.request);
     return worker;
   }
 
   #receive(reply: Reply): void {
+    if (reply.kind === "lives") return this.#life?.begin();
     const call = this.#pending.get(reply.id);
     this.#pending.delete(reply.id);
     if (reply.kind === "answer") call?.resolve(reply.answer);
@@ -90,6 +115,8 @@ export class WorkerClient<P extends Protocol<P>> {
 
   #end(reason: string): void {
     if (!this.#worker) return;
+    this.#life?.stop();
+    this.#life = null;
     this.#worker.terminate();
     this.#worker = null;
     const calls = [...this.#pending.values()];

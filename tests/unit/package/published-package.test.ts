@@ -73,8 +73,16 @@ describe("the packed files", () => {
         ? [name, `${name}.map`]
         : [name, `${name}.map`, name.replace(/\.js$/, ".d.ts")],
     );
-    const others = ["LICENSE", "README.md", "package.json", "bin/tetrafront.mjs"];
+    const others = ["LICENSE", "README.md", "THIRD-PARTY-NOTICES.txt", "package.json", "bin/tetrafront.mjs"];
     expect(files.sort()).toEqual([...expected, ...others, ...generated].sort());
+  });
+
+  test("name what they contain of others, with licences", () => {
+    const notices = readFileSync(installed("THIRD-PARTY-NOTICES.txt"), "utf8");
+    for (const name of ["fflate 0", "valibot 1", "GLM", "musl", "LLVM", "Emscripten"])
+      expect(notices).toMatch(new RegExp(`^ {2}${name}.*: (MIT|Apache-2\\.0)`, "m"));
+    expect(notices).toContain("Permission is hereby granted, free of charge");
+    expect(notices).toContain("LLVM Exceptions to the Apache 2.0 License");
   });
 
   test("have source maps with source content", () => {

@@ -1,3 +1,4 @@
+import { ENDED, watchLife, type LifeReply } from "../calls/worker-life.js";
 import type { CadHost } from "./cad-host.js";
 import { crashOf } from "./crash.js";
 import type { CadReply } from "./protocol.js";
@@ -11,7 +12,10 @@ export const cadHost: CadHost = {
       type: "module",
       name: "tetrafront-cad",
     });
-    worker.onmessage = (event: MessageEvent<CadReply>) => events.onReply(event.data);
+    const life = watchLife(() => events.onCrash({ kind: "out-of-memory", message: ENDED }));
+    worker.onmessage = ({ data }: MessageEvent<CadReply | LifeReply>) =>
+      data.kind === "lives" ? life?.begin() : events.onReply(data);
+    if (life !== undefined) worker.postMessage(life.request);
     worker.onmessageerror = () =>
       events.onCrash({ kind: "failed", message: "a reply could not be received" });
     worker.onerror = (event) => {
@@ -24,7 +28,10 @@ export const cadHost: CadHost = {
     };
     return {
       post: (request) => worker.postMessage(request),
-      terminate: () => worker.terminate(),
+      terminate: () => {
+        life?.stop();
+        worker.terminate();
+      },
     };
   },
 };

@@ -1,3 +1,4 @@
+import { live, type LifeRequest } from "../calls/worker-life.js";
 import type { CadPort } from "./cad-port.js";
 import type { CreateOpenCascade } from "./opencascade.js";
 import type { CadRequest } from "./protocol.js";
@@ -5,7 +6,7 @@ import type { CadRequest } from "./protocol.js";
 /** The part of a worker's global scope that is used here; the DOM types describe a window's. */
 interface WorkerScope {
   postMessage(message: unknown, transfer: Transferable[]): void;
-  onmessage: ((event: MessageEvent<CadRequest>) => void) | null;
+  onmessage: ((event: MessageEvent<CadRequest | LifeRequest>) => void) | null;
   define?: unknown;
 }
 
@@ -13,7 +14,10 @@ const scope = globalThis as unknown as WorkerScope;
 
 export const cadPort: CadPort = {
   onRequest: (handle) => {
-    scope.onmessage = (event) => handle(event.data);
+    scope.onmessage = ({ data }) => {
+      if ("lock" in data) live(data, () => scope.postMessage({ kind: "lives" }, []));
+      else handle(data);
+    };
   },
   post: (reply, transfer) => scope.postMessage(reply, [...transfer]),
   library: async (addresses) => {

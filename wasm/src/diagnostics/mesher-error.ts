@@ -139,7 +139,8 @@ export function notLoadedError(what: "worker" | "engine", reason: string, remedy
 }
 
 export function crashError(reason: string): MesherError {
-  return new MesherError("engine-failed", `The engine's worker ended: ${reason}`, { reason });
+  const text = `The engine's worker ended: ${reason}. Another one was started: try again`;
+  return new MesherError("engine-failed", text, { reason });
 }
 
 /**

@@ -1,3 +1,4 @@
+import { ENDED, watchLife, type LifeReply } from "../calls/worker-life.js";
 import type { Reply } from "./protocol.js";
 import type { LoadRemedies, StartWorker } from "./worker-host.js";
 
@@ -14,7 +15,10 @@ export const startWorker: StartWorker = (events) => {
     type: "module",
     name: "tetrafront-mesher",
   });
-  worker.onmessage = (event: MessageEvent<Reply>) => events.onReply(event.data);
+  const life = watchLife(() => events.onCrash(ENDED));
+  worker.onmessage = ({ data }: MessageEvent<Reply | LifeReply>) =>
+    data.kind === "lives" ? life?.begin() : events.onReply(data);
+  if (life !== undefined) worker.postMessage(life.request);
   worker.onmessageerror = () => events.onCrash("a reply could not be received");
   worker.onerror = (event) => {
     event.preventDefault();
@@ -27,6 +31,9 @@ export const startWorker: StartWorker = (events) => {
   return {
     post: (request, transfer) => worker.postMessage(request, [...transfer]),
     keepAlive: () => undefined,
-    terminate: () => worker.terminate(),
+    terminate: () => {
+      life?.stop();
+      worker.terminate();
+    },
   };
 };

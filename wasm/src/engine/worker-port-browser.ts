@@ -1,10 +1,11 @@
+import { live, type LifeRequest } from "../calls/worker-life.js";
 import type { Request } from "./protocol.js";
 import type { WorkerPort } from "./worker-port.js";
 
 /** The part of a worker's global scope that is used here; the DOM types describe a window's. */
 interface WorkerScope {
   postMessage(message: unknown, transfer: Transferable[]): void;
-  onmessage: ((event: MessageEvent<Request>) => void) | null;
+  onmessage: ((event: MessageEvent<Request | LifeRequest>) => void) | null;
 }
 
 const scope = globalThis as unknown as WorkerScope;
@@ -29,7 +30,10 @@ export const workerPort: WorkerPort = {
   },
   post: (reply, transfer = []) => scope.postMessage(reply, [...transfer]),
   onRequest: (handle) => {
-    scope.onmessage = (event) => handle(event.data);
+    scope.onmessage = ({ data }) => {
+      if (data.kind === "live") live(data, () => scope.postMessage({ kind: "lives" }, []));
+      else handle(data);
+    };
   },
   letRequestsIn: () =>
     new Promise((resolve) => {

@@ -2,7 +2,6 @@ import "@fontsource-variable/inter/wght.css";
 // First of the styles, because it sets the order of the layers.
 import "../../ui/theme/base.css";
 import "@mantine/core/styles.layer.css";
-import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
 import { createApp } from "../../app/create-app";
 import { addressProblems, showAddressProblems } from "../../commands/address-problems";
@@ -10,7 +9,7 @@ import { showShared } from "../../commands/share-actions";
 import { sharedFrontIn } from "../../player/shared-front";
 import { shareStrings as texts } from "../../strings/share";
 import { strings } from "../../strings";
-import { cssVariables, theme } from "../../ui/theme/theme";
+import { ThemeProvider } from "../../ui/theme/theme-provider";
 import { EmbedPage } from "./embed-page";
 
 /** Shows the front that the parameters of the address name, or why they name none. */
@@ -28,12 +27,7 @@ export async function startEmbed(root: HTMLElement, query: URLSearchParams): Pro
   const known = app?.gallery.models.find(({ id }) => id === shared?.model);
   if (known) document.title = `${known.title} – Tetrafront`;
   createRoot(root).render(
-    <MantineProvider
-      theme={theme}
-      cssVariablesResolver={cssVariables}
-      defaultColorScheme="auto"
-      env={still ? "test" : "default"}
-    >
+    <ThemeProvider still={still}>
       {app && known ? (
         <EmbedPage app={app} shared={shared} />
       ) : (
@@ -46,7 +40,7 @@ export async function startEmbed(root: HTMLElement, query: URLSearchParams): Pro
           ))}
         </div>
       )}
-    </MantineProvider>,
+    </ThemeProvider>,
   );
   if (!app || !known) return;
   showAddressProblems(app, addressProblems(query));

@@ -1,13 +1,13 @@
 import { ActionIcon, Text, UnstyledButton } from "@mantine/core";
 import { IconTrash } from "@tabler/icons-react";
-import { useCallback, useEffect, useState } from "react";
 import { openRecent } from "../../commands/project-actions";
 import type { RecentDocument } from "../../session/document-library";
 import { formatTime } from "../../ui/format";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
-import { failureText } from "../../session/failure-text";
 import { strings } from "../../strings";
 import { useApp, useShell } from "../shared/app-context";
+import { DocumentPicture } from "./document-picture";
+import { useRecentDocuments } from "./use-recent";
 import styles from "./recent-dialog.module.css";
 
 const texts = strings.recent;
@@ -57,6 +57,7 @@ function RecentRow({ document: { id, name, at, openIn }, onRemove }: RecentRowPr
         data-testid={`recent-${id}`}
         onClick={() => void openRecent(app, id, name)}
       >
+        <DocumentPicture id={id} />
         <span className={styles["name"]}>{name}</span>
         <span className={styles["time"]}>{openIn ? texts.openIn[openIn] : formatTime(at, Date.now())}</span>
       </UnstyledButton>
@@ -71,25 +72,4 @@ function RecentRow({ document: { id, name, at, openIn }, onRemove }: RecentRowPr
       </ActionIcon>
     </li>
   );
-}
-
-/** Returns the documents; null while the list is being read. */
-function useRecentDocuments() {
-  const { library, autosave } = useApp();
-  const [documents, setDocuments] = useState<readonly RecentDocument[] | null>(null);
-  const [failure, setFailure] = useState<string | null>(null);
-  const update = useCallback(async (): Promise<void> => {
-    await autosave?.flush();
-    setDocuments((await library?.list()) ?? []);
-  }, [library, autosave]);
-  useEffect(() => {
-    update().catch((error: unknown) => setFailure(texts.noList(failureText(error))));
-  }, [update]);
-  const remove = (id: string): void => {
-    library?.storage
-      .remove([id])
-      .then(update)
-      .catch(() => undefined);
-  };
-  return { documents, failure, remove };
 }

@@ -165,6 +165,15 @@ function About() {
         </Anchor>
         {"."}
       </Text>
+      <Text size="sm" c="dimmed" mt={4}>
+        <Anchor href="./LICENSE.txt" target="_blank">
+          {texts.license}
+        </Anchor>
+        {", "}
+        <Anchor href="./THIRD-PARTY-NOTICES.txt" target="_blank" data-testid="notices">
+          {texts.notices}
+        </Anchor>
+      </Text>
     </>
   );
 }

@@ -1,7 +1,7 @@
+import katex from "katex";
 import "katex/dist/katex.min.css";
-import { useRef } from "react";
+import { useLayoutEffect, useRef } from "react";
 import Markdown, { type Components } from "react-markdown";
-import rehypeKatex from "rehype-katex";
 import remarkGfm from "remark-gfm";
 import remarkMath from "remark-math";
 import { useScrollFocus } from "../../ui/use-scroll-focus";
@@ -9,7 +9,9 @@ import tables from "../../ui/table.module.css";
 import styles from "./lessons.module.css";
 
 const remarkPlugins = [remarkGfm, remarkMath];
-const rehypePlugins = [rehypeKatex];
+
+/** Code in which remark-math puts formulas: `math-display` for those with a line of their own. */
+const formula = /\bmath-(inline|display)\b/;
 
 const components: Components = {
   table: ({ children }) => (
@@ -17,7 +19,31 @@ const components: Components = {
       <table className={tables["table"]}>{children}</table>
     </div>
   ),
+  code: ({ className = "", children }) => {
+    const [, place] = formula.exec(className) ?? [];
+    if (place === undefined) return <code className={className}>{children}</code>;
+    return <MathText text={typeof children === "string" ? children : ""} isDisplayed={place === "display"} />;
+  },
+  pre: ({ node, children }) => {
+    const [code] = node?.children ?? [];
+    const isFormula = code?.type === "element" && formula.test(String(code.properties["className"]));
+    return isFormula ? children : <pre>{children}</pre>;
+  },
 };
+
+interface MathTextProps {
+  readonly text: string;
+  readonly isDisplayed: boolean;
+}
+
+/** A formula in LaTeX, made of elements: the policy of the page forbids style attributes in HTML. */
+function MathText({ text, isDisplayed }: MathTextProps) {
+  const box = useRef<HTMLSpanElement>(null);
+  useLayoutEffect(() => {
+    if (box.current) katex.render(text, box.current, { displayMode: isDisplayed, throwOnError: false });
+  }, [text, isDisplayed]);
+  return <span ref={box} />;
+}
 
 /** The text of a lesson, with tables. Formulas and tables wider than the panel scroll, also with the keys. */
 export function LessonText({ text }: { readonly text: string }) {
@@ -25,7 +51,7 @@ export function LessonText({ text }: { readonly text: string }) {
   useScrollFocus(box, ".katex-display, [data-table]", text);
   return (
     <div ref={box} className={styles["text"]}>
-      <Markdown remarkPlugins={remarkPlugins} rehypePlugins={rehypePlugins} components={components}>
+      <Markdown remarkPlugins={remarkPlugins} components={components}>
         {text}
       </Markdown>
     </div>

@@ -16,10 +16,12 @@ import {
   IconFocusCentered,
   IconMenu2,
   IconMoon,
+  IconPhoto,
   IconPlayerPlayFilled,
   IconPlayerStopFilled,
   IconScissors,
   IconSearch,
+  IconShare,
   IconSun,
 } from "@tabler/icons-react";
 import { Fragment, useState } from "react";
@@ -48,6 +50,7 @@ export function Header({ layout }: { readonly layout: Layout }) {
   const canUndo = hasPast || canTakeBack;
   const canRedo = useDocument((state) => state.history.future.length > 0);
   const cut = useView((state) => state.cut.enabled);
+  const hasView = useStore(useApp().viewer, ({ viewer }) => viewer !== null);
   return (
     <header className={styles["header"]} data-presented>
       <span className={styles["brand"]}>
@@ -75,6 +78,16 @@ export function Header({ layout }: { readonly layout: Layout }) {
       </Toolbar>
       {!phone && <PaletteBox />}
       <span className={styles["end"]}>
+        {!phone && (
+          <CommandButton command="share" testId="share-link">
+            <IconShare {...icon} />
+          </CommandButton>
+        )}
+        {!phone && (
+          <CommandButton command="picture" disabled={!hasView} testId="export-image">
+            <IconPhoto {...icon} />
+          </CommandButton>
+        )}
         <ExportButton />
         <SchemeToggle />
         <GenerateButton compact={phone} />
@@ -139,7 +152,7 @@ function ExportButton() {
 }
 
 function SchemeToggle() {
-  const { setColorScheme } = useMantineColorScheme();
+  const { setColorScheme } = useMantineColorScheme({ keepTransitions: true });
   const dark = useComputedColorScheme("dark", { getInitialValueInEffect: false }) === "dark";
   const label = dark ? strings.header.light : strings.header.dark;
   return (

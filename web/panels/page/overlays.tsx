@@ -11,6 +11,8 @@ import { Presenter } from "../dialogs/presenter";
 import { ProposeDialog } from "../background/propose-dialog";
 import { RecentDialog } from "../files/recent-dialog";
 import { UnitDialog } from "../inspector/unit-dialog";
+import { PictureDialog } from "../files/picture-dialog";
+import { ShareDialog } from "../files/share-dialog";
 import { TemplateDialog } from "../files/template-dialog";
 
 /** Everything that opens above the page. Loaded after it. */
@@ -28,6 +30,8 @@ export default function Overlays() {
       <ProposeDialog />
       <RecentDialog />
       <TemplateDialog />
+      <ShareDialog />
+      <PictureDialog />
       <UnitDialog />
       <MessageDialog />
       <Notices />

@@ -24,7 +24,7 @@ export function ShareMenu() {
       </Menu.Target>
       <Menu.Dropdown>
         <Menu.Item
-          data-testid="share-link"
+          data-testid="share-step-link"
           onClick={() => void actions().then(({ copyLink }) => copyLink(app))}
         >
           {texts.link}

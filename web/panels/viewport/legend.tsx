@@ -65,6 +65,7 @@ function FrontLegend() {
       className={styles["legend"]}
       aria-label={`${strings.viewport.legend}: ${name}`}
       data-testid="front-legend"
+      data-legend="scale"
       data-covers-labels
     >
       <div
@@ -97,6 +98,7 @@ function SizeLegend({ range: [low, high] }: { readonly range: readonly [number, 
       className={styles["legend"]}
       aria-label={`${strings.viewport.legend}: ${name}`}
       data-testid="size-legend"
+      data-legend="scale"
     >
       <div
         className={styles["bar"]}
@@ -120,6 +122,7 @@ function DeviationLegend() {
       className={styles["legend"]}
       aria-label={`${strings.viewport.legend}: ${name}`}
       data-testid="deviation-legend"
+      data-legend="scale"
     >
       <div
         className={styles["bar"]}
@@ -165,6 +168,7 @@ function RegionLegend() {
       className={`${styles["legend"]} ${styles["regions"]}`}
       aria-label={strings.regions.title}
       data-testid="legend"
+      data-legend="list"
     >
       <figcaption>{strings.regions.title.toLowerCase()}</figcaption>
       <RegionList testId="legend-region" />
@@ -199,6 +203,7 @@ function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
       className={styles["legend"]}
       aria-label={`${strings.viewport.legend}: ${name}`}
       data-testid="legend"
+      data-legend="scale"
       data-scale
     >
       <div

@@ -2,7 +2,7 @@ import { lazy, Suspense, useEffect, useLayoutEffect, useRef, useState } from "re
 import { useStore } from "zustand";
 import type { Hover } from "../../tools/select-tool";
 import type { Viewer } from "../../viewer/viewer";
-import { useApp, useView } from "../shared/app-context";
+import { useApp, useShell, useView } from "../shared/app-context";
 import { ContextMenu, SelectionOutline } from "./selection-overlays";
 import { DrawingBar } from "./drawing-bar";
 import { DrawingMarks } from "./drawing-marks";
@@ -28,6 +28,8 @@ const LensLabels = lazy(async () => ({ default: (await importLabels()).LensLabel
 const importPlane = () => import("../player/plane-view");
 const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }));
 
+const StartPage = lazy(() => import("../files/start-page"));
+
 /** Width that the column of tools covers, in CSS pixels. */
 const columnWidth = 58;
 /** Space to the right of the panel of an operation, in CSS pixels. On phones, the panel is below the view. */
@@ -48,7 +50,9 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const hasColumn = !isLessonModel && (layout !== "phone" || !isReplaying);
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   const [operation, setOperation] = useState<HTMLElement | null>(null);
-  const operationEdge = useRightEdge(layout === "phone" ? null : operation);
+  const showsStart = useShell(({ startPage }) => startPage) && !hasOperation && !isReplaying;
+  const [start, setStart] = useState<HTMLElement | null>(null);
+  const operationEdge = useRightEdge(layout === "phone" ? null : (operation ?? start));
   const covered = operationEdge > 0 ? operationEdge + operationMargin : hasColumn ? columnWidth : 0;
   const { viewer, trouble } = useViewer(container, canvas, setHover, covered);
   useFitBeside(viewer, showsPlane);
@@ -97,6 +101,11 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       {!trouble && <Legend />}
       {layout !== "phone" && !showsPlane && <MouseHint />}
       <OperationPanel ref={setOperation} />
+      {showsStart && (
+        <Suspense fallback={null}>
+          <StartPage ref={setStart} />
+        </Suspense>
+      )}
     </main>
   );
 }

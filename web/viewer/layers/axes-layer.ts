@@ -58,11 +58,13 @@ export class AxesLayer implements Layer {
   }
 
   #place(camera: Camera): void {
-    const { fov } = camera as PerspectiveCamera;
+    const { fov, zoom, view } = camera as PerspectiveCamera;
+    // Of the whole picture, if a part of it is drawn.
+    const height = this.#height * (view?.enabled ? view.fullHeight / view.height : 1) * zoom;
     const eye = new Vector3().setFromMatrixPosition(camera.matrixWorld);
     const direction = new Vector3(0, 0, -1).transformDirection(camera.matrixWorld);
     const depth = Math.max(1e-30, this.#origin.clone().sub(eye).dot(direction));
-    const length = (pixels * 2 * depth * Math.tan((fov * Math.PI) / 360)) / this.#height;
+    const length = (pixels * 2 * depth * Math.tan((fov * Math.PI) / 360)) / height;
     this.root.matrixWorld.makeScale(length, length, length).setPosition(this.#origin);
   }
 }

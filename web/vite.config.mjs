@@ -1,6 +1,12 @@
 import react from "@vitejs/plugin-react";
 import { fileURLToPath } from "node:url";
-import { defineConfig, type Plugin } from "vite";
+import { defineConfig } from "vite";
+import { compressedAnswers } from "../scripts/lib/compressed-answers.mjs";
+import { embindWithoutText } from "../scripts/lib/site-embind.mjs";
+import { thirdPartyNotices } from "../scripts/lib/site-notices.mjs";
+import { offlineSite } from "../scripts/lib/site-offline.mjs";
+import { contentSecurityPolicy } from "../scripts/lib/site-policy.mjs";
+import { preloadedApp } from "../scripts/lib/site-preload.mjs";
 
 /** Isolated pages may share memory with their workers; the app works without it too. */
 const isolation = {
@@ -9,10 +15,10 @@ const isolation = {
   "Cross-Origin-Resource-Policy": "same-origin",
 };
 
-const inRoot = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+const inRoot = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 /** The engine imports this module of Node only in Node, never in a browser. */
-function withoutNodeModules(): Plugin {
+function withoutNodeModules() {
   const name = "\0node-only";
   return {
     name: "tetrafront:without-node-modules",
@@ -23,7 +29,7 @@ function withoutNodeModules(): Plugin {
 }
 
 /** Gives the view cube's library a clock that does not warn. */
-function withOwnClock(): Plugin {
+function withOwnClock() {
   return {
     name: "tetrafront:own-clock",
     transform: (code, id) => {
@@ -36,19 +42,39 @@ function withOwnClock(): Plugin {
   };
 }
 
+/** Every page of the site. */
+const pages = ["./index.html", "./embed.html"].map(inRoot);
+const notices = thirdPartyNotices();
+
 export default defineConfig({
   root: inRoot("."),
   publicDir: inRoot("../public"),
   // Relative addresses: the built site works from any folder of any host.
   base: "./",
-  plugins: [react(), withoutNodeModules(), withOwnClock()],
-  worker: { format: "es", plugins: () => [withoutNodeModules()] },
+  plugins: [
+    react(),
+    withoutNodeModules(),
+    withOwnClock(),
+    embindWithoutText(),
+    preloadedApp(),
+    contentSecurityPolicy(),
+    compressedAnswers(),
+    notices,
+    offlineSite({ source: inRoot("./service-worker.ts") }),
+  ],
+  worker: { format: "es", plugins: () => [withoutNodeModules(), notices.ofWorker()] },
+  resolve: {
+    // Locks the scroll bar behind a dialog by a style element, which the policy of the page forbids.
+    alias: { "react-style-singleton": inRoot("./ui/theme/style-singleton.ts") },
+  },
   server: { headers: isolation },
   preview: { headers: isolation },
   build: {
     target: "es2023",
+    // The policy of the page permits no fonts and scripts in data: addresses.
+    assetsInlineLimit: 0,
     chunkSizeWarningLimit: 1500,
     sourcemap: true,
-    rolldownOptions: { input: [inRoot("./index.html"), inRoot("./embed.html")] },
+    rolldownOptions: { input: pages },
   },
 });

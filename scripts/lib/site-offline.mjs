@@ -1,0 +1,57 @@
+// Writes sw.js, the service worker of the built site: web/service-worker.ts with the list of the site's files.
+import { createHash } from "node:crypto";
+import { readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { build } from "esbuild";
+import { filesUnder } from "./fresh.mjs";
+
+/** Files that no page requests: source maps, and the formats of fonts for browsers without WebAssembly. */
+const unused = /\.map$|\.(woff|ttf)$|^sw\.js$/;
+/** Large files that many never need: the library that reads CAD files. They are kept when they are used, or on request. */
+const later = /^assets\/occt-import-js-/;
+
+/** Returns `{ version, files }`: what the service worker keeps of a built site. */
+export function siteFiles(folder) {
+  const hash = createHash("sha256");
+  const files = [];
+  for (const file of filesUnder([folder], { skip: [] }).sort()) {
+    const name = path.relative(folder, file).split(path.sep).join("/");
+    if (unused.test(name)) continue;
+    const content = readFileSync(file);
+    hash.update(`${name} ${createHash("sha256").update(content).digest("hex")}\n`);
+    files.push({
+      // The page is known by its folder: some hosts redirect from its name.
+      path: name === "index.html" ? "./" : `./${name}`,
+      bytes: content.length,
+      isHashed: name.startsWith("assets/"),
+      isLater: later.test(name),
+    });
+  }
+  return { version: hash.digest("hex").slice(0, 16), files };
+}
+
+/** @param source the service worker in TypeScript. */
+export function offlineSite({ source }) {
+  let folder = "";
+  return {
+    name: "tetrafront:offline-site",
+    apply: "build",
+    configResolved: ({ root, build: { outDir } }) => {
+      folder = path.resolve(root, outDir);
+    },
+    // All files are written by now, those of the public folder too.
+    async closeBundle() {
+      const site = siteFiles(folder);
+      const { outputFiles } = await build({
+        entryPoints: [source],
+        bundle: true,
+        minify: true,
+        write: false,
+        format: "iife",
+        target: "es2023",
+        define: { SITE: JSON.stringify(site) },
+      });
+      writeFileSync(path.join(folder, "sw.js"), outputFiles[0].contents);
+    },
+  };
+}

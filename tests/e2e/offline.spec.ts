@@ -1,0 +1,154 @@
+/** Without a network, after one visit. */
+import { createReadStream, existsSync, readFileSync } from "node:fs";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { expect, test, type BrowserContext, type Page } from "@playwright/test";
+import { drilledSolid, stepFile } from "../support/step-files";
+import { AppPage } from "./app-page";
+import { dropBytes } from "./drop-bytes";
+
+const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], 3)]);
+
+/** Visits the site until it is kept. */
+async function visited(page: Page, address = "./"): Promise<AppPage> {
+  const app = new AppPage(page);
+  await page.addInitScript(() => localStorage.setItem("tetrafront-start-page", "never"));
+  await page.goto(`${address}?model=unit-cube`);
+  await app.meshed();
+  await page.evaluate(async () => {
+    await navigator.serviceWorker.ready;
+  });
+  await expect.poll(() => page.evaluate(() => navigator.serviceWorker.controller?.state)).toBe("activated");
+  return app;
+}
+
+/** Opens a page without a network. */
+async function opened(context: BrowserContext, address: string): Promise<AppPage> {
+  const app = new AppPage(await context.newPage());
+  await app.page.goto(address);
+  return app;
+}
+
+test("after one visit, all pages work without a network, and CAD files once the library is kept", async ({
+  page,
+  context,
+}) => {
+  const { page: first } = await visited(page);
+  await first.keyboard.press("Control+k");
+  await first.keyboard.type("Keep for offline use");
+  await first.keyboard.press("Enter");
+  await expect(first.getByTestId("notice-offline")).toContainText(/is kept in this browser \(\d+\.\d MB\)/);
+  await first.close();
+  await context.setOffline(true);
+
+  // The example, and parts of the app that the visit has not used.
+  const app = await opened(context, "./?test=1&model=engine-intake");
+  expect((await app.meshed()).tets).toBeGreaterThan(10_000);
+  await dropBytes(app.page, plate, "plate.step");
+  await expect(app.page.getByTestId("entity-name")).toHaveValue("Plate");
+  await expect(app.page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
+  await app.page.getByTestId("body-generate").click();
+  expect((await app.meshed()).tets).toBeGreaterThan(100);
+  await app.openExample("pipe-flange");
+  await app.page.close();
+
+  const lesson = await opened(context, "./?test=1&lesson=4");
+  await expect(lesson.page.locator(".katex").first()).toBeVisible();
+  await lesson.page.close();
+  const embed = await opened(context, "./embed.html?test=1&model=unit-cube&step=100");
+  await expect(embed.viewport).toHaveAttribute("data-step", "100");
+});
+
+test("the library for CAD files is kept when it was used", async ({ page, context }) => {
+  const app = await visited(page);
+  await dropBytes(page, plate, "plate.step");
+  await expect(page.getByTestId("entity-name")).toHaveValue("Plate");
+  const kept = () =>
+    page.evaluate(async () => {
+      const requests = await Promise.all(
+        (await caches.keys()).map(async (name) => (await caches.open(name)).keys()),
+      );
+      return requests.flat().filter(({ url }) => /\/occt-import-js-[^/]*\.(js|wasm)$/.test(url)).length;
+    });
+  await expect.poll(kept).toBe(2);
+  await app.page.close();
+  await context.setOffline(true);
+  const again = await opened(context, "./?test=1&new=1");
+  await dropBytes(again.page, plate, "again.step");
+  await expect(again.page.getByTestId("entity-name")).toHaveValue("Plate");
+});
+
+/** Serves the site in a folder of a plain host. `scriptOf` changes the text of the service worker. */
+async function hosted(scriptOf: (script: string) => string) {
+  const folder = fileURLToPath(new URL("../../web/dist", import.meta.url));
+  const types: Readonly<Record<string, string>> = {
+    ".html": "text/html",
+    ".js": "text/javascript",
+    ".css": "text/css",
+    ".svg": "image/svg+xml",
+  };
+  const server = createServer((request, response) => {
+    const name = new URL(request.url ?? "/", "http://localhost").pathname.replace("/course/mesh/", "");
+    const file = path.join(folder, name === "" ? "index.html" : name);
+    if (!existsSync(file)) return void response.writeHead(404).end();
+    const type = types[path.extname(file)] ?? "application/octet-stream";
+    response.writeHead(200, { "Content-Type": type });
+    if (name === "sw.js") response.end(scriptOf(readFileSync(file, "utf8")));
+    else createReadStream(file).pipe(response);
+  });
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const { port } = server.address() as AddressInfo;
+  return { address: `http://127.0.0.1:${port}/course/mesh/`, close: () => server.close() };
+}
+
+test("in a folder of any host, a new version is offered and waits; when it is loaded, the old one is removed", async ({
+  page,
+}) => {
+  const newVersion = "f".repeat(16);
+  let isNew = false;
+  const host = await hosted((script) =>
+    isNew ? script.replace(/version:"[0-9a-f]{16}"/, `version:"${newVersion}"`) : script,
+  );
+  try {
+    await visited(page, host.address);
+    const caches = () => page.evaluate(() => window.caches.keys());
+    expect(await caches()).toEqual([expect.stringMatching(/^tetrafront-[0-9a-f]{16}$/)]);
+    isNew = true;
+    await page.evaluate(async () => {
+      Object.assign(window, { isFirstPage: true });
+      await (await navigator.serviceWorker.ready).update();
+    });
+    const offer = page.getByTestId("notice-update");
+    await expect(offer).toContainText("A new version of Tetrafront is ready");
+    // Nothing is forced.
+    expect(await page.evaluate(() => "isFirstPage" in window)).toBe(true);
+    await offer.getByRole("button", { name: "Reload" }).click();
+    await expect.poll(() => page.evaluate(() => "isFirstPage" in window).catch(() => true)).toBe(false);
+    await expect.poll(() => caches().catch(() => [])).toEqual([`tetrafront-${newVersion}`]);
+    await page.context().setOffline(true);
+    await page.goto(`${host.address}?test=1&model=unit-cube`);
+    expect((await new AppPage(page).meshed()).tets).toBe(1753);
+  } finally {
+    host.close();
+  }
+});
+
+test("the app can be installed", async ({ page, request }) => {
+  await page.goto("./?test=1&new=1");
+  const address = await page.locator('link[rel="manifest"]').getAttribute("href");
+  const manifest = (await (await request.get(address ?? "")).json()) as {
+    readonly display: string;
+    readonly start_url: string;
+    readonly icons: readonly { readonly src: string; readonly sizes: string; readonly purpose: string }[];
+  };
+  expect(manifest).toMatchObject({ display: "standalone", start_url: "./" });
+  expect(manifest.icons.map(({ sizes, purpose }) => `${sizes} ${purpose}`)).toEqual(
+    expect.arrayContaining(["192x192 any", "512x512 any", "512x512 maskable"]),
+  );
+  for (const { src, sizes } of manifest.icons.filter(({ src }) => src.endsWith(".png"))) {
+    const bytes = await (await request.get(src)).body();
+    expect(`${bytes.readUInt32BE(16)}x${bytes.readUInt32BE(20)}`).toBe(sizes);
+  }
+});

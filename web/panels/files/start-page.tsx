@@ -1,0 +1,184 @@
+import { Anchor, Button, Checkbox, CloseButton, UnstyledButton } from "@mantine/core";
+import { IconFileUpload, IconPencilPlus, IconSchool, IconTemplate } from "@tabler/icons-react";
+import { useState, type KeyboardEvent, type Ref } from "react";
+import { newProject, openExample, openFromDialog, openRecent } from "../../commands/project-actions";
+import { thumbnailOf } from "../../session/gallery";
+import { startPage } from "../../session/start-page";
+import { startStrings as texts } from "../../strings/passing";
+import { strings } from "../../strings";
+import { formatTime } from "../../ui/format";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { useApp } from "../shared/app-context";
+import { DocumentPicture } from "./document-picture";
+import { useRecentDocuments } from "./use-recent";
+import styles from "./start-page.module.css";
+
+/** Documents and examples that have room; dialogs list all. */
+const recentCount = 4;
+const exampleCount = 6;
+
+/** Beside the first model: what this is, and how to begin. */
+export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
+  const { shell } = useApp();
+  const close = (): void => shell.setState({ startPage: false });
+  const closeByKey = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    close();
+  };
+  return (
+    <section
+      ref={ref}
+      className={styles["page"]}
+      aria-labelledby="start-title"
+      data-testid="start-page"
+      onKeyDown={closeByKey}
+    >
+      <div className={styles["head"]}>
+        <h2 id="start-title">{texts.title}</h2>
+        <CloseButton size="sm" aria-label={texts.close} onClick={close} />
+      </div>
+      <p>{texts.what}</p>
+      <Beginnings />
+      <Recent />
+      <Examples />
+      <footer className={styles["foot"]}>
+        <p>{texts.promise}</p>
+        <ShowAgain />
+      </footer>
+    </section>
+  );
+}
+
+function Beginnings() {
+  const app = useApp();
+  const icon = { size: 15, "aria-hidden": true } as const;
+  return (
+    <>
+      {/* Files may be dropped anywhere on the page; this is where it is said. */}
+      <UnstyledButton
+        className={styles["drop"]}
+        data-testid="start-drop"
+        onClick={() => void openFromDialog(app)}
+      >
+        <IconFileUpload size={26} stroke={1.4} aria-hidden />
+        <b>{window.matchMedia("(hover: none)").matches ? texts.choose : texts.drop}</b>
+        <span>{texts.dropHint}</span>
+      </UnstyledButton>
+      <div className={styles["row"]}>
+        <Button
+          size="compact-sm"
+          variant="default"
+          leftSection={<IconPencilPlus {...icon} />}
+          onClick={() => newProject(app)}
+        >
+          {texts.empty}
+        </Button>
+        <Button
+          size="compact-sm"
+          variant="default"
+          leftSection={<IconTemplate {...icon} />}
+          onClick={() => app.shell.setState({ dialog: "templates" })}
+        >
+          {texts.templates}
+        </Button>
+        <Button
+          size="compact-sm"
+          variant="default"
+          leftSection={<IconSchool {...icon} />}
+          onClick={() => app.shell.setState({ rightTab: "lessons", drawer: "right", startPage: false })}
+        >
+          {texts.lessons}
+        </Button>
+      </div>
+    </>
+  );
+}
+
+function Recent() {
+  const app = useApp();
+  const { documents } = useRecentDocuments();
+  if (!documents || documents.length === 0) return null;
+  return (
+    <div>
+      <div className={styles["title"]}>
+        <SectionTitle>{texts.recent}</SectionTitle>
+        {documents.length > recentCount && (
+          <Anchor
+            component="button"
+            type="button"
+            size="xs"
+            onClick={() => app.shell.setState({ dialog: "recent" })}
+          >
+            {texts.all}
+          </Anchor>
+        )}
+      </div>
+      <ul className={styles["recent"]}>
+        {documents.slice(0, recentCount).map(({ id, name, at, openIn }) => (
+          <li key={id}>
+            <UnstyledButton
+              className={styles["document"]}
+              disabled={openIn !== null}
+              data-testid={`start-recent-${id}`}
+              onClick={() => void openRecent(app, id, name)}
+            >
+              <DocumentPicture id={id} />
+              <span className={styles["name"]}>{name}</span>
+              <span className={styles["time"]}>
+                {openIn ? strings.recent.openIn[openIn] : formatTime(at, Date.now())}
+              </span>
+            </UnstyledButton>
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function Examples() {
+  const app = useApp();
+  const { models, opening } = app.gallery;
+  // The opening model is open already.
+  const shown = models.filter(({ id }) => id !== opening).slice(0, exampleCount);
+  const all = (): void => app.shell.setState({ leftTab: "examples", drawer: "left" });
+  return (
+    <div>
+      <div className={styles["title"]}>
+        <SectionTitle>{texts.examples}</SectionTitle>
+        <Anchor component="button" type="button" size="xs" onClick={all}>
+          {texts.all}
+        </Anchor>
+      </div>
+      <ul className={styles["examples"]}>
+        {shown.map((model) => (
+          <li key={model.id}>
+            <UnstyledButton
+              className={styles["example"]}
+              data-testid={`start-example-${model.id}`}
+              onClick={() => void openExample(app, model)}
+            >
+              <img src={thumbnailOf(model)} alt="" width={240} height={150} loading="lazy" />
+              <span>{model.title}</span>
+            </UnstyledButton>
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function ShowAgain() {
+  const [isWanted, setWanted] = useState(startPage.isWanted);
+  return (
+    <Checkbox
+      size="xs"
+      label={texts.showAgain}
+      checked={isWanted}
+      onChange={({ currentTarget: { checked } }) => {
+        startPage.want(checked);
+        setWanted(checked);
+      }}
+    />
+  );
+}
