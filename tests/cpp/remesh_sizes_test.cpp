@@ -121,12 +121,15 @@ TEST(Remesh, ThicknessIsTheDistanceThroughTheRegion) {
   job.finish();
   const Vec3 onFace(0.31, 0.47, 0.0);
   const double unlimited = 10.0;
-  EXPECT_NEAR(findThickness(reference, onFace, Vec3(0.0, 0.0, 1.0), unlimited), 1.0, 1e-12);
+  EXPECT_NEAR(findThickness(reference, onFace, Vec3(0.0, 0.0, 1.0), unlimited).distance, 1.0,
+              1e-12);
   // Obliquely: the ray leaves through the opposite face.
   const Vec3 oblique = glm::normalize(Vec3(0.2, -0.1, 1.0));
-  EXPECT_NEAR(findThickness(reference, onFace, oblique, unlimited), 1.0 / oblique.z, 1e-12);
-  EXPECT_TRUE(std::isinf(findThickness(reference, onFace, Vec3(0.0, 0.0, 1.0), 0.99)));
-  EXPECT_TRUE(std::isinf(findThickness(reference, onFace, Vec3(0.0, 0.0, -1.0), unlimited)));
+  EXPECT_NEAR(findThickness(reference, onFace, oblique, unlimited).distance, 1.0 / oblique.z,
+              1e-12);
+  EXPECT_TRUE(std::isinf(findThickness(reference, onFace, Vec3(0.0, 0.0, 1.0), 0.99).distance));
+  EXPECT_TRUE(
+      std::isinf(findThickness(reference, onFace, Vec3(0.0, 0.0, -1.0), unlimited).distance));
 }
 
 TEST(Remesh, SourcesMakeTrianglesSmallerNearThem) {

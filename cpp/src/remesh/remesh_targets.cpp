@@ -31,6 +31,9 @@ constexpr double kMinSizePerSize = 0.1;
 /// quickly and are few; along a gap there are many.
 constexpr double kLineSizePerMinSize = 1.0 / 1000.0;
 constexpr double kGapSizePerMinSize = 1.0 / 25.0;
+/// Largest number of triangles for which thin places get one good layer: a disc of 1/1000 of its radius has about 700 000 of them.
+/// Thinner ones would have millions of elements.
+constexpr double kMaxThinTriangles = 8e5;
 /// Upper bound of the triangles that one size below the smallest one adds. Around a point at which the size is 1/1000 of
 /// the smallest, and from which it grows by 0.3 per unit of distance, there are about 900.
 constexpr double kTrianglesPerDetail = 1000.0;
@@ -102,11 +105,23 @@ std::vector<double> countExpected(const ReferenceSurface& reference, const Remes
   return expected;
 }
 
+double sumOf(std::span<const double> counts) {
+  return std::accumulate(counts.begin(), counts.end(), 0.0);
+}
+
+/// Caps the sizes by those of the shape.
+Task<> capToShape(Work& work, const ShapeSizes& ofShape, const RemeshOptions& options,
+                  RemeshSizes& sizes) {
+  SizeSites sites(ofShape.positions, ofShape.sizes, options.growth, kSlack);
+  co_await work.finish(sites, kSitesPerUnit);
+  sizes.capTo(std::move(sites), ofShape.axes);
+}
+
 /// Returns kTooManyElements if the sizes ask for more triangles than the limit, and than there are.
 std::vector<Diagnostic> checkTriangleCount(const ReferenceSurface& reference,
                                            std::span<const double> expected,
                                            std::uint32_t maxTriangles) {
-  const double total = std::accumulate(expected.begin(), expected.end(), 0.0);
+  const double total = sumOf(expected);
   const double limit = std::max(static_cast<double>(maxTriangles),
                                 static_cast<double>(countTriangles(reference.mesh())));
   if (total <= limit) return {};
@@ -214,6 +229,7 @@ RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, dou
   const bool isExact = options.minSize > 0.0;
   lengths.minSizeAtLines = (isExact ? 1.0 : kLineSizePerMinSize) * lengths.minSize;
   lengths.minSizeAtGaps = (isExact ? 1.0 : kGapSizePerMinSize) * lengths.minSize;
+  lengths.minSizeAtThinPlaces = isExact ? lengths.minSize : 0.0;
   lengths.tolerance = toleranceOf(options, hasTargets, diagonal, factors.tolerance);
   lengths.testedTolerance = kTestedTolerance * lengths.tolerance;
   lengths.plannedTolerance =
@@ -275,10 +291,15 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   co_await work.yield();
 
   work.beginPart(0.7);
-  const ShapeSizeRules rules{lengths.maxSize,          lengths.minSize,
-                             lengths.minSizeAtLines,   lengths.minSizeAtGaps,
-                             lengths.plannedTolerance, lengths.radiansPerEdge,
-                             lengths.layers,           lengths.detailFactor};
+  const ShapeSizeRules rules{.maxSize = lengths.maxSize,
+                             .minSize = lengths.minSize,
+                             .minSizeAtLines = lengths.minSizeAtLines,
+                             .minSizeAtGaps = lengths.minSizeAtGaps,
+                             .minSizeAtThinPlaces = lengths.minSizeAtThinPlaces,
+                             .tolerance = lengths.plannedTolerance,
+                             .anglePerEdge = lengths.radiansPerEdge,
+                             .layers = lengths.layers,
+                             .detailFactor = lengths.detailFactor};
   ShapeSizes ofShape = co_await findShapeSizes(work, reference, rules);
   if (hasRegions) addRegionSizes(reference, *found.sizes, ofShape);
   if (ofShape.positions.empty()) co_return found;
@@ -286,13 +307,18 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   std::vector<Cusp> cusps = co_await findLimitedCusps(work, reference, ofShape, options, lengths);
   work.beginPart(1.0);
   const std::size_t belowMin = ofShape.countBelowMin;
-  SizeSites sites(ofShape.positions, ofShape.sizes, options.growth, kSlack);
-  co_await work.finish(sites, kSitesPerUnit);
-  found.sizes->capTo(std::move(sites), std::move(ofShape.axes));
+  co_await capToShape(work, ofShape, options, *found.sizes);
+  if (!ofShape.thinPlaces.empty()) {
+    const double total = sumOf(countExpected(reference, *found.sizes));
+    const double limit = std::min(kMaxThinTriangles, static_cast<double>(options.maxTriangles));
+    if (total > limit) {
+      for (const ThinPlace& place : ofShape.thinPlaces) ofShape.sizes[place.index] = place.coarse;
+      co_await capToShape(work, ofShape, options, *found.sizes);
+    }
+  }
   found.sizes->raiseTo(CuspSizes(std::move(cusps)));
   // Counting takes longer than this bound, which only very many small details exceed without need.
-  const double most = std::accumulate(ofGiven.begin(), ofGiven.end(), 0.0) +
-                      trianglesOn(areaOf(reference), lengths.minSize) +
+  const double most = sumOf(ofGiven) + trianglesOn(areaOf(reference), lengths.minSize) +
                       kTrianglesPerDetail * static_cast<double>(belowMin);
   if (most > static_cast<double>(options.maxTriangles)) {
     found.diagnostics =

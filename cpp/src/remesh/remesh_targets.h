@@ -23,6 +23,7 @@ struct RemeshLengths {
   double minSize;
   double minSizeAtLines;
   double minSizeAtGaps;
+  double minSizeAtThinPlaces;
   double tolerance;
   /// The checks of a change use this smaller tolerance. From the remeshed surface to the given one, they hold for every
   /// point. In the other direction they test the guests only, and between them the distance may be slightly larger.

@@ -52,7 +52,7 @@ class BoxRay {
 
 /// Lowers `nearest` to the distance at which the ray leaves the region through the triangle.
 void castRay(const ReferenceSurface& reference, const Vec3& from, const Vec3& direction,
-             TriangleId triangle, double& nearest) {
+             TriangleId triangle, Thickness& nearest) {
   if (glm::dot(reference.normalOf(triangle), direction) < 0.5) return;
   const auto [a, b, c] = cornersOf(reference.mesh(), triangle);
   const Vec3 side = glm::cross(direction, c - a);
@@ -63,31 +63,31 @@ void castRay(const ReferenceSurface& reference, const Vec3& from, const Vec3& di
   const double v = glm::dot(direction, other) / determinant;
   const double distance = glm::dot(c - a, other) / determinant;
   if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > kRayStart * reference.diagonal()) {
-    nearest = std::min(nearest, distance);
+    if (distance < nearest.distance) nearest = {distance, triangle};
   }
 }
 
 }  // namespace
 
-double findThickness(const ReferenceSurface& reference, const Vec3& position, const Vec3& inward,
-                     double limit) {
+Thickness findThickness(const ReferenceSurface& reference, const Vec3& position, const Vec3& inward,
+                        double limit) {
   struct Waiting {
     BranchId branch;
     double entry;
   };
   const BoxTree& tree = reference.tree();
   const BoxRay ray(position, inward, kRayStart * reference.diagonal());
-  double nearest = limit;
+  Thickness nearest{limit, {}};
   std::array<Waiting, 64> waiting;
   std::size_t count = 0;
   const auto wait = [&](BranchId branch) {
-    const double entry = ray.entryInto(tree.boxOf(branch), nearest);
-    if (entry < nearest) waiting[count++] = {branch, entry};
+    const double entry = ray.entryInto(tree.boxOf(branch), nearest.distance);
+    if (entry < nearest.distance) waiting[count++] = {branch, entry};
   };
   wait(BranchId(0U));
   while (count > 0) {
     const auto [branch, entry] = waiting[--count];
-    if (entry >= nearest) continue;
+    if (entry >= nearest.distance) continue;
     if (!tree.isLeaf(branch)) {
       // The nearer branch is the next one.
       const std::size_t before = count;
@@ -99,12 +99,13 @@ double findThickness(const ReferenceSurface& reference, const Vec3& position, co
     }
     const std::span<const Box> boxes = tree.itemBoxesOf(branch);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (!(ray.entryInto(boxes[i], nearest) < nearest)) continue;
+      if (!(ray.entryInto(boxes[i], nearest.distance) < nearest.distance)) continue;
       const std::uint32_t item = tree.itemsOf(branch)[i];
       castRay(reference, position, inward, reference.pieces()[item].triangle, nearest);
     }
   }
-  return nearest < limit ? nearest : std::numeric_limits<double>::infinity();
+  if (nearest.across.isNone()) nearest.distance = std::numeric_limits<double>::infinity();
+  return nearest;
 }
 
 }  // namespace tetrafront
