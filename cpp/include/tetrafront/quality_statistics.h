@@ -51,6 +51,34 @@ struct MetricShapes {
   std::vector<float> smallestDihedral;  ///< degrees
 };
 
+/// Why an element has a dihedral angle below 10 degrees.
+enum class PoorReason : std::uint8_t {
+  kOther = 0,      ///< none of the others: smaller elements or more optimization may help
+  kWedge = 1,      ///< two faces meet there at a small angle, which no element can open
+  kTriangle = 2,   ///< a triangle of the boundary or of an interface is a needle or cap
+  kThickness = 3,  ///< the region is much thinner than the elements are wide
+};
+
+/// Elements whose smallest dihedral angle is below 10 degrees, and why the worst of them is poor.
+struct PoorElements {
+  std::uint32_t count = 0;
+  std::uint32_t inWedges = 0;
+  std::uint32_t atNeedles = 0;
+  std::uint32_t inThinPlaces = 0;
+  ElementQuality worst;  ///< without meaning if there is none, as all that follows
+  PoorReason reason = PoorReason::kOther;
+  /// Degrees: angle of the edge, or smallest angle of the triangle. In model units: thickness. 0 for other reasons.
+  double value = 0.0;
+  /// Ends of the straight part of the edge at which faces meet.
+  Vec3 edgeFrom{0.0};
+  Vec3 edgeTo{0.0};
+  std::uint32_t triangle = 0;  ///< the needle, or one of those at the edge: index in the boundary of the run
+  /// Size with which nearly all elements at the worst thin place would have angles above 10 degrees, and the number that the mesh
+  /// would have if all thin places had such sizes.
+  double goodSize = 0.0;
+  double goodTetrahedra = 0.0;
+};
+
 struct QualityStatistics {
   std::vector<RegionStatistics> regions;  ///< ascending
   std::vector<ElementQuality> worst;      ///< up to ten, by their angles, worst first
@@ -79,6 +107,7 @@ struct QualityStatistics {
   std::uint32_t limitedByNarrowGaps = 0;
   std::vector<ElementQuality>
       worstLimited;  ///< up to ten elements limited by the boundary, worst first
+  PoorElements poor;
 };
 
 }  // namespace tetrafront

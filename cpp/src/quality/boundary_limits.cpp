@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "base/sort.h"
@@ -43,10 +44,9 @@ bool misses(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
-/// Returns whether the boundary's edges divide the corners into two groups that are close to each
-/// other.
-bool spansNarrowGap(const std::array<Vec3, 4>& corners, const std::array<bool, 6>& isBoundaryEdge) {
-  constexpr double kSquare = kNarrow * kNarrow;
+double squaredGapWidth(const std::array<Vec3, 4>& corners,
+                       const std::array<bool, 6>& isBoundaryEdge) {
+  double least = std::numeric_limits<double>::infinity();
   // Edge e on one side of the gap, the opposite edge 5 - e on the other.
   for (std::size_t e = 0; e < 3; ++e) {
     const auto& [a, b, c, d] = kTetEdges[e];
@@ -54,9 +54,8 @@ bool spansNarrowGap(const std::array<Vec3, 4>& corners, const std::array<bool, 6
     for (std::size_t other = 0; other < kTetEdges.size(); ++other) {
       apart = apart && (other == e || other == 5 - e || !isBoundaryEdge[other]);
     }
-    if (apart && squaredDistanceOfLines(corners[a], corners[b], corners[c], corners[d]) < kSquare) {
-      return true;
-    }
+    if (!apart) continue;
+    least = std::min(least, squaredDistanceOfLines(corners[a], corners[b], corners[c], corners[d]));
   }
   // One node on one side of the gap, three on the other.
   for (std::size_t k = 0; k < 4; ++k) {
@@ -64,12 +63,16 @@ bool spansNarrowGap(const std::array<Vec3, 4>& corners, const std::array<bool, 6
     for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
       apart = apart && (!isBoundaryEdge[e] || (kTetEdges[e].from != k && kTetEdges[e].to != k));
     }
-    if (apart && squaredDistanceToTriangle(corners[k], corners[(k + 1) % 4], corners[(k + 2) % 4],
-                                           corners[(k + 3) % 4]) < kSquare) {
-      return true;
-    }
+    if (!apart) continue;
+    least = std::min(least,
+                     squaredDistanceToTriangle(corners[k], corners[(k + 1) % 4],
+                                               corners[(k + 2) % 4], corners[(k + 3) % 4]));
   }
-  return false;
+  return least;
+}
+
+bool spansNarrowGap(const std::array<Vec3, 4>& corners, const std::array<bool, 6>& isBoundaryEdge) {
+  return squaredGapWidth(corners, isBoundaryEdge) < kNarrow * kNarrow;
 }
 
 void BoundaryLimits::add(const NodeTriple& triangle) {

@@ -23,9 +23,13 @@ struct ElementView {
   [[nodiscard]] Vec3 operator()(const Vec3& position) const { return toUnit * (position - origin); }
 };
 
+/// Returns the squared width of the gap that an element with all corners on the boundary spans, if it connects two pieces of the
+/// boundary that share none of its edges; otherwise infinity. `isBoundaryEdge` says which of kTetEdges are edges of the boundary.
+[[nodiscard]] double squaredGapWidth(const std::array<Vec3, 4>& corners,
+                                     const std::array<bool, 6>& isBoundaryEdge);
+
 /// Returns whether an element with all corners on the boundary connects two pieces of it that are
-/// too close for a node between them. `corners` are positions in the element's metric space,
-/// `isBoundaryEdge` says which of kTetEdges are edges of the boundary.
+/// too close for a node between them. `corners` are positions in the element's metric space.
 [[nodiscard]] bool spansNarrowGap(const std::array<Vec3, 4>& corners,
                                   const std::array<bool, 6>& isBoundaryEdge);
 

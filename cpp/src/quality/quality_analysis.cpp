@@ -105,8 +105,10 @@ Task<> QualityAnalysis::analyse(Work& work) {
   co_await work.forEachId<NodeId>(countNodes(mesh_), [this](NodeId node) { querySize(node); });
   work.beginPart(0.9);
   co_await measureElements(work);
-  work.beginPart(1.0);
+  work.beginPart(0.98);
   co_await findLimits(work);
+  work.beginPart(1.0);
+  co_await findReasons(work);
   finish();
 }
 
@@ -164,6 +166,13 @@ Task<> QualityAnalysis::findLimits(Work& work) {
       if (limit != BoundaryLimit::kNone) keepWorst(worstLimited_, outOfRange_[i]);
     }
   });
+}
+
+/// Finds out why elements are poor. In a stretched field, boundaries do not explain angles in the metric.
+Task<> QualityAnalysis::findReasons(Work& work) {
+  if (isStretched_) co_return;
+  PoorElementAnalysis analysis(mesh_, surface_);
+  statistics_.poor = co_await analysis.analyse(work, poor_);
 }
 
 void QualityAnalysis::querySize(NodeId node) {
@@ -246,6 +255,11 @@ void QualityAnalysis::measureElement(TetId element) {
     smallest_ = element;
   }
   largestVolume_ = std::max(largestVolume_, plain.volume);
+  if (plain.largestCosine > kPoorCosine) {
+    poor_.push_back(element);
+    if (plain.largestCosine > largestCosine_) std::swap(poor_.front(), poor_.back());
+    largestCosine_ = std::max(largestCosine_, plain.largestCosine);
+  }
   const double cost = dihedralCostOf(measures);
   keepWorst(worst_, {cost, element});
   if (cost > 1.0) outOfRange_.push_back({cost, element});

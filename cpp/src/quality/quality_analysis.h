@@ -41,6 +41,7 @@ class QualityAnalysis {
   Task<> analyse(Work& work);
   Task<> measureElements(Work& work);
   Task<> findLimits(Work& work);
+  Task<> findReasons(Work& work);
 
   void querySize(NodeId node);
   void measureElement(TetId element);
@@ -89,6 +90,8 @@ class QualityAnalysis {
   std::vector<Ranked> worst_;
   std::vector<Ranked> outOfRange_;
   std::vector<Ranked> worstLimited_;
+  std::vector<TetId> poor_;
+  double largestCosine_ = -1.0;  ///< of the poor elements; the worst one is the first
   Job<> job_;  ///< last, because it uses the other members
 };
 
