@@ -214,6 +214,7 @@ void printEnums() {
   printEnum<EntityKind>("EntityKind", "ENTITY_KINDS",
                         "Kind of an entity that a diagnostic refers to.");
   printEnum<RepairKind>("RepairKind", "REPAIR_KINDS", "Kinds of changes of a repair.");
+  printEnum<PoorReason>("PoorReason", "POOR_REASONS", "Why an element has a small dihedral angle.");
   printEnum<LineType>("LineType", "LINE_TYPES", "Curve type of a line.");
   printEnum<PatchType>("PatchType", "PATCH_TYPES", "Surface type of a patch.");
   printEnum<SourceType>("SourceType", "SOURCE_TYPES", "Shape of a source of size.");

@@ -23,8 +23,12 @@ const remedies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
     "Weld nodes within a larger distance, or separate or close the parts there in the program that made them.",
   "near-nodes": "Repair the body, and weld nodes within the distance by which they are apart.",
   "inconsistent-regions": "Repair the surface, then open it again.",
+};
+
+/** By code, if the remedy of the package names an option or a call; otherwise that one fits the app too. */
+const inPlaceOfOptions: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
   "poor-elements":
-    "Select Remesh for bodies with needles, use smaller elements in narrow gaps and at sharp edges, or set Optimization to Thorough.",
+    "Select Remesh for bodies with needles; otherwise use smaller elements there, or set Optimization to Thorough.",
 };
 
 /** By code, for problems of the given surface of a body. */
@@ -50,5 +54,5 @@ export function remedyInApp(
   isOfBody = body !== undefined,
 ): string {
   const inApp = (isOfBody ? ofBodies[code] : undefined) ?? remedies[code];
-  return inApp ?? (optionOrCall.test(remedy) ? general : remedy);
+  return inApp ?? (optionOrCall.test(remedy) ? (inPlaceOfOptions[code] ?? general) : remedy);
 }

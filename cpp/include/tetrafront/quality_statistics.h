@@ -72,7 +72,6 @@ struct PoorElements {
   /// Ends of the straight part of the edge at which faces meet.
   Vec3 edgeFrom{0.0};
   Vec3 edgeTo{0.0};
-  std::uint32_t triangle = 0;  ///< the needle, or one of those at the edge: index in the boundary of the run
   /// Size with which nearly all elements at the worst thin place would have angles above 10 degrees, and the number that the mesh
   /// would have if all thin places had such sizes.
   double goodSize = 0.0;

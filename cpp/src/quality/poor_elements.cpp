@@ -151,7 +151,7 @@ void PoorElementAnalysis::addWedge(const Edge& a, const Edge& b, bool areAlone) 
   const Vec3 origin = pointOf(mesh_, p);
   const Vec3 normal = glm::cross(pointOf(mesh_, q) - origin, pointOf(mesh_, r) - origin);
   if (areAlone && glm::dot(ofB, normal) > 0.0) return;
-  wedges_.push_back({a.lower, a.upper, a.triangle, cosine});
+  wedges_.push_back({a.lower, a.upper, cosine});
 }
 
 std::span<const PoorElementAnalysis::Edge> PoorElementAnalysis::edgesBetween(NodeId a,
@@ -170,8 +170,14 @@ PoorElementAnalysis::Reason PoorElementAnalysis::reasonOf(TetId element) const {
   const double smallest =
       degreesOf(measureTetrahedron(cornersOf(mesh_, element)).largestCosine);
   if (const auto wedge = wedgeAt(nodes, smallest)) return *wedge;
-  if (const auto needle = needleAt(nodes, smallest)) return *needle;
-  return gapAt(nodes).value_or(Reason{});
+  const std::optional<Reason> gap = gapAt(nodes);
+  if (const auto needle = needleAt(nodes, smallest)) {
+    // The faces at the ends of a wedge have triangles of its angle.
+    const bool isOfWedge = gap && gap->reason == PoorReason::kWedge &&
+                           gap->value < kAnglePerElement * needle->value;
+    return isOfWedge ? *gap : *needle;
+  }
+  return gap.value_or(Reason{});
 }
 
 /// Returns the sharpest wedge at an edge of the element.
@@ -206,7 +212,7 @@ std::optional<PoorElementAnalysis::Reason> PoorElementAnalysis::needleAt(const N
           {pointOf(mesh_, corners[0]), pointOf(mesh_, corners[1]), pointOf(mesh_, corners[2])});
       if (angle > std::min(kNeedleAngle, kNeedlePerElement * smallest)) continue;
       if (!found || angle < found->value) {
-        found = Reason{PoorReason::kTriangle, angle, edge.triangle.value};
+        found = Reason{PoorReason::kTriangle, angle, 0};
       }
     }
   }
@@ -297,14 +303,12 @@ void PoorElementAnalysis::describe(TetId element, const Reason& reason, PoorElem
   poor.worst.radiusRatio = measures.radiusRatio;
   poor.reason = reason.reason;
   poor.value = reason.value;
-  if (reason.reason == PoorReason::kTriangle) poor.triangle = reason.item;
   if (reason.reason == PoorReason::kThickness) poor.goodSize = kGoodSizePerThickness * reason.value;
   if (reason.reason != PoorReason::kWedge) return;
   const Wedge& wedge = wedges_[reason.item];
   const std::array<Vec3, 2> ends = straightPart(wedge);
   poor.edgeFrom = ends[0];
   poor.edgeTo = ends[1];
-  poor.triangle = wedge.triangle.value;
 }
 
 }  // namespace tetrafront

@@ -41,14 +41,13 @@ class PoorElementAnalysis {
   struct Wedge {
     NodeId from;
     NodeId to;
-    TriangleId triangle;
     double cosine;
   };
   /// One reason of an element, as in PoorElements.
   struct Reason {
     PoorReason reason = PoorReason::kOther;
     double value = 0.0;
-    std::uint32_t item = 0;  ///< index of the wedge, or the triangle
+    std::uint32_t item = 0;  ///< index of the wedge
   };
 
   void findEdges();

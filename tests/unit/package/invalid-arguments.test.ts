@@ -97,6 +97,14 @@ const inspection = {
     regions: [{ tetrahedra: 6, smallestDihedral: [6] }],
     worst: [element],
     limitedByBoundary: { edges: 0, needles: 0, narrowGaps: 0, worst: [element] },
+    poor: {
+      worst: element,
+      reason: "wedge",
+      value: 5,
+      edge: { from: [0, 0, 0], to: [0, 0, 1] },
+      goodSize: 0,
+      goodTetrahedra: 0,
+    },
   },
 };
 

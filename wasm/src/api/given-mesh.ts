@@ -170,6 +170,14 @@ const inspected = v.object({
       narrowGaps: v.number(),
       worst: v.array(element),
     }),
+    poor: v.object({
+      worst: v.nullable(element),
+      reason: v.string(),
+      value: v.number(),
+      edge: v.object({ from: v.array(v.number()), to: v.array(v.number()) }),
+      goodSize: v.number(),
+      goodTetrahedra: v.number(),
+    }),
   }),
 });
 const withTriangles = v.object({

@@ -1,4 +1,4 @@
-import type { EngineNumbers } from "../generated/constants.js";
+import type { EngineNumbers, PoorReason } from "../generated/constants.js";
 import type { DiagnosticCode } from "./codes.js";
 import type { ReadCode, ReadError } from "./read-error.js";
 
@@ -24,8 +24,15 @@ export interface DiagnosticNumbers extends EngineNumbers {
   readonly "needle-surface": Counted & { readonly triangles: number };
   /** `count`: number of pairs. `distance`: that of a weld that joins them, in model units. */
   readonly "near-nodes": Counted & { readonly distance: number };
-  /** `count`: number of elements with a dihedral angle below 10°. `tetrahedra`: number of all elements. */
-  readonly "poor-elements": Counted & { readonly tetrahedra: number };
+  /**
+   * `count`: number of elements with a dihedral angle below 10°. `tetrahedra`: number of all elements. `angle`: the smallest, in
+   * degrees; `reason`: why that element is poor.
+   */
+  readonly "poor-elements": Counted & {
+    readonly tetrahedra: number;
+    readonly angle: number;
+    readonly reason: PoorReason;
+  };
   /** Smallest dihedral angle of the mesh, and the angle of `--require-angle`, in degrees. */
   readonly "required-angle": { readonly angle: number; readonly required: number };
   /**

@@ -1,6 +1,12 @@
 /** Returns the engine's quality statistics in the form of the report. */
-import { DIHEDRAL_BIN_WIDTH, EDGE_BIN_WIDTH, RATIO_BIN_WIDTH } from "../generated/constants.js";
-import type { ElementQuality, QualityReport, RegionQuality, ShapeStatistics } from "../mesh/quality.js";
+import { DIHEDRAL_BIN_WIDTH, EDGE_BIN_WIDTH, POOR_REASONS, RATIO_BIN_WIDTH } from "../generated/constants.js";
+import type {
+  ElementQuality,
+  PoorElements,
+  QualityReport,
+  RegionQuality,
+  ShapeStatistics,
+} from "../mesh/quality.js";
 import type { EngineStatistics } from "./loader.js";
 
 const BIN_WIDTHS = {
@@ -19,6 +25,18 @@ export const NO_QUALITY: QualityReport = {
   edges: { mean: 0, meanOfAchievable: 0, nearTarget: 0 },
   outOfRange: 0,
   limitedByBoundary: { count: 0, edges: 0, needles: 0, narrowGaps: 0, worst: [] },
+  poor: {
+    count: 0,
+    inWedges: 0,
+    atNeedles: 0,
+    inThinPlaces: 0,
+    worst: null,
+    reason: "other",
+    value: 0,
+    edge: { from: [0, 0, 0], to: [0, 0, 0] },
+    goodSize: 0,
+    goodTetrahedra: 0,
+  },
 };
 
 export function qualityReport(statistics: EngineStatistics): QualityReport {
@@ -44,6 +62,17 @@ export function qualityReport(statistics: EngineStatistics): QualityReport {
       narrowGaps: rest.limitedByNarrowGaps,
       worst: worstLimited.map(elementQuality),
     },
+    poor: poorElements(rest.poor),
+  };
+}
+
+function poorElements(poor: EngineStatistics["poor"]): PoorElements {
+  const { edgeFrom: from, edgeTo: to, worst, reason, ...rest } = poor;
+  return {
+    ...rest,
+    worst: rest.count === 0 ? null : elementQuality(worst),
+    reason: POOR_REASONS[reason] ?? "other",
+    edge: { from, to },
   };
 }
 

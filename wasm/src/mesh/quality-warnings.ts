@@ -4,12 +4,15 @@ import type { Steps } from "../base/steps.js";
 import { joined, withCounting } from "../diagnostics/describe.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { nameByIndex } from "../diagnostics/entity-names.js";
+import { MESH_DEFAULTS } from "../generated/constants.js";
 import type { SurfaceInput } from "./mesh.js";
-import type { ElementQuality, QualityReport } from "./quality.js";
+import type { ElementQuality, PoorElements, QualityReport } from "./quality.js";
 import { triangleShapes } from "./triangle-shapes.js";
 
 /** Smallest dihedral angle, in degrees, that finite elements tolerate well. */
 const POOR_ANGLE = 10;
+/** Smallest dihedral angle, in degrees, below which a single element spoils a computation. */
+const HARMFUL_ANGLE = 5;
 /** Share of poor elements above which a mesh is of little use, however good the others are. */
 const MAX_POOR = 0.01;
 
@@ -35,40 +38,97 @@ export function* needleWarnings(surface: SurfaceInput): Steps<Diagnostic[]> {
   return [warning];
 }
 
-/** Returns a warning that names the worst elements if more than one in a hundred has a dihedral angle below 10°. */
+/**
+ * Returns a warning that names the worst elements, with the reason of the worst one, if more than one in a hundred has a dihedral
+ * angle below 10°, or one has an angle below 5°.
+ */
 export function poorElementWarnings(quality: QualityReport): Diagnostic[] {
-  const { regions, binWidths, limitedByBoundary } = quality;
+  const { regions, binWidths, poor } = quality;
   const bins = POOR_ANGLE / binWidths.dihedral;
   const all = regions.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
   const count = regions.reduce(
     (sum, { smallestDihedral }) => sum + smallestDihedral.slice(0, bins).reduce((a, b) => a + b, 0),
     0,
   );
-  if (count <= MAX_POOR * all) return [];
-  const { edges, needles, narrowGaps } = limitedByBoundary;
-  const isByNeedles = needles > edges + narrowGaps;
+  const isHarmful = poor.worst !== null && poor.worst.dihedral.min < HARMFUL_ANGLE;
+  if (count <= MAX_POOR * all && !isHarmful) return [];
   const worst = worstOf(quality);
   const entities = worst.map(({ tetrahedron }) => nameByIndex("tetrahedron", tetrahedron));
   const names = joined(entities.map(({ label }) => label));
   const share = `${shareOf(count, all, "tetrahedron")} poor`;
-  const message = `${share}: their smallest dihedral angle is below ${POOR_ANGLE}°; the worst ${worst.length === 1 ? "is" : "are"} ${names}`;
+  const message = `${share}: ${count === 1 ? "its" : "their"} smallest dihedral angle is below ${POOR_ANGLE}°; the worst ${worst.length === 1 ? "is" : "are"} ${names}`;
   const warning: DiagnosticOf<"poor-elements"> = {
     code: "poor-elements",
     severity: "warning",
-    message: withCounting(message, entities),
-    remedy: isByNeedles
-      ? REMESH
-      : 'Use smaller elements in narrow gaps and at sharp edges, or `optimization: "thorough"`.',
+    message: `${withCounting(message, entities)}${reasonText(poor)}`,
+    remedy: remedyFor(quality),
     entities,
     position: worst[0]?.centroid,
-    data: { count, tetrahedra: all },
+    data: { count, tetrahedra: all, reason: poor.reason, angle: worst[0]?.dihedral.min ?? 0 },
   };
   return [warning];
 }
 
+/** Returns where the worst element is, its angle and the reason, as the end of a sentence. */
+function reasonText({ worst, reason, value, edge }: PoorElements): string {
+  if (worst === null) return "";
+  const begin = `. The smallest angle is ${angleText(worst.dihedral.min)}, at ${positionText(worst.centroid)}`;
+  switch (reason) {
+    case "wedge":
+      return `${begin}: two faces meet at an angle of ${angleText(value)} at the edge from ${positionText(edge.from)} to ${positionText(edge.to)}`;
+    case "triangle":
+      return `${begin}: a triangle of the surface has an angle of ${angleText(value)} there`;
+    case "thickness":
+      return `${begin}: the region is only ${rounded(value)} thick there`;
+    case "other":
+      return begin;
+  }
+}
+
+/** Returns what helps against the reason of the worst element. */
+function remedyFor({ poor, limitedByBoundary: { edges, needles, narrowGaps } }: QualityReport): string {
+  switch (poor.worst === null ? "other" : poor.reason) {
+    case "wedge":
+      return "No element can open this angle, so smaller elements do not help: blunt the edge in the program that made the shape, or accept it.";
+    case "triangle":
+      return REMESH;
+    case "thickness":
+      return thicknessRemedy(poor);
+    case "other":
+      return needles > edges + narrowGaps
+        ? REMESH
+        : 'Use smaller elements there, or `optimization: "thorough"`.';
+  }
+}
+
+function thicknessRemedy({ goodSize, goodTetrahedra }: PoorElements): string {
+  const needed = `One layer of good elements needs a size of ${rounded(goodSize)} there, with about ${rounded(goodTetrahedra)} tetrahedra in all`;
+  return goodTetrahedra > MESH_DEFAULTS.maxTetrahedra
+    ? `${needed}: more than can be made. Compute such a thin part with shell elements, or thicken it.`
+    : `${needed}. Use such a size, or compute the thin part with shell elements.`;
+}
+
+/** Returns two significant digits, "0.04" or "58 million". */
+function rounded(value: number): string {
+  const number = Number(value.toPrecision(2));
+  if (number >= 1e6) return `${Number((number / 1e6).toPrecision(2))} million`;
+  return String(number);
+}
+
+function angleText(degrees: number): string {
+  return `${Number(degrees.toPrecision(2))}°`;
+}
+
+function positionText(position: readonly number[]): string {
+  return `(${position.map((value) => String(Number(value.toPrecision(4)))).join(", ")})`;
+}
+
 /** Returns the poor elements with the smallest angles, of those that the report lists. */
-function worstOf({ worst, limitedByBoundary }: QualityReport): ElementQuality[] {
-  const listed = new Map([...worst, ...limitedByBoundary.worst].map((one) => [one.tetrahedron, one]));
+function worstOf({ worst, limitedByBoundary, poor }: QualityReport): ElementQuality[] {
+  const worstOfAll = poor.worst === null ? [] : [poor.worst];
+  const listed = new Map(
+    [...worstOfAll, ...worst, ...limitedByBoundary.worst].map((one) => [one.tetrahedron, one]),
+  );
   return [...listed.values()]
     .filter(({ dihedral }) => dihedral.min < POOR_ANGLE)
     .sort((a, b) => a.dihedral.min - b.dihedral.min || a.tetrahedron - b.tetrahedron)
@@ -77,5 +137,7 @@ function worstOf({ worst, limitedByBoundary }: QualityReport): ElementQuality[] 
 
 /** Returns "1 of 8 triangles (13 %) is" or "3 of 8 triangles (38 %) are". */
 function shareOf(count: number, all: number, noun: string): string {
-  return `${count} of ${plural(all, noun)} (${Math.round((100 * count) / all)} %) ${count === 1 ? "is" : "are"}`;
+  const percent = Math.round((100 * count) / all);
+  const share = percent === 0 ? "less than 1 %" : `${percent} %`;
+  return `${count} of ${plural(all, noun)} (${share}) ${count === 1 ? "is" : "are"}`;
 }

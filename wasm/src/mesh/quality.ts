@@ -1,4 +1,5 @@
 /** Quality statistics of a mesh and its patches. */
+import type { PoorReason } from "../generated/constants.js";
 
 /** Quality of the triangulation of one patch of a project or a body. */
 export interface PatchQuality {
@@ -76,6 +77,31 @@ export interface LimitedByBoundary {
   readonly worst: readonly ElementQuality[];
 }
 
+/** Tetrahedra with a dihedral angle below 10°, and why the worst of them is poor; without elements in stretched size fields. */
+export interface PoorElements {
+  readonly count: number;
+  /** In wedges: where two faces meet at a small angle, which no element can open. */
+  readonly inWedges: number;
+  /** At needles and caps of the surface. */
+  readonly atNeedles: number;
+  /** Where the region is much thinner than the elements are wide. */
+  readonly inThinPlaces: number;
+  /** The one with the smallest angle; `null` if there is none. The rest is about it. */
+  readonly worst: ElementQuality | null;
+  readonly reason: PoorReason;
+  /** Degrees: angle of the wedge, or smallest angle of the triangle; in model units: thickness; 0 for other reasons. */
+  readonly value: number;
+  /** Ends of the straight part of the edge of the wedge. */
+  readonly edge: {
+    readonly from: readonly [number, number, number];
+    readonly to: readonly [number, number, number];
+  };
+  /** Size with which nearly all elements at the thin place would have angles above 10°; 0 for other reasons. */
+  readonly goodSize: number;
+  /** Number of tetrahedra that the mesh would have with such sizes at all thin places. */
+  readonly goodTetrahedra: number;
+}
+
 /** Statistics of edge lengths. Target lengths are those asked for, whether or not a given surface allows them. */
 export interface EdgeStatistics {
   /** Mean of edge length / target length. */
@@ -111,6 +137,7 @@ export interface QualityReport {
   readonly outOfRange: number;
   /** Tetrahedra that the boundary forces to have such angles. */
   readonly limitedByBoundary: LimitedByBoundary;
+  readonly poor: PoorElements;
 }
 
 /** Shapes of all elements, measured in the metric of a stretched size field; one number per element each. */
