@@ -4,6 +4,7 @@
 
 #include "base/mesh_access.h"
 #include "geom/tetrahedron.h"
+#include "quality/poor_elements.h"
 #include "search/incidence.h"
 
 namespace tetrafront {
