@@ -5,7 +5,7 @@ import { createMesher, type Diagnostic, type SurfaceInput } from "tetrafront";
 
 const mesher = await createMesher();
 afterAll(() => {
-  mesher.terminate();
+  mesher.dispose();
 });
 
 /** Prism over a triangle of two long sides that meet at an angle, at the edge from (0, 0, 0) to (0, 0, height). */
