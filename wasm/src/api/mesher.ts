@@ -290,7 +290,7 @@ class WorkerMesher implements Mesher {
   }
 
   /** Fills a valid surface with valid options. */
-  #fill(surface: SurfaceInput, options: MeshOptions, control: RunControl): Promise<MeshResult> {
+  async #fill(surface: SurfaceInput, options: MeshOptions, control: RunControl): Promise<MeshResult> {
     const { background } = options;
     // Copies: transferring the caller's own arrays would empty them.
     const request = {
