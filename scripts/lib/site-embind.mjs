@@ -36,7 +36,11 @@ var invokerFunction=function(obj,func,destructorsRef,at){
   return retType.isVoid?undefined:emval_returnValue(retType,destructorsRef,rv);
 };`;
 
-/** Returns the script without functions made of text. Throws if it is another version of the script. */
+/**
+ * Returns the script without functions made of text. Throws if it is another version of the script.
+ * @param {string} code
+ * @returns {string}
+ */
 export function withoutTextFunctions(code) {
   const changed = code.replace(invokerOfText, () => invoker).replace(callerOfText, () => caller);
   if (/newFunc\(Function,/.test(changed) || changed === code)

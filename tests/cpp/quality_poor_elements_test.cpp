@@ -61,8 +61,8 @@ TEST(PoorElements, InTheInteriorHaveNoReason) {
 /// Two edges of the boundary cross at a distance of 0.02.
 TEST(PoorElements, BetweenCloseFacesHaveTheThickness) {
   VolumeMesh mesh;
-  mesh.points = {-1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0, 0.02, 0.0, 1.0, 0.02,
-                 0.0,  2.0, 0.0, 0.0, -2.0, 0.0, 2.0, 0.0, 0.02, -2.0, 0.0, 0.02};
+  mesh.points = {-1.0, 0.0, 0.0, 1.0, 0.0,  0.0, 0.0, -1.0, 0.02, 0.0,  1.0, 0.02,
+                 0.0,  2.0, 0.0, 0.0, -2.0, 0.0, 2.0, 0.0,  0.02, -2.0, 0.0, 0.02};
   mesh.tetrahedra = {0, 1, 3, 2};
   mesh.regions = {0};
   SurfaceMesh surface;

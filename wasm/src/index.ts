@@ -149,10 +149,10 @@ export {
   type MeshFileOptions,
   type MeshFileReport,
 } from "./api/mesh-file.js";
-export type { MeshedSurface, ReadySurface } from "./api/surface-meshing.js";
+export type { ChangedSurface, MeshedSurface, RefinementCounts, RemeshReport } from "./api/meshed-surface.js";
+export type { ReadySurface } from "./api/surface-meshing.js";
 export type { Treatment } from "./api/surface-treatment.js";
 export { SURFACE_TREATMENTS, type SurfaceMeshOptions, type SurfaceTreatment } from "./api/option-types.js";
-export type { RefinementCounts, RemeshReport } from "./api/surface-treatment.js";
 export { measureTriangles } from "./api/triangle-shapes.js";
 export type { TriangleShapes } from "./mesh/triangle-shapes.js";
 export { recordTrace } from "./api/trace-recording.js";
@@ -252,7 +252,14 @@ export type {
   SurfaceMesh,
   VolumeMesh,
 } from "./mesh/mesh.js";
-export type { ElementCount, FrontRecording, MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
+export type {
+  ElementCount,
+  FrontRecording,
+  MeshReport,
+  MeshResult,
+  MeshStatus,
+  Seconds,
+} from "./mesh/report.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { Progress, ProgressPhase } from "./base/progress.js";
 export type { ProjectPreview } from "./project/preview.js";

@@ -5,6 +5,7 @@ import type { MeshReport } from "tetrafront";
 export const phaseNames = {
   check: "Checking the model",
   bodies: "Preparing bodies",
+  remesh: "Remeshing the surface",
   sides: "Dividing lines",
   surface: "Meshing patches",
   volume: "Advancing the front",

@@ -64,9 +64,8 @@ double squaredGapWidth(const std::array<Vec3, 4>& corners,
       apart = apart && (!isBoundaryEdge[e] || (kTetEdges[e].from != k && kTetEdges[e].to != k));
     }
     if (!apart) continue;
-    least = std::min(least,
-                     squaredDistanceToTriangle(corners[k], corners[(k + 1) % 4],
-                                               corners[(k + 2) % 4], corners[(k + 3) % 4]));
+    least = std::min(least, squaredDistanceToTriangle(corners[k], corners[(k + 1) % 4],
+                                                      corners[(k + 2) % 4], corners[(k + 3) % 4]));
   }
   return least;
 }

@@ -167,14 +167,13 @@ std::span<const PoorElementAnalysis::Edge> PoorElementAnalysis::edgesBetween(Nod
 
 PoorElementAnalysis::Reason PoorElementAnalysis::reasonOf(TetId element) const {
   const NodeQuad nodes = nodesOf(mesh_, element);
-  const double smallest =
-      degreesOf(measureTetrahedron(cornersOf(mesh_, element)).largestCosine);
+  const double smallest = degreesOf(measureTetrahedron(cornersOf(mesh_, element)).largestCosine);
   if (const auto wedge = wedgeAt(nodes, smallest)) return *wedge;
   const std::optional<Reason> gap = gapAt(nodes);
   if (const auto needle = needleAt(nodes, smallest)) {
     // The faces at the ends of a wedge have triangles of its angle.
-    const bool isOfWedge = gap && gap->reason == PoorReason::kWedge &&
-                           gap->value < kAnglePerElement * needle->value;
+    const bool isOfWedge =
+        gap && gap->reason == PoorReason::kWedge && gap->value < kAnglePerElement * needle->value;
     return isOfWedge ? *gap : *needle;
   }
   return gap.value_or(Reason{});
@@ -185,8 +184,7 @@ std::optional<PoorElementAnalysis::Reason> PoorElementAnalysis::wedgeAt(const No
                                                                         double smallest) const {
   std::optional<Reason> found;
   for (const TetEdge& edge : kTetEdges) {
-    const Vec3 middle =
-        0.5 * (pointOf(mesh_, nodes[edge.from]) + pointOf(mesh_, nodes[edge.to]));
+    const Vec3 middle = 0.5 * (pointOf(mesh_, nodes[edge.from]) + pointOf(mesh_, nodes[edge.to]));
     double nearest = std::numeric_limits<double>::min();
     const auto [lower, upper] = std::minmax(nodes[edge.from], nodes[edge.to]);
     if (edgesBetween(lower, upper).empty()) continue;
@@ -220,8 +218,7 @@ std::optional<PoorElementAnalysis::Reason> PoorElementAnalysis::needleAt(const N
 }
 
 /// Returns the reason between two pieces of the boundary: a wedge, where they come together nearby, or thickness.
-std::optional<PoorElementAnalysis::Reason> PoorElementAnalysis::gapAt(
-    const NodeQuad& nodes) const {
+std::optional<PoorElementAnalysis::Reason> PoorElementAnalysis::gapAt(const NodeQuad& nodes) const {
   std::array<Vec3, 4> corners;
   std::array<bool, 6> isBoundaryEdge{};
   double longest = 0.0;

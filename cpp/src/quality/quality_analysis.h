@@ -92,7 +92,7 @@ class QualityAnalysis {
   std::vector<Ranked> worstLimited_;
   std::vector<TetId> poor_;
   double largestCosine_ = -1.0;  ///< of the poor elements; the worst one is the first
-  Job<> job_;  ///< last, because it uses the other members
+  Job<> job_;                    ///< last, because it uses the other members
 };
 
 }  // namespace tetrafront

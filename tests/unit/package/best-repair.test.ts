@@ -2,7 +2,7 @@
 import { expect, test } from "vitest";
 
 import { filledBest, hasWelded, remeshedBest } from "../../../wasm/src/api/best-repair.js";
-import type { RemeshReport } from "../../../wasm/src/api/surface-treatment.js";
+import type { RemeshReport } from "../../../wasm/src/api/meshed-surface.js";
 import { emptyReport } from "../../../wasm/src/api/report.js";
 import { MesherError } from "../../../wasm/src/diagnostics/mesher-error.js";
 import type { MeshStatus } from "../../../wasm/src/mesh/report.js";

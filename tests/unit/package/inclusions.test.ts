@@ -33,11 +33,13 @@ const [inMatrix, inBall, inCore, inOther] = [matrix, ball, core, other].map(volu
   number,
 ];
 
-const solids = (...parts: readonly (readonly [string, SurfaceInput])[]) =>
+type Part = readonly [name: string, surface: SurfaceInput];
+
+const solids = (...parts: readonly Part[]) =>
   Buffer.concat(parts.map(([name, surface]) => stlText(surface, name)));
 
 /** Returns an OBJ file of several objects. */
-function objects(...parts: readonly (readonly [string, SurfaceInput])[]): string {
+function objects(...parts: readonly Part[]): string {
   let first = 1;
   const lines = parts.flatMap(([name, { points, triangles }]) => {
     const rows = (word: string, values: readonly number[]) =>
@@ -64,7 +66,7 @@ const volumesOf = ({ regions }: Report) =>
 const near = (volume: number) => expect.closeTo(volume, 9) as number;
 
 describe("nested solids of a file", () => {
-  const cases: readonly [string, Parameters<typeof solids>, Readonly<Record<string, number>>][] = [
+  const cases: readonly [string, readonly Part[], Readonly<Record<string, number>>][] = [
     [
       "inclusion",
       [

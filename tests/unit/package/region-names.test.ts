@@ -11,7 +11,7 @@ import {
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import { unmeshedLines } from "../../../wasm/src/cli/tables.js";
+import { unmeshedNotes } from "../../../wasm/src/api/reading-notes.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { cavitySurface } from "../../support/surfaces.js";
 
@@ -213,9 +213,9 @@ test("the command line reports regions of the file that are not meshed", () => {
     { name: "water", tag: 9 },
   ];
   const surfaceRegions = { regions: [steel, water], triangleRegions: new Uint32Array() };
-  expect(unmeshedLines({ surfaceRegions }, { regions: [water] })).toEqual([
-    expect.stringMatching(/"steel"; --inner-shells regions/),
+  expect(unmeshedNotes({ surfaceRegions }, { regions: [water] })).toEqual([
+    expect.stringMatching(/"steel"; `innerShells/),
   ]);
-  expect(unmeshedLines({ surfaceRegions }, { regions: [water, steel] })).toEqual([]);
-  expect(unmeshedLines({}, { regions: [water] })).toEqual([]);
+  expect(unmeshedNotes({ surfaceRegions }, { regions: [water, steel] })).toEqual([]);
+  expect(unmeshedNotes({}, { regions: [water] })).toEqual([]);
 });

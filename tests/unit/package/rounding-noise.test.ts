@@ -37,7 +37,7 @@ function stepped(x: number, steps: number): number {
 
 const encoded = (text: string) => new TextEncoder().encode(text);
 
-function stlText({ points, triangles }: SurfaceInput, format = String): Uint8Array {
+function stlText({ points, triangles }: SurfaceInput, format: (x: number) => string = String): Uint8Array {
   const corner = (node: number) =>
     [...points.subarray(3 * node, 3 * node + 3)].map((x) => format(x)).join(" ");
   const facets = Array.from({ length: triangles.length / 3 }, (_, t) => {

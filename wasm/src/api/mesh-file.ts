@@ -28,7 +28,7 @@ import { readingNotes, unmeshedNotes } from "./reading-notes.js";
 import { emptyReport } from "./report.js";
 import { checkSurfaceMeshOptions, meshPart, surfaceOption } from "./surface-mesh-options.js";
 import { meshedSurface as surfaceMeshed } from "./surface-meshing.js";
-import type { RefinementCounts, RemeshReport } from "./surface-treatment.js";
+import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 import { refinementText, remeshText, repairText, splitText } from "./treatment-texts.js";
 
 /** Options of `meshFile`. Lengths are in the unit of the file, or in the one to which it is converted. */

@@ -32,7 +32,7 @@ import type {
   SurfaceProposalOptions,
 } from "./option-types.js";
 import type { LocatedSurface } from "./region-location.js";
-import type { MeshedSurface } from "./surface-meshing.js";
+import type { MeshedSurface } from "./meshed-surface.js";
 
 /** Result of `proposeSizes`. */
 export interface SizeProposal {

@@ -7,13 +7,13 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { RunControl } from "../engine/control.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
-import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
 import { filledToElements } from "./counted-surface.js";
 import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
 import { checkControl, checkFileSurface as checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
+import type { ChangedSurface, MeshedSurface } from "./meshed-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, SurfaceMeshOptions } from "./option-types.js";
 import { emptyResult } from "./report.js";
@@ -28,28 +28,12 @@ import {
 } from "./surface-mesh-options.js";
 import { type SurfaceMesher, withControl } from "./surface-mesher.js";
 import { preparedSurface } from "./surface-preparation.js";
-import {
-  type ControlOf,
-  type RefinementCounts,
-  type RemeshReport,
-  type TreatedSurface,
-  treatedSurface,
-  type Treatment,
-} from "./surface-treatment.js";
+import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
 
 /** A surface whose options are decided, ready for its treatment. */
-export interface ReadySurface {
-  readonly surface: SurfaceFile;
+export interface ReadySurface extends ChangedSurface {
   readonly treatment: Treatment;
-  /** Changes of its repair; undefined if it was not repaired. */
-  readonly changes?: readonly RepairChange[] | undefined;
-  /** Largest distance by which the repair moved a node, in model units; as `changes`. */
-  readonly repairDeviation?: number | undefined;
-  /** Number of patches before and after their split, if that was asked for. */
-  readonly split?: { readonly before: number; readonly after: number } | undefined;
-  /** Warnings and notes about solids, cracks and region points. */
-  readonly diagnostics: readonly Diagnostic[];
 }
 
 /** What is known of a surface beside its options. */
@@ -107,15 +91,6 @@ async function decided(
   if (givenRemeshSetting(options) !== undefined) return { kind: "remesh" };
   const shapes = await inSteps(triangleShapes(surface));
   return shapes.isFit ? { kind: "smaller" } : { kind: "remesh", needles: shapes };
-}
-
-/** A mesh, and what was done to the surface before. */
-export interface MeshedSurface extends Omit<ReadySurface, "treatment"> {
-  readonly result: MeshResult;
-  readonly refinement?: RefinementCounts | undefined;
-  readonly remesh?: RemeshReport | undefined;
-  /** Whether the mesh is that of an exact repair, which replaced the one that was made ready. */
-  readonly isExact: boolean;
 }
 
 /** How a surface that is ready is meshed. */

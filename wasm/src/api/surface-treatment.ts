@@ -5,9 +5,10 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
-import type { SurfaceInspection, SurfaceRemesh } from "../mesh/inspection.js";
+import type { SurfaceInspection } from "../mesh/inspection.js";
 import { type TriangleShapes } from "../mesh/triangle-shapes.js";
 import { hasRegionVolumes } from "./input-checks.js";
+import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type {
   MeshOptions,
@@ -131,26 +132,6 @@ function divided(lengthRatio: number): Diagnostic {
 function needlesNote({ needles, triangles, smallestAngle }: TriangleShapes): Diagnostic {
   const message = `${needles} of ${plural(triangles, "triangle")} ${needles === 1 ? "was a needle" : "were needles"} (smallest angle ${short(smallestAngle, 2)}°), so all were replaced, as by \`surface: "remesh"\``;
   return packageDiagnostic("replaced-surface", message, KEEP, "information");
-}
-
-/** Result of a requested refinement of a surface. */
-export interface RefinementCounts {
-  /** Number of triangles before and after. */
-  readonly given: number;
-  readonly triangles: number;
-  readonly splitEdges: number;
-  /** Longest given edge / target length. */
-  readonly lengthRatio: number;
-}
-
-/** Result of a requested remeshing of a surface. */
-export interface RemeshReport extends Omit<
-  SurfaceRemesh,
-  "surface" | "origin" | "triangleDeviation" | "diagnostics"
-> {
-  /** Number of triangles before and after. */
-  readonly given: number;
-  readonly triangles: number;
 }
 
 const countTriangles = ({ triangles }: SurfaceFile) => triangles.length / 3;

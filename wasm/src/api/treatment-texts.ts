@@ -2,7 +2,7 @@
 import { plural } from "../base/plural.js";
 import { short } from "../base/short.js";
 import type { RepairChange } from "../mesh/inspection.js";
-import type { RefinementCounts, RemeshReport } from "./surface-treatment.js";
+import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 
 /** Describes a split of patches by their numbers. */
 export function splitText({ before, after }: { readonly before: number; readonly after: number }): string {

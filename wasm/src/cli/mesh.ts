@@ -6,13 +6,8 @@ import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.j
 import { emptyReport, emptyResult } from "../api/report.js";
 import { checkSurfaceMeshOptions, meshPart, repairPart, splitPart } from "../api/surface-mesh-options.js";
 import { withControl } from "../api/surface-mesher.js";
-import {
-  filledSurface,
-  type MeshedSurface,
-  type ReadySurface,
-  readySurface,
-} from "../api/surface-meshing.js";
-import type { RefinementCounts, RemeshReport } from "../api/surface-treatment.js";
+import { filledSurface, type ReadySurface, readySurface } from "../api/surface-meshing.js";
+import type { MeshedSurface, RefinementCounts, RemeshReport } from "../api/meshed-surface.js";
 import { refinementText, remeshText, splitText } from "../api/treatment-texts.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";

@@ -36,7 +36,11 @@ export interface Naming {
 }
 
 /** Returns groups with the given names, or named "word 1", "word 2", …, with tags from 1. */
-export function numbered(word: string, count: number, names: readonly (string | undefined)[] = []): FileGroup[] {
+export function numbered(
+  word: string,
+  count: number,
+  names: readonly (string | undefined)[] = [],
+): FileGroup[] {
   return Array.from({ length: count }, (_, i) => ({ name: names[i] ?? `${word} ${i + 1}`, tag: i + 1 }));
 }
 

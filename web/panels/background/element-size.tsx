@@ -12,7 +12,7 @@ import { strings } from "../../strings";
 import { useApp, useProject, useView } from "../shared/app-context";
 import { useEditedSetting } from "../shared/use-edited-setting";
 import { aboveZero, sizeStep, unitsOf, upTo } from "../shared/size-fields";
-import { ElementCount } from "./element-count";
+import { ElementCount } from "../shared/element-count";
 import { SectionTitle } from "../../ui/frames/section-title";
 
 const texts = strings.background;

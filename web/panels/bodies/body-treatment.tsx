@@ -8,7 +8,7 @@ import { NumberField } from "../../ui/fields/number-field";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
-import { ElementCount } from "../background/element-count";
+import { ElementCount } from "../shared/element-count";
 import { useApp, useProject } from "../shared/app-context";
 import { aboveZero, featureAngle, notNegative, sizeStep } from "../shared/size-fields";
 import styles from "./bodies.module.css";

@@ -6,8 +6,8 @@ import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
 import { formatCount } from "../../ui/format";
 import { strings } from "../../strings";
-import { useApp, useProject, useRun } from "../shared/app-context";
-import { useEditedSetting } from "../shared/use-edited-setting";
+import { useApp, useProject, useRun } from "./app-context";
+import { useEditedSetting } from "./use-edited-setting";
 import styles from "./element-count.module.css";
 
 const texts = strings.background;
