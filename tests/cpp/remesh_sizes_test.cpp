@@ -111,6 +111,7 @@ TEST(Remesh, WavesHaveTheCurvatureOfTheirCrests) {
   }
   RemeshOptions options;
   options.minSize = 0.025 * top;
+  options.anglePerEdge = 20.0;
   EXPECT_GT(remesh(wavy, options).triangles.size(), 2 * remesh(flat, options).triangles.size());
 }
 

@@ -260,6 +260,7 @@ TEST(VolumeMesher, RemeshesPocketsWithoutAStarPoint) {
     SurfaceMesh surface = testing::geodesicSphere(coarse);
     SurfaceMesh inner = testing::geodesicSphere(fine);
     testing::scale(inner, 0.9);
+    testing::turnInsideOut(inner);
     const auto first = static_cast<std::uint32_t>(surface.points.size() / 3);
     surface.points.insert(surface.points.end(), inner.points.begin(), inner.points.end());
     for (const std::uint32_t node : inner.triangles) surface.triangles.push_back(first + node);
