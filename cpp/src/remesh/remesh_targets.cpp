@@ -201,14 +201,14 @@ struct SizeFactors {
   double tolerance;
 };
 
-double toleranceOf(const RemeshOptions& options, bool hasTargets, double diagonal, double factor) {
-  if (options.tolerance > 0.0) return options.tolerance;
+}  // namespace
+
+double automaticTolerance(const RemeshOptions& options, bool hasTargets, double diagonal) {
+  const double factor = SizeFactors(options.sizeFactor).tolerance;
   const double share = hasTargets ? kCoarseTolerancePerDiagonal : kTolerancePerDiagonal;
   const double tolerance = std::min(factor * share, kMaxTolerancePerDiagonal) * diagonal;
   return options.size > 0.0 ? std::min(tolerance, kTolerancePerSize * options.size) : tolerance;
 }
-
-}  // namespace
 
 RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, double diagonal,
                               double plannedShare) {
@@ -230,7 +230,8 @@ RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, dou
   lengths.minSizeAtLines = (isExact ? 1.0 : kLineSizePerMinSize) * lengths.minSize;
   lengths.minSizeAtGaps = (isExact ? 1.0 : kGapSizePerMinSize) * lengths.minSize;
   lengths.minSizeAtThinPlaces = isExact ? lengths.minSize : 0.0;
-  lengths.tolerance = toleranceOf(options, hasTargets, diagonal, factors.tolerance);
+  lengths.tolerance = options.tolerance > 0.0 ? options.tolerance
+                                              : automaticTolerance(options, hasTargets, diagonal);
   lengths.testedTolerance = kTestedTolerance * lengths.tolerance;
   lengths.plannedTolerance =
       (hasTargets ? kCoarsePlannedTolerance : kPlannedTolerance) * plannedShare * lengths.tolerance;

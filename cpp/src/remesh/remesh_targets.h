@@ -39,6 +39,10 @@ struct RemeshLengths {
 [[nodiscard]] RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets,
                                             double diagonal, double plannedShare = 1.0);
 
+/// Returns the tolerance of a surface with this diagonal, if none is given.
+[[nodiscard]] double automaticTolerance(const RemeshOptions& options, bool hasTargets,
+                                        double diagonal);
+
 /// Returns the options of the given sizes.
 [[nodiscard]] MeshOptions targetOptions(const RemeshOptions& options);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -31,6 +32,32 @@
 
 namespace tetrafront {
 namespace {
+
+/// The automatic tolerance is relative to the smallest region, which is a bolt of an assembly, but not to a smaller one than
+/// this share of the diagonal of all: the whole surface has one tolerance.
+constexpr double kLeastRegion = 1.0 / 8.0;
+
+/// Returns the diagonal of the smallest region beside the triangles, two regions each; at least the share above.
+double smallestDiagonal(const SurfaceMesh& mesh, std::span<const std::uint32_t> regions,
+                        double diagonal) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  std::vector<Bounds> bounds;
+  for (std::size_t half = 0; half < regions.size(); ++half) {
+    const std::uint32_t region = regions[half];
+    if (region == SurfaceMesh::kNoRegion) continue;
+    if (region >= bounds.size()) bounds.resize(region + 1, {Vec3(kInfinite), Vec3(-kInfinite)});
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3 position = pointOf(mesh, NodeId(mesh.triangles[3 * (half / 2) + corner]));
+      bounds[region].low = glm::min(bounds[region].low, position);
+      bounds[region].high = glm::max(bounds[region].high, position);
+    }
+  }
+  double smallest = diagonal;
+  for (const Bounds& each : bounds) {
+    if (each.low.x <= each.high.x) smallest = std::min(smallest, glm::length(each.high - each.low));
+  }
+  return std::max(smallest, kLeastRegion * diagonal);
+}
 
 SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
   SurfaceRemesh result;
@@ -111,11 +138,11 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
 }  // namespace
 
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
-                                  GivenSizes sizes, const RemeshOptions& options,
+                                  GivenSizes sizes, const RemeshOptions& wanted,
                                   const bool& isStopped) {
   work.beginPart(0.05);
   const std::vector<std::uint32_t> regions = mesh.triangleRegions;
-  std::vector<Diagnostic> problems = co_await checkInput(work, mesh, sizes.grid, options);
+  std::vector<Diagnostic> problems = co_await checkInput(work, mesh, sizes.grid, wanted);
   if (anyError(problems)) co_return refused(std::move(problems));
   work.beginPart(1.0);
   mesh.triangleRegions = {};
@@ -126,9 +153,14 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   const BackgroundGrid movedGrid = relativeTo(given.centre, sizes.grid);
   const GivenSizes movedSizes{movedGrid, sizes.ofRegions};
   const Bounds bounds = boundsOf(given.mesh);
-  const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
-  const RemeshLengths lengths =
-      remeshLengthsOf(options, hasTargets, glm::length(bounds.high - bounds.low));
+  const double diagonal = glm::length(bounds.high - bounds.low);
+  const bool hasTargets = wanted.size > 0.0 || usesGrid(sizes.grid, targetOptions(wanted));
+  RemeshOptions options = wanted;
+  if (options.tolerance <= 0.0 && !regions.empty()) {
+    options.tolerance =
+        automaticTolerance(wanted, hasTargets, smallestDiagonal(given.mesh, regions, diagonal));
+  }
+  const RemeshLengths lengths = remeshLengthsOf(options, hasTargets, diagonal);
   const Remeshing remeshing{given, regions, movedSizes, options, lengths, isStopped};
   work.beginPart(0.95);
   SimplifiedSurface surface = co_await remeshAndDrop(work, remeshing);
