@@ -21,6 +21,7 @@
 #include "reflection.h"
 #include "tetrafront/covering_grid.h"
 #include "tetrafront/diagnostic_values.h"
+#include "tetrafront/mesh_improvement.h"
 #include "tetrafront/options.h"
 #include "tetrafront/quality_statistics.h"
 #include "tetrafront/remesh.h"
@@ -273,6 +274,7 @@ void printModule() {
   printDefaults<RemeshOptions>("REMESH_DEFAULTS",
                                "Defaults of a remeshing; 0, or a negative number of layers, leaves "
                                "the choice to the engine.");
+  printDefaults<ImproveOptions>("IMPROVE_DEFAULTS", "Defaults of an improvement.");
   printDefaults<ProposalOptions>("PROPOSAL_DEFAULTS",
                                  "Defaults of size proposals; 0 leaves a size to the engine.");
   printNumber("SOURCE_GROWTH", SizeSource{}.growth, "Default growth of a source.");

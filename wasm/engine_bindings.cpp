@@ -9,7 +9,7 @@ EMSCRIPTEN_BINDINGS(engine) {
   using namespace tetrafront::border;
 
   registerRuns<leaveAsIs>();
-  registerTypes<MeshImprovement>();
-  registerTool<MeshImprover, Doubles, Indices, Indices, Indices, Optimization>("Improvement",
-                                                                               "improveMesh");
+  registerTypes<MeshImprovement, ImproveOptions>();
+  registerTool<MeshImprover, Doubles, Indices, Indices, Indices, ImproveOptions>("Improvement",
+                                                                                 "improveMesh");
 }

@@ -13,45 +13,18 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "support/given_meshes.h"
 #include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/slices.h"
-#include "support/slow_dihedral.h"
 #include "support/tet_grids.h"
 #include "tetrafront/mesh_improvement.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront::testing {
 namespace {
-
-VolumeMesh meshed(const SurfaceMesh& surface, MeshOptions options) {
-  MeshRun run(surface.points, surface.triangles, options);
-  while (run.advance(1U << 16U) == MeshStatus::kRunning) {
-  }
-  EXPECT_EQ(run.status(), MeshStatus::kDone);
-  return run.volume();
-}
-
-/// The mesh of the front: none of its elements was improved.
-VolumeMesh meshOfFront(const SurfaceMesh& surface) {
-  return meshed(surface,
-                {.innerShells = InnerShells::kRegions, .optimization = Optimization::kNone});
-}
-
-/// A mesh with few nodes and elements of almost no volume.
-VolumeMesh poorMesh(const SurfaceMesh& surface) {
-  return meshed(surface, {.optimization = Optimization::kNone, .exactFillOnly = true});
-}
-
-MeshImprovement improved(const VolumeMesh& mesh, const std::vector<std::uint32_t>& kept = {},
-                         Optimization level = Optimization::kDefault) {
-  MeshImprover improver(mesh.points, mesh.tetrahedra, mesh.regions, kept, level);
-  while (!improver.advance(1U << 16U)) {
-  }
-  return improver.result();
-}
 
 using Position = std::array<double, 3>;
 
@@ -101,28 +74,6 @@ std::map<std::uint32_t, double> volumesOf(const std::vector<double>& points,
   return volumes;
 }
 
-/// Smallest and largest dihedral angle, in degrees.
-std::pair<double, double> anglesOf(const std::vector<double>& points,
-                                   const std::vector<std::uint32_t>& tetrahedra) {
-  std::pair<double, double> range{180.0, 0.0};
-  for (std::size_t t = 0; t < tetrahedra.size() / 4; ++t) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        std::vector<std::size_t> others;
-        for (std::size_t other = 0; other < 4; ++other) {
-          if (other != i && other != j) others.push_back(other);
-        }
-        const auto at = [&](std::size_t corner) {
-          return pointAt(points, tetrahedra[4 * t + corner]);
-        };
-        const double angle = slowDihedral(at(i), at(j), at(others[0]), at(others[1]));
-        range = {std::min(range.first, angle), std::max(range.second, angle)};
-      }
-    }
-  }
-  return range;
-}
-
 /// Returns the mesh with the nodes of its boundary first, and this boundary, for the validator.
 std::string complaintAboutImproved(const MeshImprovement& made) {
   const auto walls = wallsOf(made.points, made.tetrahedra, {});
@@ -148,7 +99,8 @@ std::string complaintAboutImproved(const MeshImprovement& made) {
 }
 
 /// Checks everything that an improvement promises.
-void expectKept(const VolumeMesh& given, const MeshImprovement& made) {
+void expectKept(const VolumeMesh& given, const MeshImprovement& made,
+                double maxGrowth = ImproveOptions{}.maxGrowth) {
   EXPECT_TRUE(made.isReadable);
   EXPECT_TRUE(made.diagnostics.empty());
   EXPECT_EQ(complaintAboutImproved(made), "");
@@ -160,13 +112,19 @@ void expectKept(const VolumeMesh& given, const MeshImprovement& made) {
   for (const auto& [region, volume] : before) {
     EXPECT_NEAR(after.at(region), volume, 1e-9 * volume) << region;
   }
-  const auto [least, most] = anglesOf(given.points, given.tetrahedra);
-  const auto [leastNow, mostNow] = anglesOf(made.points, made.tetrahedra);
-  EXPECT_GE(leastNow, least - 1e-6);
-  EXPECT_LE(mostNow, std::max(most, 135.0) + 1e-6);
-  EXPECT_NEAR(made.after.quality.minDihedral, leastNow, 1e-6);
-  EXPECT_NEAR(made.before.quality.minDihedral, least, 1e-6);
-  EXPECT_GE(made.after.quality.meanRadiusRatio, made.before.quality.meanRadiusRatio - 1e-9);
+  const SlowShapes was = slowShapesOf(given.points, given.tetrahedra);
+  const SlowShapes now = slowShapesOf(made.points, made.tetrahedra);
+  EXPECT_GE(now.leastAngle, was.leastAngle - 1e-6);
+  EXPECT_LE(now.greatestAngle, std::max(was.greatestAngle, 135.0) + 1e-6);
+  EXPECT_GE(now.leastRatio, was.leastRatio - 1e-6);
+  EXPECT_GE(now.meanRatio, was.meanRatio - 1e-9);
+  EXPECT_LE(now.shareOutside, was.shareOutside + 1e-9);
+  EXPECT_NEAR(made.after.quality.minDihedral, now.leastAngle, 1e-6);
+  EXPECT_NEAR(made.before.quality.minDihedral, was.leastAngle, 1e-6);
+  EXPECT_NEAR(made.after.quality.minRadiusRatio, now.leastRatio, 1e-6);
+  EXPECT_NEAR(made.before.quality.minRadiusRatio, was.leastRatio, 1e-6);
+  EXPECT_EQ(made.before.tetrahedra, given.tetrahedra.size() / 4);
+  EXPECT_LE(made.after.tetrahedra, (1.0 + maxGrowth) * made.before.tetrahedra);
   EXPECT_EQ(made.after.tetrahedra, made.tetrahedra.size() / 4);
   EXPECT_EQ(made.after.nodes, made.points.size() / 3);
   ASSERT_EQ(made.nodeOrigin.size(), made.points.size() / 3);
@@ -178,8 +136,10 @@ void expectKept(const VolumeMesh& given, const MeshImprovement& made) {
 
 TEST(MeshImprovement, MakesPoorElementsGoodAndKeepsTheBoundary) {
   const VolumeMesh given = poorMesh(geodesicSphere(6));
-  const MeshImprovement made = improved(given);
-  expectKept(given, made);
+  // Almost all nodes inside must be added.
+  constexpr double kGrowth = 9.0;
+  const MeshImprovement made = improved(given, {}, {.maxGrowth = kGrowth});
+  expectKept(given, made, kGrowth);
   EXPECT_TRUE(made.isImproved);
   EXPECT_LT(made.before.quality.minDihedral, 3.0);
   EXPECT_GT(made.after.quality.minDihedral, 25.0);
@@ -200,6 +160,91 @@ TEST(MeshImprovement, IsNeverWorse) {
     }
   }
   EXPECT_GT(improvements, 16U);
+}
+
+/// A mesh of random kind: optimized, of the front, without inner nodes, or a grid of cubes; of one or several regions; with
+/// shaken nodes; stretched, so that all its elements are poor.
+VolumeMesh randomMesh(Random& random) {
+  const auto surface = [&]() -> SurfaceMesh {
+    switch (random.integer(0, 5)) {
+      case 0:
+        return gridCube(random.integer(2, 4));
+      case 1:
+        return geodesicSphere(random.integer(3, 5));
+      case 2:
+        return randomBlocks(3, 0.5, random.bits());
+      case 3:
+        return dividedBox({2, 1, 1}, 3);
+      case 4:
+        return gradedCube(4, 2);
+      default:
+        return thinPlate(4, 0.2);
+    }
+  };
+  VolumeMesh mesh;
+  switch (random.integer(0, 3)) {
+    case 0:
+      mesh = cubeOfTetrahedra(random.integer(2, 5), random.between(0.0, 0.15), random.bits());
+      break;
+    case 1:
+      mesh = meshOfFront(surface());
+      break;
+    case 2:
+      mesh = poorMesh(surface());
+      break;
+    default:
+      mesh = meshed(surface(), {.innerShells = InnerShells::kRegions,
+                                .optimization = random.coin() ? Optimization::kDefault
+                                                              : Optimization::kThorough});
+  }
+  const Vec3 stretching = random.coin() ? Vec3(1.0, random.between(1.0, 4.0), 1.0) : Vec3(1.0);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    mesh.points[i] *= stretching[static_cast<int>(i % 3)];
+  }
+  return mesh;
+}
+
+TEST(MeshImprovement, KeepsWhatItPromisesOfMeshesOfAnyKind) {
+  constexpr std::array kLevels{Optimization::kFast, Optimization::kDefault,
+                               Optimization::kThorough};
+  constexpr std::array kGrowths{0.05, 0.3, 10.0};
+  std::size_t improvements = 0;
+  for (std::uint64_t seed = 1; seed <= 90; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const VolumeMesh given = randomMesh(random);
+    const Optimization level = kLevels[seed % kLevels.size()];
+    for (const double maxGrowth : {0.0, kGrowths[seed / 3 % kGrowths.size()]}) {
+      const MeshImprovement made =
+          improved(given, {}, {.optimization = level, .maxGrowth = maxGrowth});
+      expectKept(given, made, maxGrowth);
+      if (made.isImproved) ++improvements;
+    }
+  }
+  EXPECT_GT(improvements, 120U);
+}
+
+TEST(MeshImprovement, AddsElementsOnlyWherePoorOnesGetBetter) {
+  // No element of it is poor, and long edges beside short ones would be split.
+  const VolumeMesh given = meshed(gradedCube(6, 2), {});
+  const MeshImprovement made = improved(given);
+  expectKept(given, made);
+  const std::uint32_t mended = made.before.outOfRange - made.after.outOfRange;
+  EXPECT_LE(made.after.tetrahedra, made.before.tetrahedra + 30 * mended);
+  const MeshImprovement asked = improved(given, {}, {.maxGrowth = 3.0});
+  expectKept(given, asked, 3.0);
+}
+
+TEST(MeshImprovement, SaysThatItsGrowthWasLimited) {
+  const VolumeMesh given = poorMesh(geodesicSphere(5));
+  const MeshImprovement made = improved(given);
+  EXPECT_TRUE(made.isGrowthLimited);
+  EXPECT_GT(made.after.outOfRange, 0U);
+  EXPECT_FALSE(improved(given, {}, {.maxGrowth = 100.0}).isGrowthLimited);
+}
+
+TEST(MeshImprovement, RefusesANegativeGrowth) {
+  EXPECT_FALSE(improved(cubeOfTetrahedra(1), {}, {.maxGrowth = -0.1}).isReadable);
 }
 
 TEST(MeshImprovement, KeepsInterfacesAndRegionNumbers) {
@@ -361,8 +406,7 @@ TEST(MeshImprovement, RefusesAPartInsideAnother) {
   appendScaled(nested, cube, 0.2, Vec3(0.53, 0.41, 0.47));
   expectNested(nested, 1, 0);
   expectNested(reversed(nested), 1, 0);
-  MeshImprover improver(nested.points, nested.tetrahedra, nested.regions, {},
-                        Optimization::kDefault);
+  MeshImprover improver(nested.points, nested.tetrahedra, nested.regions, {}, {});
   slicesOf(improver, 1);
   const Diagnostic& found = improver.result().diagnostics.at(0);
   EXPECT_EQ(found.values, std::vector<double>{1.0});
@@ -529,8 +573,7 @@ TEST(MeshImprovement, IsTheSameInSlicesOfAnySize) {
   const VolumeMesh given = poorMesh(gridCube(3));
   const MeshImprovement whole = improved(given);
   for (const std::uint32_t budget : {1U, 37U, 1000U}) {
-    MeshImprover improver(given.points, given.tetrahedra, given.regions, {},
-                          Optimization::kDefault);
+    MeshImprover improver(given.points, given.tetrahedra, given.regions, {}, {});
     slicesOf(improver, budget);
     EXPECT_EQ(improver.result().points, whole.points);
     EXPECT_EQ(improver.result().tetrahedra, whole.tetrahedra);
@@ -541,8 +584,7 @@ TEST(MeshImprovement, ReturnsAValidMeshWheneverItIsStopped) {
   const VolumeMesh given = poorMesh(geodesicSphere(4));
   std::size_t improvements = 0;
   for (const int slices : {0, 5, 60, 100, 150, 200}) {
-    MeshImprover improver(given.points, given.tetrahedra, given.regions, {},
-                          Optimization::kDefault);
+    MeshImprover improver(given.points, given.tetrahedra, given.regions, {}, {});
     for (int i = 0; i < slices; ++i) improver.advance(200);
     improver.stop();
     while (!improver.advance(200)) {

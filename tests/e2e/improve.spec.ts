@@ -42,6 +42,11 @@ test("a mesh file is opened, improved, downloaded with its names, and restored b
   await page.getByTestId("improve").click();
   await expect(page.getByTestId("improvement-result")).toHaveText("Improved");
   await expect(page.getByTestId("notice-improvement")).toContainText("smallest dihedral angle");
+  await expect(page.getByTestId("notice-improvement")).toContainText("least radius ratio");
+  await expect(page.getByTestId("notice-improvement")).toContainText(/[\d,]+ (→ [\d,]+ )?tetrahedra/);
+  await expect(
+    page.getByTestId("improvement").getByRole("row", { name: /Least radius ratio/ }),
+  ).toBeVisible();
   const after = await smallestAngle(page);
   expect(after).toBeGreaterThan(before + 5);
 
@@ -61,7 +66,7 @@ test("a mesh file is opened, improved, downloaded with its names, and restored b
   await expect(page.getByTestId("notice-improvement")).toContainText("smallest dihedral angle");
   await page.getByTestId("improve").click();
   await expect(page.getByTestId("notice-improvement")).toHaveText(
-    /^Improved: mean radius ratio [\d.]+ → [\d.]+\./,
+    /^Improved: mean radius ratio [\d.]+ → [\d.]+, [\d,]+ (→ [\d,]+ )?tetrahedra/,
   );
 });
 

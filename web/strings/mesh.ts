@@ -88,8 +88,9 @@ interface Gain {
 }
 
 interface Shapes {
+  readonly tetrahedra: number;
   readonly dihedral: { readonly min: number; readonly max: number };
-  readonly radiusRatio: { readonly mean: number };
+  readonly radiusRatio: { readonly min: number; readonly mean: number };
   readonly outOfRange: number;
 }
 
@@ -103,12 +104,15 @@ export function improvementOutcome(improvement: Gain): string {
     : "No better mesh was found. The mesh is unchanged.";
 }
 
-/** Returns in one sentence what an improvement has gained. */
+/** Returns what an improvement has gained, and how many elements there are now. */
 export function improvementText(improvement: Gain): string {
   const outcome = improvementOutcome(improvement);
   if (!improvement.isImproved) return outcome;
   const gains = gainsOf(improvement);
-  return gains.length > 0 ? `${outcome}: ${gains.join(", ")}.` : `${outcome}.`;
+  const { before, after } = improvement;
+  const [was, is] = [before, after].map(({ tetrahedra }) => tetrahedra.toLocaleString("en-US"));
+  const counts = was === is ? `${is} tetrahedra as before` : `${was} → ${is} tetrahedra`;
+  return `${outcome}: ${[...gains, counts].join(", ")}.`;
 }
 
 /** Returns the figures that have changed, as far as they are shown. */
@@ -118,6 +122,7 @@ function gainsOf({ before, after }: Gain): readonly string[] {
   return [
     ...changed("smallest dihedral angle", ({ dihedral }) => `${dihedral.min.toFixed(1)}°`),
     ...changed("largest", ({ dihedral }) => `${dihedral.max.toFixed(1)}°`),
+    ...changed("least radius ratio", ({ radiusRatio }) => radiusRatio.min.toFixed(3)),
     ...changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
     ...changed("outside 30°–135°", ({ outOfRange }) => outOfRange.toLocaleString("en-US")),
   ];

@@ -139,11 +139,12 @@ export const panelStrings = {
   improvement: {
     title: "Improvement",
     improve: "Improve mesh",
-    hint: "Swaps, moves, splits and collapses until no element gets better. The boundary and its patches stay. The largest angle may grow up to 135°; nothing else gets worse.",
+    hint: "Swaps, moves, splits and collapses until no element gets better. The boundary and its patches stay. The largest angle may grow up to 135°, and at most 5 % of elements are added, where that makes poor ones better; no other measure gets worse.",
     stretched: "A stretched mesh cannot be improved, because an improvement measures the elements in space.",
     columns: ["", "Before", "After"],
     smallestAngle: "Smallest angle",
     largestAngle: "Largest angle",
+    leastRatio: "Least radius ratio",
     meanRatio: "Mean radius ratio",
     outOfRange: "Outside 30°–135°",
     tetrahedra: "Tetrahedra",

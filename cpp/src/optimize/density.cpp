@@ -110,6 +110,7 @@ bool EdgeSplitter<Space>::makeHalves(const EdgeRing& ring, const ElementCost<Spa
 
 template <class Space>
 bool EdgeSplitter<Space>::split(const EdgeRing& ring, const ElementCost<Space>& cost) {
+  if (!complex_.hasRoomFor(ring.elementCount, 2 * ring.elementCount)) return false;
   const Vec3 position = bestMiddle(ring, cost);
   double worst = 0.0;
   for (const TetId tet : ring.elementSpan()) worst = std::max(worst, complex_.cost(tet));

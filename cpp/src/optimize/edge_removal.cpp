@@ -253,7 +253,7 @@ void EdgeRemoval<Space>::fillInterval(const EdgeRing& ring, const ElementCost<Sp
 }
 
 template <class Space>
-void EdgeRemoval<Space>::apply(const EdgeRing& ring, const ElementCost<Space>& cost) {
+bool EdgeRemoval<Space>::apply(const EdgeRing& ring, const ElementCost<Space>& cost) {
   freshCount_ = 0;
   if (plan_ == Plan::kRemove) {
     fillInterval(ring, cost, 0, ring.nodeCount - 1);
@@ -266,7 +266,9 @@ void EdgeRemoval<Space>::apply(const EdgeRing& ring, const ElementCost<Space>& c
       fillInterval(ring, cost, first, length);
     }
   }
+  if (!complex_.hasRoomFor(ring.elementCount, freshCount_)) return false;
   complex_.replace(ring.elementSpan(), std::span(fresh_).first(freshCount_));
+  return true;
 }
 
 template <class Space>
@@ -278,16 +280,12 @@ bool EdgeRemoval<Space>::improve(const EdgeRing& ring, const ElementCost<Space>&
   constexpr double kMinGain = 1e-12;
   const double bound = old * (1.0 - options.minGain) - kMinGain;
   if (!(bound > 0.0) || (!ring.closed && !options.fans)) return false;
-  if (!plan(ring, cost, options.fans, bound)) return false;
-  apply(ring, cost);
-  return true;
+  return plan(ring, cost, options.fans, bound) && apply(ring, cost);
 }
 
 template <class Space>
 bool EdgeRemoval<Space>::force(const EdgeRing& ring, const ElementCost<Space>& cost) {
-  if (!ring.closed || !plan(ring, cost, false, kInvalidCost)) return false;
-  apply(ring, cost);
-  return true;
+  return ring.closed && plan(ring, cost, false, kInvalidCost) && apply(ring, cost);
 }
 
 template class EdgeRemoval<PlainSpace>;

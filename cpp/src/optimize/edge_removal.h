@@ -82,7 +82,8 @@ class EdgeRemoval {
                                    double bound);
   void planFans(const EdgeRing& ring, const ElementCost<Space>& cost, double bound);
   void costSectors(const EdgeRing& ring, const ElementCost<Space>& cost, double bound);
-  void apply(const EdgeRing& ring, const ElementCost<Space>& cost);
+  /// Returns false if there is no room for the elements of the plan.
+  bool apply(const EdgeRing& ring, const ElementCost<Space>& cost);
   void fillInterval(const EdgeRing& ring, const ElementCost<Space>& cost, std::size_t first,
                     std::size_t length);
   void put(const ElementCost<Space>& cost, NodeId a, NodeId b, NodeId c, NodeId d);

@@ -79,6 +79,20 @@ inline ShapeFraction shapeFraction(const Edges& edges) {
   return {squares * squares * squares, 432.0 * sixVolumes * sixVolumes};
 }
 
+/// 3 x inradius / circumradius of an element of positive volume.
+inline double radiusRatio(const Edges& edges) {
+  const auto& [u, v, w] = edges;
+  const Vec3 vw = glm::cross(v, w);
+  const Vec3 wu = glm::cross(w, u);
+  const Vec3 uv = glm::cross(u, v);
+  const auto length = [](const Vec3& vector) { return std::sqrt(glm::dot(vector, vector)); };
+  // Inradius = det / areas; circumradius = |k| / (2 det).
+  const double det = glm::dot(u, vw);
+  const double areas = length(vw) + length(wu) + length(uv) + length(vw + wu + uv);
+  const Vec3 k = vw * glm::dot(u, u) + wu * glm::dot(v, v) + uv * glm::dot(w, w);
+  return 6.0 * det * det / (areas * length(k));
+}
+
 /// Computes costs by one measure in one kind of space.
 template <class Space = PlainSpace>
 class ElementCost {
@@ -87,6 +101,15 @@ class ElementCost {
 
   explicit ElementCost(Measure measure, DihedralTargets targets = kTargets18And150)
       : measure_(measure), targets_(targets) {}
+
+  /// Returns this cost, but with every element of a smaller radius ratio invalid; 0 for no such limit.
+  [[nodiscard]] ElementCost above(double leastRadiusRatio) const {
+    ElementCost limited = *this;
+    limited.leastRadiusRatio_ = leastRadiusRatio;
+    return limited;
+  }
+
+  [[nodiscard]] bool hasLimit() const { return leastRadiusRatio_ > 0.0; }
 
   [[nodiscard]] Measure measure() const { return measure_; }
   [[nodiscard]] const DihedralTargets& targets() const { return targets_; }
@@ -104,6 +127,10 @@ class ElementCost {
     const ShapeFraction fraction = shapeFraction(edges);
     if (!fraction.isValid()) return kInvalidCost;
     const double shape = fraction.top / fraction.bottom;
+    // The radius ratio is at least the third power of the mean ratio (Liu & Joe 1994).
+    if (shape * leastRadiusRatio_ > 1.0 && radiusRatio(edges) < leastRadiusRatio_) {
+      return kInvalidCost;
+    }
     switch (measure_) {
       case Measure::kBulk:
         return std::sqrt(shape) - 1.0;
@@ -218,6 +245,7 @@ class ElementCost {
 
   Measure measure_;
   DihedralTargets targets_;
+  double leastRadiusRatio_ = 0.0;
 };
 
 }  // namespace tetrafront

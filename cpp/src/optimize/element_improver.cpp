@@ -25,15 +25,17 @@ bool ElementImprover<Space>::stillPoor(TetId tet, const Corners& nodes) const {
 /// Makes a trial change and keeps it if the cost of what it touched falls by that fraction.
 template <class Space>
 template <class Change>
-bool ElementImprover<Space>::attempt(double gain, Change change) {
-  const auto excess = [&](double cost) {
-    if (cost <= counted_) return 0.0;
-    return aim_ == ImprovementGoal::kFewer ? cost : cost * cost * cost * cost;
+bool ElementImprover<Space>::attempt(double gain, const ElementCost<Space>& cost,
+                                     Change change) {
+  const auto excess = [&](double one) {
+    if (one <= counted_) return 0.0;
+    return aim_ == ImprovementGoal::kFewer ? one : one * one * one * one;
   };
   complex_.beginTrial();
   if (change()) {
     const auto sums = complex_.sumsOfTrial(excess);
-    if (sums.now < sums.before * (1.0 - gain)) {
+    if (sums.now < sums.before * (1.0 - gain) && complex_.fitsTrial() &&
+        complex_.isTrialValid(cost)) {
       complex_.keepTrial();
       return true;
     }
@@ -45,13 +47,13 @@ bool ElementImprover<Space>::attempt(double gain, Change change) {
 template <class Space>
 bool ElementImprover<Space>::improve(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
-  attempt(kRepairGain, [&] { return swapAround(tet, cost); });
+  attempt(kRepairGain, cost, [&] { return swapAround(tet, cost); });
   if (!stillPoor(tet, nodes)) return true;
-  attempt(kRepairGain, [&] { return moveCorners(nodes, cost); });
+  attempt(kRepairGain, cost, [&] { return moveCorners(nodes, cost); });
   if (!stillPoor(tet, nodes)) return true;
-  attempt(kRepairGain, [&] { return collapseCorner(nodes, cost); });
+  attempt(kRepairGain, cost, [&] { return collapseCorner(nodes, cost); });
   if (!stillPoor(tet, nodes)) return true;
-  attempt(kRepairGain, [&] { return insertNode(tet, cost); });
+  attempt(kRepairGain, cost, [&] { return insertNode(tet, cost); });
   if (!stillPoor(tet, nodes)) return true;
   compound(tet, cost);
   if (!stillPoor(tet, nodes)) return true;
@@ -305,18 +307,20 @@ bool ElementImprover<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool spl
   }
   if (!ring.closed) return false;
   --compounds_;
-  return attempt(kCompoundGain, [&] {
+  return attempt(kCompoundGain, cost, [&] {
+    // On the way, elements may be worse than the cost permits.
+    const ElementCost<Space> onTheWay = cost.above(0.0);
     std::vector<NodeId> nodes(ring.nodes.begin(),
                               ring.nodes.begin() + static_cast<std::ptrdiff_t>(ring.nodeCount));
     nodes.insert(nodes.end(), {ring.from, ring.to});
     if (split) {
-      const NodeId middle = splitter_.force(ring, cost);
+      const NodeId middle = splitter_.force(ring, onTheWay);
       if (middle.isNone()) return false;
       nodes.push_back(middle);
-    } else if (!removal_.force(ring, cost)) {
+    } else if (!removal_.force(ring, onTheWay)) {
       return false;
     }
-    settle(nodes, cost);
+    settle(nodes, onTheWay);
     return true;
   });
 }

@@ -59,7 +59,7 @@ class ElementImprover {
                                                 std::size_t side) const;
   [[nodiscard]] bool stillPoor(TetId tet, const Corners& nodes) const;
   template <class Change>
-  bool attempt(double gain, Change change);
+  bool attempt(double gain, const ElementCost<Space>& cost, Change change);
   bool swapAround(TetId tet, const ElementCost<Space>& cost);
   bool moveCorners(const Corners& nodes, const ElementCost<Space>& cost);
   bool collapseCorner(const Corners& nodes, const ElementCost<Space>& cost);

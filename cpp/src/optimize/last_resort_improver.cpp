@@ -116,13 +116,16 @@ void LastResortImprover<Space>::settle(const ElementCost<Space>& cost) {
 template <class Space>
 template <class Change>
 bool LastResortImprover<Space>::attempt(const ElementCost<Space>& cost, Change change) {
+  // On the way, elements may be worse than the cost permits.
+  const ElementCost<Space> onTheWay = cost.above(0.0);
   complex_.beginTrial();
-  if (change()) {
-    settle(cost);
+  if (change(onTheWay)) {
+    settle(onTheWay);
     const auto counts = complex_.sumsOfTrial([](double one) { return one > 1.0 ? 1.0 : 0.0; });
     const auto powers =
         complex_.sumsOfTrial([](double one) { return one > 1.0 ? one * one * one * one : 0.0; });
-    if (counts.now <= counts.before && powers.now < powers.before * (1.0 - kLastResortGain)) {
+    if (counts.now <= counts.before && powers.now < powers.before * (1.0 - kLastResortGain) &&
+        complex_.fitsTrial() && complex_.isTrialValid(cost)) {
       complex_.keepTrial();
       return true;
     }
@@ -140,8 +143,8 @@ bool LastResortImprover<Space>::changeEdge(const NearEdge& edge, bool split,
   const std::size_t at = edgeBetween(complex_.element(tet), edge.a, edge.b);
   if (!findRing(complex_, tet, at, kLastResortRing, ring) || !ring.closed) return false;
   --tries_;
-  return attempt(cost, [&] {
-    return split ? !splitter_.force(ring, cost).isNone() : removal_.force(ring, cost);
+  return attempt(cost, [&](const ElementCost<Space>& onTheWay) {
+    return split ? !splitter_.force(ring, onTheWay).isNone() : removal_.force(ring, onTheWay);
   });
 }
 
@@ -150,21 +153,24 @@ bool LastResortImprover<Space>::tryOne(const ElementCost<Space>& cost) {
   constexpr double kMaxLength = 2.0;  // in target lengths
   const std::size_t collapses = 1 + 2 * edges_.size();
   if (hasImproved()) return false;
-  if (tries_ == 0 || next_ == collapses + freeNodes_.size()) {
+  // Where parts of the mesh touch in a node, another part may have been gathered, with fewer changes, than last time.
+  if (tries_ == 0 || next_ >= collapses + freeNodes_.size()) {
     tried_.push_back({nodes_, complex_.pass(), next_});
     return false;
   }
   const std::size_t at = next_++;
   if (at == 0) {
-    attempt(cost, [&] {
-      moveAll(freeNodes_, cost);
+    attempt(cost, [&](const ElementCost<Space>& onTheWay) {
+      moveAll(freeNodes_, onTheWay);
       return true;
     });
   } else if (at < collapses) {
     changeEdge(edges_[(at - 1) / 2], (at - 1) % 2 == 1, cost);
   } else {
     --tries_;
-    attempt(cost, [&] { return collapser_.force(freeNodes_[at - collapses], cost, kMaxLength); });
+    attempt(cost, [&](const ElementCost<Space>& onTheWay) {
+      return collapser_.force(freeNodes_[at - collapses], onTheWay, kMaxLength);
+    });
   }
   return true;
 }

@@ -26,7 +26,7 @@ namespace {
 struct ImproverInput {
   VolumeMesh mesh;
   std::vector<std::uint32_t> keptTriangles;
-  Optimization level = Optimization::kDefault;
+  ImproveOptions options;
   bool isStopped = false;
 };
 
@@ -41,7 +41,7 @@ bool hasNodesAndElements(const VolumeMesh& mesh) {
 bool isUsable(const ImproverInput& input) {
   const std::size_t nodes = countNodes(input.mesh);
   const auto exists = [nodes](std::uint32_t node) { return node < nodes; };
-  return hasNodesAndElements(input.mesh) && input.keptTriangles.size() % 3 == 0 &&
+  return hasNodesAndElements(input.mesh) && input.options.maxGrowth >= 0.0 && input.keptTriangles.size() % 3 == 0 &&
          std::ranges::all_of(input.mesh.tetrahedra, exists) &&
          std::ranges::all_of(input.keptTriangles, exists);
 }
@@ -87,7 +87,8 @@ Gains gainsBetween(const MeshShapes& before, const MeshShapes& after) {
   };
   const auto [least, largest] =
       std::minmax({after.quality.minDihedral - before.quality.minDihedral,
-                   std::max(before.quality.maxDihedral, kLargestGoodAngle) -
+                   after.quality.minRadiusRatio - before.quality.minRadiusRatio,
+               std::max(before.quality.maxDihedral, kLargestGoodAngle) -
                        std::max(after.quality.maxDihedral, kLargestGoodAngle),
                    after.quality.meanRadiusRatio - before.quality.meanRadiusRatio,
                    share(before) - share(after)});
@@ -128,7 +129,22 @@ Task<> finishUnlessStopped(Work& work, MeshOptimizer& optimizer, const bool& isS
 struct Attempt {
   VolumeMesh mesh;
   MeshShapes shapes;
+  bool isGrowthLimited = false;
 };
+
+/// Returns this many elements with that growth.
+std::size_t grown(std::uint32_t elements, double growth) {
+  const double most = static_cast<double>(elements) * (1.0 + growth);
+  return static_cast<std::size_t>(std::min(most, double{kNoIndex}));
+}
+
+MeshLimits limitsOf(const MeshShapes& before, double maxGrowth) {
+  // An element that only has another order of nodes must not be below the limit.
+  constexpr double kRounding = 1e-12;
+  return {.leastRadiusRatio = before.quality.minRadiusRatio * (1.0 - kRounding),
+          .elements = grown(before.tetrahedra, std::max(0.0, maxGrowth - kGrowthForPoor)),
+          .elementsWithRepairs = grown(before.tetrahedra, maxGrowth)};
+}
 
 /// Tries to improve the mesh by the given level; then, if some measure is worse, with caution.
 Task<Attempt> bestAttempt(Work& work, const GivenMesh& given, const MeshShapes& before,
@@ -139,15 +155,18 @@ Task<Attempt> bestAttempt(Work& work, const GivenMesh& given, const MeshShapes& 
   MortonReordering reordering(given.mesh, given.keptNodes);
   co_await work.finish(reordering);
   const VolumeMesh ordered = reordering.take();
+  const MeshLimits limits = limitsOf(before, input.options.maxGrowth);
   Attempt made;
   for (int attempt = 0; attempt < 2; ++attempt) {
     const bool isCautious = attempt == 1;
     work.beginPart(isCautious ? 0.95 : 0.65);
     MeshOptimizer optimizer = isCautious
-                                  ? MeshOptimizer::cautious(ordered, given.keptNodes, field)
-                                  : MeshOptimizer(ordered, given.keptNodes, field, input.level);
+                                  ? MeshOptimizer::cautious(ordered, given.keptNodes, field, limits)
+                                  : MeshOptimizer(ordered, given.keptNodes, field,
+                                                  input.options.optimization, limits);
     co_await finishUnlessStopped(work, optimizer, input.isStopped);
     made.mesh = optimizer.mesh();
+    made.isGrowthLimited = optimizer.hasRefusedGrowth();
     work.beginPart(isCautious ? 1.0 : 0.7);
     made.shapes = co_await measureShapes(work, made.mesh, given.surface);
     if (input.isStopped || isBetter(before, made.shapes)) break;
@@ -182,6 +201,7 @@ Task<MeshImprovement> improve(Work& work, ImproverInput& input) {
   work.beginPart(0.98);
   Attempt made = co_await bestAttempt(work, given, out.before, input);
   out.isPartial = input.isStopped;
+  out.isGrowthLimited = made.isGrowthLimited;
   out.isImproved = isBetter(out.before, made.shapes);
   if (out.isImproved) {
     work.beginPart(1.0);
@@ -198,13 +218,13 @@ Task<MeshImprovement> improve(Work& work, ImproverInput& input) {
 
 ImproverInput copyOf(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
                      std::span<const std::uint32_t> regions,
-                     std::span<const std::uint32_t> keptTriangles, Optimization level) {
+                     std::span<const std::uint32_t> keptTriangles, const ImproveOptions& options) {
   ImproverInput input;
   input.mesh.points.assign(points.begin(), points.end());
   input.mesh.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
   input.mesh.regions.assign(regions.begin(), regions.end());
   input.keptTriangles.assign(keptTriangles.begin(), keptTriangles.end());
-  input.level = level;
+  input.options = options;
   return input;
 }
 
@@ -213,8 +233,9 @@ ImproverInput copyOf(std::span<const double> points, std::span<const std::uint32
 MeshImprover::MeshImprover(std::span<const double> points,
                            std::span<const std::uint32_t> tetrahedra,
                            std::span<const std::uint32_t> regions,
-                           std::span<const std::uint32_t> keptTriangles, Optimization level)
+                           std::span<const std::uint32_t> keptTriangles,
+                           const ImproveOptions& options)
     : SlicedTool(makeToolJob<MeshImprovement>(
-          copyOf(points, tetrahedra, regions, keptTriangles, level), improve)) {}
+          copyOf(points, tetrahedra, regions, keptTriangles, options), improve)) {}
 
 }  // namespace tetrafront

@@ -63,6 +63,7 @@ class MeshOptimizer::AnySpace {
   [[nodiscard]] virtual VolumeMesh mesh() const = 0;
   [[nodiscard]] virtual std::size_t pointCount() const = 0;
   [[nodiscard]] virtual bool hasFoundNothingBetter() const = 0;
+  [[nodiscard]] virtual bool hasRefusedGrowth() const = 0;
 
  protected:
   SweepObserver* observer_ = nullptr;
@@ -74,8 +75,9 @@ template <class Space>
 class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
  public:
   InSpace(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
-          std::vector<Step> schedule)
+          std::vector<Step> schedule, const MeshLimits& limits)
       : schedule_(std::move(schedule)),
+        limits_(limits),
         field_(field),
         targetsNeeded_(mesh.points.size() / 3),
         givenRegionOf_(regionsOfNodes(mesh, field)),
@@ -129,6 +131,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   [[nodiscard]] bool hasFoundNothingBetter() const override {
     return isDone() && kept_.has_value();
   }
+  [[nodiscard]] bool hasRefusedGrowth() const override { return complex_.hasRefusedGrowth(); }
 
  private:
   [[nodiscard]] bool isDone() const { return isBuilt_ && step_ == schedule_.size(); }
@@ -197,7 +200,12 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
       sweeps_.improvements().begin(step());
     }
     const bool isNewMeasure = step().costBasis != CostBasis::kAsBefore;
-    if (isNewMeasure) sweeps_.measureBy(costOfStep(), step().changedOnly ? improvementBegan_ : 0);
+    if (isNewMeasure) {
+      sweeps_.measureBy(costOfStep().above(limits_.leastRadiusRatio),
+                        step().changedOnly ? improvementBegan_ : 0);
+    }
+    complex_.limitElements(step().costBasis == CostBasis::kTargets ? limits_.elementsWithRepairs
+                                                                   : limits_.elements);
     if (isRounds()) {
       beginRound();
     } else if (Space::kIsStretched && step_ > 0) {
@@ -367,6 +375,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   }
 
   std::vector<Step> schedule_;
+  MeshLimits limits_;
   const SizeField& field_;
   FieldHint hint_;
   std::size_t targetsKnown_ = 0;              ///< nodes whose targets are known
@@ -393,27 +402,28 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
 };
 
 MeshOptimizer::MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
-                             Optimization level)
-    : optimizer_(make(std::move(mesh), boundaryNodes, field, scheduleOf(level))) {}
+                             Optimization level, const MeshLimits& limits)
+    : optimizer_(make(std::move(mesh), boundaryNodes, field, scheduleOf(level), limits)) {}
 
 MeshOptimizer::MeshOptimizer(std::unique_ptr<AnySpace> optimizer)
     : optimizer_(std::move(optimizer)) {}
 
 MeshOptimizer MeshOptimizer::cautious(VolumeMesh mesh, std::size_t boundaryNodes,
-                                      const SizeField& field) {
-  return MeshOptimizer(make(std::move(mesh), boundaryNodes, field, cautiousSchedule()));
+                                      const SizeField& field, const MeshLimits& limits) {
+  return MeshOptimizer(make(std::move(mesh), boundaryNodes, field, cautiousSchedule(), limits));
 }
 
 std::unique_ptr<MeshOptimizer::AnySpace> MeshOptimizer::make(VolumeMesh mesh,
                                                              std::size_t boundaryNodes,
                                                              const SizeField& field,
-                                                             std::vector<Step> schedule) {
+                                                             std::vector<Step> schedule,
+                                                             const MeshLimits& limits) {
   if (field.isStretched()) {
     return std::make_unique<InSpace<StretchedSpace>>(std::move(mesh), boundaryNodes, field,
-                                                     std::move(schedule));
+                                                     std::move(schedule), limits);
   }
   return std::make_unique<InSpace<PlainSpace>>(std::move(mesh), boundaryNodes, field,
-                                               std::move(schedule));
+                                               std::move(schedule), limits);
 }
 
 MeshOptimizer::MeshOptimizer(MeshOptimizer&&) noexcept = default;
@@ -431,5 +441,6 @@ std::uint32_t MeshOptimizer::tetrahedronCount() const {
 }
 VolumeMesh MeshOptimizer::mesh() const { return optimizer_->mesh(); }
 bool MeshOptimizer::hasFoundNothingBetter() const { return optimizer_->hasFoundNothingBetter(); }
+bool MeshOptimizer::hasRefusedGrowth() const { return optimizer_->hasRefusedGrowth(); }
 
 }  // namespace tetrafront

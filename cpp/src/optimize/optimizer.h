@@ -5,7 +5,9 @@
 /// metric of the size field. The boundary does not change, and every change keeps the volume of
 /// every element positive.
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -18,14 +20,24 @@ namespace tetrafront {
 struct Step;
 class SweepObserver;
 
+/// What a given mesh must keep. By default nothing.
+struct MeshLimits {
+  double leastRadiusRatio = 0.0;  ///< no change leaves an element below it
+  /// No change makes more elements, unless it improves a poor one.
+  std::size_t elements = std::numeric_limits<std::size_t>::max();
+  /// No change at all makes more elements.
+  std::size_t elementsWithRepairs = std::numeric_limits<std::size_t>::max();
+};
+
 class MeshOptimizer {
  public:
   /// The first `boundaryNodes` nodes of the mesh are fixed. The field must outlive this. O(n) per
   /// sweep.
   MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
-                Optimization level);
+                Optimization level, const MeshLimits& limits = {});
   /// The same with the steps of cautiousSchedule().
-  static MeshOptimizer cautious(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field);
+  static MeshOptimizer cautious(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
+                                const MeshLimits& limits);
   MeshOptimizer(MeshOptimizer&&) noexcept;
   MeshOptimizer& operator=(MeshOptimizer&&) noexcept;
   ~MeshOptimizer();
@@ -46,6 +58,8 @@ class MeshOptimizer {
 
   /// True if Optimization::kThorough is finished and found no better mesh: mesh() is that of Optimization::kDefault.
   [[nodiscard]] bool hasFoundNothingBetter() const;
+  /// Whether a change was refused because it would have made too many elements.
+  [[nodiscard]] bool hasRefusedGrowth() const;
 
  private:
   /// The optimizer in the metric space of the field. Its hot loops are compiled for each of the two: plain, and stretched.
@@ -54,7 +68,8 @@ class MeshOptimizer {
   class InSpace;
   explicit MeshOptimizer(std::unique_ptr<AnySpace> optimizer);
   static std::unique_ptr<AnySpace> make(VolumeMesh mesh, std::size_t boundaryNodes,
-                                        const SizeField& field, std::vector<Step> schedule);
+                                        const SizeField& field, std::vector<Step> schedule,
+                                        const MeshLimits& limits);
 
   std::unique_ptr<AnySpace> optimizer_;
 };

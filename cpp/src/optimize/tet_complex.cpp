@@ -299,8 +299,23 @@ void TetComplex::save(TetId tet) {
   savedElements_.push_back({tet, elements_[i], states_[i].cost, states_[i].pass});
 }
 
+bool TetComplex::hasRoomFor(std::size_t removed, std::size_t added) {
+  if (inTrial_ || added <= removed || elementCount() + (added - removed) <= mostElements_) {
+    return true;
+  }
+  hasRefusedGrowth_ = true;
+  return false;
+}
+
+bool TetComplex::fitsTrial() {
+  if (elementCount() <= std::max(elementsBeforeTrial_, mostElements_)) return true;
+  hasRefusedGrowth_ = true;
+  return false;
+}
+
 void TetComplex::beginTrial() {
   inTrial_ = true;
+  elementsBeforeTrial_ = elementCount();
   savedElements_.clear();
   savedPositions_.clear();
   freeSlotsKept_ = freeSlots_.size();

@@ -4,8 +4,10 @@
 /// their elements. There is one kind of change: it replaces the elements of a cavity by others with
 /// the same outer faces.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -139,6 +141,16 @@ class TetComplex {
   /// Replaces the elements `old` by `fresh`, which must have the same outer faces.
   void replace(std::span<const TetId> old, std::span<const NewElement> fresh);
 
+  /// From now on, changes may make more elements only up to this number.
+  void limitElements(std::size_t most) { mostElements_ = most; }
+  /// Returns whether a change may replace so many elements by so many others. In a trial it may: fitsTrial() decides at
+  /// its end.
+  [[nodiscard]] bool hasRoomFor(std::size_t removed, std::size_t added);
+  /// Returns whether the limit permits what the trial has made.
+  [[nodiscard]] bool fitsTrial();
+  /// Whether the limit has refused a change.
+  [[nodiscard]] bool hasRefusedGrowth() const { return hasRefusedGrowth_; }
+
   // A trial: a change that can be undone.
   void beginTrial();
   void keepTrial();
@@ -150,6 +162,9 @@ class TetComplex {
   };
   template <class Weigh>
   [[nodiscard]] TrialSums sumsOfTrial(Weigh weigh);
+  /// Returns whether the cost is valid for all elements that the trial touched or made.
+  template <class Space>
+  [[nodiscard]] bool isTrialValid(const ElementCost<Space>& cost);
   /// Live elements that the trial touched or made.
   [[nodiscard]] std::vector<TetId> touchedByTrial();
 
@@ -233,7 +248,10 @@ class TetComplex {
   std::uint32_t stamp_ = 0;
   std::vector<FaceSlot> faceSlots_;
   std::uint32_t faceStamp_ = 0;
+  std::size_t mostElements_ = std::numeric_limits<std::size_t>::max();
+  bool hasRefusedGrowth_ = false;
   bool inTrial_ = false;
+  std::size_t elementsBeforeTrial_ = 0;
   std::vector<SavedElement> savedElements_;
   std::vector<SavedPosition> savedPositions_;
   std::size_t freeSlotsKept_ = 0;  ///< number of freeSlots_ that the trial has not used
@@ -241,6 +259,13 @@ class TetComplex {
   std::size_t slotsBeforeTrial_ = 0;
   std::size_t nodesBeforeTrial_ = 0;
 };
+
+template <class Space>
+bool TetComplex::isTrialValid(const ElementCost<Space>& cost) {
+  return !cost.hasLimit() || std::ranges::all_of(touchedByTrial(), [&](TetId tet) {
+    return costOf(cost, element(tet).nodes) < kInvalidCost;
+  });
+}
 
 template <class Weigh>
 TetComplex::TrialSums TetComplex::sumsOfTrial(Weigh weigh) {

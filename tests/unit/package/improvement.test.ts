@@ -65,10 +65,12 @@ function volumes({ points, tetrahedra, tetrahedronRegion, regions }: FileMesh): 
   return sums;
 }
 
-function expectNoWorse({ before, after }: MeshImprovement): void {
+function expectNoWorse({ before, after }: Pick<MeshImprovement, "before" | "after">, maxGrowth = 0.05): void {
   expect(after.dihedral.min).toBeGreaterThanOrEqual(before.dihedral.min - 1e-9);
   expect(after.dihedral.max).toBeLessThanOrEqual(Math.max(before.dihedral.max, 135) + 1e-9);
+  expect(after.radiusRatio.min).toBeGreaterThanOrEqual(before.radiusRatio.min - 1e-9);
   expect(after.radiusRatio.mean).toBeGreaterThanOrEqual(before.radiusRatio.mean - 1e-9);
+  expect(after.tetrahedra).toBeLessThanOrEqual((1 + maxGrowth) * before.tetrahedra);
   expect(after.outOfRange / after.tetrahedra).toBeLessThanOrEqual(before.outOfRange / before.tetrahedra);
 }
 
@@ -120,6 +122,39 @@ test("keeps patches, regions, names and tags", async () => {
   });
 });
 
+const tetrahedron = {
+  points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2),
+  tetrahedra: Uint32Array.of(0, 1, 2, 3),
+};
+
+/** A sphere without nodes inside, where only new nodes would make good elements. */
+const hollowSphere = async () =>
+  fileMeshOf(await mesher.fillSurface(sphereSurface(6), { optimization: "none", exactFillOnly: true }));
+
+test("adds no more elements than permitted, and says if more might help", async () => {
+  const { points, tetrahedra } = await hollowSphere();
+  const makeWith = (maxGrowth?: number) => mesher.improveMesh({ points, tetrahedra }, { maxGrowth });
+  const byDefault = await makeWith();
+  expectNoWorse(byDefault);
+  expect(byDefault.isGrowthLimited).toBe(true);
+  const note = byDefault.diagnostics.find(({ code }) => code === "growth-limited");
+  expect(note?.message).toContain("more elements might help");
+  expect(note?.remedy).toContain("maxGrowth");
+  expectNoWorse(await makeWith(0), 0);
+  const asked = await makeWith(20);
+  expectNoWorse(asked, 20);
+  expect(asked.after.tetrahedra).toBeGreaterThan(1.5 * asked.before.tetrahedra);
+  expect(asked.after.dihedral.min).toBeGreaterThan(byDefault.after.dihedral.min);
+  expect(asked.diagnostics).toEqual([]);
+});
+
+test.each([-0.1, 101, Number.NaN])("rejects a growth of %d", async (maxGrowth) => {
+  const failure: unknown = await mesher
+    .improveMesh(tetrahedron, { maxGrowth })
+    .catch((reason: unknown) => reason);
+  expect(failure).toMatchObject({ code: "invalid-input" });
+});
+
 const formats = extensionsFor("read", "volume").filter((extension) =>
   extensionsFor("write", "volume").includes(extension),
 );
@@ -137,11 +172,6 @@ test.each(formats)("improves meshes of %s files", async (extension) => {
   expectNoWorse(made);
   expect(trianglesByPatch(improvedMesh(read.value, made))).toEqual(trianglesByPatch(read.value));
 });
-
-const tetrahedron = {
-  points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2),
-  tetrahedra: Uint32Array.of(0, 1, 2, 3),
-};
 
 test("says if nothing is better, and returns the given elements", async () => {
   const made = await mesher.improveMesh(tetrahedron);
@@ -215,10 +245,53 @@ describe("the command", () => {
     await saveRough("rough.vtu");
     const { code, stderr } = await run("improve", "rough.vtu", "-o", "better.msh");
     expect(code).toBe(0);
-    expect(stderr).toMatch(/rough\.vtu: improved: \d+ tetrahedra before, \d+ after; .*-> better\.msh/);
+    expect(stderr).toMatch(
+      /rough\.vtu: improved: \d+ tetrahedra before, \d+ after \([+−][\d.]+ %\); .*-> better\.msh/,
+    );
     expect(stderr).toMatch(/smallest dihedral angle [\d.]+° before, (29|3\d)\.\d° after/);
     const again = await run("stats", "better.msh", "--json");
     expect((JSON.parse(again.stdout) as { isValid: boolean }).isValid).toBe(true);
+  });
+
+  test("keeps what it promises of second-order files, and prints it", async () => {
+    const [file] = await writeMesh(rough, "second.msh", { elementOrder: 2 });
+    save("second.msh", file?.bytes ?? new Uint8Array());
+    const { code, stderr } = await run("improve", "second.msh", "-o", "better.vtu");
+    expect(code).toBe(0);
+    expect(stderr).toMatch(
+      /least radius ratio 0\.\d{3} before, 0\.\d{3} after; mean radius ratio 0\.\d{3} before/,
+    );
+    const [given, made] = await Promise.all(
+      ["second.msh", "better.vtu"].map(async (name) => {
+        const read = await readMesh(readFileSync(inFolder(name)), { fileName: name });
+        if (!read.success) throw new Error(read.errors[0].message);
+        const { points, tetrahedra } = read.value;
+        return { ...(await mesher.inspectMesh({ points, tetrahedra })), count: tetrahedra.length / 4 };
+      }),
+    );
+    expect(made?.dihedral.min).toBeGreaterThanOrEqual(given?.dihedral.min ?? 90);
+    expect(made?.radiusRatio.min).toBeGreaterThanOrEqual(given?.radiusRatio.min ?? 1);
+    expect(made?.count).toBeLessThanOrEqual(1.05 * (given?.count ?? 0));
+  });
+
+  test("adds no element with --max-growth 0, and names the option", async () => {
+    const [file] = await writeMesh(await hollowSphere(), "hollow.vtu");
+    save("hollow.vtu", file?.bytes ?? new Uint8Array());
+    const { code, stdout } = await run(
+      "improve",
+      "hollow.vtu",
+      "-o",
+      "same.vtu",
+      "--max-growth",
+      "0",
+      "--json",
+    );
+    expect(code).toBe(0);
+    const report = JSON.parse(stdout) as MeshImprovement;
+    expectNoWorse(report, 0);
+    expect(report.diagnostics.map(({ remedy }) => remedy).join(" ")).toContain("--max-growth");
+    const wrong = await run("improve", "hollow.vtu", "-o", "same.vtu", "--max-growth", "lots");
+    expect(wrong.code).toBe(2);
   });
 
   test("prints JSON", async () => {

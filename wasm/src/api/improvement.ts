@@ -8,7 +8,7 @@ import { describeAll } from "../diagnostics/describe.js";
 import { nameByIndex } from "../diagnostics/entity-names.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { EngineImprovement } from "../engine/loader.js";
-import { NO_ORIGIN } from "../generated/constants.js";
+import { IMPROVE_DEFAULTS, NO_ORIGIN } from "../generated/constants.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
 
@@ -22,7 +22,11 @@ export function describedImprovement(found: EngineImprovement): MeshImprovement 
     ...rest,
     before: shapesOf(before),
     after: shapesOf(after),
-    diagnostics: [...invertedNotes(found.orientedTetrahedra), ...(found.isImproved ? [] : [NOTHING_BETTER])],
+    diagnostics: [
+      ...invertedNotes(found.orientedTetrahedra),
+      ...(found.isImproved ? [] : [NOTHING_BETTER]),
+      ...growthNotes(found),
+    ],
   };
 }
 
@@ -40,6 +44,16 @@ function invertedNotes(count: number): Diagnostic[] {
   const were = count === 1 ? "was" : "were";
   const message = `${plural(count, "tetrahedron")} with negative volume ${were} inverted; two nodes of each were exchanged`;
   return [packageDiagnostic("inverted-tetrahedra", message, "", "information")];
+}
+
+/** Says that more elements could help, if elements are poor that the boundary does not limit. */
+function growthNotes({ isGrowthLimited, after }: EngineImprovement): Diagnostic[] {
+  const poor = after.outOfRange - after.limitedByBoundary;
+  if (!isGrowthLimited || poor === 0) return [];
+  const have = poor === 1 ? "has" : "have";
+  const message = `${plural(poor, "tetrahedron")} still ${have} angles outside 30° to 135°; more elements might help`;
+  const remedy = `Permit more than ${100 * IMPROVE_DEFAULTS.maxGrowth} % with the option maxGrowth.`;
+  return [packageDiagnostic("growth-limited", message, remedy, "information")];
 }
 
 const NOTHING_BETTER = packageDiagnostic(

@@ -107,7 +107,7 @@ import {
   engineCoverOptions,
   engineOptions,
   engineProposalOptions,
-  levelOfImprovement,
+  engineImproveOptions,
   wantedElements,
   withSettings,
 } from "./options.js";
@@ -513,7 +513,7 @@ class WorkerMesher implements Mesher {
       tetrahedra: tetrahedra.slice(),
       regions: regions.slice(),
       keptTriangles: triangles.slice(),
-      level: levelOfImprovement(options),
+      options: engineImproveOptions(options),
     } as const;
     const found = await this.#client.ask(question, control);
     if (!found.isReadable) refuse([unreadableMesh()]);

@@ -114,6 +114,12 @@ export type SurfaceProposalOptions = Omit<RemeshOptions, "background" | "dropDet
 export interface ImproveOptions {
   /** Effort: `fast` moves nodes and removes edges; `default` also splits and collapses edges; `thorough` goes on longer. */
   readonly optimization?: Exclude<Optimization, "none"> | undefined;
+  /**
+   * Number of elements that may be added, as a fraction of those given: 0 to 100. Default 0.05. Up to 0.05, elements are
+   * added only where that makes an element with a dihedral angle outside 30 to 135 degrees better; above that, also where
+   * edges are long for their surroundings. Meshes with few nodes inside need more to become good.
+   */
+  readonly maxGrowth?: number | undefined;
 }
 
 /** Options of `splitPatches`. */

@@ -10,6 +10,7 @@ import type {
   EngineInspectionOptions,
   EngineOptions,
   EngineProposalOptions,
+  EngineImproveOptions,
   EngineRemeshOptions,
   EngineRepairOptions,
 } from "../engine/loader.js";
@@ -17,6 +18,7 @@ import {
   COVER_SHAPES,
   type CoverShape,
   FRONT_ORDERS,
+  IMPROVE_DEFAULTS,
   INNER_SHELLS,
   INSPECTION_DEFAULTS,
   MAX_HOLE_EDGES,
@@ -233,6 +235,12 @@ const splitSchema = objectWith({
 export const IMPROVEMENT_LEVELS = ["fast", "default", "thorough"] as const;
 const improveSchema = objectWith({
   optimization: choiceOption("optimization", IMPROVEMENT_LEVELS, "default"),
+  maxGrowth: option(
+    "largest growth of the number of elements",
+    `a fraction from 0 to ${LIMITS.elementGrowth}, for example ${IMPROVE_DEFAULTS.maxGrowth}`,
+    within(0, LIMITS.elementGrowth),
+    IMPROVE_DEFAULTS.maxGrowth,
+  ),
 } satisfies EntriesOf<ImproveOptions>);
 
 const previewSchema = objectWith({
@@ -495,9 +503,10 @@ export function angleOfSplit(options: SplitOptions): number {
   return v.parse(splitSchema, options).angle ?? REMESH_DEFAULTS.featureAngle;
 }
 
-/** Returns the number of the level of valid options. */
-export function levelOfImprovement(options: ImproveOptions): number {
-  return OPTIMIZATION_NUMBERS[v.parse(improveSchema, options).optimization];
+/** Converts valid options. */
+export function engineImproveOptions(options: ImproveOptions): EngineImproveOptions {
+  const { optimization, maxGrowth } = v.parse(improveSchema, options);
+  return { optimization: OPTIMIZATION_NUMBERS[optimization], maxGrowth };
 }
 
 /** Converts valid options; the engine chooses what is omitted. Poor details are dropped, unless a length is chosen. */

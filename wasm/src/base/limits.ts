@@ -17,6 +17,8 @@ export const LIMITS = {
   length: MAX_LENGTH,
   /** Growth of the size per unit of distance; elements cannot follow a larger one. */
   growth: MAX_GROWTH,
+  /** Number of elements that an improvement may add, as a fraction of the given ones. */
+  elementGrowth: 100,
   /** Ratio of the sizes of neighbouring elements. */
   gradation: MAX_GRADATION,
   /** Size along the direction of stretching / size across it. */

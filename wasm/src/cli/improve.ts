@@ -2,6 +2,7 @@
 import { readingNotes } from "../api/reading-notes.js";
 import type { ImproveOptions } from "../api/option-types.js";
 import { improvedMesh } from "../api/improvement.js";
+import { checkImproveOptions } from "../api/options.js";
 import { writeMesh } from "../api/mesh-files.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -11,7 +12,7 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
 import { withBoundary, writableName, writeAll } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
-import { readMeshFile, refuseOptions, type InputOptions } from "./input.js";
+import { numberIn, readMeshFile, refuseOptions, type InputOptions } from "./input.js";
 import type { UnitOptions } from "./units.js";
 import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
@@ -24,13 +25,17 @@ export interface ImproveCommandOptions extends UnitOptions {
   readonly from?: string;
   readonly to?: string;
   readonly optimize?: Exclude<ImproveOptions["optimization"], undefined>;
+  readonly maxGrowth?: string;
   readonly json?: boolean;
   readonly quiet?: boolean;
 }
 
 /** Result of the command, as printed by `--json`. */
 interface Outcome extends Partial<
-  Pick<MeshImprovement, "isImproved" | "isPartial" | "orientedTetrahedra" | "before" | "after">
+  Pick<
+    MeshImprovement,
+    "isImproved" | "isPartial" | "isGrowthLimited" | "orientedTetrahedra" | "before" | "after"
+  >
 > {
   /** The written file, if any. */
   readonly output: string | null;
@@ -54,6 +59,8 @@ async function improveAndWrite(input: string, options: ImproveCommandOptions): P
   const { output } = options;
   const isQuiet = options.quiet === true || options.json === true;
   const name = await checkPaths(input, options);
+  const chosen = { optimization: options.optimize, maxGrowth: numberIn(options.maxGrowth) };
+  refuseOptions(checkImproveOptions(chosen));
   const given = await readVolumeMesh(input, options);
   if (!isQuiet) {
     for (const line of [...mixedOrientationLines(given), ...readingNotes(given)]) {
@@ -61,13 +68,13 @@ async function improveAndWrite(input: string, options: ImproveCommandOptions): P
     }
   }
   const made = await withRun(isQuiet, (mesher, controlOf) =>
-    mesher.improveMesh(
-      { ...given, regions: given.tetrahedronRegion },
-      { optimization: options.optimize },
-      { ...controlOf("improve"), partial: true },
-    ),
+    mesher.improveMesh({ ...given, regions: given.tetrahedronRegion }, chosen, {
+      ...controlOf("improve"),
+      partial: true,
+    }),
   );
-  const { points, tetrahedra, regions, nodeOrigin: _, diagnostics, ...figures } = made;
+  const { points, tetrahedra, regions, nodeOrigin: _, diagnostics: found, ...figures } = made;
+  const diagnostics = found.map(withRemedy);
   const mesh = made.isImproved ? improvedMesh(given, { ...made, points, tetrahedra, regions }) : given;
   const files = await writeMesh(mesh.triangles.length > 0 ? mesh : await withBoundary(mesh), name);
   await writeAll(files, { input, output, name, isQuiet });
@@ -106,9 +113,26 @@ async function readVolumeMesh(input: string, options: InputOptions): Promise<Fil
   throw new InvalidInput(input, [none]);
 }
 
+/** Returns a diagnostic whose remedy names the option of the command line. */
+function withRemedy(diagnostic: Diagnostic): Diagnostic {
+  if (diagnostic.code !== "growth-limited") return diagnostic;
+  return { ...diagnostic, remedy: "Permit more with --max-growth." };
+}
+
 /** Returns the share of elements outside 30 to 135 degrees: it never grows, but their number may, with that of all elements. */
 function shareText({ outOfRange, tetrahedra }: MeshShapes): string {
   return `${Number(((100 * outOfRange) / tetrahedra).toPrecision(3))} %`;
+}
+
+/** Returns a number below 1 with three decimals, rounded down so that none is shown better than it is. */
+const downTo3 = (ratio: number): string => (Math.floor(1000 * ratio) / 1000).toFixed(3);
+
+/** Returns by how much the number of elements has changed, if that can be seen. */
+function growthText({ tetrahedra: was }: MeshShapes, { tetrahedra: is }: MeshShapes): string {
+  const percent = (100 * (is - was)) / was;
+  return Math.abs(percent) < 0.05
+    ? ""
+    : ` (${percent > 0 ? "+" : "\u2212"}${Math.abs(percent).toFixed(1)} %)`;
 }
 
 /** Describes the elements before and after. */
@@ -116,11 +140,12 @@ function improvementText({ isImproved, before, after }: MeshImprovement): string
   const shapes = [
     changed("smallest dihedral angle", ({ dihedral }) => angleText(dihedral.min, 1, Math.floor)),
     changed("largest", ({ dihedral }) => angleText(dihedral.max, 1, Math.ceil)),
+    changed("least radius ratio", ({ radiusRatio }) => downTo3(radiusRatio.min)),
     changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
     changed("outside 30° to 135°", (of) => `${of.outOfRange} (${shareText(of)})`),
   ];
   const changes = [
-    `${plural(before.tetrahedra, "tetrahedron")} before, ${after.tetrahedra} after`,
+    `${plural(before.tetrahedra, "tetrahedron")} before, ${after.tetrahedra} after${growthText(before, after)}`,
     `${plural(before.nodes, "node")} before, ${after.nodes} after`,
     ...shapes.map(({ text }) => text),
   ];

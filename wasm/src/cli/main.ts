@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { Command, CommanderError, Option } from "commander";
 import {
   FRONT_ORDERS,
+  IMPROVE_DEFAULTS,
   INSPECTION_DEFAULTS,
   MESH_DEFAULTS,
   OPTIMIZATIONS,
@@ -279,6 +280,10 @@ function addImprove(program: Command, setExitCode: SetExitCode): void {
       new Option("--optimize <level>", "effort spent on the elements (default default)").choices(
         IMPROVEMENT_LEVELS,
       ),
+    )
+    .option(
+      "--max-growth <fraction>",
+      `elements that may be added, as a fraction of those given (default ${IMPROVE_DEFAULTS.maxGrowth})`,
     );
   withUnits(withJobs(command))
     .option("--json", "print shapes before and after, and problems, as JSON")

@@ -39,6 +39,8 @@ export type PackageCode =
   | "inverted-tetrahedra"
   /** Thorough optimization found no better mesh than the default, or an improvement none better than the given one. */
   | "no-improvement"
+  /** An improvement might make poor elements better if it might add more elements. */
+  | "growth-limited"
   /** A format cannot store some content, which is not in the file. */
   | "left-out"
   /** A point that marks a region or a hole has no effect, or does not decide what it marks. */

@@ -37,6 +37,7 @@ export type EnginePatchSplit = ResultOf<"splitPatches">;
 export type EngineRemesh = ResultOf<"remeshSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 export type EngineImprovement = ReturnType<Improvement["result"]>;
+export type EngineImproveOptions = Readonly<Parameters<Engine["improveMesh"]>[4]>;
 export type EnginePreview = ResultOf<"previewModel">;
 export type EngineLocation = ResultOf<"locateRegions">;
 export type EngineSurfaceProposal = ResultOf<"proposeSurfaceSizes">;

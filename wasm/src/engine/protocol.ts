@@ -11,6 +11,7 @@ import type {
   CompiledModule,
   EngineDiagnostics,
   EngineGrid,
+  EngineImproveOptions,
   EngineImprovement,
   EngineInspection,
   EngineInspectionOptions,
@@ -157,7 +158,7 @@ export type Question =
       readonly tetrahedra: Uint32Array;
       readonly regions: Uint32Array;
     }
-  /** As `inspect-mesh`. `triangles`: faces that stay. `level`: index in `OPTIMIZATIONS`. */
+  /** As `inspect-mesh`. `keptTriangles`: faces that stay. */
   | {
       readonly kind: "improve-mesh";
       readonly id: number;
@@ -165,7 +166,7 @@ export type Question =
       readonly tetrahedra: Uint32Array;
       readonly regions: Uint32Array;
       readonly keptTriangles: Uint32Array;
-      readonly level: number;
+      readonly options: EngineImproveOptions;
     };
 
 /**

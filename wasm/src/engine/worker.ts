@@ -94,8 +94,8 @@ async function serve(request: Request): Promise<void> {
     case "improve-mesh":
       return workIn(lazyEngine, request.id, (engine) =>
         answer(request, () => {
-          const { points, tetrahedra, regions, keptTriangles, level } = request;
-          return engine.improveMesh(points, tetrahedra, regions, keptTriangles, level);
+          const { points, tetrahedra, regions, keptTriangles, options } = request;
+          return engine.improveMesh(points, tetrahedra, regions, keptTriangles, options);
         }),
       );
     default:

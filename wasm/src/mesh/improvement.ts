@@ -44,8 +44,10 @@ export interface MeshImprovement {
   readonly nodeOrigin: Uint32Array;
   /** Number of elements that were given with negative volume; two of their nodes were exchanged. */
   readonly orientedTetrahedra: number;
+  /** Whether `maxGrowth` has prevented changes that would have added elements. */
+  readonly isGrowthLimited: boolean;
   readonly before: MeshShapes;
   readonly after: MeshShapes;
-  /** Notes: elements that were inverted, and whether no better mesh was found. */
+  /** Notes: elements that were inverted, whether no better mesh was found, and whether more elements could help. */
   readonly diagnostics: readonly Diagnostic[];
 }

@@ -36,11 +36,16 @@ export function ImproveButton() {
   );
 }
 
+/** Returns a count and its share of all: the share never grows, but the count may. */
+const countWithShare = (count: number, all: number): string =>
+  count === 0 ? formatCount(0) : `${formatCount(count)} (${Number(((100 * count) / all).toPrecision(2))} %)`;
+
 const rows: readonly (readonly [name: string, text: (shapes: MeshShapes) => string])[] = [
   [texts.smallestAngle, ({ dihedral }) => formatAngle(dihedral.min)],
   [texts.largestAngle, ({ dihedral }) => formatAngle(dihedral.max)],
+  [texts.leastRatio, ({ radiusRatio }) => radiusRatio.min.toFixed(3)],
   [texts.meanRatio, ({ radiusRatio }) => radiusRatio.mean.toFixed(3)],
-  [texts.outOfRange, ({ outOfRange }) => formatCount(outOfRange)],
+  [texts.outOfRange, ({ outOfRange, tetrahedra }) => countWithShare(outOfRange, tetrahedra)],
   [texts.tetrahedra, ({ tetrahedra }) => formatCount(tetrahedra)],
 ];
 
