@@ -75,6 +75,11 @@ MeshImprovement improved(const VolumeMesh& mesh, const std::vector<std::uint32_t
   return improver.result();
 }
 
+Position positionOf(const std::vector<double>& points, std::uint32_t node) {
+  const std::size_t i = 3 * std::size_t{node};
+  return {points[i], points[i + 1], points[i + 2]};
+}
+
 SlowShapes slowShapesOf(const std::vector<double>& points,
                         const std::vector<std::uint32_t>& tetrahedra) {
   SlowShapes shapes;
@@ -82,8 +87,8 @@ SlowShapes slowShapesOf(const std::vector<double>& points,
   for (std::size_t t = 0; t < count; ++t) {
     Tetrahedron at;
     for (std::size_t k = 0; k < 4; ++k) {
-      const double* const point = &points[3 * std::size_t{tetrahedra[4 * t + k]}];
-      at[k] = Vec3(point[0], point[1], point[2]);
+      const auto [x, y, z] = positionOf(points, tetrahedra[4 * t + k]);
+      at[k] = Vec3(x, y, z);
     }
     double least = 180.0;
     double greatest = 0.0;

@@ -2,6 +2,7 @@
 
 /// @file Meshes to be improved, their improvement, and slow measures of their elements.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,9 @@ VolumeMesh poorMesh(const SurfaceMesh& surface);
 
 MeshImprovement improved(const VolumeMesh& mesh, const std::vector<std::uint32_t>& kept = {},
                          const ImproveOptions& options = {});
+
+using Position = std::array<double, 3>;
+Position positionOf(const std::vector<double>& points, std::uint32_t node);
 
 /// What an improvement may not make worse, by formulas of solid geometry that the engine does not use. Angles in degrees.
 struct SlowShapes {

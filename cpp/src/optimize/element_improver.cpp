@@ -25,8 +25,7 @@ bool ElementImprover<Space>::stillPoor(TetId tet, const Corners& nodes) const {
 /// Makes a trial change and keeps it if the cost of what it touched falls by that fraction.
 template <class Space>
 template <class Change>
-bool ElementImprover<Space>::attempt(double gain, const ElementCost<Space>& cost,
-                                     Change change) {
+bool ElementImprover<Space>::attempt(double gain, const ElementCost<Space>& cost, Change change) {
   const auto excess = [&](double one) {
     if (one <= counted_) return 0.0;
     return aim_ == ImprovementGoal::kFewer ? one : one * one * one * one;

@@ -41,7 +41,8 @@ bool hasNodesAndElements(const VolumeMesh& mesh) {
 bool isUsable(const ImproverInput& input) {
   const std::size_t nodes = countNodes(input.mesh);
   const auto exists = [nodes](std::uint32_t node) { return node < nodes; };
-  return hasNodesAndElements(input.mesh) && input.options.maxGrowth >= 0.0 && input.keptTriangles.size() % 3 == 0 &&
+  return hasNodesAndElements(input.mesh) && input.options.maxGrowth >= 0.0 &&
+         input.keptTriangles.size() % 3 == 0 &&
          std::ranges::all_of(input.mesh.tetrahedra, exists) &&
          std::ranges::all_of(input.keptTriangles, exists);
 }
@@ -88,7 +89,7 @@ Gains gainsBetween(const MeshShapes& before, const MeshShapes& after) {
   const auto [least, largest] =
       std::minmax({after.quality.minDihedral - before.quality.minDihedral,
                    after.quality.minRadiusRatio - before.quality.minRadiusRatio,
-               std::max(before.quality.maxDihedral, kLargestGoodAngle) -
+                   std::max(before.quality.maxDihedral, kLargestGoodAngle) -
                        std::max(after.quality.maxDihedral, kLargestGoodAngle),
                    after.quality.meanRadiusRatio - before.quality.meanRadiusRatio,
                    share(before) - share(after)});
@@ -160,10 +161,10 @@ Task<Attempt> bestAttempt(Work& work, const GivenMesh& given, const MeshShapes& 
   for (int attempt = 0; attempt < 2; ++attempt) {
     const bool isCautious = attempt == 1;
     work.beginPart(isCautious ? 0.95 : 0.65);
-    MeshOptimizer optimizer = isCautious
-                                  ? MeshOptimizer::cautious(ordered, given.keptNodes, field, limits)
-                                  : MeshOptimizer(ordered, given.keptNodes, field,
-                                                  input.options.optimization, limits);
+    MeshOptimizer optimizer =
+        isCautious
+            ? MeshOptimizer::cautious(ordered, given.keptNodes, field, limits)
+            : MeshOptimizer(ordered, given.keptNodes, field, input.options.optimization, limits);
     co_await finishUnlessStopped(work, optimizer, input.isStopped);
     made.mesh = optimizer.mesh();
     made.isGrowthLimited = optimizer.hasRefusedGrowth();

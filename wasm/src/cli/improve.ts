@@ -124,9 +124,6 @@ function shareText({ outOfRange, tetrahedra }: MeshShapes): string {
   return `${Number(((100 * outOfRange) / tetrahedra).toPrecision(3))} %`;
 }
 
-/** Returns a number below 1 with three decimals, rounded down so that none is shown better than it is. */
-const downTo3 = (ratio: number): string => (Math.floor(1000 * ratio) / 1000).toFixed(3);
-
 /** Returns by how much the number of elements has changed, if that can be seen. */
 function growthText({ tetrahedra: was }: MeshShapes, { tetrahedra: is }: MeshShapes): string {
   const percent = (100 * (is - was)) / was;
@@ -140,7 +137,7 @@ function improvementText({ isImproved, before, after }: MeshImprovement): string
   const shapes = [
     changed("smallest dihedral angle", ({ dihedral }) => angleText(dihedral.min, 1, Math.floor)),
     changed("largest", ({ dihedral }) => angleText(dihedral.max, 1, Math.ceil)),
-    changed("least radius ratio", ({ radiusRatio }) => downTo3(radiusRatio.min)),
+    changed("least radius ratio", ({ radiusRatio }) => radiusRatio.min.toFixed(3)),
     changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
     changed("outside 30° to 135°", (of) => `${of.outOfRange} (${shareText(of)})`),
   ];
