@@ -70,7 +70,7 @@ const functions: Readonly<Record<string, Call>> = {
   writeMesh: (signal) => writeMesh(block, "a.foam.zip", { signal }),
 };
 
-const RUNS = ["meshProject", "fillSurface"];
+const RUNS = ["meshProject", "fillSurface", "meshSurface"];
 
 test("every method of a mesher is tested", () => {
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesher) as object);
