@@ -25,7 +25,9 @@ test("a source can be added, edited and deleted; it is drawn and refines the mes
   await page.getByTestId("source-growth").press("Escape");
   const finer = await app.generate();
   expect(finer.tets).toBeGreaterThan(1.5 * before.tets);
-  await page.getByTestId("tree-source-1").press("Delete");
+  // A run clears the selection.
+  await page.getByTestId("tree-source-1").click();
+  await page.keyboard.press("Delete");
   await expect(page.getByTestId("tree-source-1")).toBeHidden();
   // Without the source, the app shows the earlier mesh, which it has kept.
   expect(await app.meshed()).toEqual(before);
@@ -66,6 +68,7 @@ for (const [type, points] of [
     await app.type("source-distance", "0.1");
     const finer = await app.generate();
     expect(finer.tets).toBeGreaterThan(1.4 * before.tets);
+    await app.select("source-1");
     await app.type("source-distance", "0.2");
     expect((await app.generate()).tets).toBeGreaterThan(1.2 * finer.tets);
     const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);

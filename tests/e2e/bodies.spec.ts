@@ -63,6 +63,8 @@ test("the treatment of a body is undone and redone with its mesh, and a reload r
   await page.getByTestId("body-preview-make").click();
   await previewed(page);
   const coarse = await app.generate();
+  // A run clears the selection.
+  await page.getByTestId("tree-body-1").click();
   await page.getByTestId("body-treatment").getByText("Keep", { exact: true }).click();
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
   const kept = await app.generate();
@@ -125,6 +127,7 @@ test("a broken STL shows its problems and is repaired", async ({ page }) => {
   expect(Math.abs(volume / plateVolume(plate) - 1)).toBeLessThan(5e-3);
   expect(tets).toBeGreaterThan(0);
   // What was repaired stays listed, also in the saved project.
+  await page.getByTestId("tree-body-1").click();
   const repairs = page.getByTestId("body-repairs");
   await expect(repairs.getByTestId("repaired-filled-hole")).toContainText("filled");
   await repairs.getByTestId("repaired-flipped-triangle").click();

@@ -67,6 +67,7 @@ test("solids that touch in a part of a face are joined by Generate mesh, as a st
   await expect(page.getByTestId("body-card")).toContainText("base and pin touch or intersect");
   const { tets } = await app.generate();
   expect(tets).toBeGreaterThan(100);
+  await page.getByTestId("tree-body-1").click();
   await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
   await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
   const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));

@@ -59,6 +59,9 @@ test("an STL file that intersects itself is repaired by “Generate mesh”, mes
   await expect(page.getByTestId("repair-resolved-intersection")).toContainText("cuts");
   await expect(page.getByTestId("repair-outcome")).toContainText("Afterwards, the surface can be meshed.");
   const { tets } = await app.generate();
+  // A run clears the selection.
+  await page.getByTestId("tree-body-1").click();
+  await expect(page.getByTestId("body-triangles")).toBeVisible();
   await expect(problems).toBeHidden();
   await expect(page.getByTestId("body-repair-deviation")).toHaveText("No node was moved.");
   const mesh = parseVtu(await downloadMesh(page, /VTU/));
