@@ -247,6 +247,7 @@ test("a part with one colour: patches are split, and the mesh is shown and has t
   await page.getByTestId("tree-body-1").click();
   // The split shows the given triangles; a generated mesh takes their place.
   await app.generate();
+  await page.getByTestId("tree-body-1").click();
   await expect(
     page.getByRole("radiogroup", { name: "Show" }).getByRole("radio", { name: "Mesh" }),
   ).toBeChecked();
