@@ -4,7 +4,7 @@ import { parseMsh, parseVtu } from "../support/mesh-files";
 import { boxSolid, drilledSolid, stepFile } from "../support/step-files";
 import { AppPage, countOrange, forEachPixel } from "./app-page";
 import { downloadMesh } from "./downloads";
-import { dropBytes } from "./drop-bytes";
+import { dropBytes, dropFiles } from "./drop-bytes";
 
 const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], 3)]);
 const plateVolume = 1600 - 72 * Math.PI;
@@ -55,13 +55,31 @@ test("the solids of an assembly are bodies with names, colours and previews", as
   expect(volume).toBeCloseTo(32, 6);
 });
 
-test("solids that touch in a part of a face are joined by Generate mesh, as a step of undo", async ({
+const [base, pin] = [boxSolid("base", [0, 0, 0], [4, 4, 1]), boxSolid("pin", [1, 1, 1], [2, 2, 3])] as const;
+
+test("solids of one file that touch in a part of a face share its triangles from the start", async ({
   page,
 }) => {
   const app = new AppPage(page);
   await app.openCube();
-  const assembly = stepFile([boxSolid("base", [0, 0, 0], [4, 4, 1]), boxSolid("pin", [1, 1, 1], [2, 2, 3])]);
-  await dropBytes(page, assembly, "assembly.step");
+  await dropBytes(page, stepFile([base, pin]), "assembly.step");
+  await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
+  await expect(page.getByTestId("body-card")).toContainText("Regions2");
+  await expect(page.getByTestId("model-tree")).toContainText("base / pin");
+  await app.generate();
+  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(volume).toBeCloseTo(18, 6);
+  const { tetrahedra } = parseMsh(await downloadMesh(page, /MSH 4/));
+  expect(tetrahedra.map(({ name }) => name).toSorted()).toEqual(["base", "pin"]);
+});
+
+test("solids of two files that touch in a part of a face are joined by Generate mesh, as a step of undo", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropFiles(page, { "base.step": stepFile([base]), "pin.step": stepFile([pin]) });
   await expect(page.getByTestId("tree-body-2")).toContainText("pin");
   await expect(page.getByTestId("problem-list")).toBeHidden();
   await expect(page.getByTestId("body-card")).toContainText("base and pin touch or intersect");

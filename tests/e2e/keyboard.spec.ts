@@ -238,8 +238,8 @@ test("the palette finds disabled commands with what they need, and does not run 
   await page.goto("./?test=1&new=1");
   await expect(app.viewport).toHaveAttribute("data-points", "0");
   await page.keyboard.press("Control+k");
-  const box = page.getByRole("dialog");
-  await page.keyboard.type("export");
+  const box = page.getByRole("dialog", { name: "Search commands" });
+  await page.keyboard.type("export mesh");
   const first = box.getByRole("button", { name: /Download mesh as VTU/ });
   await expect(first).toContainText("Generate a mesh first.");
   await expect(first).toHaveAttribute("aria-disabled", "true");
