@@ -5,7 +5,7 @@ import { createRoot, type Root } from "react-dom/client";
 import { writeProject, type Mesher, type Project } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { copyLink, sharedFrontOf, showShared, showSharedIfOpen } from "../../../web/commands/share-actions";
+import { copyEmbedCode, copyLink, sharedFrontOf, showShared, showSharedIfOpen } from "../../../web/commands/share-actions";
 import { EmbedPage } from "../../../web/panels/embed/embed-page";
 import { newDocument } from "../../../web/session/document-store";
 import type { SharedFront } from "../../../web/player/shared-front";
@@ -112,8 +112,11 @@ it("has a link for the step of an unchanged example, and for nothing else", asyn
   expect(written).toEqual([expect.stringMatching(/\?model=cube&step=7&color=layer$/)]);
   app.documents.edit({ label: "Change", replace: [[["name"], "Mine"]] });
   expect(await sharedFrontOf(app)).toBeNull();
+  // A changed model is in a link of its own, which a dialog offers; a frame shows unchanged examples only.
   await copyLink(app);
   expect(written).toHaveLength(1);
+  expect(app.shell.getState().dialog).toBe("share");
+  await copyEmbedCode(app);
   expect(app.shell.getState().message?.lines.join()).toContain("unchanged examples");
 });
 
@@ -132,10 +135,10 @@ it("has no link for another model with the title of an example", async () => {
   expect(await sharedFrontOf(app)).toBeNull();
 });
 
-it("says why there is no link if the example cannot be loaded", async () => {
+it("says why there is no code if the example cannot be loaded", async () => {
   await app.player.open(bytes);
   vi.stubGlobal("fetch", () => Promise.reject(new Error("There is no connection")));
-  await copyLink(app);
+  await copyEmbedCode(app);
   expect(app.shell.getState().message?.lines.join()).toContain("no connection");
 });
 

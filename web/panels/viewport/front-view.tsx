@@ -31,7 +31,7 @@ export function FrontView() {
           </Suspense>
         )}
       </div>
-      <p role="status" className={styles["wheelHint"]} data-shown={isHinted || undefined}>
+      <p aria-hidden className={styles["wheelHint"]} data-shown={isHinted || undefined}>
         {isHinted && shareStrings.wheelHint}
       </p>
       {trouble ? <ViewNotice trouble={trouble} /> : <Legend />}
