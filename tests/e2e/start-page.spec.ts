@@ -45,19 +45,23 @@ test("the start page lists changed projects with picture and date", async ({ pag
   await page.getByTestId("project-name").fill("Mine");
   await page.getByTestId("project-name").press("Enter");
   await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
+  // Opening a database that does not exist yet would make an empty one.
   const pictures = () =>
-    page.evaluate(
-      () =>
-        new Promise<number>((resolve) => {
-          const opening = indexedDB.open("tetrafront-pictures");
-          opening.onsuccess = () => {
-            const { result } = opening;
-            if (!result.objectStoreNames.contains("pictures")) return resolve(0);
-            const counting = result.transaction("pictures").objectStore("pictures").count();
-            counting.onsuccess = () => resolve(counting.result);
+    page.evaluate(async () => {
+      const name = "tetrafront-pictures";
+      if (!(await indexedDB.databases()).some((database) => database.name === name)) return 0;
+      return new Promise<number>((resolve) => {
+        const opening = indexedDB.open(name);
+        opening.onsuccess = () => {
+          const { result } = opening;
+          const counting = result.transaction("pictures").objectStore("pictures").count();
+          counting.onsuccess = () => {
+            resolve(counting.result);
+            result.close();
           };
-        }),
-    );
+        };
+      });
+    });
   await expect.poll(pictures).toBe(1);
   await page.getByRole("menuitem", { name: "File" }).click();
   await page.getByRole("menuitem", { name: "New project" }).click();
