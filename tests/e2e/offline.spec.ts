@@ -76,6 +76,7 @@ test("the library for CAD files is kept when it was used", async ({ page, contex
   await app.page.close();
   await context.setOffline(true);
   const again = await opened(context, "./?test=1&new=1");
+  await expect(again.viewport).toHaveAttribute("data-frames", /./);
   await dropBytes(again.page, plate, "again.step");
   await expect(again.page.getByTestId("entity-name")).toHaveValue("Plate");
 });
