@@ -3,7 +3,7 @@ import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { readFileSync } from "node:fs";
 import { linkTo, type LinkedProject } from "../../web/player/project-link";
-import { AppPage, countColours, forEachPixel, sampleProject } from "./app-page";
+import { AppPage, countColours, forEachPixel, nextFrame, sampleProject } from "./app-page";
 import { downloaded } from "./downloads";
 
 const { models } = JSON.parse(readFileSync(new URL("../../public/index.json", import.meta.url), "utf8")) as {
@@ -66,10 +66,10 @@ for (const { id } of models) {
     await expect(page.getByTestId("project-name")).toHaveValue(project.name);
     await expect(page.getByTestId("viewport")).toHaveAttribute("data-frames", /./);
     await page.getByTestId("viewport-canvas").focus();
-    for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+", "Shift+ArrowRight"])
-      await page.keyboard.press(key);
-    const before = await seen(page);
+    for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+"]) await page.keyboard.press(key);
+    await nextFrame(page.getByTestId("viewport"), () => page.keyboard.press("Shift+ArrowRight"));
     const link = await linkOf(page);
+    const before = await seen(page);
     expect(link.length).toBeLessThan(8000);
     await page.goto("about:blank");
     await page.goto(forTest(link));
