@@ -135,6 +135,8 @@ test("a link opens a project beside one's own, and a damaged one says so and lea
   await page.goto(link);
   await expect(name).toHaveValue("Theirs");
   await page.reload();
+  await expect(name).toHaveValue("Theirs");
+  await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Control+Shift+O");
   const rows = page.getByRole("dialog", { name: "Open recent" }).getByRole("listitem");
   await expect(rows).toHaveText([/^Changed/, /^Mine/]);
