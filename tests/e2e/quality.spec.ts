@@ -72,6 +72,10 @@ test("a click on one of the worst elements moves the camera to it and highlights
     expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.1 * (box?.width ?? 0));
     expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.1 * (box?.height ?? 0));
   }
+  // The mesh was cut open at the element; without the cut, nothing of it is left.
+  const cut = page.getByTestId("cut-toggle");
+  await expect(cut).toBeChecked();
+  await cut.press("Space");
   await page.keyboard.press("Escape");
   await page.keyboard.press("f");
   await expect(page.getByTestId("worst-9")).toHaveAttribute("aria-pressed", "false");
