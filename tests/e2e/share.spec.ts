@@ -2,6 +2,8 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { readFileSync } from "node:fs";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
 import { countColours } from "./app-page";
 
 async function violations(page: Page): Promise<string[]> {
@@ -79,11 +81,14 @@ test("an embedded front fits into a narrow frame, and is loaded when it is seen"
   await expect(page.getByTestId("embed-failure")).toContainText("names no model");
   // A page of a course, on another host, with a frame far below.
   const site = new URL("./", page.url()).href;
-  await page.goto("about:blank");
-  await page.setContent(
-    `<html lang="en"><body style="margin: 0"><p style="height: 3000px">Text</p>
-    <iframe title="front" width="320" height="300" src="${site}embed.html?test=1&model=unit-cube&step=5"></iframe></body></html>`,
-  );
+  const host = createServer((_, response) => {
+    response.writeHead(200, { "Content-Type": "text/html" });
+    response.end(`<html lang="en"><body style="margin: 0"><p style="height: 3000px">Text</p>
+      <iframe title="front" width="320" height="300" src="${site}embed.html?test=1&model=unit-cube&step=5"></iframe></body></html>`);
+  });
+  await new Promise<void>((resolve) => host.listen(0, "127.0.0.1", resolve));
+  await page.goto(`http://localhost:${(host.address() as AddressInfo).port}/`);
+  host.close();
   const frame = page.frameLocator("iframe");
   await expect(frame.locator("#root")).toBeAttached();
   await expect(frame.getByTestId("embed")).toHaveCount(0);
