@@ -32,11 +32,11 @@ offerLeftDocument(app);
 
 const sharing = () => import("./commands/share-actions");
 if (linked) {
-  // A reload continues with the project as it is then.
-  window.history.replaceState(null, "", window.location.href.replace(/#.*$/s, ""));
-  void sharing().then(({ showLinked, showLinkFailure }) =>
-    linked.kind === "linked" ? showLinked(app, linked.linked) : showLinkFailure(app, linked),
-  );
+  void sharing().then(({ removeLink, showLinked, showLinkFailure }) => {
+    void removeLink(app);
+    if (linked.kind === "linked") void showLinked(app, linked.linked);
+    else showLinkFailure(app, linked);
+  });
 }
 window.addEventListener("hashchange", () => {
   void sharing().then(({ openLink }) => openLink(app, window.location.hash));

@@ -153,6 +153,15 @@ export async function openLink(app: App, hash: string): Promise<void> {
   await showLinked(app, found.linked);
 }
 
+/**
+ * Takes the link out of the address when its project is stored: a reload then continues with the project as it is. Until
+ * then, a reload opens the link again.
+ */
+export async function removeLink({ autosave }: App): Promise<void> {
+  if (autosave) await untilState(autosave.state, ({ pending }) => !pending);
+  window.history.replaceState(null, "", withoutLink(window.location.href));
+}
+
 export function showLinkFailure(app: App, failure: LinkFailure): void {
   const line = failure.kind === "damaged" ? linkStrings.damaged : linkStrings.invalid(failure.reason);
   showMessage(app, linkStrings.noLink, [line]);
