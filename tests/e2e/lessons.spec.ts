@@ -108,7 +108,9 @@ test("a formula that its font makes too wide can be scrolled with the keys", asy
   const formulas = page.getByTestId("lens-formula").locator("p");
   await expect(formulas.first()).toBeVisible();
   // The formulas fit into the panel as it is.
-  await page.addStyleTag({ content: "[data-testid=lens] { width: 150px !important; }" });
+  await page
+    .getByTestId("lens")
+    .evaluate((lens: HTMLElement) => lens.style.setProperty("width", "150px", "important"));
   release();
   const areWideReached = () =>
     formulas.evaluateAll((all) => {
