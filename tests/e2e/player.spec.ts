@@ -20,6 +20,15 @@ async function violations(page: Page): Promise<string[]> {
   return found.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`));
 }
 
+/** Hides the labels of the view. The policy of the page refuses a style element, also one for a screenshot. */
+function hideLabels(page: Page): Promise<void> {
+  return page.evaluate(() => {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync("[data-testid=lens-labels] { visibility: hidden; }");
+    document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+  });
+}
+
 /** Opens the tab of the front with a trace from a file. */
 async function openTrace(page: Page, content: Buffer): Promise<AppPage> {
   const app = new AppPage(page);
@@ -96,11 +105,11 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   const change = page.getByTestId("lens-front-change");
   await expect(change).toContainText(/^The view shows the front with it: face.* left, .* joined\.$/);
   const canvas = page.getByTestId("viewport-canvas");
-  const style = "[data-testid=lens-labels] { visibility: hidden; }";
-  const supposed = await canvas.screenshot({ style });
+  await hideLabels(page);
+  const supposed = await canvas.screenshot();
   await page.getByTestId("lens-candidate-1").click();
   await expect(change).toContainText(/^The front: face.* leave, .* joins? \(steps F6 and F8\)\.$/);
-  await expect.poll(async () => (await canvas.screenshot({ style })).equals(supposed)).toBe(false);
+  await expect.poll(async () => (await canvas.screenshot()).equals(supposed)).toBe(false);
   await page.getByTestId("lens-candidate-0").click();
   await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
   await expect(page.getByTestId("lens-layer")).toContainText(
@@ -223,8 +232,8 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   await expect(page.getByTestId("lens-sentence")).toContainText(/was refused: .*face/);
   const canvas = page.getByTestId("viewport-canvas");
   // Without the labels: the edges of their lines can differ by a shade when they are painted again.
-  const style = "[data-testid=lens-labels] { visibility: hidden; }";
-  const picture = (): Promise<Buffer> => canvas.screenshot({ style });
+  await hideLabels(page);
+  const picture = (): Promise<Buffer> => canvas.screenshot();
   await expect(page.getByTestId("lens-legend")).toBeVisible();
   const before = await picture();
   await page.getByTestId("player-region").check();
