@@ -1,5 +1,5 @@
 import { Button, Text } from "@mantine/core";
-import { lazy, memo, Suspense, useDeferredValue, useMemo, useState } from "react";
+import { lazy, memo, Suspense, useDeferredValue, useMemo } from "react";
 import type { AdvanceStep } from "tetrafront";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { lensSceneOf, type LensScene } from "../../player/lens-scene";
@@ -15,6 +15,7 @@ import { CandidateTable, type CandidateRow } from "./candidate-table";
 import { frontChangeOf, sentenceOf, whatIfOf } from "./lens-sentence";
 import styles from "./player.module.css";
 import { SurfaceLens } from "./surface-lens";
+import { useKeptState } from "./use-kept-state";
 import { usePlayer, useTrace } from "./use-player";
 
 const texts = strings.player;
@@ -32,7 +33,7 @@ export function Lens() {
   const sweeps = usePlayer(({ trace, lensStep }) =>
     trace && lensStep === trace.stepCount ? trace.optimization : null,
   );
-  const [isGame, setIsGame] = useState(false);
+  const [isGame, setIsGame] = useKeptState(useTrace(), "is-game", false);
   return (
     <ScrollPanel label={texts.lens} className={styles["lens"]} data-testid="lens">
       {isGame && isVolume ? (

@@ -31,7 +31,7 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
   const trace = useTrace();
   const [level, setLevel] = useState<GameLevel>("easy");
   /** By step: each step counts once, whatever the level. */
-  const [answers, addAnswer] = useAnswers<Answer>(trace);
+  const [answers, addAnswer] = useAnswers<Answer>(trace, "patch");
   const isPlaying = usePlayer((shown) => shown.isPlaying);
   const direction = useDirection(state);
   const question = useMemo(() => {

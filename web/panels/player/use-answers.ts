@@ -1,23 +1,22 @@
-import { useCallback, useState } from "react";
+import { useCallback } from "react";
 import type { Trace } from "tetrafront";
+import { useKeptState } from "./use-kept-state";
 
 /** Returns the answers by step of a trace, and a function that adds one. Another trace begins without answers. */
 export function useAnswers<Answer>(
   trace: Trace,
+  game: "patch" | "volume",
 ): readonly [ReadonlyMap<number, Answer>, (step: number, answer: Answer) => void] {
-  const [kept, setKept] = useState<{ readonly trace: Trace; readonly answers: ReadonlyMap<number, Answer> }>({
+  const [answers, setAnswers] = useKeptState<ReadonlyMap<number, Answer>>(
     trace,
-    answers: new Map(),
-  });
-  const add = useCallback(
-    (step: number, answer: Answer): void =>
-      setKept((before) => ({
-        trace,
-        answers: new Map(before.trace === trace ? before.answers : []).set(step, answer),
-      })),
-    [trace],
+    `${game}-answers`,
+    noAnswers,
   );
-  return [kept.trace === trace ? kept.answers : noAnswers, add];
+  const add = useCallback(
+    (step: number, answer: Answer): void => setAnswers(new Map(answers).set(step, answer)),
+    [answers, setAnswers],
+  );
+  return [answers, add];
 }
 
 const noAnswers: ReadonlyMap<number, never> = new Map<number, never>();

@@ -1,5 +1,5 @@
 import { Button, SegmentedControl } from "@mantine/core";
-import { useEffect, useMemo, useState } from "react";
+import { useEffect, useMemo } from "react";
 import { levels, type GameLevel } from "../../player/mesher-game";
 import { judgeVolumeChoice, nextVolumeQuestion, type VolumeVerdict } from "../../player/volume-game";
 import { pickText, strings } from "../../strings";
@@ -7,6 +7,7 @@ import { useApp } from "../shared/app-context";
 import styles from "./plane-view.module.css";
 import { useAnswers } from "./use-answers";
 import { useDirection } from "./use-direction";
+import { useKeptState } from "./use-kept-state";
 import { useGameFocus } from "./use-game-focus";
 import { usePlayer, useTrace } from "./use-player";
 
@@ -24,9 +25,9 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
   const trace = useTrace();
   const state = usePlayer(({ step }) => step);
   const isPlaying = usePlayer((shown) => shown.isPlaying);
-  const [level, setLevel] = useState<GameLevel>("easy");
+  const [level, setLevel] = useKeptState<GameLevel>(trace, "level", "easy");
   /** By step: each step counts once, whatever the level. */
-  const [answers, addAnswer] = useAnswers<Answer>(trace);
+  const [answers, addAnswer] = useAnswers<Answer>(trace, "volume");
   const direction = useDirection(state);
   const question = useMemo(() => {
     if (isPlaying) return null;
