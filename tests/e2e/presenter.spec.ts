@@ -98,6 +98,7 @@ test("Escape ends presenter mode, but first a menu, a selection or text in a fie
 test("on a phone, presenter mode cuts off no button of the header", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.goto("./?test=1&new=1");
+  await expect(page.getByRole("banner")).toBeVisible();
   await page.keyboard.press("Control+k");
   await page.getByRole("textbox", { name: "Search commands" }).fill("Presenter mode");
   await page.keyboard.press("Enter");
