@@ -78,15 +78,16 @@ export function Header({ layout }: { readonly layout: Layout }) {
       </Toolbar>
       {!phone && <PaletteBox />}
       <span className={styles["end"]}>
-        {!phone && (
-          <CommandButton command="share" testId="share-link">
-            <IconShare {...icon} />
-          </CommandButton>
-        )}
-        {!phone && (
-          <CommandButton command="picture" disabled={!hasView} testId="export-image">
-            <IconPhoto {...icon} />
-          </CommandButton>
+        {/* Without room they are in the menu only. */}
+        {layout === "wide" && (
+          <>
+            <CommandButton command="share" testId="share-link">
+              <IconShare {...icon} />
+            </CommandButton>
+            <CommandButton command="picture" disabled={!hasView} testId="export-image">
+              <IconPhoto {...icon} />
+            </CommandButton>
+          </>
         )}
         <ExportButton />
         <SchemeToggle />
