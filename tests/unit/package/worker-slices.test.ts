@@ -6,6 +6,7 @@ import {
   engineInspectionOptions,
   engineOptions,
   engineProposalOptions,
+  engineImproveOptions,
   engineRemeshOptions,
   engineRepairOptions,
 } from "../../../wasm/dist/api/options.js";
@@ -166,7 +167,7 @@ const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
     tetrahedra,
     regions: new Uint32Array(),
     keptTriangles: new Uint32Array(),
-    level: 2,
+    options: engineImproveOptions({}),
   }),
 };
 

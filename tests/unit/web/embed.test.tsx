@@ -5,7 +5,13 @@ import { createRoot, type Root } from "react-dom/client";
 import { writeProject, type Mesher, type Project } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { copyEmbedCode, copyLink, sharedFrontOf, showShared, showSharedIfOpen } from "../../../web/commands/share-actions";
+import {
+  copyEmbedCode,
+  copyLink,
+  sharedFrontOf,
+  showShared,
+  showSharedIfOpen,
+} from "../../../web/commands/share-actions";
 import { EmbedPage } from "../../../web/panels/embed/embed-page";
 import { newDocument } from "../../../web/session/document-store";
 import type { SharedFront } from "../../../web/player/shared-front";
