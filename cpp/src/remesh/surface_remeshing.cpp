@@ -138,11 +138,11 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
 }  // namespace
 
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
-                                  GivenSizes sizes, const RemeshOptions& wanted,
+                                  GivenSizes sizes, const RemeshOptions& options,
                                   const bool& isStopped) {
   work.beginPart(0.05);
   const std::vector<std::uint32_t> regions = mesh.triangleRegions;
-  std::vector<Diagnostic> problems = co_await checkInput(work, mesh, sizes.grid, wanted);
+  std::vector<Diagnostic> problems = co_await checkInput(work, mesh, sizes.grid, options);
   if (anyError(problems)) co_return refused(std::move(problems));
   work.beginPart(1.0);
   mesh.triangleRegions = {};
@@ -154,14 +154,14 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   const GivenSizes movedSizes{movedGrid, sizes.ofRegions};
   const Bounds bounds = boundsOf(given.mesh);
   const double diagonal = glm::length(bounds.high - bounds.low);
-  const bool hasTargets = wanted.size > 0.0 || usesGrid(sizes.grid, targetOptions(wanted));
-  RemeshOptions options = wanted;
-  if (options.tolerance <= 0.0 && !regions.empty()) {
-    options.tolerance =
-        automaticTolerance(wanted, hasTargets, smallestDiagonal(given.mesh, regions, diagonal));
+  const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
+  RemeshOptions settled = options;
+  if (settled.tolerance <= 0.0 && !regions.empty()) {
+    settled.tolerance =
+        automaticTolerance(options, hasTargets, smallestDiagonal(given.mesh, regions, diagonal));
   }
-  const RemeshLengths lengths = remeshLengthsOf(options, hasTargets, diagonal);
-  const Remeshing remeshing{given, regions, movedSizes, options, lengths, isStopped};
+  const RemeshLengths lengths = remeshLengthsOf(settled, hasTargets, diagonal);
+  const Remeshing remeshing{given, regions, movedSizes, settled, lengths, isStopped};
   work.beginPart(0.95);
   SimplifiedSurface surface = co_await remeshAndDrop(work, remeshing);
   work.beginPart(1.0);

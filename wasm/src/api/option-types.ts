@@ -57,7 +57,7 @@ export interface RemeshOptions {
   readonly maxSize?: number | undefined;
   /**
    * Largest distance between the given and the new surface, in both directions, in model units. Default: 1/250 of the
-   * diagonal; with `size` or the nodes of a `background` 1/700, but at most 1/20 of `size`.
+   * diagonal, of several regions of that of the smallest; with `size` or the nodes of a `background` 1/700, but at most 1/20 of `size`.
    */
   readonly tolerance?: number | undefined;
   /**
