@@ -96,11 +96,12 @@ async function inspected(
   given: SurfaceFile,
   { options, controlOf }: TreatmentOptions,
 ): Promise<{ readonly found: SurfaceInspection; readonly refine: () => ReturnType<typeof refined> }> {
-  const { innerShells } = options;
+  const { elements: _, ...sizes } = options;
+  const { innerShells } = sizes;
   const found = await mesher.inspectSurface(given, { innerShells }, controlOf());
   // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
   const volume = found.flippedTriangles === 0 ? found.volume : undefined;
-  return { found, refine: () => refined(mesher, given, { ...options, volume }, controlOf()) };
+  return { found, refine: () => refined(mesher, given, { ...sizes, volume }, controlOf()) };
 }
 
 /** Longest edge / target length up to which triangles are kept by default; `coarse-surface` warns above it. */

@@ -250,9 +250,10 @@ async function inspectedSurface(
   const result = { kind: "surface", inspection } as const;
   if ("refused" in ready) {
     const { refused } = ready;
-    const isSaid = ({ code }: Diagnostic) => refused.some((found) => found.code === code);
-    const more = diagnostics.filter((found) => !isSaid(found));
-    return { ...result, diagnostics: [...refused, ...more, ...others] };
+    // The inspection lists as many as are asked for.
+    const isListed = ({ code }: Diagnostic) => diagnostics.some((found) => found.code === code);
+    const more = refused.filter((found) => !isListed(found));
+    return { ...result, diagnostics: [...diagnostics, ...more, ...others] };
   }
   const { changes, repairDeviation } = ready;
   return {
