@@ -7,9 +7,10 @@ export default defineConfig({
     include: ["tests/unit/**/*.test.{ts,tsx}"],
     environment: "node",
     env: { TETRAFRONT_PYTHON: pythonProgram() },
-    // Only a hang takes so long, also on a machine that is small and busy.
-    testTimeout: 600_000,
-    hookTimeout: 600_000,
+    // Only a hang takes so long, also on a machine that is small and busy. Longer limits would hide which test hangs: the tests
+    // after it in its file wait for the same engine, each up to the limit.
+    testTimeout: 180_000,
+    hookTimeout: 180_000,
     // Each worker holds an engine of its own.
     maxWorkers: 2,
   },

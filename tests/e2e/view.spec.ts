@@ -339,6 +339,7 @@ test("a double click on an entity edits it, from any tab; beside the model it fi
   const app = new AppPage(page);
   await app.openCube();
   await nextFrame(app.viewport, () => page.keyboard.press("1"));
+  await app.stillView();
   const edge = () => onScreen(page, [0, 0, 0], [1, 0, 0]);
   const whole = (await edge()).right;
   const corner = await screenPosition(page, "point", 2);

@@ -356,16 +356,18 @@ describe("meshProject with bodies", () => {
     expect(read.success && read.value.patches.map(({ name }) => name)).toContain("ball");
   });
 
-  test("within a drawn cube leaves a cavity, or makes a region", async () => {
+  test("within a drawn cube makes a region, as both face outward, or leaves a cavity", async () => {
     const placement: BodyPlacement = { position: [0.5, 0.5, 0.5] };
     const ball = createBody(sphereSurface(4, 0.25), { id: 1, firstPatchId: 17 });
     const project: Project = { ...cubeProject(), bodies: [{ ...ball, surface: "keep", placement }] };
     const inside = enclosedVolume(bodySurface(ball));
-    const cavity = await mesher.meshProject(project);
+    const cavity = await mesher.meshProject(project, { innerShells: "cavities" });
     expect(cavity.report.volume).toBeCloseTo(1 - inside, 9);
-    const regions = await mesher.meshProject(project, { innerShells: "regions" });
-    expect(regions.report.volume).toBeCloseTo(1, 9);
-    expect(regions.report.quality.regions).toHaveLength(2);
+    for (const innerShells of [undefined, "regions"] as const) {
+      const regions = await mesher.meshProject(project, { innerShells });
+      expect(regions.report.volume).toBeCloseTo(1, 9);
+      expect(regions.report.quality.regions).toHaveLength(2);
+    }
   });
 
   test("that intersects a drawn patch names both patches", async () => {

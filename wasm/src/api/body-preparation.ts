@@ -109,7 +109,8 @@ async function treated(
   const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
   const hasSizes = sizes.size !== undefined || sizes.background !== undefined;
   if (treatment === "refine" && hasSizes) {
-    const { surface, origin } = await calls.refine(given, { ...options, ...sizes }, control, name);
+    const { elements: _, ...refineOptions } = options;
+    const { surface, origin } = await calls.refine(given, { ...refineOptions, ...sizes }, control, name);
     return { ...withPatches(given, surface, origin), diagnostics };
   }
   const origin = given.trianglePatch.map((_, triangle) => triangle);

@@ -306,8 +306,9 @@ class WorkerMesher implements Mesher {
       options: engineOptions(withInnerShells(surface, options)),
     } as const;
     const name = surfaceNamer(surface);
-    const coarse = await inSteps(resolutionWarnings(surface));
-    const result = await this.#run(request, control, () => name);
+    // The run takes its place in the queue at once.
+    const running = this.#run(request, control, () => name);
+    const [result, coarse] = await Promise.all([running, inSteps(resolutionWarnings(surface))]);
     const diagnostics = [...result.report.diagnostics, ...coarse];
     return coarse.length === 0 ? result : { ...result, report: { ...result.report, diagnostics } };
   }

@@ -159,6 +159,8 @@ export class EngineClient {
         const state = { began: undefined, progress: undefined };
         const listener = { onProgress, onFront, onUnoptimized, onTrace };
         const job: Job = { request, triangles, ...listener, ...state, resolve, reject };
+        // The caller may have prepared the run meanwhile.
+        if (signal?.aborted === true) return resolve({ cancelledAfterSeconds: 0 });
         onAbort = () => this.#cancel(job);
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#waiting.push(job);
