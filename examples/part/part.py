@@ -26,7 +26,7 @@ def pull(v, _):
 
 def meshed(part, command):
     """Returns the mesh. Gmsh's format has the names of the patches, and scikit-fem makes boundaries of them."""
-    options = ["--split-patches", "-q"]
+    options = ["--surface", "remesh", "--split-patches", "-q"]
     subprocess.run([*command, "mesh", part, "-o", "part.msh", *options], check=True)
     return MeshTet.load("part.msh")
 

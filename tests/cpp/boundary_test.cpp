@@ -923,6 +923,37 @@ TEST(DrawnBoundaryTest, IntersectingPatchesAreReportedOncePerPair) {
   }
 }
 
+TEST(BoundaryTest, FindsTheSameFarFromTheOrigin) {
+  // The coordinates have 30 more bits than single precision keeps of them: its boxes would all overlap.
+  const Vec3 shift(0x1p40, -0x1p41, 0x1p40);
+  SurfaceMesh near = gridCube(6);
+  SurfaceMesh other = gridCube(6);
+  translate(other, Vec3(0.5));
+  const std::uint32_t nodes = countNodes(near);
+  near.points.insert(near.points.end(), other.points.begin(), other.points.end());
+  for (const std::uint32_t node : other.triangles) near.triangles.push_back(nodes + node);
+  for (double& x : near.points) x = std::ldexp(std::round(std::ldexp(x, 8)), -8);
+  SurfaceMesh far = near;
+  translate(far, shift);
+  const std::vector<double> given = far.points;
+  const std::vector<Diagnostic> expected = close(near).of(DiagnosticCode::kSelfIntersection);
+  const std::vector<Diagnostic> found = close(far).of(DiagnosticCode::kSelfIntersection);
+  EXPECT_EQ(far.points, given);
+  ASSERT_GT(expected.size(), 10U);
+  ASSERT_EQ(found.size(), expected.size());
+  // The order of the pairs may follow other boxes.
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const Diagnostic& d : expected) pairs.emplace(d.entities[0].index, d.entities[1].index);
+  for (const Diagnostic& d : found) {
+    EXPECT_TRUE(pairs.contains({d.entities[0].index, d.entities[1].index}));
+    ASSERT_TRUE(d.hasPosition);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_GE(d.position[k], shift[k] - 0.1);
+      EXPECT_LE(d.position[k], shift[k] + 1.6);
+    }
+  }
+}
+
 TEST(BoundaryTest, DoesNotDependOnTheSlices) {
   SurfaceMesh whole = cubeWithSphericalCavity(6, 5);
   flipRandomly(whole, 21);

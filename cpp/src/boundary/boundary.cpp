@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "boundary/centred_surface.h"
 #include "boundary/corner_fans.h"
 #include "boundary/edge_table.h"
 #include "boundary/half_faces.h"
@@ -61,6 +62,9 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   work.beginPart(0.16);
   checkCoincidentNodes(mesh_, report_);
   co_await work.yield();
+
+  const CentredSurface centred(mesh_);
+  report_.setOrigin(centred.centre());
 
   work.beginPart(0.22);
   const EdgeTable edges(mesh_.triangles, countNodes(mesh_), invalid_.inTopology);

@@ -70,7 +70,7 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
   addTriangles(entry, triangles);
   if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z)) {
     entry.diagnostic.hasPosition = true;
-    entry.diagnostic.position = position;
+    entry.diagnostic.position = origin_ + position;
   }
   entries_.push_back(std::move(entry));
 }
@@ -127,8 +127,8 @@ void BoundaryReport::addEdge(DiagnosticCode code, NodeId from, NodeId to,
 void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> entities,
                                     const Vec3& position, std::vector<double> values) {
   Entry entry;
-  entry.diagnostic = {code,     Severity::kInformation, std::move(entities), true,
-                      position, std::move(values)};
+  entry.diagnostic = {code, Severity::kInformation, std::move(entities),
+                      true, origin_ + position,     std::move(values)};
   entry.hasTotal = false;
   Total& total = totalOf(code);
   ++total.reported;

@@ -33,6 +33,9 @@ class BoundaryReport {
                  std::size_t maxDiagnostics = kDefaultMaxDiagnostics)
       : mesh_(mesh), source_(source), maxDiagnostics_(maxDiagnostics) {}
 
+  /// Positions of the mesh are relative to `origin` from now on; those that are reported are not.
+  void setOrigin(const Vec3& origin) { origin_ = origin; }
+
   void addNode(DiagnosticCode code, NodeId node, std::vector<double> values);
   void addNodePair(DiagnosticCode code, NodeId a, NodeId b);
   void addTriangle(DiagnosticCode code, TriangleId triangle, std::vector<double> values = {});
@@ -99,6 +102,7 @@ class BoundaryReport {
 
   const SurfaceMesh& mesh_;
   BoundarySource source_;
+  Vec3 origin_{0.0};
   std::size_t maxDiagnostics_;
   std::size_t errors_ = 0;
   std::vector<Entry> entries_;

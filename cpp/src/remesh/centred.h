@@ -1,18 +1,12 @@
 #pragma once
 
-/// @file Coordinates about the centre of a surface that is far from the origin. Distances, normals and planes computed there
-/// lose no digits to the distance, and trees of boxes need no margin for it.
+/// @file What moves with a surface that is remeshed in coordinates about its centre: boundary/centred_surface.h.
 
 #include "tetrafront/background_grid.h"
-#include "tetrafront/mesh.h"
 #include "tetrafront/remesh.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
-
-/// Moves the nodes of a surface that is far from the origin, and returns the position that is the new origin; moves nothing
-/// and returns 0 for another one. Every node stays exact: the centre added to it gives the same number again.
-Vec3 moveToCentre(SurfaceMesh& mesh);
 
 /// Returns the grid and its sources, moved with the surface. Its positions are rounded, as sizes may be.
 [[nodiscard]] BackgroundGrid relativeTo(const Vec3& centre, const BackgroundGrid& grid);

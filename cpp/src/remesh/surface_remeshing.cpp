@@ -13,6 +13,7 @@
 #include "base/mesh_access.h"
 #include "base/tool_job.h"
 #include "boundary/boundary.h"
+#include "boundary/centred_surface.h"
 #include "boundary/surface_access.h"
 #include "field/size_octree_builder.h"
 #include "geom/angles.h"

@@ -12,8 +12,15 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const { save, inFolder } = temporaryFolder();
 
+/** Writes nothing, and says that it is written. */
+function discard(_text: unknown, encodingOrDone?: unknown, done?: unknown): boolean {
+  for (const called of [encodingOrDone, done]) if (typeof called === "function") called();
+  return true;
+}
+
 beforeEach(() => {
-  for (const stream of [process.stderr, process.stdout]) vi.spyOn(stream, "write").mockReturnValue(true);
+  for (const stream of [process.stderr, process.stdout])
+    vi.spyOn(stream, "write").mockImplementation(discard);
 });
 afterEach(() => vi.restoreAllMocks());
 

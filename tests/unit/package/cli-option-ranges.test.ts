@@ -36,11 +36,8 @@ test.each<[readonly string[], RegExp]>([
   [[...MESH, "--source", "0,0,0,1,1,99"], /sources\[0\]\.growth: expected at most 10/],
   [[...MESH, "--weld", "1e300"], /from 0 to 1e30/],
   [[...MESH, "--weld", "7"], /extent of the whole surface is 1\. Use a distance below/],
-  [[...MESH, "--surface", "polish"], /Allowed choices are keep, refine, remesh/],
-  [
-    [...MESH, "--tolerance", "0.1"],
-    /--tolerance is for surfaces that are remeshed\. Add --surface remesh, or omit/,
-  ],
+  [[...MESH, "--surface", "polish"], /Allowed choices are auto, keep, refine, remesh/],
+  [[...MESH, "--surface", "keep", "--tolerance", "0.1"], /--tolerance is for surfaces that are remeshed/],
   [[...MESH, "--surface", "refine", "--layers", "2"], /--layers is for surfaces that are remeshed/],
   [
     [...MESH, "--surface", "remesh", "--layers", "101"],
