@@ -337,7 +337,6 @@ describe("the command line", () => {
       ["check", "plate.step"],
     ]) {
       const { code, stdout, stderr } = await run(...args);
-      // What a check finds is its result.
       const said = args[0] === "check" ? stdout : stderr;
       expect([args[0], code, said]).toEqual([args[0], 0, expect.stringContaining("plate.step: ")]);
     }

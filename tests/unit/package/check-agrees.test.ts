@@ -13,8 +13,9 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 const { save, inFolder } = temporaryFolder();
 
 /** Writes nothing, and says that it is written. */
-function discard(_text: unknown, encodingOrDone?: unknown, done?: unknown): boolean {
-  for (const called of [encodingOrDone, done]) if (typeof called === "function") called();
+function discard(_text: unknown, ...others: unknown[]): boolean {
+  const done = others.find((other) => typeof other === "function") as (() => void) | undefined;
+  done?.();
   return true;
 }
 

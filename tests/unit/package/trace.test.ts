@@ -152,7 +152,7 @@ test("the final mesh has the engine's order and fingerprint", () => {
 });
 
 describe("reading in slices", () => {
-  const large = starTrace(starSurface(boxSurface(20, [-1, -1, -1], [1, 1, 1]))).bytes;
+  const large = starTrace(starSurface(boxSurface(40, [-1, -1, -1], [1, 1, 1]))).bytes;
 
   test("returns the trace that is read at once, and lets other work run meanwhile", async () => {
     const expected = read(large);
