@@ -132,13 +132,18 @@ export class AppPage {
   /** Returns a picture of the view at rest: edges become smooth some time after the last motion. */
   async stillView(): Promise<Buffer> {
     let picture = await this.viewport.screenshot();
+    let same = 0;
     await expect
-      .poll(async () => {
-        const before = picture;
-        picture = await this.viewport.screenshot();
-        return picture.equals(before);
-      })
-      .toBe(true);
+      .poll(
+        async () => {
+          const before = picture;
+          picture = await this.viewport.screenshot();
+          same = picture.equals(before) ? same + 1 : 0;
+          return same;
+        },
+        { intervals: [250] },
+      )
+      .toBeGreaterThanOrEqual(3);
     return picture;
   }
 

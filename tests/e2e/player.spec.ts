@@ -235,6 +235,7 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   await hideLabels(page);
   const picture = (): Promise<Buffer> => canvas.screenshot();
   await expect(page.getByTestId("lens-legend")).toBeVisible();
+  await new AppPage(page).stillView();
   const before = await picture();
   await page.getByTestId("player-region").check();
   await expect.poll(async () => (await picture()).equals(before)).toBe(false);
