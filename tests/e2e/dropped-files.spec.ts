@@ -1,9 +1,9 @@
 import { expect, test } from "@playwright/test";
-import { measured } from "../support/mesh-measures";
+import { boundaryTriangles, measured } from "../support/mesh-measures";
 import { parseVtu } from "../support/mesh-files";
 import { boxSolid, stepFile } from "../support/step-files";
 import { stlBinary } from "../support/surface-files";
-import { boxSurface, joined } from "../support/surfaces";
+import { boxSurface, joined, sphereSurface } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
@@ -70,4 +70,25 @@ test("an STL file that intersects itself is repaired by “Generate mesh”, mes
   expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
   // Two cubes of edge length 2 with a common cube of edge length 1.
   expect(Math.abs(volume / 15 - 1)).toBeLessThan(1e-3);
+});
+
+test("triangles of an STL file that are fit are kept, and divided where a size is given", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const sphere = sphereSurface(2);
+  await dropBytes(page, stlBinary(sphere), "sphere.stl");
+  const treatment = page.getByTestId("body-treatment");
+  await expect(treatment.getByRole("radio", { name: "Refine" })).toBeChecked();
+  await expect(page.getByText("Its triangles are well shaped, so Generate mesh keeps them.")).toBeVisible();
+  await app.generate();
+  const given = sphere.triangles.length / 3;
+  expect(boundaryTriangles(parseVtu(await downloadMesh(page, /VTU/)))).toBe(given);
+  await page.getByTestId("tree-body-1").click();
+  const size = page.getByTestId("remeshing-size");
+  await size.fill(String(Number(await size.inputValue()) / 2));
+  await size.press("Enter");
+  await app.generate();
+  expect(boundaryTriangles(parseVtu(await downloadMesh(page, /VTU/)))).toBeGreaterThan(2 * given);
 });

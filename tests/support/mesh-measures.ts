@@ -1,6 +1,26 @@
 /** Measures of a mesh, independent of the package. */
 import type { FileMesh } from "./mesh-files.js";
 
+/** Returns the number of tetrahedra at each face, by its nodes in order. */
+function tetrahedraAtFaces(tetrahedra: FileMesh["tetrahedra"]): Map<string, number> {
+  const faces = new Map<string, number>();
+  for (const nodes of tetrahedra) {
+    for (const left of nodes) {
+      const key = nodes
+        .filter((node) => node !== left)
+        .toSorted((p, q) => p - q)
+        .join();
+      faces.set(key, (faces.get(key) ?? 0) + 1);
+    }
+  }
+  return faces;
+}
+
+/** Returns the number of faces of one tetrahedron only. */
+export function boundaryTriangles({ tetrahedra }: FileMesh): number {
+  return [...tetrahedraAtFaces(tetrahedra).values()].filter((count) => count === 1).length;
+}
+
 /** Returns the volume of a mesh, and how many elements, faces and edges of its boundary are invalid. */
 export function measured({ points, tetrahedra }: FileMesh) {
   const at = (node: number): number[] => [...points.subarray(3 * node, 3 * node + 3)];
@@ -14,16 +34,7 @@ export function measured({ points, tetrahedra }: FileMesh) {
     ];
     return ux * (vy * wz - vz * wy) - uy * (vx * wz - vz * wx) + uz * (vx * wy - vy * wx);
   });
-  const faces = new Map<string, number>();
-  for (const nodes of tetrahedra) {
-    for (const left of nodes) {
-      const key = nodes
-        .filter((node) => node !== left)
-        .toSorted((p, q) => p - q)
-        .join();
-      faces.set(key, (faces.get(key) ?? 0) + 1);
-    }
-  }
+  const faces = tetrahedraAtFaces(tetrahedra);
   const edges = new Map<string, number>();
   for (const [key, count] of faces) {
     if (count > 1) continue;

@@ -151,7 +151,7 @@ export const bodyStrings = {
     values: { remesh: "Remesh", refine: "Refine", keep: "Keep" },
     hints: {
       remesh: "Replaces the triangles by new ones of good shape, near the given surface.",
-      refine: "Divides triangles that are larger than the target size, and keeps their shape.",
+      refine: "Keeps the triangles, and divides those that are larger than the target size.",
       keep: "Meshes the given triangles as they are. Needles and slivers spoil the elements beside them.",
     },
     options: "Remeshing options",

@@ -153,6 +153,8 @@ export const pageStrings = {
     meshDescription: "Surface or mesh file",
     meshNotSaved:
       "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
+    keptTriangles:
+      "Its triangles are well shaped, so Generate mesh keeps them. Select Remesh under Triangles to replace them.",
     needles: (needles: number, triangles: number) =>
       `${needles.toLocaleString("en-US")} of ${triangles.toLocaleString("en-US")} triangles are needles, so Generate mesh replaces all by well-shaped ones. Select Keep under Triangles to mesh them as they are.`,
     regionPointsUnused: (count: number) =>

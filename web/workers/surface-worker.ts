@@ -15,6 +15,7 @@ import {
   type ProjectBody,
   type ReadError,
   type SurfaceFile,
+  type SurfaceInput,
 } from "tetrafront";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
 import { hasInnerSolid } from "../document/inner-solids";
@@ -35,13 +36,14 @@ serveCalls<SurfaceProtocol>({
     if (formatOf(fileName)?.readable.includes("volume") === true) {
       const mesh = await readMesh(file.stream(), { fileName, openOther });
       if (!mesh.success) return refusal(mesh.errors);
-      if (mesh.value.tetrahedra.length > 0) return readVolume(mesh.value, head);
+      if (mesh.value.tetrahedra.length > 0) return readVolume(mesh.value, fileName, head);
     }
     const read = await readSurface(file.stream(), { fileName, openOther });
     if (!read.success) return refusal(read.errors);
     const { unit } = read.value;
-    const notes = [...notesOf(read.value), ...(await needleNotes(read.value, fileName))];
-    const made = createBodies(read.value, head).map(newBody);
+    const { treatment, note } = await treatmentOf(read.value, fileName);
+    const notes = [...notesOf(read.value), ...note];
+    const made = createBodies(read.value, head).map((body) => newBody({ ...body, ...treatment }));
     const solids = made.map(({ loaded }) => loaded.surface);
     const isInner = hasInnerSolid(solids, read.value.surfaceRegions);
     return {
@@ -66,11 +68,19 @@ serveCalls<SurfaceProtocol>({
   },
 });
 
-/** Says that needles will be replaced. Faces of CAD programs are triangulated to be remeshed. */
-async function needleNotes(file: SurfaceFile, fileName: string): Promise<string[]> {
-  if (formatOf(fileName)?.isCad === true) return [];
+/**
+ * Returns what meshing will do with the triangles of a file, as the package does by default: those that are fit are kept.
+ * CAD programs triangulate faces to be remeshed.
+ */
+async function treatmentOf(
+  file: SurfaceInput,
+  fileName: string,
+): Promise<{ readonly treatment: Pick<ProjectBody, "surface">; readonly note: string[] }> {
+  if (formatOf(fileName)?.isCad === true) return { treatment: {}, note: [] };
   const { isFit, needles, triangles } = await measureTriangles(file);
-  return isFit ? [] : [strings.files.needles(needles, triangles)];
+  return isFit
+    ? { treatment: { surface: "refine" }, note: [strings.files.keptTriangles] }
+    : { treatment: {}, note: [strings.files.needles(needles, triangles)] };
 }
 
 /** Bodies have no points that mark regions and holes. */
@@ -92,11 +102,14 @@ function refusal(errors: readonly ReadError[]): Answer<SurfaceProtocol["read"]["
 /** Reads the mesh of a file; its boundary is the surface of a body. */
 async function readVolume(
   file: FileMesh,
+  fileName: string,
   head: SurfaceProtocol["read"]["argument"]["head"],
 ): Promise<Answer<SurfaceProtocol["read"]["answer"]>> {
   const { surface, volume, patchShapes, outer } = await meshWithBoundary(file);
   const { regions, invertedTetrahedra, notes = [] } = file;
-  const made = newBody(createBody(outer, head));
+  // Nothing is said of the triangles: the mesh itself is shown.
+  const { treatment } = await treatmentOf(outer, fileName);
+  const made = newBody({ ...createBody(outer, head), ...treatment });
   const { tetrahedra, regions: regionOf } = volume;
   const arrays = [surface.points, surface.triangles, surface.trianglePatch, surface.triangleRegions];
   const buffers = new Set([...arrays, tetrahedra, regionOf].map(({ buffer }) => buffer as ArrayBuffer));

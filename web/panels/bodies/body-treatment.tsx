@@ -63,17 +63,19 @@ export function BodyTreatment({ body }: { readonly body: ProjectBody }) {
       <Text size="xs" c="dimmed" my={4}>
         {texts.hints[surface]}
       </Text>
-      {surface === "remesh" && (
+      {surface !== "keep" && (
         <>
           <RemeshingField body={body} field="size" />
           <ElementCount />
-          <details className={styles["options"]} data-testid="remeshing-options">
-            <summary>{texts.options}</summary>
-            {fields.slice(1).map((field) => (
-              <RemeshingField key={field} body={body} field={field} />
-            ))}
-          </details>
         </>
+      )}
+      {surface === "remesh" && (
+        <details className={styles["options"]} data-testid="remeshing-options">
+          <summary>{texts.options}</summary>
+          {fields.slice(1).map((field) => (
+            <RemeshingField key={field} body={body} field={field} />
+          ))}
+        </details>
       )}
     </section>
   );
@@ -138,13 +140,16 @@ const defaults = {
 /** Returns the values of options that the user has not set: what the last preview has chosen, else the defaults. */
 function useAutomaticValues(body: ProjectBody): { readonly [F in Field]: number } {
   const { preparation } = usePreparation(body);
-  const box = useBody(body.id)?.inspection?.box;
+  const { box, edgeLengths } = useBody(body.id)?.inspection ?? {};
   const extents = box ? box.high.map((high, k) => high - (box.low[k] ?? 0)) : [];
-  const diagonal = (body.placement?.scale ?? 1) * Math.hypot(...extents);
+  const scale = body.placement?.scale ?? 1;
+  const diagonal = scale * Math.hypot(...extents);
   const prepared = preparation?.prepared;
   const given = body.remeshing?.size;
   const { minSize, tolerance, anglePerEdge } = defaults;
-  const size = prepared?.size ?? defaults.size * diagonal;
+  // Without a size, triangles that are refined stay as they are.
+  const kept = body.surface === "refine" ? edgeLengths : undefined;
+  const size = kept ? scale * kept.longest : (prepared?.size ?? defaults.size * diagonal);
   return {
     size,
     minSize: prepared?.minSize ?? (given === undefined ? minSize.diagonal * diagonal : minSize.size * given),

@@ -39,11 +39,11 @@ export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
         <CloseButton size="sm" aria-label={texts.close} onClick={close} />
       </div>
       <p>{texts.what}</p>
+      <p>{texts.promise}</p>
       <Beginnings />
       <Recent />
       <Examples />
       <footer className={styles["foot"]}>
-        <p>{texts.promise}</p>
         <ShowAgain />
       </footer>
     </section>

@@ -65,6 +65,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       className={styles["view"]}
       data-operation={hasOperation || undefined}
       data-split={showsPlane || undefined}
+      data-start={showsStart || undefined}
       data-replaying={isReplaying || undefined}
     >
       <ViewState container={container} />
