@@ -27,7 +27,7 @@ import {
   splitPart,
 } from "./surface-mesh-options.js";
 import { type SurfaceMesher, withControl } from "./surface-mesher.js";
-import { preparedSurface } from "./surface-preparation.js";
+import { preparedSurface, withoutCracks } from "./surface-preparation.js";
 import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
 
@@ -59,7 +59,9 @@ export async function readySurface(
   const isRemeshed = first.kind === "remesh";
   const isRepairImplied = repair === undefined && (isRemeshed || isCad);
   const preparation = { repair, innerShells, isRepairImplied, isRemeshed, isExact };
-  const prepared = await preparedSurface(mesher, given, preparation);
+  const isKept = repair === undefined && first.kind === "smaller";
+  const closed = isKept ? await withoutCracks(mesher, given, innerShells) : undefined;
+  const prepared = closed ?? (await preparedSurface(mesher, given, preparation));
   const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
   if (isRepairImplied && first.needles !== undefined && isVisiblyChanged(given, prepared)) {
     const { diagnostics } = await mesher.inspectSurface(given, { innerShells });

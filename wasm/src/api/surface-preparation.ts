@@ -1,9 +1,11 @@
 /** Makes a surface of a file ready for meshing: its repair, its solids, its patches by angle and its region points. */
 import { STEP_HEIGHT } from "../base/limits.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import { refuse } from "../diagnostics/mesher-error.js";
+import { inSteps } from "../calls/yielder.js";
+import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
+import { openEdges } from "../formats/open-edges.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/inspection.js";
@@ -17,6 +19,7 @@ import { hasSolids, withoutRegions } from "./solid-regions.js";
 import { checkedSolids, type Solids, withSolidRegions } from "./solids.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
 import { overlapWarning, touchingPairs, touchingSolids } from "./touching-solids.js";
+import { isVisiblyChanged, keepsTriangles } from "./visible-change.js";
 
 export interface PreparedSurface {
   readonly surface: SurfaceFile;
@@ -184,6 +187,27 @@ export async function madeFillable(
   return isChanged || solids !== undefined
     ? { surface: solids?.surface ?? surface, changes, repairDeviation, warnings }
     : { surface: given, warnings };
+}
+
+/**
+ * Returns a surface with open edges after a repair that closes it, keeps its triangles and changes nothing that one sees; undefined
+ * if it is closed, or if no such repair suffices.
+ */
+export async function withoutCracks(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  innerShells: InnerShells | undefined,
+): Promise<PreparedSurface | undefined> {
+  const { length } = await inSteps(openEdges(given.triangles, given.points.length / 3));
+  if (length === 0) return undefined;
+  const made = await madeFillable(mesher, given, { innerShells, isRemeshed: false }).catch(undefinedIfRefused);
+  if (made === undefined || !keepsTriangles(made) || isVisiblyChanged(given, made)) return undefined;
+  const { isFillable } = await mesher.inspectSurface(made.surface, { innerShells });
+  return isFillable ? made : undefined;
+}
+
+function undefinedIfRefused(failure: unknown): undefined {
+  if (!(failure instanceof MesherError) || failure.code !== "invalid-input") throw failure;
 }
 
 function limitsLost(): Diagnostic {

@@ -52,6 +52,20 @@ export function isVisiblyChanged(given: SurfaceFile, made: PreparedSurface): boo
   );
 }
 
+/** Changes after which each triangle is where it was, except those without an area and those that were there twice. */
+const KEEPING: ReadonlySet<RepairChange["kind"]> = new Set([
+  "welded-node",
+  "removed-node",
+  "removed-triangle",
+  "removed-duplicate",
+  "flipped-triangle",
+]);
+
+/** Returns whether a repair kept all triangles that a mesh can have. */
+export function keepsTriangles({ changes = [] }: PreparedSurface): boolean {
+  return changes.every(({ kind }) => KEEPING.has(kind));
+}
+
 /** Returns whether a change removed a whole triangle that has an area, and whose place none other has taken. */
 const isRemoved = (
   change: RepairChange,

@@ -256,9 +256,13 @@ async function inspectedSurface(
     return { ...result, diagnostics: [...diagnostics, ...more, ...others] };
   }
   const { changes, repairDeviation } = ready;
+  // An implied repair has welded nodes that nearly coincide.
+  const isChanged = changes !== undefined && changes.length > 0 && repair !== true;
+  const before = isChanged ? await mesher.inspectSurface(withoutRegions(given)) : undefined;
+  const near = before?.diagnostics.filter(({ code }) => code === "near-nodes") ?? [];
   return {
     ...result,
-    diagnostics: [...ready.diagnostics, ...diagnostics, ...others],
+    diagnostics: [...ready.diagnostics, ...near, ...diagnostics, ...others],
     changes,
     repairDeviation,
   };

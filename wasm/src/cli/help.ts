@@ -72,7 +72,8 @@ Surfaces
   By default, --surface auto, the mesh keeps every triangle of other surfaces if they are fit. If more than 2 %
   have an angle below 10 degrees, as in STL files of CAD programs, or an option of a remeshing such as --max-size
   or --tolerance is given, all are replaced. If an edge is longer than twice the target length, fit triangles are
-  split. A note states what was done. --join and several solids do not change this.
+  split. Fine cracks between them are welded. Notes state what was done. --join and
+  several solids do not change this.
 
   --surface keep keeps all triangles. If a triangle is larger than the target size, so are the elements next
   to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. Needle triangles lead to
