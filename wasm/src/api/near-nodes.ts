@@ -23,6 +23,20 @@ interface Pair {
   readonly distance: number;
 }
 
+/** Returns the distance that welds all nodes that nearly coincide; 0 without any. */
+export function* crackWidth({ points, triangles }: SurfaceInput): Steps<number> {
+  const pairs = yield* nearPairs(points, yield* openEdges(triangles, points.length / 3));
+  return pairs.length === 0 ? 0 : weldDistance(pairs);
+}
+
+function weldDistance(pairs: readonly Pair[]): number {
+  return roundedUp(MARGIN * widest(pairs));
+}
+
+function widest(pairs: readonly Pair[]): number {
+  return pairs.reduce((most, { distance }) => Math.max(most, distance), 0);
+}
+
 /** Returns a warning that names pairs of nodes that nearly coincide, and the distance that welds all of them. */
 export function* nearNodeWarnings(
   { points, triangles }: SurfaceInput,
@@ -30,8 +44,8 @@ export function* nearNodeWarnings(
 ): Steps<Diagnostic[]> {
   const pairs = yield* nearPairs(points, yield* openEdges(triangles, points.length / 3));
   if (pairs.length === 0) return [];
-  const gap = pairs.reduce((most, { distance }) => Math.max(most, distance), 0);
-  const distance = roundedUp(MARGIN * gap);
+  const gap = widest(pairs);
+  const distance = weldDistance(pairs);
   const named = [...pairs].sort((a, b) => a.one - b.one || a.other - b.other).slice(0, NAMED_PAIRS);
   const words = named.map((pair) => {
     const [one, other] = [name("surface-node", pair.one), name("surface-node", pair.other)];

@@ -27,7 +27,9 @@ import {
   splitPart,
 } from "./surface-mesh-options.js";
 import { type SurfaceMesher, withControl } from "./surface-mesher.js";
+import { hasSolids, withoutRegions } from "./solid-regions.js";
 import { preparedSurface, withoutCracks } from "./surface-preparation.js";
+import { touchingPairs, withTouchingSolids } from "./touching-solids.js";
 import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
 
@@ -55,16 +57,17 @@ export async function readySurface(
 ): Promise<ReadySurface> {
   const { innerShells, surface: wanted = isCad ? "remesh" : "auto" } = options;
   const repair = repairPart(options);
-  const first = await decided(given, wanted, options);
+  const stated = await withTouchingSolids(mesher, given, innerShells);
+  const first = await decidedForSolids(mesher, stated, wanted, options);
   const isRemeshed = first.kind === "remesh";
   const isRepairImplied = repair === undefined && (isRemeshed || isCad);
   const preparation = { repair, innerShells, isRepairImplied, isRemeshed, isExact };
   const isKept = repair === undefined && first.kind === "smaller";
-  const closed = isKept ? await withoutCracks(mesher, given, innerShells) : undefined;
-  const prepared = closed ?? (await preparedSurface(mesher, given, preparation));
+  const closed = isKept ? await withoutCracks(mesher, stated, innerShells) : undefined;
+  const prepared = closed ?? (await preparedSurface(mesher, stated, preparation));
   const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
-  if (isRepairImplied && first.needles !== undefined && isVisiblyChanged(given, prepared)) {
-    const { diagnostics } = await mesher.inspectSurface(given, { innerShells });
+  if (isRepairImplied && first.needles !== undefined && isVisiblyChanged(stated, prepared)) {
+    const { diagnostics } = await mesher.inspectSurface(stated, { innerShells });
     refuse(diagnostics.filter(({ severity }) => severity === "error"));
   }
   const treatment = repair === undefined ? first : await decided(whole, wanted, options);
@@ -79,6 +82,22 @@ export async function readySurface(
     split: split && { before: whole.patches.length, after: divided.patches.length },
     diagnostics: [...warnings, ...diagnostics],
   };
+}
+
+/** As `decided`; solids that touch in faces that are triangulated differently are remeshed too, which gives both the same face. */
+async function decidedForSolids(
+  mesher: SurfaceMesher,
+  surface: SurfaceFile,
+  wanted: NonNullable<SurfaceMeshOptions["surface"]>,
+  options: SurfaceMeshOptions,
+): Promise<Treatment> {
+  const treatment = await decided(surface, wanted, options);
+  const isAsked = treatment.kind !== "smaller" || repairPart(options) !== undefined;
+  if (isAsked || !hasSolids(surface)) return treatment;
+  const { innerShells } = options;
+  const { diagnostics } = await mesher.inspectSurface(withoutRegions(surface), { innerShells });
+  const touching = touchingPairs(surface.surfaceRegions, diagnostics);
+  return touching.length > 0 ? { kind: "remesh", touching: touching.length } : treatment;
 }
 
 /** Decides what becomes of the triangles: needles, and those for which options of a remeshing are given, are replaced. */

@@ -12,6 +12,7 @@ import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/ins
 import { crackWarning } from "./cracks.js";
 import { withoutFilledPatch } from "./filled-holes.js";
 import { hasRegionVolumes } from "./input-checks.js";
+import { crackWidth } from "./near-nodes.js";
 import type { RepairOptions } from "./option-types.js";
 import { joinedBodies, overlappingSolids } from "./overlaps.js";
 import { repairedSurface } from "./repaired-surface.js";
@@ -37,7 +38,7 @@ export async function repaired(
   options: RepairOptions | undefined,
 ): Promise<PreparedSurface> {
   if (options === undefined) return { surface: given };
-  const repair = await withinLimit(mesher, given, options);
+  const repair = (await weldedCracks(mesher, given, options)) ?? (await withinLimit(mesher, given, options));
   const { changes, deviation: repairDeviation, diagnostics } = repair;
   const surface = repairedSurface(given, repair);
   if (hasSolids(given)) {
@@ -88,6 +89,26 @@ async function solidsOfRepair(
         touching,
         overlaps: await overlappingSolids(mesher, given, touching, found),
       });
+}
+
+/**
+ * Welds the nodes along cracks whose nodes nearly coincide, in place of cutting triangles that cross there. Returns undefined if
+ * there are none, if a distance is given, or if this alone does not make the surface valid.
+ */
+async function weldedCracks(
+  mesher: SurfaceMesher,
+  given: SurfaceFile,
+  options: RepairOptions,
+): Promise<SurfaceRepair | undefined> {
+  if (options.weld !== undefined) return undefined;
+  const weld = await inSteps(crackWidth(given));
+  if (weld === 0) return undefined;
+  const repair = await mesher.repairSurface(given, { ...options, weld, resolveIntersections: false });
+  if (!keepsTriangles(repair)) return undefined;
+  const { isFillable } = await mesher.inspectSurface(withoutRegions(repairedSurface(given, repair)), {
+    innerShells: options.innerShells,
+  });
+  return isFillable ? repair : undefined;
 }
 
 /**
@@ -159,7 +180,8 @@ export async function madeFillable(
   if (areNested && (await mesher.inspectSurface(withoutRegions(given), { innerShells })).isFillable)
     return withSolidRegions(mesher, given, given);
   const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
-  const repair = await withinLimit(mesher, given, { innerShells, weldIntersections });
+  const wanted = { innerShells, weldIntersections };
+  const repair = (await weldedCracks(mesher, given, wanted)) ?? (await withinLimit(mesher, given, wanted));
   const { changes, deviation: repairDeviation, diagnostics } = repair;
   const made = repairedSurface(withoutRegions(given), repair);
   const joined = await joinedByRepair(mesher, given, made, repair, innerShells);
@@ -200,7 +222,9 @@ export async function withoutCracks(
 ): Promise<PreparedSurface | undefined> {
   const { length } = await inSteps(openEdges(given.triangles, given.points.length / 3));
   if (length === 0) return undefined;
-  const made = await madeFillable(mesher, given, { innerShells, isRemeshed: false }).catch(undefinedIfRefused);
+  const made = await madeFillable(mesher, given, { innerShells, isRemeshed: false }).catch(
+    undefinedIfRefused,
+  );
   if (made === undefined || !keepsTriangles(made) || isVisiblyChanged(given, made)) return undefined;
   const { isFillable } = await mesher.inspectSurface(made.surface, { innerShells });
   return isFillable ? made : undefined;

@@ -24,6 +24,8 @@ export interface Treatment {
   readonly kind: Exclude<SurfaceTreatment, "auto"> | "smaller";
   /** Shapes of the triangles, if they are the reason for which all are replaced. */
   readonly needles?: TriangleShapes | undefined;
+  /** Number of pairs of solids that touch in faces that are triangulated differently, if they are the reason. */
+  readonly touching?: number | undefined;
 }
 
 export interface TreatedSurface {
@@ -75,12 +77,16 @@ export async function treatedSurface(
 async function replaced(
   mesher: Mesher,
   given: SurfaceFile,
-  { treatment: { needles }, remeshing, options, sizeFactor, controlOf }: TreatmentOptions,
+  { treatment: { needles, touching }, remeshing, options, sizeFactor, controlOf }: TreatmentOptions,
 ): Promise<TreatedSurface> {
   const { size, growth, maxVolume, innerShells, background } = options;
   const all = { ...remeshing, size, sizeFactor, growth, maxVolume, innerShells, background };
   const made = await remeshed(mesher, given, all, { ...controlOf("remesh"), partial: true });
-  return needles === undefined ? made : { ...made, diagnostics: [needlesNote(needles), ...made.diagnostics] };
+  const notes = [
+    ...(needles === undefined ? [] : [needlesNote(needles)]),
+    ...(touching === undefined ? [] : [touchingNote(touching)]),
+  ];
+  return { ...made, diagnostics: [...notes, ...made.diagnostics] };
 }
 
 function hasSizes({ size, background, maxVolume }: MeshOptions): boolean {
@@ -133,6 +139,11 @@ function divided(lengthRatio: number): Diagnostic {
 function needlesNote({ needles, triangles, smallestAngle }: TriangleShapes): Diagnostic {
   const message = `${needles} of ${plural(triangles, "triangle")} ${needles === 1 ? "was a needle" : "were needles"} (smallest angle ${short(smallestAngle, 2)}°), so all were replaced, as by \`surface: "remesh"\``;
   return packageDiagnostic("replaced-surface", message, KEEP, "information");
+}
+
+function touchingNote(pairs: number): Diagnostic {
+  const message = `${plural(pairs, "pair")} of solids touch${pairs === 1 ? "es" : ""} in faces that are triangulated differently, so all triangles were replaced, as by \`surface: "remesh"\``;
+  return packageDiagnostic("replaced-surface", message, "", "information");
 }
 
 const countTriangles = ({ triangles }: SurfaceFile) => triangles.length / 3;

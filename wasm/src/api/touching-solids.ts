@@ -1,8 +1,11 @@
 /** Names the solids whose triangles intersect, where a surface consists of several. */
+import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { NO_REGION } from "../generated/constants.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import { NO_REGION, type InnerShells } from "../generated/constants.js";
 import type { SurfaceRegions } from "../mesh/file-mesh.js";
+import type { SurfaceMesher } from "./surface-mesher.js";
 
 /** Two solids with intersecting triangles: indices of their regions, the smaller first. */
 export interface TouchingPair {
@@ -35,6 +38,28 @@ export function touchingPairs(
     if (!pairs.has(key)) pairs.set(key, { regions, position });
   }
   return [...pairs.values()];
+}
+
+/**
+ * Returns a surface with regions if it states none, but consists of several solids that touch or intersect: patches that are closed
+ * by themselves, as the solids of an STL file. Else returns the given surface.
+ */
+export async function withTouchingSolids(
+  mesher: Pick<SurfaceMesher, "inspectSurface">,
+  given: SurfaceFile,
+  innerShells: InnerShells | undefined,
+): Promise<SurfaceFile> {
+  if (innerShells === "cavities" || given.patches.length < 2) return given;
+  const { solidsOfPatches } = await import("../formats/patch-solids.js");
+  const solids = await inSteps(solidsOfPatches(given));
+  if (solids === undefined) return given;
+  const { diagnostics } = await mesher.inspectSurface(given, { innerShells });
+  const areTouching = diagnostics.some(
+    ({ code, entities }) =>
+      (code === "self-intersection" || code === "duplicate-triangle") &&
+      new Set(entities.map(({ index }) => given.trianglePatch[index])).size > 1,
+  );
+  return areTouching ? solids : given;
 }
 
 function sidesOf(triangleRegions: Uint32Array, triangle: number): number[] {

@@ -62,7 +62,7 @@ const KEEPING: ReadonlySet<RepairChange["kind"]> = new Set([
 ]);
 
 /** Returns whether a repair kept all triangles that a mesh can have. */
-export function keepsTriangles({ changes = [] }: PreparedSurface): boolean {
+export function keepsTriangles({ changes = [] }: Pick<PreparedSurface, "changes">): boolean {
   return changes.every(({ kind }) => KEEPING.has(kind));
 }
 

@@ -41,7 +41,7 @@ export function refuseRepair(options: RepairOptions | undefined, what: string): 
 }
 
 /** Largest number of lines per kind of change; `--json` and `--report` list all. */
-const MAX_PER_KIND = 20;
+const MAX_PER_KIND = 5;
 
 /** Prints one line per change, one per kind that has more, and the largest distance by which a node was moved. */
 export function printChanges(
