@@ -2,7 +2,7 @@
 import { createMesher, type Mesher, type SurfaceInput } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import { sphereSurface } from "../../support/surfaces.js";
+import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 
 let mesher: Mesher;
 beforeAll(async () => {
@@ -35,6 +35,13 @@ describe("coarse-coordinates", () => {
     const next = 1e4 + Number(multiple);
     expect(Math.fround(next)).toBeCloseTo(next, 4);
     expect(Math.fround(1e4 + 0.4 * Number(multiple))).toBe(1e4);
+  });
+
+  test("says nothing of coordinates that need no more digits", async () => {
+    // Neighbouring numbers in single precision are 1/16 apart there.
+    const { points, triangles } = boxSurface(2, [0, 0, 0], [8, 8, 8]);
+    expect(await warned({ points: points.map((x) => x + 1e6), triangles })).toEqual([]);
+    expect(await warned({ points: points.map((x) => Math.fround(x / 7 + 1e6)), triangles })).toHaveLength(1);
   });
 
   test("says nothing where the digits suffice", async () => {

@@ -306,8 +306,9 @@ const repairSchema = objectWith({
 
 const gridSchema = objectWith({ sizes: v.optional(v.unknown()) });
 
-export function checkOptions(options: MeshOptions): Diagnostic[] {
-  return [...checkWithBackground(options, meshSchema), ...twoSizes(options)];
+/** Checks the options of a mesh. `others`: names of further options, which the caller has checked. */
+export function checkOptions(options: MeshOptions, others: readonly string[] = []): Diagnostic[] {
+  return [...checkWithBackground(options, meshSchema, others), ...twoSizes(options)];
 }
 
 export function checkProjectOptions(options: ProjectMeshOptions): Diagnostic[] {
@@ -397,8 +398,12 @@ export function checkRepairOptions(options: RepairOptions): Diagnostic[] {
 
 type SizeOptions = Pick<MeshOptions, "size" | "background">;
 
-function checkWithBackground(options: SizeOptions, schema: OptionsSchema): Diagnostic[] {
-  const wrong = checkAgainst(options, schema);
+function checkWithBackground(
+  options: SizeOptions,
+  schema: OptionsSchema,
+  others: readonly string[] = [],
+): Diagnostic[] {
+  const wrong = checkAgainst(options, schema, others);
   const { size, background } = asObject(options) as typeof options;
   if (background === undefined) return wrong;
   if (size !== undefined && !hasSourcesOnly(background)) {
@@ -411,7 +416,7 @@ function checkWithBackground(options: SizeOptions, schema: OptionsSchema): Diagn
 type OptionsSchema = v.StrictObjectSchema<v.ObjectEntries, undefined>;
 
 /** Returns one diagnostic per invalid option; for unknown options, one for the first. */
-function checkAgainst(options: unknown, schema: OptionsSchema): Diagnostic[] {
+function checkAgainst(options: unknown, schema: OptionsSchema, others: readonly string[] = []): Diagnostic[] {
   const parsed = v.safeParse(schema, options, { abortPipeEarly: true });
   if (parsed.success) return [];
   return parsed.issues.map(({ path, input, expected }) => {
@@ -421,7 +426,7 @@ function checkAgainst(options: unknown, schema: OptionsSchema): Diagnostic[] {
     }
     const known = Object.keys(schema.entries);
     if (expected === "never" && !known.includes(name)) {
-      const remedy = `Correct its name: the options are ${known.join(", ")}.`;
+      const remedy = `Correct its name: the options are ${[...known, ...others].join(", ")}.`;
       return invalidOption(name, `there is no option "${name}"`, remedy);
     }
     const { label, expected: permitted } = wordsOf(schema.entries[name], name);

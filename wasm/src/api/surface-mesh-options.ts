@@ -75,7 +75,7 @@ export function givenRemeshSetting(options: SurfaceMeshOptions): keyof RemeshSet
 
 /** Returns a diagnostic per invalid option. */
 export function checkSurfaceMeshOptions(options: SurfaceMeshOptions): Diagnostic[] {
-  const wrong = checkOptions(meshPart(options));
+  const wrong = checkOptions(meshPart(options), [...BEFORE_FILLING]);
   if (wrong.length > 0) return wrong;
   const repair = repairPart(options);
   const split = splitPart(options);

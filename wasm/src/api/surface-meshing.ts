@@ -68,7 +68,7 @@ export async function readySurface(
   const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
   if (isRepairImplied && first.needles !== undefined && isVisiblyChanged(stated, prepared)) {
     const { diagnostics } = await mesher.inspectSurface(stated, { innerShells });
-    refuse(diagnostics.filter(({ severity }) => severity === "error"));
+    refuse(diagnostics.filter(({ severity, code }) => severity === "error" || code === "coarse-coordinates"));
   }
   const treatment = repair === undefined ? first : await decided(whole, wanted, options);
   const split = splitPart(options);

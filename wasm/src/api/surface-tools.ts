@@ -54,6 +54,14 @@ import {
 import { splitSurface } from "./patch-names.js";
 import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
 
+/** The remedies for a surface that cannot be filled; the second one alone helps a remeshing. */
+const REMESH_OR_REPAIR = /`surface: "remesh"`, or a repair \(`repair: true` or `repairSurface\(\)`\),? /;
+
+/** Returns a diagnostic whose remedy does not advise the call that refuses the surface. */
+function withRepairOnly(found: Diagnostic): Diagnostic {
+  return { ...found, remedy: found.remedy.replace(REMESH_OR_REPAIR, "`repairSurface()` ") };
+}
+
 /** Returns the errors, with the warning that may explain them; nothing without errors. */
 function withCause(found: readonly Diagnostic[], coarse: readonly Diagnostic[]): Diagnostic[] {
   const errors = found.filter(({ severity }) => severity === "error");
@@ -168,7 +176,7 @@ export class SurfaceTools {
       regions: givenRegionsOf(surface),
     } as const;
     const remesh = await this.#client.ask(question, control);
-    const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface));
+    const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
     return describedRemesh(remesh, [...found, ...coarse]);

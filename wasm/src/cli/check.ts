@@ -259,10 +259,13 @@ async function inspectedSurface(
   // An implied repair has welded nodes that nearly coincide.
   const isChanged = changes !== undefined && changes.length > 0 && repair !== true;
   const before = isChanged ? await mesher.inspectSurface(withoutRegions(given)) : undefined;
+  // What is replaced anyway needs no advice.
+  const isReplaced = ready.treatment.kind === "remesh";
+  const shown = diagnostics.filter(({ code }) => !isReplaced || code !== "needle-surface");
   const near = before?.diagnostics.filter(({ code }) => code === "near-nodes") ?? [];
   return {
     ...result,
-    diagnostics: [...ready.diagnostics, ...near, ...diagnostics, ...others],
+    diagnostics: [...ready.diagnostics, ...near, ...shown, ...others],
     changes,
     repairDeviation,
   };

@@ -283,7 +283,8 @@ const REMESHING_STOPPED =
 function failed(failure: unknown, input: string, background: string | undefined): Outcome {
   const invalid = asInvalidInput(failure, input);
   if (invalid !== undefined) {
-    printWithGrid({ input: invalid.subject, background }, invalid.diagnostics, true);
+    // Warnings are among them only if they may explain the errors.
+    printWithGrid({ input: invalid.subject, background }, invalid.diagnostics, false);
     return invalidInput(invalid.diagnostics);
   }
   const engine = asEngineFailure(failure);

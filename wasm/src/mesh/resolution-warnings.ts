@@ -10,6 +10,9 @@ const COARSE = 1e-4;
 /** Largest coordinate / size of the surface below which it is not far from the origin. */
 const FAR = 16;
 
+/** Size of the surface / resolution up to which its shape is lost in any case. */
+const FEW = 16;
+
 /** Distance of neighbouring numbers / number: at most 2 to the power of minus these. */
 const SINGLE_BITS = 23;
 const DOUBLE_BITS = 52;
@@ -38,6 +41,9 @@ export function* resolutionWarnings({ points }: SurfaceInput): Steps<Diagnostic[
   if (!(largest > FAR * size) || !Number.isFinite(largest)) return [];
   const resolution = 2 ** (Math.floor(Math.log2(largest)) - (isSingle ? SINGLE_BITS : DOUBLE_BITS));
   if (resolution <= COARSE * size) return [];
+  // Numbers that need no more digits, such as integers, were not rounded; of a few different ones, nothing can be said.
+  const isOdd = (x: number) => Math.abs(x) >= largest / 2 && Math.abs(x / resolution) % 2 === 1;
+  if (size > FEW * resolution && !points.some(isOdd)) return [];
   const text = (length: number) => String(Number(length.toPrecision(DIGITS)));
   const digits = isSingle
     ? "single precision, with about 7 digits"
