@@ -156,7 +156,8 @@ void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
                         {regions.isBetweenBoundedVolumes(TriangleId(t)) ? 1.0 : 0.0});
   }
   for (const Counts& count : counts) {
-    if (count.flipped == 0 || isRefused(count)) continue;
+    // An interface has no outer side.
+    if (count.flipped == 0 || count.all == 0 || isRefused(count)) continue;
     report_.addInformation(DiagnosticCode::kReorientedPatch,
                            {{EntityKind::kTriangle, count.firstFlipped.value}},
                            centroidOf(cornersOf(mesh_, count.firstFlipped)),

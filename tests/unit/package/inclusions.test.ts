@@ -133,6 +133,12 @@ describe("nested solids of a file", () => {
     }
   });
 
+  test("of which all face inward are told as one component: an interface has no outer side", async () => {
+    save("solids.stl", solids(["matrix", turned(matrix)], ["inclusion", turned(ball)]));
+    const { stderr } = await run("mesh", "solids.stl", "-o", "a.vtu");
+    expect(stderr.match(/was inside out/g)).toHaveLength(1);
+  });
+
   test("keep their names and regions when they are remeshed, within the tolerance", async () => {
     save("solids.stl", solids(["matrix", matrix], ["inclusion", ball]));
     const { matrix: outer, inclusion } = volumesOf(await meshed("solids.stl", "--surface", "remesh"));

@@ -206,7 +206,7 @@ export function inspectedResult(
   const { surface, volume, patchShapes } = mesh;
   const meanEdge = inspection.edgeLengths.mean;
   const report: MeshReport = {
-    ...emptyReport("done", poorElementWarnings(inspection.quality)),
+    ...emptyReport("done", poorElementWarnings(inspection.quality, true)),
     triangles: surface.triangles.length / 3,
     patches: patchShapes.map((shape) => ({ ...shape, meanEdge: shape.meanEdge / meanEdge })),
     ...figuresOf(inspection),

@@ -129,7 +129,8 @@ function deviationWarnings({
   tolerance,
   mergedDetails,
 }: Pick<SurfaceRemesh, "deviation" | "tolerance" | "mergedDetails">): Diagnostic[] {
-  if (deviation <= tolerance) return [];
+  // What the digits of the message do not show is not worth one.
+  if (deviation <= tolerance * (1 + 10 ** -DIGITS)) return [];
   const [found, asked] = [deviation, tolerance].map((length) => Number(length.toPrecision(DIGITS)));
   const isByDetails = mergedDetails.length > 0;
   const cause = isByDetails ? ", because details were dropped" : "";

@@ -193,7 +193,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     const defects = defectsOf(inspection, mesh);
     return {
       kind: "mesh",
-      diagnostics: [...defects, ...poorElementWarnings(quality), ...notes(mesh)],
+      diagnostics: [...defects, ...poorElementWarnings(quality, true), ...notes(mesh)],
       inspection,
     };
   }

@@ -31,6 +31,7 @@ const CALLS: ReadonlyMap<string, string> = new Map([
   ["refineSurface", "--surface refine"],
   ["remeshSurface", "--surface remesh"],
   ["inspectSurface", "tetrafront check"],
+  ["improveMesh", "tetrafront improve"],
 ]);
 
 const OPTION_OR_CALL = /`([a-zA-Z]+(?:: (?:"[^"`]*"|[^"`]+))?)`,? or `[a-zA-Z]+\(\)`/g;

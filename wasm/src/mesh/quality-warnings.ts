@@ -40,9 +40,9 @@ export function* needleWarnings(surface: SurfaceInput): Steps<Diagnostic[]> {
 
 /**
  * Returns a warning that names the worst elements, with the reason of the worst one, if more than one in a hundred has a dihedral
- * angle below 10°, or one has an angle below 5°.
+ * angle below 10°, or one has an angle below 5°. `isGiven`: whether another program made the mesh.
  */
-export function poorElementWarnings(quality: QualityReport): Diagnostic[] {
+export function poorElementWarnings(quality: QualityReport, isGiven = false): Diagnostic[] {
   const { regions, binWidths, poor } = quality;
   const bins = POOR_ANGLE / binWidths.dihedral;
   const all = regions.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
@@ -61,7 +61,7 @@ export function poorElementWarnings(quality: QualityReport): Diagnostic[] {
     code: "poor-elements",
     severity: "warning",
     message: `${withCounting(message, entities)}${reasonText(poor)}`,
-    remedy: remedyFor(quality),
+    remedy: remedyFor(quality, isGiven),
     entities,
     position: worst[0]?.centroid,
     data: { count, tetrahedra: all, reason: poor.reason, angle: worst[0]?.dihedral.min ?? 0 },
@@ -86,7 +86,10 @@ function reasonText({ worst, reason, value, edge }: PoorElements): string {
 }
 
 /** Returns what helps against the reason of the worst element. */
-function remedyFor({ poor, limitedByBoundary: { edges, needles, narrowGaps } }: QualityReport): string {
+function remedyFor(
+  { poor, limitedByBoundary: { edges, needles, narrowGaps } }: QualityReport,
+  isGiven: boolean,
+): string {
   switch (poor.worst === null ? "other" : poor.reason) {
     case "wedge":
       return "No element can open this angle, so smaller elements do not help: blunt the edge in the program that made the shape, or accept it.";
@@ -95,6 +98,7 @@ function remedyFor({ poor, limitedByBoundary: { edges, needles, narrowGaps } }: 
     case "thickness":
       return thicknessRemedy(poor);
     case "other":
+      if (isGiven) return "Improve the mesh (`improveMesh()`).";
       return needles > edges + narrowGaps
         ? REMESH
         : 'Use smaller elements there, or `optimization: "thorough"`.';
