@@ -79,6 +79,7 @@ function shapesOf({ root, meshes }: CadResult & { readonly success: true }): Cad
   const names = namesOf(root, meshes);
   return meshes.map((mesh, m) => ({
     name: names.get(m) ?? "",
+    hasOwnName: !GENERIC.test(mesh.name),
     points: Float64Array.from(mesh.attributes.position.array),
     triangles: Uint32Array.from(mesh.index.array),
     faces: mesh.brep_faces.map(({ first, last, color }): CadFace => {

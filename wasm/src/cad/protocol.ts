@@ -41,6 +41,8 @@ export interface CadFace {
 export interface CadShape {
   /** Empty if the file has none. */
   readonly name: string;
+  /** Whether the name is the solid's own, and not that of the assembly above it. */
+  readonly hasOwnName: boolean;
   /** x y z per node, in millimetres; BREP files have no unit. */
   readonly points: Float64Array;
   readonly triangles: Uint32Array;

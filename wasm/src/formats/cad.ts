@@ -4,6 +4,7 @@
  */
 import { askForCad, notLoadedRemedy } from "../cad/cad-client.js";
 import type { CadFormat, CadShape, Deflection } from "../cad/protocol.js";
+import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import { wrongBrepCount } from "./brep-counts.js";
@@ -12,6 +13,7 @@ import type { MeshReader } from "./file-format.js";
 import { diagonalOf } from "./near-points.js";
 import { ReadFailure } from "./read-result.js";
 import { joinedSurface } from "./shape-surface.js";
+import { productSolids, productsOf } from "./step-products.js";
 import { stepNotes, stepText } from "./step-text.js";
 
 /**
@@ -42,7 +44,8 @@ function readerOf(format: CadFormat): MeshReader {
     const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
     const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
     const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
-    const { mesh: made, closedShapes } = await inSteps(joinedSurface(used), signal);
+    const named = format === "step" ? await inSteps(namedByProducts(used, bytes), signal) : used;
+    const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
     const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
     const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
     const notes = [...damage, ...(made.notes ?? []), ...tooSmall];
@@ -50,6 +53,14 @@ function readerOf(format: CadFormat): MeshReader {
     onWork?.(1);
     return format === "brep" ? mesh : { ...mesh, unit: "mm" };
   };
+}
+
+/** Returns the solids of an assembly with the names of the parts that they are, where OpenCascade knows only the assembly. */
+function* namedByProducts(shapes: readonly CadShape[], bytes: Uint8Array): Steps<readonly CadShape[]> {
+  if (shapes.length < 2 || shapes.every(({ hasOwnName }) => hasOwnName)) return shapes;
+  const faces = shapes.map((shape) => shape.faces.length);
+  const products = productsOf(faces, yield* productSolids(bytes));
+  return shapes.map((shape, s) => (shape.hasOwnName ? shape : { ...shape, name: products[s] ?? shape.name }));
 }
 
 const TOO_SMALL = "OpenCascade could not triangulate the faces as finely as the size asks; they are coarser";
