@@ -68,3 +68,8 @@ export type CadReply =
   /** OpenCascade failed in the file, its memory is exhausted, or the worker or the library could not be loaded. */
   | CadCrash
   | CadTimeout;
+
+/** Sent before the reply, when the library has been loaded and begins to read. */
+export interface CadLoaded {
+  readonly kind: "loaded";
+}

@@ -2,12 +2,12 @@
  * Reads STEP, IGES and BREP files by OpenCascade, which triangulates their faces. Each solid becomes a region, each
  * face a patch, in millimetres.
  */
-import { askForCad, notLoadedRemedy } from "../cad/cad-client.js";
+import { askForCad, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
 import type { CadFormat, CadShape, Deflection } from "../cad/protocol.js";
 import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
-import { wrongBrepCount } from "./brep-counts.js";
+import { damagedBrep } from "./brep-counts.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { MeshReader } from "./file-format.js";
 import { diagonalOf } from "./near-points.js";
@@ -39,7 +39,7 @@ function readerOf(format: CadFormat): MeshReader {
   return async (source: ByteSource, { signal, size, onWork }): Promise<FileMesh> => {
     const bytes = await allBytes(source);
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
-    const wrong = format === "brep" ? await inSteps(wrongBrepCount(bytes), signal) : undefined;
+    const wrong = format === "brep" ? await inSteps(damagedBrep(bytes), signal) : undefined;
     if (wrong !== undefined) throw wrong;
     const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
     const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
@@ -80,7 +80,7 @@ async function finer(
   const largest = coarse.reduce((most, { points }) => Math.max(most, diagonalOf(points)), 0);
   const distance = Math.max(PER_SIZE * size, FINEST * largest);
   const deflection = { distance, isRelative: false, angle: DEFLECTION.angle };
-  const reply = await askForCad({ format, bytes, deflection }, signal);
+  const reply = await askForCad({ format, bytes, deflection }, signal, secondsForFiner(bytes.length));
   const shapes = reply.kind === "read" ? reply.shapes.filter(hasTriangles) : [];
   return shapes.length > 0 ? shapes : coarse;
 }
@@ -111,15 +111,17 @@ async function shapesIn(
       throw new ReadFailure({ code: "too-large-file", message, remedy: smaller });
     }
     case "timed-out": {
-      const message = `OpenCascade was stopped: it did not finish the ${name} file within ${reply.seconds} s, far longer than files of this size take`;
+      const message = `the ${name} file seems to be damaged: OpenCascade was stopped after ${reply.seconds} s, far longer than files of this size take`;
       const simpler =
-        "Export the part again, because the file may be damaged. For an assembly, export the parts one by one, or triangulate them in the CAD program and export STL.";
-      throw new ReadFailure({ message, remedy: simpler });
+        "Export the part again. For an assembly, export the parts one by one, or triangulate them in the CAD program and export STL.";
+      const isSmall = request.bytes.length < SMALL_FILE;
+      const again = `Export the part again as ${name}, or in another format.`;
+      throw new ReadFailure({ message, remedy: isSmall ? again : simpler });
     }
     case "rejected":
       throw new ReadFailure({ message: `OpenCascade cannot read the file as ${name}`, remedy });
     case "failed":
-      throw new ReadFailure({ message: `OpenCascade failed in the file: ${reply.message}`, remedy });
+      throw new ReadFailure({ message: failedMessage(name, reply.message), remedy });
     case "read": {
       const shapes = reply.shapes.filter(hasTriangles);
       if (shapes.length > 0) return shapes;
@@ -127,6 +129,15 @@ async function shapesIn(
       throw new ReadFailure({ code: "no-triangles", message, remedy: "Export the part as solids." });
     }
   }
+}
+
+/** Bytes of files that contain a part, and not an assembly of many. */
+const SMALL_FILE = 1e5;
+
+/** Errors of WebAssembly mean that OpenCascade has followed a wrong number in the file; the program's own have a sentence. */
+function failedMessage(name: string, cause: string): string {
+  const isKnown = !/^an exception$|unreachable|out of bounds|null function|signature mismatch|divide by zero|overflow|invalid conversion|recursion|call stack/i.test(cause);
+  return `OpenCascade ended with an error in the ${name} file, which is damaged or contains shapes that it cannot read${isKnown ? ` (${cause})` : ""}`;
 }
 
 const EMPTY = { code: "empty-file", message: "the file is empty", remedy: "Export the part again." } as const;
