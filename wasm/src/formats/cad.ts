@@ -3,6 +3,7 @@
  * face a patch, in millimetres.
  */
 import { askForCad, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
+import { GENERIC } from "../cad/opencascade.js";
 import type { CadFormat, CadShape, Deflection } from "../cad/protocol.js";
 import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
@@ -60,7 +61,10 @@ function* namedByProducts(shapes: readonly CadShape[], bytes: Uint8Array): Steps
   if (shapes.length < 2 || shapes.every(({ hasOwnName }) => hasOwnName)) return shapes;
   const faces = shapes.map((shape) => shape.faces.length);
   const products = productsOf(faces, yield* productSolids(bytes));
-  return shapes.map((shape, s) => (shape.hasOwnName ? shape : { ...shape, name: products[s] ?? shape.name }));
+  return shapes.map((shape, s) => {
+    const product = products[s] ?? "";
+    return shape.hasOwnName || GENERIC.test(product) ? shape : { ...shape, name: product };
+  });
 }
 
 const TOO_SMALL = "OpenCascade could not triangulate the faces as finely as the size asks; they are coarser";
