@@ -26,10 +26,15 @@ export function threeMfFile(resources: string, items: string, unit = "millimeter
 <resources>${resources}</resources>
 <build>${items}</build>
 </model>`;
+  return packedModel(new TextEncoder().encode(model));
+}
+
+/** Returns a file with this model part. */
+export function packedModel(model: Uint8Array): Uint8Array {
   const types = `<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>`;
   const encode = (text: string) => new TextEncoder().encode(text);
   return zipSync(
-    { "[Content_Types].xml": encode(types), "3D/3dmodel.model": encode(model) },
+    { "[Content_Types].xml": encode(types), "3D/3dmodel.model": model },
     { mtime: new Date(1990, 0, 1) },
   );
 }

@@ -1,8 +1,10 @@
-/** Damaged counts of BREP files, which OpenCascade would try to read for minutes. */
+/** Damaged counts and shapes of BREP files, which OpenCascade would try to read for minutes. */
 import { readFileSync } from "node:fs";
 
 import { readSurface } from "tetrafront";
 import { expect, test } from "vitest";
+
+import { secondsFor } from "../../../wasm/dist/cad/cad-client.js";
 
 test.each([
   "Locations",
@@ -40,4 +42,28 @@ test("a BREP file with an impossible number of poles is refused at once, with th
   expect(read.success ? "" : read.errors[0].message).toMatch(
     /^line 7: the file is damaged: .*2000000000 poles/,
   );
+});
+
+const plate = readFileSync(new URL("../../fixtures/plate.brep", import.meta.url), "latin1");
+
+test.each([
+  ["cut off in a shape", (text: string) => text.slice(0, text.lastIndexOf("+3 0 *")), /found the end of the file: it is truncated; before it, 42 of 44/],
+  ["cut off before its shapes", (text: string) => text.slice(0, text.indexOf("TShapes")), /no table of shapes/],
+  ["without an end of a shape", (text: string) => text.replace(" 0 *", " 0 +"), /expected a part of shape 3, an edge, found "\+"/],
+  ["with a wrong kind of shape", (text: string) => text.replace("\nEd\n", "\nEx\n"), /expected the kind of shape 3, found "Ex"/],
+  ["with a part that comes later", (text: string) => text.replace("-44 0 +43 0 *", "-44 0 +2 0 *"), /a part of shape 3/],
+  ["with a curve that it lacks", (text: string) => text.replace("\n1  1 0 0 8", "\n1  99 0 0 8"), /geometry of shape 3, an edge/],
+])("a BREP file %s is refused at once", async (_, damage, message) => {
+  const damaged = damage(plate);
+  expect(damaged).not.toBe(plate);
+  const begin = performance.now();
+  const read = await readSurface(Buffer.from(damaged, "latin1"), { fileName: "a.brep" });
+  expect(read.success ? "" : read.errors[0].message).toMatch(message);
+  expect(read.success ? "" : read.errors[0].message).toMatch(/^line \d+: the file is damaged: /);
+  expect(performance.now() - begin).toBeLessThan(2000);
+});
+
+test("a file of a few kilobytes that keeps OpenCascade busy is stopped after seconds", () => {
+  expect(secondsFor(3300)).toBeLessThan(10);
+  expect(secondsFor(200_000)).toBeGreaterThan(60);
 });

@@ -4,20 +4,34 @@ import { untilCancelled } from "../calls/cancelling.js";
 import { cadLibrary } from "./cad-library.js";
 import type { CadWorker } from "./cad-host.js";
 import { startFailure } from "./crash.js";
-import type { CadReply, CadRequest } from "./protocol.js";
+import type { CadLoaded, CadReply, CadRequest } from "./protocol.js";
 
 export const notLoadedRemedy = cadHost.remedy;
 
 /**
  * Seconds after which the worker is terminated: OpenCascade cannot be interrupted or asked how far it is, and some damaged
- * files keep it busy forever. On a very busy machine, real parts took at most 25 s, and 220 s per megabyte.
+ * files keep it busy forever. On a very busy machine, real parts took at most 25 s, and 220 s per megabyte; files of a few
+ * kilobytes took less than 1 s.
  */
 const LIMIT = { base: 30, perMegabyte: 500 } as const;
+const SMALL_LIMIT = { base: 6, perMegabyte: 700 } as const;
 const MEGABYTE = 1e6;
+/** Bytes up to which the limit of small files holds. */
+const SMALL_FILE = 34_000;
+
+/** Seconds that the library gets to be loaded: in a browser, 7 MB from a server. */
+const LOADING = 60;
 
 /** Returns the longest time that the worker gets for a file, in seconds. */
 export function secondsFor(bytes: number): number {
-  return LIMIT.base + Math.ceil((LIMIT.perMegabyte * bytes) / MEGABYTE);
+  const most = ({ base, perMegabyte }: typeof LIMIT | typeof SMALL_LIMIT) =>
+    base + (perMegabyte * bytes) / MEGABYTE;
+  return Math.ceil(bytes < SMALL_FILE ? most(SMALL_LIMIT) : most(LIMIT));
+}
+
+/** Returns the longest time for a file that has been read before, and is triangulated more finely. */
+export function secondsForFiner(bytes: number): number {
+  return Math.max(secondsFor(bytes), LIMIT.base);
 }
 
 /**
@@ -35,9 +49,15 @@ export async function askForCad(
     return await untilCancelled(
       () =>
         new Promise<CadReply>((resolve) => {
-          timer = setTimeout(() => resolve({ kind: "timed-out", seconds }), seconds * 1000);
+          const stopAfter = (limit: number) => {
+            clearTimeout(timer);
+            timer = setTimeout(() => resolve({ kind: "timed-out", seconds: limit }), limit * 1000);
+          };
+          const onReply = (reply: CadReply | CadLoaded) =>
+            reply.kind === "loaded" ? stopAfter(seconds) : resolve(reply);
+          stopAfter(LOADING);
           try {
-            worker = cadHost.start({ onReply: resolve, onCrash: resolve });
+            worker = cadHost.start({ onReply, onCrash: resolve });
             worker.post({ ...request, library: cadLibrary() });
           } catch (failure) {
             resolve(startFailure(failure));

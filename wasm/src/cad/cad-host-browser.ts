@@ -1,7 +1,7 @@
 import { ENDED, watchLife, type LifeReply } from "../calls/worker-life.js";
 import type { CadHost } from "./cad-host.js";
 import { crashOf } from "./crash.js";
-import type { CadReply } from "./protocol.js";
+import type { CadLoaded, CadReply } from "./protocol.js";
 
 export const cadHost: CadHost = {
   remedy:
@@ -13,7 +13,7 @@ export const cadHost: CadHost = {
       name: "tetrafront-cad",
     });
     const life = watchLife(() => events.onCrash({ kind: "out-of-memory", message: ENDED }));
-    worker.onmessage = ({ data }: MessageEvent<CadReply | LifeReply>) =>
+    worker.onmessage = ({ data }: MessageEvent<CadReply | CadLoaded | LifeReply>) =>
       data.kind === "lives" ? life?.begin() : events.onReply(data);
     if (life !== undefined) worker.postMessage(life.request);
     worker.onmessageerror = () =>

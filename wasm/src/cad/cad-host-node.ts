@@ -1,7 +1,7 @@
 import { Worker } from "node:worker_threads";
 import type { CadHost } from "./cad-host.js";
 import { crashOf } from "./crash.js";
-import type { CadReply } from "./protocol.js";
+import type { CadLoaded, CadReply } from "./protocol.js";
 
 export const cadHost: CadHost = {
   remedy: "Install the optional package that reads CAD files: npm install occt-import-js@0.0.23",
@@ -11,7 +11,7 @@ export const cadHost: CadHost = {
       execArgv: [],
     });
     let isOver = false;
-    worker.on("message", (reply: CadReply) => events.onReply(reply));
+    worker.on("message", (reply: CadReply | CadLoaded) => events.onReply(reply));
     worker.on("error", (failure: unknown) => events.onCrash(crashOf(failure)));
     worker.on("exit", (code) => {
       if (!isOver) events.onCrash({ kind: "failed", message: `the worker ended with code ${code}` });

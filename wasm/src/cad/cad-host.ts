@@ -1,5 +1,5 @@
 /** The worker of a CAD file as its creator sees it, the same in browsers and Node. */
-import type { CadCrash, CadReply, CadRequest } from "./protocol.js";
+import type { CadCrash, CadLoaded, CadReply, CadRequest } from "./protocol.js";
 
 export interface CadWorker {
   post(request: CadRequest): void;
@@ -7,7 +7,7 @@ export interface CadWorker {
 }
 
 export interface CadWorkerEvents {
-  onReply(reply: CadReply): void;
+  onReply(reply: CadReply | CadLoaded): void;
   /** The worker ended by itself; no reply will follow. */
   onCrash(crash: CadCrash): void;
 }

@@ -1,10 +1,10 @@
 /** The creator of the worker as the worker sees it, the same in browsers and Node. */
 import type { CreateOpenCascade } from "./opencascade.js";
-import type { CadLibrary, CadReply, CadRequest } from "./protocol.js";
+import type { CadLibrary, CadLoaded, CadReply, CadRequest } from "./protocol.js";
 
 export interface CadPort {
   onRequest(handle: (request: CadRequest) => void): void;
-  post(reply: CadReply, transfer: readonly ArrayBuffer[]): void;
+  post(reply: CadReply | CadLoaded, transfer: readonly ArrayBuffer[]): void;
   /** Loads the library: its function that makes an instance, and the options that this function needs. */
   readonly library: (
     addresses: CadLibrary | undefined,

@@ -8,7 +8,9 @@ cadPort.onRequest((request) => void answer(request));
 async function answer(request: CadRequest): Promise<void> {
   const load = async () => {
     const { create, options } = await cadPort.library(request.library);
-    return create({ ...QUIET, ...options });
+    const library = await create({ ...QUIET, ...options });
+    cadPort.post({ kind: "loaded" }, []);
+    return library;
   };
   const reply = await readByOpenCascade(load, request);
   cadPort.post(reply, buffersOf(reply));

@@ -79,6 +79,7 @@ function shapesOf({ root, meshes }: CadResult & { readonly success: true }): Cad
   const names = namesOf(root, meshes);
   return meshes.map((mesh, m) => ({
     name: names.get(m) ?? "",
+    hasOwnName: !GENERIC.test(mesh.name),
     points: Float64Array.from(mesh.attributes.position.array),
     triangles: Uint32Array.from(mesh.index.array),
     faces: mesh.brep_faces.map(({ first, last, color }): CadFace => {
@@ -89,7 +90,7 @@ function shapesOf({ root, meshes }: CadResult & { readonly success: true }): Cad
 }
 
 /** Names that OpenCascade gives to shapes without one, when it reads and when it writes them. */
-const GENERIC = /^((SOLID|COMPOUND|COMPSOLID|SHELL|FACE)?|Open CASCADE STEP translator [\d. ]+)$/;
+export const GENERIC = /^((SOLID|COMPOUND|COMPSOLID|SHELL|FACE)?|Open CASCADE STEP translator [\d. ]+)$/;
 
 /** Returns the name of each mesh: its own, or that of the nearest part of the file above it that has one. */
 function namesOf(root: TreeNode, meshes: readonly TriangleMesh[]): Map<number, string> {

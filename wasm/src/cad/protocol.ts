@@ -41,6 +41,8 @@ export interface CadFace {
 export interface CadShape {
   /** Empty if the file has none. */
   readonly name: string;
+  /** Whether the name is the solid's own, and not that of the assembly above it. */
+  readonly hasOwnName: boolean;
   /** x y z per node, in millimetres; BREP files have no unit. */
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
@@ -66,3 +68,8 @@ export type CadReply =
   /** OpenCascade failed in the file, its memory is exhausted, or the worker or the library could not be loaded. */
   | CadCrash
   | CadTimeout;
+
+/** Sent before the reply, when the library has been loaded and begins to read. */
+export interface CadLoaded {
+  readonly kind: "loaded";
+}

@@ -1,8 +1,9 @@
 /**
- * Checks the counts of a BREP file before OpenCascade reads them: it would try to read as many entries as a damaged count
- * states, for minutes.
+ * Checks the counts and the shapes of a BREP file before OpenCascade reads them: it would try to read as many entries as a damaged
+ * count states, for minutes.
  */
 import { type Steps, stepwise } from "../base/steps.js";
+import { wrongShapes } from "./brep-shapes.js";
 import { failureAt, type ReadFailure } from "./read-result.js";
 
 /** The tables of a file in their order, and the fewest bytes that an entry takes. */
@@ -38,8 +39,8 @@ interface Table {
 
 const REMEDY = "Export the part again as BREP, or in another format.";
 
-/** Returns why a count of the file cannot be right; undefined if all can. O(n). */
-export function* wrongBrepCount(bytes: Uint8Array): Steps<ReadFailure | undefined> {
+/** Returns why a count or a shape of the file cannot be right; undefined if all can. O(n). */
+export function* damagedBrep(bytes: Uint8Array): Steps<ReadFailure | undefined> {
   const text = new TextDecoder("latin1").decode(bytes);
   const lines = text.split(/\r\n|\n|\r/);
   const tables: Table[] = [];
@@ -56,8 +57,15 @@ export function* wrongBrepCount(bytes: Uint8Array): Steps<ReadFailure | undefine
     const found = wrongTable(table, end - table.begin);
     if (found !== undefined) return found;
   }
-  return wrong;
+  if (wrong !== undefined) return wrong;
+  const shapes = tables.find(({ name }) => name === "TShapes");
+  if (shapes === undefined) return tables.length > 0 ? damaged(lines.length, NO_SHAPES) : undefined;
+  const counts = new Map(tables.map(({ name, words }) => [name, Number(words)]));
+  const found = yield* wrongShapes(lines, shapes.line, counts);
+  return found && damaged(found.line + 1, found.message);
 }
+
+const NO_SHAPES = 'it has no table of shapes, "TShapes"; it is truncated';
 
 /** `room`: number of bytes between this table and the next one. */
 function wrongTable({ name, words, line }: Table, room: number): ReadFailure | undefined {

@@ -2,16 +2,19 @@
  * Reads STEP, IGES and BREP files by OpenCascade, which triangulates their faces. Each solid becomes a region, each
  * face a patch, in millimetres.
  */
-import { askForCad, notLoadedRemedy } from "../cad/cad-client.js";
+import { askForCad, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
+import { GENERIC } from "../cad/opencascade.js";
 import type { CadFormat, CadShape, Deflection } from "../cad/protocol.js";
+import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
-import { wrongBrepCount } from "./brep-counts.js";
+import { damagedBrep } from "./brep-counts.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { MeshReader } from "./file-format.js";
 import { diagonalOf } from "./near-points.js";
 import { ReadFailure } from "./read-result.js";
 import { joinedSurface } from "./shape-surface.js";
+import { productSolids, productsOf } from "./step-products.js";
 import { stepNotes, stepText } from "./step-text.js";
 
 /**
@@ -37,12 +40,13 @@ function readerOf(format: CadFormat): MeshReader {
   return async (source: ByteSource, { signal, size, onWork }): Promise<FileMesh> => {
     const bytes = await allBytes(source);
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
-    const wrong = format === "brep" ? await inSteps(wrongBrepCount(bytes), signal) : undefined;
+    const wrong = format === "brep" ? await inSteps(damagedBrep(bytes), signal) : undefined;
     if (wrong !== undefined) throw wrong;
     const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
     const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
     const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
-    const { mesh: made, closedShapes } = await inSteps(joinedSurface(used), signal);
+    const named = format === "step" ? await inSteps(namedByProducts(used, bytes), signal) : used;
+    const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
     const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
     const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
     const notes = [...damage, ...(made.notes ?? []), ...tooSmall];
@@ -50,6 +54,17 @@ function readerOf(format: CadFormat): MeshReader {
     onWork?.(1);
     return format === "brep" ? mesh : { ...mesh, unit: "mm" };
   };
+}
+
+/** Returns the solids of an assembly with the names of the parts that they are, where OpenCascade knows only the assembly. */
+function* namedByProducts(shapes: readonly CadShape[], bytes: Uint8Array): Steps<readonly CadShape[]> {
+  if (shapes.length < 2 || shapes.every(({ hasOwnName }) => hasOwnName)) return shapes;
+  const faces = shapes.map((shape) => shape.faces.length);
+  const products = productsOf(faces, yield* productSolids(bytes));
+  return shapes.map((shape, s) => {
+    const product = products[s] ?? "";
+    return shape.hasOwnName || GENERIC.test(product) ? shape : { ...shape, name: product };
+  });
 }
 
 const TOO_SMALL = "OpenCascade could not triangulate the faces as finely as the size asks; they are coarser";
@@ -69,7 +84,7 @@ async function finer(
   const largest = coarse.reduce((most, { points }) => Math.max(most, diagonalOf(points)), 0);
   const distance = Math.max(PER_SIZE * size, FINEST * largest);
   const deflection = { distance, isRelative: false, angle: DEFLECTION.angle };
-  const reply = await askForCad({ format, bytes, deflection }, signal);
+  const reply = await askForCad({ format, bytes, deflection }, signal, secondsForFiner(bytes.length));
   const shapes = reply.kind === "read" ? reply.shapes.filter(hasTriangles) : [];
   return shapes.length > 0 ? shapes : coarse;
 }
@@ -100,15 +115,17 @@ async function shapesIn(
       throw new ReadFailure({ code: "too-large-file", message, remedy: smaller });
     }
     case "timed-out": {
-      const message = `OpenCascade was stopped: it did not finish the ${name} file within ${reply.seconds} s, far longer than files of this size take`;
+      const message = `the ${name} file seems to be damaged: OpenCascade was stopped after ${reply.seconds} s, far longer than files of this size take`;
       const simpler =
-        "Export the part again, because the file may be damaged. For an assembly, export the parts one by one, or triangulate them in the CAD program and export STL.";
-      throw new ReadFailure({ message, remedy: simpler });
+        "Export the part again. For an assembly, export the parts one by one, or triangulate them in the CAD program and export STL.";
+      const isSmall = request.bytes.length < SMALL_FILE;
+      const again = `Export the part again as ${name}, or in another format.`;
+      throw new ReadFailure({ message, remedy: isSmall ? again : simpler });
     }
     case "rejected":
       throw new ReadFailure({ message: `OpenCascade cannot read the file as ${name}`, remedy });
     case "failed":
-      throw new ReadFailure({ message: `OpenCascade failed in the file: ${reply.message}`, remedy });
+      throw new ReadFailure({ message: failedMessage(name, reply.message), remedy });
     case "read": {
       const shapes = reply.shapes.filter(hasTriangles);
       if (shapes.length > 0) return shapes;
@@ -116,6 +133,15 @@ async function shapesIn(
       throw new ReadFailure({ code: "no-triangles", message, remedy: "Export the part as solids." });
     }
   }
+}
+
+/** Bytes of files that contain a part, and not an assembly of many. */
+const SMALL_FILE = 1e5;
+
+/** Errors of WebAssembly mean that OpenCascade has followed a wrong number in the file; the program's own have a sentence. */
+function failedMessage(name: string, cause: string): string {
+  const isKnown = !/^an exception$|unreachable|out of bounds|null function|signature mismatch|divide by zero|overflow|invalid conversion|recursion|call stack/i.test(cause);
+  return `OpenCascade ended with an error in the ${name} file, which is damaged or contains shapes that it cannot read${isKnown ? ` (${cause})` : ""}`;
 }
 
 const EMPTY = { code: "empty-file", message: "the file is empty", remedy: "Export the part again." } as const;

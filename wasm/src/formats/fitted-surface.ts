@@ -252,6 +252,21 @@ function surfaceOfRevolution(origin: Vector, frame: Frame, radius: number, slope
 }
 
 function sphereOf(nodes: readonly Vector[]): FittedSurface | undefined {
+  const sphere = fittedSphere(nodes);
+  if (sphere === undefined) return undefined;
+  const { centre, radius } = sphere;
+  const mean = scaled(nodes.reduce(plus, [0, 0, 0]), 1 / nodes.length);
+  const outward = minus(mean, centre);
+  return stereographic(centre, radius, lengthOf(outward) > 0 ? outward : [0, 0, 1]);
+}
+
+export interface Sphere {
+  readonly centre: Vector;
+  readonly radius: number;
+}
+
+/** Returns the sphere nearest to positions, by the algebraic distance; undefined if they do not determine one. */
+export function fittedSphere(nodes: readonly Vector[]): Sphere | undefined {
   const mean = scaled(nodes.reduce(plus, [0, 0, 0]), 1 / nodes.length);
   const system = new LeastSquares(4);
   for (const p of nodes) {
@@ -261,14 +276,11 @@ function sphereOf(nodes: readonly Vector[]): FittedSurface | undefined {
   const [x, y, z, c] = system.solution() ?? [];
   if (x === undefined || y === undefined || z === undefined || c === undefined) return undefined;
   const radius = Math.sqrt(c + x * x + y * y + z * z);
-  if (!(radius > 0)) return undefined;
-  const centre = plus(mean, [x, y, z]);
-  const outward = minus(mean, centre);
-  return stereographic(centre, radius, lengthOf(outward) > 0 ? outward : [0, 0, 1]);
+  return radius > 0 ? { centre: plus(mean, [x, y, z]), radius } : undefined;
 }
 
 /** Coordinates are those of the projection from the point of the sphere opposite to `direction`: circles stay circles. */
-function stereographic(centre: Vector, radius: number, direction: Vector): FittedSurface {
+export function stereographic(centre: Vector, radius: number, direction: Vector): FittedSurface {
   const { x, y, axis } = frameOf(direction);
   return {
     kind: "sphere",

@@ -44,6 +44,20 @@ export function numbered(
   return Array.from({ length: count }, (_, i) => ({ name: names[i] ?? `${word} ${i + 1}`, tag: i + 1 }));
 }
 
+/** Numbers names that occur several times, from the second on: "bolt", "bolt 2". Keeps what has no name. O(n). */
+export function differentNames<Name extends string | undefined>(names: readonly Name[]): (Name | string)[] {
+  const given = new Set<string | undefined>(names);
+  const lastOf = new Map<string, number>();
+  return names.map((name) => {
+    if (name === undefined) return name;
+    const last = lastOf.get(name);
+    let number = (last ?? 0) + 1;
+    while (last !== undefined && given.has(`${name} ${number}`)) number++;
+    lastOf.set(name, number);
+    return last === undefined ? name : `${name} ${number}`;
+  });
+}
+
 /** Returns the number of groups that the indices refer to: the largest index plus 1. */
 export function countOf(indices: Uint32Array): number {
   return indices.reduce((count, index) => Math.max(count, index + 1), 0);

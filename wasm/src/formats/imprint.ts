@@ -14,6 +14,7 @@ import type { JoinedShapes } from "./joined-shapes.js";
 import { diagonalOf } from "./near-points.js";
 import { withoutPressFits } from "./press-fits.js";
 import { directedKey, type FacesAndRims, facesAndRims, pairKey, type Rim, type ShapeRange } from "./rims.js";
+import { hasBalls, withSeatedBalls } from "./seated-balls.js";
 import { type Segment, type Split, trianglesWithin, UnrolledGroup } from "./unrolled-group.js";
 
 /** Distance of faces that touch, relative to the diagonal: above the rounding of files, far below any clearance. */
@@ -27,9 +28,17 @@ export function* imprinted(given: JoinedShapes): Steps<JoinedShapes> {
   const tolerance = TOUCHING * diagonalOf(given.points);
   const found = yield* facesAndRims(given, tolerance);
   const moved = yield* withoutPressFits(given, found, tolerance);
-  if (moved === undefined) return yield* imprintedFaces(given, found, tolerance);
+  if (moved === undefined) return yield* seated(yield* imprintedFaces(given, found, tolerance), tolerance);
   const made = yield* imprintedFaces(moved, yield* facesAndRims(moved, tolerance), tolerance);
-  return keepsShapes(given, made) ? made : yield* imprintedFaces(given, found, tolerance);
+  const isKept = keepsShapes(given, made);
+  return yield* seated(isKept ? made : yield* imprintedFaces(given, found, tolerance), tolerance);
+}
+
+/** Gives balls the triangles of their seats, which have those that they share with other shapes. */
+function* seated(joined: JoinedShapes, tolerance: number): Steps<JoinedShapes> {
+  if (!hasBalls(joined, tolerance)) return joined;
+  const made = yield* withSeatedBalls(joined, yield* facesAndRims(joined, tolerance), tolerance);
+  return made !== joined && keepsShapes(joined, made) ? withoutUnused({ ...made, points: made.points.slice() }) : joined;
 }
 
 function* imprintedFaces(joined: JoinedShapes, found: FacesAndRims, tolerance: number): Steps<JoinedShapes> {

@@ -13,7 +13,7 @@ import {
   type Vector,
 } from "../base/vectors.js";
 import type { FileGroup } from "../mesh/file-mesh.js";
-import { listed } from "./groups.js";
+import { differentNames, listed } from "./groups.js";
 import { diagonalOf, weldWithin } from "./near-points.js";
 import { weldPoints } from "./weld.js";
 
@@ -59,7 +59,7 @@ export interface JoinedShapes {
 export function joinedShapes(shapes: readonly Shape[]): JoinedShapes {
   const count = shapes.reduce((sum, { triangles }) => sum + triangles.length / 3, 0);
   const joined: JoinedShapes = {
-    names: differentNames(shapes),
+    names: differentNames(shapes.map(({ name }, s) => (name === "" ? `solid ${s + 1}` : name))),
     points: new Float64Array(shapes.reduce((sum, { points }) => sum + points.length, 0)),
     triangles: new Uint32Array(3 * count),
     shapeOf: new Uint32Array(count),
@@ -86,17 +86,6 @@ export function joinedShapes(shapes: readonly Shape[]): JoinedShapes {
     triangle += triangles.length / 3;
   }
   return joined;
-}
-
-function differentNames(shapes: readonly Shape[]): string[] {
-  const taken = new Set<string>();
-  return shapes.map(({ name }, s) => {
-    const wanted = name === "" ? `solid ${s + 1}` : name;
-    let own = wanted;
-    for (let n = 2; taken.has(own); n++) own = `${wanted} ${n}`;
-    taken.add(own);
-    return own;
-  });
 }
 
 /** Distance within which nodes are welded, relative to the diagonal: far below any detail, above the rounding. */

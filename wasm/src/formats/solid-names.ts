@@ -2,11 +2,11 @@
 import type { FileGroup } from "../mesh/file-mesh.js";
 import type { SurfaceMesh } from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
-import { hasGenericName } from "./groups.js";
+import { differentNames, hasGenericName } from "./groups.js";
 
 /**
- * Returns the name of each region: that of the patch which alone is its outer shell; undefined for other regions, without a name,
- * and if several regions would have it. `trianglePatch`: indices in `patches`. O(n).
+ * Returns the name of each region: that of the patch which alone is its outer shell; undefined for other regions, and without a
+ * name. Names that several regions would have are numbered: "bolt", "bolt 2". `trianglePatch`: indices in `patches`. O(n).
  */
 export function namesOfSolids(
   surface: Pick<SurfaceMesh, "points" | "triangles" | "triangleRegions">,
@@ -21,8 +21,7 @@ export function namesOfSolids(
     const patch = patches[patchOfShell.get(shell) ?? -1];
     return patch === undefined || hasGenericName(patch) ? undefined : patch.name;
   });
-  const count = (name: string | undefined) => found.filter((other) => other === name).length;
-  return found.map((name) => (count(name) > 1 ? undefined : name));
+  return differentNames(found);
 }
 
 /** Returns per triangle the least node of the triangles that are connected to it. */

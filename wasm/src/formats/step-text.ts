@@ -8,7 +8,8 @@ import { listed } from "./groups.js";
 
 /** Entities that are solids. */
 const SOLID = /^(MANIFOLD_SOLID_BREP|BREP_WITH_VOIDS|FACETED_BREP|FACETED_BREP_AND_BREP_WITH_VOIDS)\b/;
-const INSTANCE = /#(\d+)\s*=\s*([^;]*);/g;
+/** A statement with its number and its definition, up to the first semicolon. */
+export const INSTANCE = /#(\d+)\s*=\s*([^;]*);/g;
 /** A length unit is a multiple of the metre, or of another unit. */
 const SCALE =
   /\bSI_UNIT\s*\(\s*(\$|\.[A-Z]+\.)\s*,\s*\.METRE\.\s*\)|\b(CONVERSION_BASED|CONTEXT_DEPENDENT)_UNIT\b/;

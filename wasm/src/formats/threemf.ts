@@ -20,6 +20,7 @@ import {
   type Transform,
   type Use,
 } from "./threemf-model.js";
+import { xmlInUtf8 } from "./xml-encoding.js";
 import { withShortSizes } from "./zip64.js";
 
 /** Limit of the model's size, per byte of the file and in addition: text of a mesh is packed to about a tenth. */
@@ -68,7 +69,7 @@ function modelIn(file: Uint8Array): Uint8Array {
     });
     const [model] = Object.keys(found).sort();
     const bytes = found[model ?? ""];
-    if (bytes !== undefined) return bytes;
+    if (bytes !== undefined) return xmlInUtf8(bytes);
   } catch {
     throw failureAt({ offset: 0 }, "the file is not a zip file, or it is damaged", THREE_MF_REMEDY);
   }

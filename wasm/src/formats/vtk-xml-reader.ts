@@ -23,6 +23,7 @@ import {
   REGION_ARRAYS,
 } from "./vtk-cells.js";
 import { failIn, type FoundArray, type Head, type Piece, readHead } from "./vtk-xml-head.js";
+import { xmlInUtf8 } from "./xml-encoding.js";
 import { unescaped } from "./xml-tags.js";
 
 const VTK_POLYGON = 7;
@@ -115,7 +116,7 @@ class XmlFile {
 const MAX_ESTIMATE = 0.99;
 
 export async function readVtkXml(source: ByteSource, { signal, onWork }: ReadContext): Promise<FileMesh> {
-  const mesh = await inSteps(meshIn(await allBytes(source), onWork), signal);
+  const mesh = await inSteps(meshIn(xmlInUtf8(await allBytes(source)), onWork), signal);
   onWork?.(1);
   return mesh;
 }
