@@ -67,12 +67,12 @@ describe("a surface of needles that are kept", () => {
       severity,
     ]);
 
-  test("gets a warning from check and its mesh another one", async () => {
+  test("gets a note from check and its mesh a warning", async () => {
     save("gear.off", offFile(needleGearSurface(24)));
     const check = await run("check", "gear.off", "--json");
     expect(check.code).toBe(0);
-    expect(warningsIn(check.stdout)).toContainEqual(["needle-surface", "warning"]);
-    expect(check.stdout).toContain("--surface remesh");
+    expect(warningsIn(check.stdout)).toContainEqual(["needle-surface", "information"]);
+    expect(check.stdout).toContain("A mesh replaces all triangles, as by --surface remesh.");
     const mesh = await run("mesh", "gear.off", "-o", "gear.vtu", ...KEEP, "--report", "-");
     expect(mesh.code).toBe(0);
     expect(warningsIn(mesh.stdout)).toContainEqual(["poor-elements", "warning"]);

@@ -259,9 +259,8 @@ async function inspectedSurface(
   // An implied repair has welded nodes that nearly coincide.
   const isChanged = changes !== undefined && changes.length > 0 && repair !== true;
   const before = isChanged ? await mesher.inspectSurface(withoutRegions(given)) : undefined;
-  // What is replaced anyway needs no advice.
   const isReplaced = ready.treatment.kind === "remesh";
-  const shown = diagnostics.filter(({ code }) => !isReplaced || code !== "needle-surface");
+  const shown = isReplaced ? diagnostics.flatMap((found) => withoutAdvice(found, isCad)) : diagnostics;
   const near = before?.diagnostics.filter(({ code }) => code === "near-nodes") ?? [];
   return {
     ...result,
@@ -269,6 +268,13 @@ async function inspectedSurface(
     changes,
     repairDeviation,
   };
+}
+
+/** Makes the warning about needles a note: a mesh replaces them. Triangles of CAD programs are always replaced: nothing is said. */
+function withoutAdvice(found: Diagnostic, isCad: boolean): Diagnostic[] {
+  if (found.code !== "needle-surface") return [found];
+  const remedy = 'A mesh replaces all triangles, as by `surface: "remesh"`.';
+  return isCad ? [] : [{ ...found, severity: "information", remedy }];
 }
 
 /** Returns why the input is refused; rethrows other failures. */
