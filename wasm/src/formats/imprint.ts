@@ -14,6 +14,7 @@ import type { JoinedShapes } from "./joined-shapes.js";
 import { diagonalOf } from "./near-points.js";
 import { withoutPressFits } from "./press-fits.js";
 import { directedKey, type FacesAndRims, facesAndRims, pairKey, type Rim, type ShapeRange } from "./rims.js";
+import { openedSurface } from "./sphere-pole.js";
 import { hasBalls, withSeatedBalls } from "./seated-balls.js";
 import { type Segment, type Split, trianglesWithin, UnrolledGroup } from "./unrolled-group.js";
 
@@ -120,12 +121,23 @@ class Imprint {
   }
 
   #unitOf(faces: FaceGroup): Unit | undefined {
-    const surface = this.#found.faces[faces[0] ?? 0]?.surface;
-    if (surface === undefined) return undefined;
+    const own = this.#found.faces[faces[0] ?? 0]?.surface;
+    if (own === undefined) return undefined;
+    const surface = own.kind === "sphere" ? openedSurface(own, this.#positionsOf(faces)) : own;
     const options = { segments: this.#segmentsOf(faces), tolerance: this.#tolerance };
     const plane = new UnrolledGroup(surface, this.#nodes, options);
     this.#split(plane.splitsAtCut(options.segments));
     return { faces, surface, plane };
+  }
+
+  /** Returns the positions of all nodes of faces, also those that their rims got. */
+  #positionsOf(faces: FaceGroup): Vector[] {
+    const nodes = new Set(this.#segmentsOf(faces).flat());
+    for (const f of faces) {
+      const { begin = 0, end = 0 } = this.#found.faces[f] ?? {};
+      for (const node of this.#joined.triangles.subarray(3 * begin, 3 * end)) nodes.add(node);
+    }
+    return [...nodes].map((node) => this.#nodes.positionOf(node));
   }
 
   /** Adds the nodes where the rims of the faces meet. Returns whether all were found. */
