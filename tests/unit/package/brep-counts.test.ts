@@ -47,12 +47,36 @@ test("a BREP file with an impossible number of poles is refused at once, with th
 const plate = readFileSync(new URL("../../fixtures/plate.brep", import.meta.url), "latin1");
 
 test.each([
-  ["cut off in a shape", (text: string) => text.slice(0, text.lastIndexOf("+3 0 *")), /found the end of the file: it is truncated; before it, 42 of 44/],
-  ["cut off before its shapes", (text: string) => text.slice(0, text.indexOf("TShapes")), /no table of shapes/],
-  ["without an end of a shape", (text: string) => text.replace(" 0 *", " 0 +"), /expected a part of shape 3, an edge, found "\+"/],
-  ["with a wrong kind of shape", (text: string) => text.replace("\nEd\n", "\nEx\n"), /expected the kind of shape 3, found "Ex"/],
-  ["with a part that comes later", (text: string) => text.replace("-44 0 +43 0 *", "-44 0 +2 0 *"), /a part of shape 3/],
-  ["with a curve that it lacks", (text: string) => text.replace("\n1  1 0 0 8", "\n1  99 0 0 8"), /geometry of shape 3, an edge/],
+  [
+    "cut off in a shape",
+    (text: string) => text.slice(0, text.lastIndexOf("+3 0 *")),
+    /found the end of the file: it is truncated; before it, 42 of 44/,
+  ],
+  [
+    "cut off before its shapes",
+    (text: string) => text.slice(0, text.indexOf("TShapes")),
+    /no table of shapes/,
+  ],
+  [
+    "without an end of a shape",
+    (text: string) => text.replace(" 0 *", " 0 +"),
+    /expected a part of shape 3, an edge, found "\+"/,
+  ],
+  [
+    "with a wrong kind of shape",
+    (text: string) => text.replace("\nEd\n", "\nEx\n"),
+    /expected the kind of shape 3, found "Ex"/,
+  ],
+  [
+    "with a part that comes later",
+    (text: string) => text.replace("-44 0 +43 0 *", "-44 0 +2 0 *"),
+    /a part of shape 3/,
+  ],
+  [
+    "with a curve that it lacks",
+    (text: string) => text.replace("\n1  1 0 0 8", "\n1  99 0 0 8"),
+    /geometry of shape 3, an edge/,
+  ],
 ])("a BREP file %s is refused at once", async (_, damage, message) => {
   const damaged = damage(plate);
   expect(damaged).not.toBe(plate);

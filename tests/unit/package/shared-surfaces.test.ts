@@ -9,7 +9,14 @@ import { withoutPause } from "../../../wasm/src/base/steps.js";
 import type { Shape } from "../../../wasm/src/formats/joined-shapes.js";
 import { surfaceOfShapes } from "../../../wasm/src/formats/shape-surface.js";
 import { surfaceOf } from "../../../wasm/src/formats/surface-file.js";
-import { arcOf, type Motion, NO_MOTION, roundShape, straightFaces } from "../../support/round-shapes.js";
+import {
+  arcOf,
+  type Motion,
+  moved,
+  NO_MOTION,
+  roundShape,
+  straightFaces,
+} from "../../support/round-shapes.js";
 
 let mesher: Mesher;
 beforeAll(async () => {
@@ -167,6 +174,112 @@ describe.each([
     ]);
     near(joined.areas.get("ball/socket"), 2 * Math.PI * 5 * 4, 0.02);
     await expectJoined(joined, 2);
+  });
+
+  describe("a ball of radius 5, rotated by 0.9,", () => {
+    const rotated = (given: Parameters<typeof roundShape>[0], angle = 0.9): Shape => {
+      const { points, ...rest } = roundShape(given, { axis: [0.6, 0.8, 0], angle, offset: [0, 0, 0] });
+      const positions = Array.from({ length: points.length / 3 }, (_, p) =>
+        moved([points[3 * p] ?? 0, points[3 * p + 1] ?? 0, points[3 * p + 2] ?? 0], motion),
+      );
+      return { ...rest, points: Float64Array.from(positions.flat()) };
+    };
+    const wholeBall = { name: "ball", profile: [arcOf(5, 0, -90, 90, 40)], edges: 64, phase: 0.02 };
+    const degrees = (sine: number) => Math.asin(sine) * (180 / Math.PI);
+
+    /** A block around the lower part of the ball, up to a height. */
+    const socket = (top: number, name = "socket") => {
+      const rim = Math.sqrt(25 - top * top);
+      const profile = [
+        ...straightFaces([0, -8], [9, -8], [9, top], [rim, top]),
+        arcOf(5, 0, degrees(top / 5), -90, 24),
+      ];
+      return { name, profile, edges: 60, phase: 0 };
+    };
+    /** A block around the upper part of the ball, from a height on. */
+    const cap = (bottom: number, edges = 60) => {
+      const rim = Math.sqrt(25 - bottom * bottom);
+      const profile = [
+        ...straightFaces([rim, bottom], [9, bottom], [9, 8], [0, 8]),
+        arcOf(5, 0, 90, degrees(bottom / 5), 24),
+      ];
+      return { name: "cap", profile, edges, phase: 0.03 };
+    };
+    const inZone = (height: number) => 2 * Math.PI * 5 * height;
+
+    test.each([-3, 0, 3])("shares its socket up to height %s", async (top) => {
+      const joined = made([shape(socket(top)), rotated(wholeBall)]);
+      near(joined.areas.get("ball/socket"), inZone(5 + top), 0.02);
+      near(joined.volumes[1], (4 / 3) * Math.PI * 125, 0.02);
+      await expectJoined(joined, 2);
+    });
+
+    test("is shared in whichever order the solids are, and with faces in halves", async () => {
+      const joined = made([rotated({ ...wholeBall, isHalved: true }), shape(socket(0))]);
+      near(joined.areas.get("ball/socket"), inZone(5), 0.02);
+      await expectJoined(joined, 2);
+    });
+
+    test.each([
+      ["two cups with a common rim", 0, 0],
+      ["two caps with a gap", -2, 2.5],
+    ])("shares %s", async (_name, top, bottom) => {
+      const joined = made([shape(socket(top)), shape(cap(bottom, 68)), rotated(wholeBall)]);
+      near(joined.areas.get("ball/socket"), inZone(5 + top), 0.02);
+      near(joined.areas.get("ball/cap"), inZone(5 - bottom), 0.02);
+      await expectJoined(joined, 3);
+    });
+
+    test("shares a ring around it", async () => {
+      const rim = Math.sqrt(21);
+      const ring = {
+        name: "ring",
+        profile: [
+          ...straightFaces([rim, -2], [9, -2], [9, 2], [rim, 2]),
+          arcOf(5, 0, degrees(0.4), degrees(-0.4), 8),
+        ],
+        edges: 60,
+        phase: 0,
+      };
+      const joined = made([shape(ring), rotated(wholeBall)]);
+      near(joined.areas.get("ball/ring"), inZone(4), 0.02);
+      await expectJoined(joined, 2);
+    });
+
+    test("on a neck, shares a deep socket", async () => {
+      const stud = {
+        name: "stud",
+        profile: [
+          arcOf(5, 0, -90, 70, 36),
+          ...straightFaces(
+            [5 * Math.cos((7 * Math.PI) / 18), 5 * Math.sin((7 * Math.PI) / 18)],
+            [1.7, 12],
+            [0, 12],
+          ),
+        ],
+        edges: 64,
+        phase: 0.02,
+      };
+      const joined = made([shape(socket(2)), rotated(stud, 0.6)]);
+      near(joined.areas.get("socket/stud"), inZone(7), 0.02);
+      await expectJoined(joined, 2);
+    });
+
+    test("of two solids, shares its socket with both", async () => {
+      const half = (name: string, from: number) => {
+        const flat = straightFaces([5, 0], [0, 0]);
+        const profile =
+          from < 0
+            ? [arcOf(5, 0, -90, 0, 24), ...flat]
+            : [...straightFaces([0, 0], [5, 0]), arcOf(5, 0, 0, 90, 24)];
+        return { name, profile, edges: 64, phase: from < 0 ? 0 : 0.02 };
+      };
+      const joined = made([shape(socket(0)), rotated(half("lower", -1)), rotated(half("upper", 1))]);
+      const sum = (joined.areas.get("lower/socket") ?? 0) + (joined.areas.get("socket/upper") ?? 0);
+      near(sum, inZone(5), 0.02);
+      near(joined.areas.get("lower/upper"), Math.PI * 25, 0.02);
+      await expectJoined(joined, 3);
+    });
   });
 
   test("a clearance stays: nothing is shared, and nothing is changed", () => {

@@ -68,7 +68,9 @@ export function* wrongShapes(
     if (wrong !== undefined) return wrong;
     if (shape % STEP === 0) yield PAUSE;
   }
-  return parser.wrongReference(shapes + 1) ? parser.wrong("the reference to the whole shape", shapes) : undefined;
+  return parser.wrongReference(shapes + 1)
+    ? parser.wrong("the reference to the whole shape", shapes)
+    : undefined;
 }
 
 /** The version is among the first lines. */
@@ -81,7 +83,10 @@ function missingShapes(lines: readonly string[], begin: number, shapes: number):
   if (ends >= shapes) return undefined;
   let line = lines.length - 1;
   while (line > 0 && (lines[line] ?? "").trim() === "") line--;
-  return { line, message: `it announces ${shapes} shapes, but contains ${ends}; it is truncated, or lines are missing` };
+  return {
+    line,
+    message: `it announces ${shapes} shapes, but contains ${ends}; it is truncated, or lines are missing`,
+  };
 }
 
 class ShapeParser {
@@ -99,10 +104,13 @@ class ShapeParser {
   wrongShape(shape: number): WrongShape | undefined {
     const kind = this.#next();
     const name = KINDS[kind];
-    const wrong = (expected: string) => this.wrong(`${expected} of shape ${shape}${name ? `, ${article(name)} ${name}` : ""}`, shape - 1);
+    const wrong = (expected: string) =>
+      this.wrong(`${expected} of shape ${shape}${name ? `, ${article(name)} ${name}` : ""}`, shape - 1);
     if (name === undefined) return wrong("the kind");
-    if (kind === "Ve" && !(this.#numbers(4) && this.#representations(OF_VERTEX, true))) return wrong("the geometry");
-    if (kind === "Ed" && !(this.#numbers(4) && this.#representations(OF_EDGE, false))) return wrong("the geometry");
+    if (kind === "Ve" && !(this.#numbers(4) && this.#representations(OF_VERTEX, true)))
+      return wrong("the geometry");
+    if (kind === "Ed" && !(this.#numbers(4) && this.#representations(OF_EDGE, false)))
+      return wrong("the geometry");
     if (kind === "Fa" && !this.#face()) return wrong("the surface");
     if (!/^[01]{7}$/.test(this.#next())) return wrong("the seven flags");
     for (let sub = this.#next(); sub !== "*"; sub = this.#next()) {
@@ -173,8 +181,7 @@ class ShapeParser {
 
   /** Reads whether a face is bounded, its tolerance, surface and location, and its triangulation, on a line of its own. */
   #face(): boolean {
-    const isRead =
-      this.#numbers(2) && this.#surface() && this.#argument("l");
+    const isRead = this.#numbers(2) && this.#surface() && this.#argument("l");
     const next = this.#reading.lines[this.#line + 1] ?? "";
     if (!isRead || this.#words.length > 0 || !next.startsWith("2")) return isRead;
     this.#next();

@@ -140,7 +140,10 @@ const SMALL_FILE = 1e5;
 
 /** Errors of WebAssembly mean that OpenCascade has followed a wrong number in the file; the program's own have a sentence. */
 function failedMessage(name: string, cause: string): string {
-  const isKnown = !/^an exception$|unreachable|out of bounds|null function|signature mismatch|divide by zero|overflow|invalid conversion|recursion|call stack/i.test(cause);
+  const isKnown =
+    !/^an exception$|unreachable|out of bounds|null function|signature mismatch|divide by zero|overflow|invalid conversion|recursion|call stack/i.test(
+      cause,
+    );
   return `OpenCascade ended with an error in the ${name} file, which is damaged or contains shapes that it cannot read${isKnown ? ` (${cause})` : ""}`;
 }
 

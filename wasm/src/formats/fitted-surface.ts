@@ -17,6 +17,8 @@ export type Uv = readonly [u: number, v: number];
 
 export interface FittedSurface {
   readonly kind: "plane" | "cylinder" | "cone" | "sphere";
+  /** Of spheres. */
+  readonly sphere?: Sphere;
   /** Length after which `u` repeats; 0 if it does not. */
   readonly period: number;
   /** Returns the distance of a position. */
@@ -284,6 +286,7 @@ export function stereographic(centre: Vector, radius: number, direction: Vector)
   const { x, y, axis } = frameOf(direction);
   return {
     kind: "sphere",
+    sphere: { centre, radius },
     period: 0,
     distance: (p) => Math.abs(lengthOf(minus(p, centre)) - radius),
     uv: (p) => {

@@ -14,6 +14,7 @@ import type { JoinedShapes } from "./joined-shapes.js";
 import { diagonalOf } from "./near-points.js";
 import { withoutPressFits } from "./press-fits.js";
 import { directedKey, type FacesAndRims, facesAndRims, pairKey, type Rim, type ShapeRange } from "./rims.js";
+import { type OpenedSurface, openedSurface } from "./sphere-pole.js";
 import { hasBalls, withSeatedBalls } from "./seated-balls.js";
 import { type Segment, type Split, trianglesWithin, UnrolledGroup } from "./unrolled-group.js";
 
@@ -38,7 +39,9 @@ export function* imprinted(given: JoinedShapes): Steps<JoinedShapes> {
 function* seated(joined: JoinedShapes, tolerance: number): Steps<JoinedShapes> {
   if (!hasBalls(joined, tolerance)) return joined;
   const made = yield* withSeatedBalls(joined, yield* facesAndRims(joined, tolerance), tolerance);
-  return made !== joined && keepsShapes(joined, made) ? withoutUnused({ ...made, points: made.points.slice() }) : joined;
+  return made !== joined && keepsShapes(joined, made)
+    ? withoutUnused({ ...made, points: made.points.slice() })
+    : joined;
 }
 
 function* imprintedFaces(joined: JoinedShapes, found: FacesAndRims, tolerance: number): Steps<JoinedShapes> {
@@ -72,6 +75,8 @@ interface Unit {
   readonly faces: FaceGroup;
   readonly surface: FittedSurface;
   readonly plane: UnrolledGroup;
+  /** Node around which the plane has a hole. */
+  readonly pole: number | undefined;
 }
 
 /** Rounds after which segments still meet only because of rounding. */
@@ -120,12 +125,27 @@ class Imprint {
   }
 
   #unitOf(faces: FaceGroup): Unit | undefined {
-    const surface = this.#found.faces[faces[0] ?? 0]?.surface;
-    if (surface === undefined) return undefined;
+    const own = this.#found.faces[faces[0] ?? 0]?.surface;
+    if (own === undefined) return undefined;
+    const { surface, pole } = this.#opened(own, faces);
     const options = { segments: this.#segmentsOf(faces), tolerance: this.#tolerance };
     const plane = new UnrolledGroup(surface, this.#nodes, options);
     this.#split(plane.splitsAtCut(options.segments));
-    return { faces, surface, plane };
+    return { faces, surface, plane, pole };
+  }
+
+  #opened(surface: FittedSurface, faces: FaceGroup): OpenedSurface {
+    if (surface.kind !== "sphere") return { surface };
+    const triangles = faces.flatMap((f) => {
+      const { begin = 0, end = 0 } = this.#found.faces[f] ?? {};
+      return [...this.#joined.triangles.subarray(3 * begin, 3 * end)];
+    });
+    const positionOf = (node: number) => this.#nodes.positionOf(node);
+    return openedSurface(surface, {
+      positionOf,
+      triangles,
+      rimNodes: new Set(this.#segmentsOf(faces).flat()),
+    });
   }
 
   /** Adds the nodes where the rims of the faces meet. Returns whether all were found. */
@@ -205,9 +225,10 @@ class Imprint {
     return others.toSorted((a, b) => distance(a) - distance(b) || a - b);
   }
 
-  #triangulate({ faces, plane, surface }: Unit): boolean {
+  #triangulate({ faces, plane, surface, pole }: Unit): boolean {
     try {
-      const all = plane.triangles(this.#segmentsOf(faces), this.#innerNodes(faces, surface));
+      const inPlane = plane.triangles(this.#segmentsOf(faces), this.#innerNodes(faces, surface, pole));
+      const all = pole === undefined ? inPlane : withFan(inPlane, pole);
       for (const f of faces) {
         const isForward = facesOutward(this.#joined, { begin: this.#found.faces[f]?.begin ?? 0, surface });
         const own = trianglesWithin(all, this.#borderOf(f, isForward));
@@ -234,12 +255,13 @@ class Imprint {
   }
 
   /** Returns nodes inside the faces, which only spheres need: elsewhere, the nodes of the rims suffice. */
-  #innerNodes(faces: FaceGroup, { kind }: FittedSurface): number[] {
+  #innerNodes(faces: FaceGroup, { kind }: FittedSurface, pole: number | undefined): number[] {
     if (kind !== "sphere") return [];
     const spacing = SPACING * this.#meanEdge(faces);
     const rimNodes = new Set(this.#segmentsOf(faces).flat());
     const kept = new GrowingNodes(new Float64Array(), spacing);
     for (const node of rimNodes) kept.add(this.#nodes.positionOf(node));
+    if (pole !== undefined) kept.add(this.#nodes.positionOf(pole));
     const inner: number[] = [];
     for (const f of faces) {
       const { begin = 0, end = 0 } = this.#found.faces[f] ?? {};
@@ -344,6 +366,16 @@ class Imprint {
 
 /** Distance of inner nodes / mean length of edges, below which one of two is left out. */
 const SPACING = 0.5;
+
+/** Returns triangles of a sphere without its pole, and those around the pole. */
+function withFan(triangles: Uint32Array, pole: number): Uint32Array {
+  const edges = new Map<number, Segment>();
+  triangles.forEach((a, corner) => {
+    const b = triangles[corner % 3 === 2 ? corner - 2 : corner + 1] ?? 0;
+    if (!edges.delete(directedKey(b, a))) edges.set(directedKey(a, b), [a, b]);
+  });
+  return Uint32Array.from([...triangles, ...[...edges.values()].flatMap(([a, b]) => [b, a, pole])]);
+}
 
 const segmentsAlong = (nodes: readonly number[]): Segment[] =>
   nodes.slice(1).map((node, i) => [nodes[i] ?? 0, node]);

@@ -4,16 +4,7 @@
  * rest of the sphere is triangulated in a stereographic projection from a point in a seat, so that circles stay circles.
  */
 import { PAUSE, type Steps } from "../base/steps.js";
-import {
-  centroidOf,
-  cornersOf,
-  cross,
-  dot,
-  lengthOf,
-  minus,
-  pointOf,
-  type Vector,
-} from "../base/vectors.js";
+import { centroidOf, cornersOf, cross, dot, lengthOf, minus, pointOf, type Vector } from "../base/vectors.js";
 import { constrainedTriangles, CrossingConstraints } from "./constrained-triangulation.js";
 import { facesOutward } from "./face-groups.js";
 import { fittedSphere, type Sphere, stereographic } from "./fitted-surface.js";
@@ -71,8 +62,8 @@ export function hasBalls(joined: JoinedShapes, tolerance: number): boolean {
 /** Returns the solids that are whole spheres. */
 function* ballsIn(joined: JoinedShapes, tolerance: number): Generator<Ball> {
   const { shapeOf } = joined;
-  for (let begin = 0, end = 0; begin < shapeOf.length; begin = end) {
-    end = begin;
+  let end = 0;
+  for (let begin = 0; begin < shapeOf.length; begin = end) {
     while (end < shapeOf.length && shapeOf[end] === shapeOf[begin]) end++;
     const positions = nodesIn(joined, begin, end).map((node) => pointOf(joined.points, node));
     if (positions.length < MIN_NODES) continue;
@@ -228,7 +219,11 @@ function facesOf(joined: JoinedShapes, { begin, end }: Ball, triangles: Uint32Ar
   for (let t = begin; t < end; t++)
     if (isDropped[t] === 0) old.push({ at: centroidOf(cornersOf(joined, t)), face: faceOf[t] ?? first });
   return made.map((_, t) => {
-    const [a, b, c] = [0, 1, 2].map((k) => pointOf(points, triangles[3 * t + k] ?? 0)) as [Vector, Vector, Vector];
+    const [a, b, c] = [0, 1, 2].map((k) => pointOf(points, triangles[3 * t + k] ?? 0)) as [
+      Vector,
+      Vector,
+      Vector,
+    ];
     const centre = centroidOf([a, b, c]);
     let [face, least] = [first, Infinity];
     for (const { at, face: own } of old) {

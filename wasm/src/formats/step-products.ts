@@ -101,7 +101,8 @@ class Products {
     if (depth > MAX_DEPTH || found.length > MAX_SOLIDS) return;
     for (const item of this.#entities.get(shape)?.refs ?? []) {
       const { type = "", refs = [] } = this.#entities.get(item) ?? {};
-      if (/BREP/.test(type) && !/REPRESENTATION/.test(type)) found.push({ product, faces: this.#facesOf(refs) });
+      if (/BREP/.test(type) && !/REPRESENTATION/.test(type))
+        found.push({ product, faces: this.#facesOf(refs) });
       if (type !== "MAPPED_ITEM") continue;
       const mapped = this.#entities.get(refs[0] ?? "")?.refs[1] ?? "";
       this.#addItems(mapped, this.#ownerOf(mapped) ?? product, found, depth + 1);
@@ -154,7 +155,10 @@ const codePoint = (code: number) => (code <= 0x10ffff ? String.fromCodePoint(cod
  * Returns the product of each solid that was read; undefined where it cannot be known. `faces`: their numbers of faces. If they are
  * those of the file in its order, each solid has its product; otherwise those whose number of faces only one product has.
  */
-export function productsOf(faces: readonly number[], solids: readonly ProductSolid[]): (string | undefined)[] {
+export function productsOf(
+  faces: readonly number[],
+  solids: readonly ProductSolid[],
+): (string | undefined)[] {
   const isSame = faces.length === solids.length && faces.every((count, s) => count === solids[s]?.faces);
   if (isSame) return solids.map(({ product }) => product || undefined);
   const products = new Map<number, Set<string>>();

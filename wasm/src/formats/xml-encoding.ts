@@ -17,8 +17,10 @@ const BINARY_DATA = new TextEncoder().encode("<AppendedData");
  */
 export function xmlInUtf8(bytes: Uint8Array): Uint8Array {
   const [a, b, c, d] = bytes;
-  if ((a === 0xff && b === 0xfe) || (a === LESS && b === 0 && c !== 0 && d === 0)) return recoded(bytes, "utf-16le");
-  if ((a === 0xfe && b === 0xff) || (a === 0 && b === LESS && c === 0 && d !== 0)) return recoded(bytes, "utf-16be");
+  if ((a === 0xff && b === 0xfe) || (a === LESS && b === 0 && c !== 0 && d === 0))
+    return recoded(bytes, "utf-16le");
+  if ((a === 0xfe && b === 0xff) || (a === 0 && b === LESS && c === 0 && d !== 0))
+    return recoded(bytes, "utf-16be");
   const begin = new TextDecoder("latin1").decode(bytes.subarray(0, DECLARATION_BYTES));
   if (!LATIN1.test(DECLARED.exec(begin)?.[1] ?? "")) return bytes;
   const data = indexOf(bytes, BINARY_DATA, 0);
