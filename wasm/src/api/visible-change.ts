@@ -14,7 +14,13 @@ import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_ORIGIN } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
-import type { PreparedSurface } from "./surface-preparation.js";
+
+/** A surface after a repair. */
+interface Repaired {
+  readonly surface: SurfaceFile;
+  readonly changes?: readonly RepairChange[] | undefined;
+  readonly repairDeviation?: number | undefined;
+}
 
 /** Length / diagonal below which a change cannot be seen. */
 const VISIBLE = 1e-3;
@@ -32,7 +38,7 @@ const INSIDE = 0.25;
  * Returns whether a repair moved a node, moved the box of the surface, filled a hole or removed triangles so that it can be
  * seen. Parts inside bodies that intersect are removed without being seen.
  */
-export function isVisiblyChanged(given: SurfaceFile, made: PreparedSurface): boolean {
+export function isVisiblyChanged(given: SurfaceFile, made: Repaired): boolean {
   const { surface, changes = [], repairDeviation = 0 } = made;
   if (changes.length === 0) return false;
   const limit = VISIBLE * diagonalOf(given.points);
@@ -62,7 +68,7 @@ const KEEPING: ReadonlySet<RepairChange["kind"]> = new Set([
 ]);
 
 /** Returns whether a repair kept all triangles that a mesh can have. */
-export function keepsTriangles({ changes = [] }: Pick<PreparedSurface, "changes">): boolean {
+export function keepsTriangles({ changes = [] }: Pick<Repaired, "changes">): boolean {
   return changes.every(({ kind }) => KEEPING.has(kind));
 }
 
