@@ -13,6 +13,7 @@ import type {
 } from "../mesh/inspection.js";
 import type { PatchedSurface, SurfaceInput } from "../mesh/mesh.js";
 import { resolutionWarnings } from "../mesh/resolution-warnings.js";
+import { volumeWarnings } from "./volume-warnings.js";
 import { emptyGrid, withNodes } from "../project/grid-arrays.js";
 import { afterPause, beginCall } from "./call-checks.js";
 import {
@@ -179,7 +180,10 @@ export class SurfaceTools {
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
-    return describedRemesh(remesh, [...found, ...coarse]);
+    // Components that were turned outward would count with the other sign.
+    const isTurned = found.some(({ code }) => code === "reoriented-patch");
+    const changed = isTurned ? [] : await inSteps(volumeWarnings(surface, remesh, remesh.origin));
+    return describedRemesh(remesh, [...found, ...coarse, ...changed]);
   }
 
   /**

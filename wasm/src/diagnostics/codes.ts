@@ -15,6 +15,8 @@ export type PackageCode =
   | "coarse-coordinates"
   /** A remeshed surface may be farther from the given one than the tolerance. */
   | "deviation-above-tolerance"
+  /** A remeshed surface encloses another volume than the given one. */
+  | "changed-volume"
   /** Two solids of a file overlap, or touch in faces with different boundaries. */
   | "touching-solids"
   /** Bodies of a surface intersected, and a repair made them one. */

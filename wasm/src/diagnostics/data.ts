@@ -18,6 +18,8 @@ export type ReadLocation = Pick<ReadError, "fileName" | "path" | "line" | "offse
 
 /** Data of each code that has any; lengths are in model units. */
 export interface DiagnosticNumbers extends EngineNumbers {
+  /** Volumes that the two surfaces enclose, in cubed model units. */
+  readonly "changed-volume": { readonly given: number; readonly made: number };
   /** Upper bound of the distance between the surfaces, and the tolerance, in model units. */
   readonly "deviation-above-tolerance": { readonly deviation: number; readonly tolerance: number };
   /** `count`: number of needles and caps. `triangles`: number of all triangles. */

@@ -13,6 +13,7 @@ export function invalidArrays(message: string, remedy: string): Diagnostic {
 
 type DiagnosticWithData =
   | "deviation-above-tolerance"
+  | "changed-volume"
   | "invalid-option"
   | "near-nodes"
   | "needle-surface"
