@@ -137,6 +137,17 @@ TEST(RemeshVolume, IsThatOfTheGivenSurface) {
   }
 }
 
+TEST(RemeshVolume, OfAThinTubeIsKept) {
+  // The automatic tolerance of a body of this extent would be twice the thickness of the wall.
+  const double thickness = 0.005;
+  const SurfaceMesh given =
+      prism({circle({0, 0}, 1.0, 240), {circle({0, 0}, 1.0 - thickness, 240)}}, 1.0);
+  const SurfaceRemesh result = remesh(given);
+  ASSERT_TRUE(result.diagnostics.empty());
+  EXPECT_LE(result.tolerance, 0.5 * thickness);
+  EXPECT_NEAR(enclosedVolume(surfaceOf(result)) / enclosedVolume(given), 1.0, 3e-3);
+}
+
 TEST(RemeshVolume, FlatFacesWithRoundHolesStayExactlyFlat) {
   const SurfaceMesh given = prism({rectangle({-1, -1}, {1, 1}), {circle({0, 0}, 0.9, 48)}}, 0.2);
   const SurfaceMesh made = surfaceOf(remesh(given));

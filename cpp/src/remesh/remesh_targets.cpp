@@ -236,9 +236,7 @@ RemeshLengths remeshLengthsOf(const RemeshOptions& options, bool hasTargets, dou
   lengths.plannedTolerance =
       (hasTargets ? kCoarsePlannedTolerance : kPlannedTolerance) * plannedShare * lengths.tolerance;
   // Curved faces then shrink by the factor, as all others do: an edge deviates by the square of its length.
-  if (options.sizeFactor < 1.0 && !(options.tolerance > 0.0)) {
-    lengths.plannedTolerance *= options.sizeFactor;
-  }
+  lengths.plannedTolerance *= std::min(1.0, options.sizeFactor);
   const double automatic = hasTargets ? kCoarseDegreesPerEdge : kDegreesPerEdge;
   const double degrees =
       std::min(factors.curved * automatic, std::max(kMaxDegreesPerEdge, automatic));

@@ -37,6 +37,10 @@ namespace {
 /// The automatic tolerance is relative to the smallest region, which is a bolt of an assembly, but not to a smaller one than
 /// this share of the diagonal of all: the whole surface has one tolerance.
 constexpr double kLeastRegion = 1.0 / 8.0;
+/// Largest automatic tolerance / mean thickness: the sides of a thin wall must not come near each other.
+constexpr double kTolerancePerThickness = 0.5;
+/// The same limit does not go below this share of the diagonal: rounding.
+constexpr double kLeastTolerance = 1e-6;
 
 /// Returns the diagonal of the smallest region beside the triangles, two regions each; at least the share above.
 double smallestDiagonal(const SurfaceMesh& mesh, std::span<const std::uint32_t> regions,
@@ -58,6 +62,34 @@ double smallestDiagonal(const SurfaceMesh& mesh, std::span<const std::uint32_t> 
     if (each.low.x <= each.high.x) smallest = std::min(smallest, glm::length(each.high - each.low));
   }
   return std::max(smallest, kLeastRegion * diagonal);
+}
+
+/// Returns 2 V / A of the thinnest region beside the triangles, two regions each, or of all if there are none: the thickness of a
+/// body that is thin everywhere. The triangles face outward.
+double meanThickness(const SurfaceMesh& mesh, std::span<const std::uint32_t> regions) {
+  struct Measures {
+    double sixfoldVolume = 0.0;
+    double area = 0.0;
+  };
+  std::vector<Measures> measures(1);
+  const auto add = [&](std::uint32_t region, double sixfoldVolume, double area) {
+    if (region == SurfaceMesh::kNoRegion) return;
+    if (region >= measures.size()) measures.resize(region + 1);
+    measures[region].sixfoldVolume += sixfoldVolume;
+    measures[region].area += area;
+  };
+  for (std::size_t t = 0; t < countTriangles(mesh); ++t) {
+    const auto [a, b, c] = cornersOf(mesh, TriangleId(t));
+    const double sixfold = glm::dot(a, glm::cross(b, c));
+    const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
+    add(regions.empty() ? 0 : regions[2 * t], sixfold, area);
+    if (!regions.empty()) add(regions[2 * t + 1], -sixfold, area);
+  }
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const auto& [sixfold, area] : measures) {
+    if (area > 0.0) thinnest = std::min(thinnest, std::fabs(sixfold) / (3.0 * area));
+  }
+  return thinnest;
 }
 
 SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
@@ -157,9 +189,12 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   const double diagonal = glm::length(bounds.high - bounds.low);
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   RemeshOptions settled = options;
-  if (settled.tolerance <= 0.0 && !regions.empty()) {
-    settled.tolerance =
-        automaticTolerance(options, hasTargets, smallestDiagonal(given.mesh, regions, diagonal));
+  if (settled.tolerance <= 0.0) {
+    const double extent = smallestDiagonal(given.mesh, regions, diagonal);
+    const double automatic = automaticTolerance(options, hasTargets, extent);
+    const double least = regions.empty() ? kLeastTolerance * diagonal : kLeastRegion * automatic;
+    const double ofThickness = kTolerancePerThickness * meanThickness(given.mesh, regions);
+    settled.tolerance = std::min(automatic, std::max(least, ofThickness));
   }
   const RemeshLengths lengths = remeshLengthsOf(settled, hasTargets, diagonal);
   const Remeshing remeshing{given, regions, movedSizes, settled, lengths, isStopped};
