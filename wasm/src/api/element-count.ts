@@ -158,10 +158,13 @@ class Search<Made> {
 
   #between(above: Point, below: Point): number | SearchEnd {
     const width = below.x - above.x;
-    if (width < this.#narrow) return this.#scan();
+    // Numbers of elements need not fall with the factor.
+    if (Math.abs(width) < this.#narrow) return this.#scan();
     const straight = (above.y - this.#wanted) / (above.y - below.y);
     const places = [Math.min(1 - MARGIN, Math.max(MARGIN, straight)), ...OTHER_PLACES];
-    const next = places.map((place) => above.x + place * width).find((x) => !this.#isKnown(x, width * KNOWN));
+    const next = places
+      .map((place) => above.x + place * width)
+      .find((x) => !this.#isKnown(x, Math.abs(width) * KNOWN));
     return next ?? this.#scan();
   }
 
@@ -270,8 +273,8 @@ async function withFinerPart<Made>(
 ): Promise<CountResult<Made>> {
   let { best, runs } = found;
   let [few, many] = [
-    { share: 0, count: Math.exp(below.y) },
-    { share: 1, count: Math.exp(above.y) },
+    { share: 0, count: Math.round(Math.exp(below.y)) },
+    { share: 1, count: Math.round(Math.exp(above.y)) },
   ];
   for (let part = 0; part < MAX_PARTS; part++) {
     const straight = (wanted - few.count) / (many.count - few.count);

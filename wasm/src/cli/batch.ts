@@ -8,7 +8,7 @@ import { extensionOf } from "../formats/file-formats.js";
 import { emptyName, FileError, STANDARD_STREAM } from "./files.js";
 import { ExitCode, print } from "./messages.js";
 import { BatchBar } from "./progress-bar.js";
-import { type EndingSignal, offEndingSignals, onEndingSignals } from "./signals.js";
+import { endsBy, type EndingSignal, IN_BATCH, offEndingSignals, onEndingSignals } from "./signals.js";
 import { enterStage, setBarShown, SILENT } from "./stages.js";
 
 const GLOB = /[*?[\]{}]/;
@@ -129,6 +129,7 @@ export async function runTasks(
   const onSignal = (signal: EndingSignal) => {
     process.off(signal, onSignal);
     isStopped = true;
+    endsBy(signal);
     for (const child of children) child.kill(signal === "SIGTERM" ? "SIGINT" : "SIGTERM");
   };
   onEndingSignals(onSignal);
@@ -177,7 +178,7 @@ function runTask(
   return new Promise((resolve) => {
     const child = spawn(process.execPath, [PROGRAM, ...args], {
       stdio: ["ignore", "pipe", "pipe"],
-      env: { ...process.env, [SILENT]: "1" },
+      env: { ...process.env, [SILENT]: "1", [IN_BATCH]: "1" },
     });
     children.add(child);
     child.on("close", () => children.delete(child));

@@ -39,8 +39,8 @@ import { propose, type ProposeOptions } from "./propose.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
 import { type TraceCommandOptions, traceFile } from "./trace.js";
 import { FRONT_SEARCHES, MAX_TOLERANCE } from "../trace/experiment.js";
-import { exitCodeAfterSignals } from "./signals.js";
-import { SILENT, startStageLines } from "./stages.js";
+import { exitCodeAfterSignals, IN_BATCH } from "./signals.js";
+import { startStageLines } from "./stages.js";
 import { withUnits } from "./units.js";
 import {
   backgroundOption,
@@ -74,8 +74,7 @@ export async function main(args: readonly string[]): Promise<number> {
   });
   try {
     await program.parseAsync(withoutHelpOfUnknown(args, program), { from: "user" });
-    // A batch counts how its processes ended.
-    return process.env[SILENT] === undefined ? exitCodeAfterSignals(exitCode) : exitCode;
+    return process.env[IN_BATCH] === undefined ? exitCodeAfterSignals(exitCode) : exitCode;
   } catch (failure) {
     if (failure instanceof ClosedPipe) return ExitCode.closedPipe;
     if (!(failure instanceof CommanderError)) throw failure;

@@ -6,6 +6,9 @@ import { constants } from "node:os";
 export const ENDING_SIGNALS = ["SIGINT", "SIGTERM", "SIGHUP"] as const;
 export type EndingSignal = (typeof ENDING_SIGNALS)[number];
 
+/** Set for the processes of a batch, which counts how they ended. */
+export const IN_BATCH = "TETRAFRONT_IN_BATCH";
+
 type Listener = (signal: EndingSignal) => void;
 
 export function onEndingSignals(listener: Listener): void {
@@ -18,6 +21,11 @@ export function offEndingSignals(listener: Listener): void {
 
 /** The first signal that cancelled calls, if any: a process runs one command. */
 let received: EndingSignal | undefined;
+
+/** Says that a signal ends the command. */
+export function endsBy(signal: EndingSignal): void {
+  received ??= signal;
+}
 
 /**
  * Returns the exit code of a command with this one: that of the signal if SIGTERM or SIGHUP cancelled it. After an interrupt, the
@@ -46,7 +54,7 @@ export class Interruption {
   readonly #onSignal = (signal: EndingSignal): void => {
     // A terminal sends its signal to a batch and to its processes, and the batch then sends them the other one.
     process.off(signal, this.#onSignal);
-    received ??= signal;
+    endsBy(signal);
     this.#heardAt = performance.now();
     this.#timer ??= setInterval(() => {
       if (performance.now() - this.#heardAt <= SILENCE_MS) return;

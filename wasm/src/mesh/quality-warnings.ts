@@ -30,7 +30,7 @@ export function* needleWarnings(surface: SurfaceInput): Steps<Diagnostic[]> {
   const warning: DiagnosticOf<"needle-surface"> = {
     code: "needle-surface",
     severity: "warning",
-    message: `${shareOf(count, triangles, "triangle")} needles or caps; elements next to them would have small angles`,
+    message: `${shareOf(count, triangles, "triangle")} ${count === 1 ? "a needle or cap" : "needles or caps"}; elements next to them would have small angles`,
     remedy: REMESH,
     entities: [],
     data: { count, triangles },
