@@ -99,9 +99,9 @@ void BoundaryCheck::orientOutward(RegionMap& regions) {
   std::vector<std::uint8_t> isFlipped(countTriangles(mesh_), 0);
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
     const TriangleId triangle(t);
-    const bool isInverted = !regions.isInvertedBody.empty() &&
-                            regions.isInvertedBody[regions.componentOf[t].index()] != 0;
-    if (regions.isMeshedAt(backOf(triangle)) && !isInverted) continue;
+    const bool facesOutward = regions.isOfBody(triangle) ? !regions.looksOut(backOf(triangle))
+                                                         : regions.isMeshedAt(backOf(triangle));
+    if (facesOutward) continue;
     isFlipped[t] = 1;
     flipTriangle(mesh_, triangle);
     std::swap(regions.shellOf[backOf(triangle).index()],
@@ -136,14 +136,14 @@ void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
   struct Counts {
     TriangleId firstFlipped;
     std::uint32_t flipped = 0;
-    std::uint32_t all = 0;  ///< without interfaces
+    std::uint32_t all = 0;  ///< without interfaces, except the outside of a body in a body
   };
   std::vector<Counts> counts;
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
     const std::size_t component = regions.componentOf[t].index();
     if (component == counts.size()) counts.emplace_back();
     Counts& count = counts[component];
-    if (!regions.isInterface(TriangleId(t))) ++count.all;
+    if (!regions.isInterface(TriangleId(t)) || regions.isOfBody(TriangleId(t))) ++count.all;
     if (isFlipped[t] == 0) continue;
     if (count.flipped++ == 0) count.firstFlipped = TriangleId(t);
   }
@@ -156,8 +156,7 @@ void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
                         {regions.isBetweenBoundedVolumes(TriangleId(t)) ? 1.0 : 0.0});
   }
   for (const Counts& count : counts) {
-    // An interface has no outer side.
-    if (count.flipped == 0 || count.all == 0 || isRefused(count)) continue;
+    if (count.flipped == 0 || isRefused(count)) continue;
     report_.addInformation(DiagnosticCode::kReorientedPatch,
                            {{EntityKind::kTriangle, count.firstFlipped.value}},
                            centroidOf(cornersOf(mesh_, count.firstFlipped)),

@@ -145,7 +145,7 @@ class RegionFinder {
     if (usesOrientation) findOrientations();
     const std::vector<ShellId> order = shellsFromOutside();
     map_.isMeshed.assign(order.size(), 0);
-    map_.isInvertedBody.assign(componentCount_, 0);
+    map_.isBody.assign(componentCount_, 0);
     for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
       const ComponentId component = componentOfShell(order[i]);
       while (j < order.size() && componentOfShell(order[j]) == component) ++j;
@@ -155,8 +155,7 @@ class RegionFinder {
       const ShellId around = map_.outerShellOf[outer.index()];
       const bool isMeshedAround = !around.isNone() && map_.isMeshed[around.index()] != 0;
       const bool isBody = isMeshedAround && usesOrientation && isBodyIn(component, around);
-      if (isBody && orientations_[component.index()].isMostlyInward())
-        map_.isInvertedBody[component.index()] = 1;
+      if (isBody) map_.isBody[component.index()] = 1;
       for (const ShellId shell : ofComponent) {
         const bool isLikeOuter =
             sets.find(shell.value).isOpposite == sets.find(outer.value).isOpposite;
@@ -172,14 +171,11 @@ class RegionFinder {
   /// Finds how the triangles of the outer shell of each component face. Drawn ones face any way.
   void findOrientations() {
     orientations_.assign(componentCount_, {});
-    const auto looksOut = [&](HalfFaceId halfFace) {
-      return map_.outerShellAt(halfFace) != map_.shellOf[halfFace.index()];
-    };
     for (std::uint32_t t = 0; t < map_.componentOf.size(); ++t) {
       Orientation& found = orientations_[map_.componentOf[t].index()];
       if (t < firstOriented_) continue;
-      if (looksOut(frontOf(TriangleId(t)))) ++found.outward;
-      if (looksOut(backOf(TriangleId(t)))) ++found.inward;
+      if (map_.looksOut(frontOf(TriangleId(t)))) ++found.outward;
+      if (map_.looksOut(backOf(TriangleId(t)))) ++found.inward;
     }
   }
 

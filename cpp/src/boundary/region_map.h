@@ -31,8 +31,8 @@ struct RegionMap {
   /// positive, and none if the volume is unbounded.
   std::vector<ShellId> outerShellOf;
   std::vector<std::uint8_t> isMeshed;  ///< per shell: whether the volume it bounds is meshed
-  /// Per component: whether it bounds a body inside a body, and both face inward: the whole is inverted.
-  std::vector<std::uint8_t> isInvertedBody;
+  /// Per component: whether its orientation says that it bounds a body inside a body. Empty if none are looked for.
+  std::vector<std::uint8_t> isBody;
   /// Per shell: the given region, SurfaceMesh::kNoRegion if its volume is not meshed; empty if none are given.
   std::vector<std::uint32_t> givenRegionOf;
 
@@ -46,6 +46,15 @@ struct RegionMap {
   /// Returns whether there is meshed volume on both sides of the triangle.
   [[nodiscard]] bool isInterface(TriangleId triangle) const {
     return isMeshedAt(backOf(triangle)) && isMeshedAt(frontOf(triangle));
+  }
+  /// Returns whether the half-face looks out of what its component encloses.
+  [[nodiscard]] bool looksOut(HalfFaceId halfFace) const {
+    return outerShellAt(halfFace) != shellOf[halfFace.index()];
+  }
+  /// Returns whether the triangle belongs to the outside of a body inside a body.
+  [[nodiscard]] bool isOfBody(TriangleId triangle) const {
+    return !isBody.empty() && isBody[componentOf[triangle.index()].index()] != 0 &&
+           looksOut(backOf(triangle)) != looksOut(frontOf(triangle));
   }
   /// Returns whether the triangle would be an interface if every bounded volume were meshed.
   [[nodiscard]] bool isBetweenBoundedVolumes(TriangleId triangle) const {

@@ -133,10 +133,25 @@ describe("nested solids of a file", () => {
     }
   });
 
-  test("of which all face inward are told as one component: an interface has no outer side", async () => {
+  test("of which all face inward are turned, each as a whole", async () => {
     save("solids.stl", solids(["matrix", turned(matrix)], ["inclusion", turned(ball)]));
     const { stderr } = await run("mesh", "solids.stl", "-o", "a.vtu");
-    expect(stderr.match(/was inside out/g)).toHaveLength(1);
+    const count = ({ triangles }: SurfaceInput) => triangles.length / 3;
+    for (const triangles of [count(matrix), count(ball)])
+      expect(stderr).toContain(`was inside out: in the mesh, its ${triangles} triangles face outward`);
+  });
+
+  test.each([
+    ["an inner one", [] as number[], [0]],
+    ["an inner one of an inverted whole", [0, 1], [0]],
+  ])("with a single triangle of %s turned are refused", async (_, inverted, single) => {
+    const parts = [matrix, ball].map((part, p) => (inverted.includes(p) ? turned(part) : part));
+    const [outer = matrix, inner = ball] = parts;
+    const triangles = inner.triangles.slice();
+    for (const t of single) triangles.set([triangles[3 * t + 1] ?? 0, triangles[3 * t] ?? 0], 3 * t);
+    save("solids.stl", solids(["matrix", outer], ["inclusion", { points: inner.points, triangles }]));
+    const { code, stderr } = await run("mesh", "solids.stl", "-o", "a.vtu", "--surface", "keep");
+    expect([code, stderr]).toEqual([2, expect.stringContaining("faces inward, but other triangles")]);
   });
 
   test("keep their names and regions when they are remeshed, within the tolerance", async () => {
