@@ -105,6 +105,30 @@ describe("binary STL", () => {
     expect(read.notes).toEqual([expect.stringMatching(note)]);
   });
 
+  test.each([20, 60, 100, 1000])(
+    "with %d bytes of text at its end has the announced triangles",
+    async (length) => {
+      const text = new TextEncoder()
+        .encode("exported by a program that likes to talk ".repeat(30))
+        .slice(0, length);
+      const read = await surfaceIn(Uint8Array.of(...withCount(12), ...text), "box.stl");
+      expect(read.triangles.length / 3).toBe(12);
+      expect(read.notes).toEqual([expect.stringContaining("what follows the 12 triangles")]);
+    },
+  );
+
+  test("without a count is read beyond a record of zeros", async () => {
+    const bytes = withCount(0);
+    const record = 50;
+    const begin = 84 + 2 * record;
+    const zeros = new Uint8Array(record);
+    const read = await surfaceIn(
+      Uint8Array.of(...bytes.subarray(0, begin), ...zeros, ...bytes.subarray(begin), ...zeros),
+      "box.stl",
+    );
+    expect(read.triangles.length / 3).toBe(12);
+  });
+
   test("whose header announces more triangles than the file has is refused: it is truncated", async () => {
     expect((await errorIn(withCount(13), "box.stl")).message).toMatch(/the 13 triangles .* need 734 bytes/);
   });

@@ -247,6 +247,27 @@ describe("the command line", () => {
     expect(report["volume"]).toBeCloseTo(1, 2);
   });
 
+  test("an open scan with a stray triangle far away is read and checked soon", async () => {
+    const count = 6000;
+    const random = randomSource(9);
+    const one = () => (10 * (random() % 1e6)) / 1e6;
+    const corner = (x: number, y: number, z: number) => `vertex ${x} ${y} ${z}`;
+    const facets = Array.from({ length: count }, () => {
+      const [x, y, z] = [one(), one(), one()];
+      return [corner(x, y, z), corner(x + 0.1, y, z), corner(x, y + 0.1, z)];
+    });
+    facets.push([corner(1e7, 0, 0), corner(1e7, 1, 0), corner(1e7, 0, 1)]);
+    const text = facets.map(
+      (corners) => `facet normal 0 0 0\nouter loop\n${corners.join("\n")}\nendloop\nendfacet`,
+    );
+    save("scan.stl", `solid scan\n${text.join("\n")}\nendsolid scan\n`);
+    const began = performance.now();
+    const { code } = await run("info", "scan.stl");
+    expect(code).toBe(0);
+    // The search for near nodes was quadratic: minutes.
+    expect(performance.now() - began).toBeLessThan(20_000);
+  });
+
   test("check names no nodes of a surface with a hole", async () => {
     const { points, triangles } = sphereSurface(6);
     save("hole.off", offFile({ points, triangles: triangles.slice(9) }));

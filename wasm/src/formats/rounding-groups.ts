@@ -4,7 +4,7 @@ import type { NearGrid } from "./near-grid.js";
 import { comparePositions, type Rounding, squareBetween } from "./rounding-tolerance.js";
 
 /** Largest number of nodes that are connected by pairs within rounding; more are a dense mesh, not noise. */
-const MAX_CONNECTED = 256;
+const MAX_CONNECTED = 64;
 
 export interface NoisySoup {
   readonly points: Float64Array;
@@ -56,12 +56,13 @@ export function* groupNoise(soup: NoisySoup, nodes: Uint32Array): Steps<Uint32Ar
   const groupOf = Uint32Array.from(parent.keys());
   const isOpen = new Uint8Array(points.length / 3);
   for (const node of nodes) isOpen[node] = 1;
-  for (const members of yield* componentsOf(parent)) {
-    if (members.length > MAX_CONNECTED) continue;
+  const components = [...(yield* componentsOf(parent))].filter(({ length }) => length <= MAX_CONNECTED);
+  yield* stepwise(components.length, (c) => {
+    const members = components[c] ?? [];
     for (const group of isGroup(soup, members) ? [members] : nearestFirst(soup, members, isOpen)) {
       for (const node of group) groupOf[node] = group[0] ?? node;
     }
-  }
+  });
   return groupOf;
 }
 

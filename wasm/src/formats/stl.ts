@@ -59,22 +59,33 @@ async function readBinary(reader: ByteReader): Promise<FileMesh> {
     readTriangle(reader, builder, attributes),
   );
   const mesh = attributes.named(builder.mesh(), head);
+  if (more === "remark") return { ...mesh, notes: [remarkNote(count)] };
   return more === 0 ? mesh : { ...mesh, notes: [countNote(count, more + (isCounted ? count : 0))] };
 }
 
 /**
  * Reads the triangles after the announced ones, because some programs write a count of 0 or another wrong one; returns
- * their number. Trailing zeros are padding. Content that is not a whole number of triangles is a failure.
+ * their number, or that what follows the announced ones is something else. Records of zeros are padding. Content that is not a
+ * whole number of triangles is a failure.
  */
-async function readUncounted(reader: ByteReader, count: number, readOne: () => void): Promise<number> {
+async function readUncounted(
+  reader: ByteReader,
+  count: number,
+  readOne: () => void,
+): Promise<number | "remark"> {
   const end = reader.location;
-  for (let more = 0; ; more++) {
-    if (more % BATCH === 0) await reader.fill();
+  let more = 0;
+  for (let record = 0; ; record++) {
+    if (record % BATCH === 0) await reader.fill();
     const next = reader.peek(TRIANGLE_BYTES);
-    if (next.every((byte) => byte === 0)) return more;
+    if (next.every((byte) => byte === 0)) {
+      if (next.length < TRIANGLE_BYTES) return more;
+      reader.skip(TRIANGLE_BYTES);
+      continue;
+    }
+    if (more === 0 && count > 0 && isRemark(reader.peek(LONGEST_REMARK + 1))) return "remark";
+    more++;
     if (next.length < TRIANGLE_BYTES) {
-      // A few bytes after the announced triangles are a remark of the program.
-      if (more === 0 && count > 0) return 0;
       reader.fail(
         `the file continues after the ${plural(count, "triangle")} that its header announces, but not with whole triangles`,
         end,
@@ -82,6 +93,19 @@ async function readUncounted(reader: ByteReader, count: number, readOne: () => v
     }
     readOne();
   }
+}
+
+/** Largest number of bytes of a remark of a program. */
+const LONGEST_REMARK = 4096;
+
+/** Returns whether the rest of a file is text, or too short for a triangle. */
+function isRemark(rest: Uint8Array): boolean {
+  const isText = rest.every((byte) => byte >= 0x20 || (byte >= 0x09 && byte <= 0x0d) || byte === 0);
+  return rest.length < TRIANGLE_BYTES || (rest.length <= LONGEST_REMARK && isText);
+}
+
+function remarkNote(announced: number): string {
+  return `what follows the ${plural(announced, "triangle")} that the header announces is not read`;
 }
 
 function countNote(announced: number, read: number): string {
