@@ -9,8 +9,8 @@ interface SiteFile {
   /** Relative to the folder of the site. */
   readonly path: string;
   readonly bytes: number;
-  /** Its name changes with its content. */
-  readonly isHashed: boolean;
+  /** Missing if its name changes with its content. */
+  readonly sha256?: string;
   /** Kept only when it is used, or on request. */
   readonly isLater: boolean;
 }
@@ -30,7 +30,7 @@ interface MessageEventWithWork extends ExtendableEvent {
   readonly ports: readonly MessagePort[];
 }
 interface Scope {
-  readonly registration: { readonly scope: string };
+  readonly registration: Pick<ServiceWorkerRegistration, "scope" | "installing" | "waiting">;
   readonly clients: { claim(): Promise<void>; matchAll(options: object): Promise<readonly unknown[]> };
   skipWaiting(): Promise<void>;
   addEventListener(type: "install" | "activate", act: (event: ExtendableEvent) => void): void;
@@ -39,7 +39,8 @@ interface Scope {
 }
 
 const scope = globalThis as unknown as Scope;
-const prefix = "tetrafront-";
+/** All sites of a host share its caches. The path of a site has no blank. */
+const prefix = `tetrafront ${new URL(scope.registration.scope).pathname} `;
 const cacheName = `${prefix}${SITE.version}`;
 /** Files that are fetched at the same time. */
 const atOnce = 6;
@@ -50,15 +51,39 @@ const addressOf = ({ path }: SiteFile): string => new URL(path, scope.registrati
 
 const cadName = /\/occt-import-js-[^/]*$/;
 
+/** Names of the caches of this site, those of other versions too. */
+async function siteCaches(): Promise<readonly string[]> {
+  return (await caches.keys()).filter((name) => name.startsWith(prefix));
+}
+
+/** Returns what any version of the site has kept under an address. */
+async function keptByAny(address: string): Promise<Response | undefined> {
+  for (const cacheName of await siteCaches()) {
+    const known = await caches.match(address, { ...anyRequest, cacheName });
+    if (known) return known;
+  }
+  return undefined;
+}
+
+/** Returns whether an answer holds the file of this version: while a host gets a new version, it may have files of both. */
+async function isOwn({ sha256 }: SiteFile, answer: Response): Promise<boolean> {
+  if (sha256 === undefined) return true;
+  const digest = await crypto.subtle.digest("SHA-256", await answer.arrayBuffer());
+  const bytes = Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, "0"));
+  return bytes.join("") === sha256;
+}
+
 /** Puts a file into the cache of this version; from that of another one if it is the same. */
 async function keep(file: SiteFile): Promise<void> {
   const cache = await caches.open(cacheName);
   const address = addressOf(file);
   if (await cache.match(address, anyRequest)) return;
-  const known = file.isHashed ? await caches.match(address, anyRequest) : undefined;
-  // Files without a hash may be old in the browser's own cache.
-  const answer = known ?? (await fetch(address, { cache: file.isHashed ? "default" : "no-cache" }));
+  const isHashed = file.sha256 === undefined;
+  const known = isHashed ? await keptByAny(address) : undefined;
+  // Files without a hash in their names may be old in the browser's own cache.
+  const answer = known ?? (await fetch(address, { cache: isHashed ? "default" : "no-cache" }));
   if (!answer.ok) throw new Error(`${address}: ${answer.status}`);
+  if (!(await isOwn(file, answer.clone()))) throw new Error(`${address} is of another version`);
   await cache.put(address, direct(answer));
 }
 
@@ -79,8 +104,7 @@ async function keepAll(files: readonly SiteFile[]): Promise<void> {
 
 /** Returns whether an older version has kept the library for CAD files. */
 async function hadLater(): Promise<boolean> {
-  for (const name of await caches.keys()) {
-    if (!name.startsWith(prefix)) continue;
+  for (const name of await siteCaches()) {
     const requests = await (await caches.open(name)).keys();
     if (requests.some(({ url }) => cadName.test(url))) return true;
   }
@@ -92,12 +116,13 @@ async function install(): Promise<void> {
   await keepAll(SITE.files.filter(({ isLater }) => all || !isLater));
 }
 
-/** Pages that still show an older version may need its files. */
+/** Removes the caches of older versions, unless a page may still show one of them, or one of the caches is that of a newer version. */
 async function removeOld(): Promise<void> {
-  if ((await scope.clients.matchAll({ type: "window", includeUncontrolled: true })).length > 1) return;
-  const names = await caches.keys();
-  const old = names.filter((name) => name.startsWith(prefix) && name !== cacheName);
-  await Promise.all(old.map((name) => caches.delete(name)));
+  const pages = await scope.clients.matchAll({ type: "window", includeUncontrolled: true });
+  const names = await siteCaches();
+  const { installing, waiting } = scope.registration;
+  if (pages.length > 1 || installing || waiting) return;
+  await Promise.all(names.filter((name) => name !== cacheName).map((name) => caches.delete(name)));
 }
 
 /** Returns the address under which an answer is kept: pages whatever their parameters are. */
@@ -108,15 +133,27 @@ function keptAddress({ url, mode }: Request): string {
   return address.href.replace(/\/index\.html$/, "/");
 }
 
-const laterFiles = new Set(SITE.files.filter(({ isLater }) => isLater).map(addressOf));
+const filesByAddress = new Map(SITE.files.map((file) => [addressOf(file), file]));
 
+/** What is not kept, because it is used for the first time or the browser has dropped it, is fetched and kept. */
 async function answerTo(request: Request): Promise<Response> {
   const address = keptAddress(request);
   const cache = await caches.open(cacheName);
-  const known = (await cache.match(address, anyRequest)) ?? (await caches.match(address, anyRequest));
-  if (known) return known;
-  const answer = await fetch(request);
-  if (answer.ok && laterFiles.has(address)) await cache.put(address, answer.clone());
+  const own = await cache.match(address, anyRequest);
+  if (own) return own;
+  const file = filesByAddress.get(address);
+  // A file of the same name in another version is used only without a network.
+  const isOther = file?.sha256 !== undefined;
+  const known = await keptByAny(address);
+  if (known && !isOther) return known;
+  const answer = await fetch(request).catch((error: unknown) => {
+    if (known) return known;
+    throw error;
+  });
+  if (answer !== known && file && answer.ok && (await isOwn(file, answer.clone()))) {
+    // The storage may be full.
+    await cache.put(address, direct(answer.clone())).catch(() => undefined);
+  }
   return answer;
 }
 

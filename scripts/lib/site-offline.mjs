@@ -18,12 +18,14 @@ export function siteFiles(folder) {
     const name = path.relative(folder, file).split(path.sep).join("/");
     if (unused.test(name)) continue;
     const content = readFileSync(file);
-    hash.update(`${name} ${createHash("sha256").update(content).digest("hex")}\n`);
+    const sha256 = createHash("sha256").update(content).digest("hex");
+    hash.update(`${name} ${sha256}\n`);
     files.push({
       // The page is known by its folder: some hosts redirect from its name.
       path: name === "index.html" ? "./" : `./${name}`,
       bytes: content.length,
-      isHashed: name.startsWith("assets/"),
+      // Names of the others change with their content.
+      ...(!name.startsWith("assets/") && { sha256 }),
       isLater: later.test(name),
     });
   }

@@ -81,8 +81,14 @@ test("the library for CAD files is kept when it was used", async ({ page, contex
   await expect(again.page.getByTestId("entity-name")).toHaveValue("Plate");
 });
 
-/** Serves the site in a folder of a plain host. `scriptOf` changes the text of the service worker. */
-async function hosted(scriptOf: (script: string) => string) {
+/**
+ * Serves the site in a folder of a plain host. `scriptOf` changes the text of the service worker; `textOf` returns what a file has
+ * in place of its content, or null.
+ */
+async function hosted(
+  scriptOf: (script: string) => string,
+  textOf: (name: string) => string | null = () => null,
+) {
   const folder = fileURLToPath(new URL("../../web/dist", import.meta.url));
   const types: Readonly<Record<string, string>> = {
     ".html": "text/html",
@@ -96,7 +102,8 @@ async function hosted(scriptOf: (script: string) => string) {
     if (!existsSync(file)) return void response.writeHead(404).end();
     const type = types[path.extname(file)] ?? "application/octet-stream";
     response.writeHead(200, { "Content-Type": type });
-    if (name === "sw.js") response.end(scriptOf(readFileSync(file, "utf8")));
+    const text = name === "sw.js" ? scriptOf(readFileSync(file, "utf8")) : textOf(name);
+    if (text !== null) response.end(text);
     else createReadStream(file).pipe(response);
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
@@ -104,33 +111,90 @@ async function hosted(scriptOf: (script: string) => string) {
   return { address: `http://127.0.0.1:${port}/course/mesh/`, close: () => server.close() };
 }
 
-test("in a folder of any host, a new version is offered and waits; when it is loaded, the old one is removed", async ({
+/** The page asks whether the host has a new version. */
+const searchUpdate = (page: Page): Promise<void> =>
+  page.evaluate(async () => {
+    await (await navigator.serviceWorker.ready).update();
+  });
+
+const newVersion = "f".repeat(16);
+const withNewVersion = (script: string): string =>
+  script.replace(/version:"[0-9a-f]{16}"/, `version:"${newVersion}"`);
+
+test("in a folder of any host, a new version is offered and waits, also when the page is reloaded; when it is loaded, the old one is removed", async ({
   page,
 }) => {
-  const newVersion = "f".repeat(16);
   let isNew = false;
-  const host = await hosted((script) =>
-    isNew ? script.replace(/version:"[0-9a-f]{16}"/, `version:"${newVersion}"`) : script,
-  );
+  const host = await hosted((script) => (isNew ? withNewVersion(script) : script));
   try {
     await visited(page, host.address);
-    const caches = () => page.evaluate(() => window.caches.keys());
-    expect(await caches()).toEqual([expect.stringMatching(/^tetrafront-[0-9a-f]{16}$/)]);
+    const names = () => page.evaluate(() => window.caches.keys());
+    const [first = ""] = await names();
+    expect(first).toMatch(/^tetrafront \/course\/mesh\/ [0-9a-f]{16}$/);
+    const second = `tetrafront /course/mesh/ ${newVersion}`;
+    // Of sites beside and below this one.
+    const others = ["tetrafront /course/mesh/a/ 1", "tetrafront /other/ 1"];
+    await page.evaluate((all) => Promise.all(all.map((name) => window.caches.open(name))), others);
+    const mark = () => page.evaluate(() => Object.assign(window, { isFirstPage: true }));
+    await mark();
     isNew = true;
-    await page.evaluate(async () => {
-      Object.assign(window, { isFirstPage: true });
-      await (await navigator.serviceWorker.ready).update();
-    });
+    await searchUpdate(page);
     const offer = page.getByTestId("notice-update");
     await expect(offer).toContainText("A new version of Tetrafront is ready");
     // Nothing is forced.
     expect(await page.evaluate(() => "isFirstPage" in window)).toBe(true);
+    await page.reload();
+    await new AppPage(page).meshed();
+    await expect(offer).toContainText("A new version of Tetrafront is ready");
+    expect((await names()).sort()).toEqual([first, second, ...others].sort());
+    await mark();
     await offer.getByRole("button", { name: "Reload" }).click();
     await expect.poll(() => page.evaluate(() => "isFirstPage" in window).catch(() => true)).toBe(false);
-    await expect.poll(() => caches().catch(() => [])).toEqual([`tetrafront-${newVersion}`]);
+    await expect.poll(async () => (await names().catch(() => [])).sort()).toEqual([second, ...others].sort());
     await page.context().setOffline(true);
     await page.goto(`${host.address}?test=1&model=unit-cube`);
     expect((await new AppPage(page).meshed()).tets).toBe(1753);
+  } finally {
+    host.close();
+  }
+});
+
+test("files of another version are not kept, and one that the browser has dropped is kept again", async ({
+  page,
+}) => {
+  let isNew = false;
+  let isMixed = false;
+  const host = await hosted(
+    (script) => (isNew ? withNewVersion(script) : script),
+    (name) => (isMixed && name === "embed.html" ? "<p>of the version after this one</p>" : null),
+  );
+  try {
+    await visited(page, host.address);
+    isNew = true;
+    isMixed = true;
+    const end = await page.evaluate(async () => {
+      const registration = await navigator.serviceWorker.ready;
+      await registration.update();
+      const worker = registration.installing;
+      if (!worker) return "nothing";
+      await new Promise<void>((resolve) => {
+        worker.addEventListener("statechange", () => resolve(), { once: true });
+      });
+      return worker.state;
+    });
+    expect(end).toBe("redundant");
+    // Neither now, while another version is there, nor of it.
+    const drop = () =>
+      page.evaluate(async () => {
+        for (const name of await caches.keys()) await (await caches.open(name)).delete("./embed.html");
+        return (await fetch("./embed.html")).text();
+      });
+    const isKept = () => page.evaluate(async () => (await caches.match("./embed.html")) !== undefined);
+    expect(await drop()).toContain("after this one");
+    expect(await isKept()).toBe(false);
+    isMixed = false;
+    expect(await drop()).toContain("<html");
+    await expect.poll(isKept).toBe(true);
   } finally {
     host.close();
   }

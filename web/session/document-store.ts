@@ -137,9 +137,19 @@ export class DocumentStore {
     return isRefused;
   }
 
-  /** Applies an edit, after committing the current gesture. */
-  edit(edit: ProjectEdit): void {
-    if (this.#isRefused()) return;
+  /** Applies an edit, after committing the current gesture. Returns false if it was refused. */
+  edit(edit: ProjectEdit): boolean {
+    if (this.#isRefused()) return false;
+    this.#apply(edit);
+    return true;
+  }
+
+  /** Shows a mesh of the project, as a step of undo: null for the one that a run makes. Locks permit it: the model stays as it is. */
+  setMeshVersion(label: string, meshVersion: string | null): void {
+    this.#apply({ label, replace: [[["meshVersion"], meshVersion]] });
+  }
+
+  #apply(edit: ProjectEdit): void {
     this.#gesture?.commit();
     this.#set(commit(this.state.getState().history, edit, this.#now(), this.held, stepOfProject));
   }

@@ -303,9 +303,7 @@ export class MeshRun {
       return true;
     }
     this.#remember(key, before);
-    const version = this.keep(history.present.project, after);
-    const replace = [[["meshVersion"], version]] as const;
-    this.#documents.edit({ label: stepNames.improve, replace });
+    this.#documents.setMeshVersion(stepNames.improve, this.keep(history.present.project, after));
     return true;
   }
 
@@ -389,7 +387,7 @@ export class MeshRun {
     const content = settledContent(this.#documents.state.getState());
     if (meshKey(content.project) !== key || shownMeshKey(content) === key) return;
     if (by === "app") this.#documents.forgetMeshVersion();
-    else this.#documents.edit({ label: stepNames.generate, replace: [[["meshVersion"], null]] });
+    else this.#documents.setMeshVersion(stepNames.generate, null);
   }
 
   /** Keeps a mesh. The oldest one that a run can make again is dropped first, then the oldest one. */

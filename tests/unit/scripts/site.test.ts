@@ -41,6 +41,8 @@ describe("the files that are kept offline", () => {
       write(name, name);
     const { version, files } = siteFiles(folder);
     expect(files.map(({ path: name }) => name).sort()).toEqual(["./", "./a.js", "./embed.html", "./f.woff2"]);
+    const sha256 = createHash("sha256").update("a.js").digest("hex");
+    expect(files.find(({ path: name }) => name === "./a.js")).toMatchObject({ sha256 });
     write("sw.js", "another");
     expect(siteFiles(folder).version).toBe(version);
     write("a.js", "another");
