@@ -100,7 +100,9 @@ const LONGEST_REMARK = 4096;
 
 /** Returns whether the rest of a file is text, or too short for a triangle. */
 function isRemark(rest: Uint8Array): boolean {
-  const isText = rest.every((byte) => byte >= 0x20 || (byte >= 0x09 && byte <= 0x0d) || byte === 0);
+  const isText = rest.every(
+    (byte) => (byte >= 0x20 && byte < 0x7f) || (byte >= 0x09 && byte <= 0x0d) || byte === 0,
+  );
   return rest.length < TRIANGLE_BYTES || (rest.length <= LONGEST_REMARK && isText);
 }
 
