@@ -97,6 +97,7 @@ export const pageStrings = {
   },
   messages: {
     openFailed: (file: string) => `${file} could not be opened`,
+    addressFailed: "What the address asks for could not be shown",
     someFailed: (count: number) => `${count} files could not be opened`,
     noOpenDialog: "The browser did not open its dialog. Try again, or drop the file here.",
     saveFailed: "The project could not be saved",
