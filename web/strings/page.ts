@@ -188,8 +188,14 @@ export const pageStrings = {
     title: "Keyboard and mouse",
     contents: "Contents of the help",
     search: "Search the help",
-    found: (count: number) =>
-      count === 0 ? "Nothing found" : count === 1 ? "1 section" : `${count} sections`,
+    found: (count: number, shown: number) =>
+      count === 0
+        ? "Nothing found"
+        : count === 1
+          ? "1 section"
+          : count === shown
+            ? `${count} sections`
+            : `The first ${shown} of ${count} sections`,
     documents: {
       readme: "Introduction",
       format: "Files and formats",
