@@ -5,11 +5,13 @@ import "@mantine/core/styles.layer.css";
 import "@mantine/spotlight/styles.layer.css";
 import { createRoot } from "react-dom/client";
 import { createApp, type Intent, type Start } from "./app/create-app";
+import { showFailure } from "./commands/messages";
 import { offerLeftDocument } from "./commands/project-actions";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page/page";
 import { lessonIn, withLesson } from "./lessons/lesson-address";
 import { sharedFrontIn, withoutFront } from "./player/shared-front";
+import { strings } from "./strings";
 import { listenForPalette } from "./panels/shared/palette";
 import { ThemeProvider } from "./ui/theme/theme-provider";
 
@@ -30,16 +32,25 @@ const app = await createApp({
 
 offerLeftDocument(app);
 
+/** Shows what the address asks for, or says why it cannot. */
+function follow(work: Promise<unknown>): void {
+  work.catch((error: unknown) => showFailure(app, strings.messages.addressFailed, error));
+}
+
 const sharing = () => import("./commands/share-actions");
 if (linked) {
-  void sharing().then(({ removeLink, showLinked, showLinkFailure }) => {
-    void removeLink(app);
-    if (linked.kind === "linked") void showLinked(app, linked.linked);
-    else showLinkFailure(app, linked);
-  });
+  follow(
+    sharing().then(async ({ removeLink, showLinked, showLinkFailure }) => {
+      if (linked.kind !== "linked") showLinkFailure(app, linked);
+      await Promise.all([
+        removeLink(app),
+        linked.kind === "linked" ? showLinked(app, linked.linked) : undefined,
+      ]);
+    }),
+  );
 }
 window.addEventListener("hashchange", () => {
-  void sharing().then(({ openLink }) => openLink(app, window.location.hash));
+  follow(sharing().then(({ openLink }) => openLink(app, window.location.hash)));
 });
 
 void import("./commands/document-pictures")
@@ -68,7 +79,7 @@ function startOf(query: URLSearchParams): Start | null {
 
 const shared = sharedFrontIn(query);
 if (shared) {
-  void sharing().then(({ showSharedIfOpen }) => showSharedIfOpen(app, shared));
+  follow(sharing().then(({ showSharedIfOpen }) => showSharedIfOpen(app, shared)));
 }
 
 // The step that the address names belongs to the first document.
@@ -77,15 +88,19 @@ app.documents.state.subscribe(({ id }, before) => {
 });
 
 if (query.size > 0) {
-  void import("./commands/address-problems").then(({ addressProblems, showAddressProblems }) =>
-    showAddressProblems(app, addressProblems(query)),
+  follow(
+    import("./commands/address-problems").then(({ addressProblems, showAddressProblems }) =>
+      showAddressProblems(app, addressProblems(query)),
+    ),
   );
 }
 
 const lesson = lessonIn(query);
 if (lesson) {
-  void import("./commands/lesson-actions").then(({ openLessonNumber }) =>
-    openLessonNumber(app, lesson, query.get("lesson") ?? undefined),
+  follow(
+    import("./commands/lesson-actions").then(({ openLessonNumber }) =>
+      openLessonNumber(app, lesson, query.get("lesson") ?? undefined),
+    ),
   );
 }
 

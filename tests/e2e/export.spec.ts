@@ -39,6 +39,21 @@ test("one dialog exports the mesh: format, order, encoding and what the file kee
   expect(await page.getByTestId("count-points").textContent()).toContain(String(nodes));
 });
 
+test("on a phone, the buttons are in sight however the choices are scrolled", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await new AppPage(page).openCube();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+Shift+E");
+  const button = page.getByTestId("export-apply");
+  await expect(button).toBeInViewport({ ratio: 1 });
+  for (const choice of [page.getByRole("radio").first(), page.getByRole("radio", { name: /^STL/ })]) {
+    await choice.focus();
+    await expect(button).toBeInViewport({ ratio: 1 });
+    const [upper, lower] = [await choice.boundingBox(), await button.boundingBox()];
+    expect((upper?.y ?? 0) + (upper?.height ?? 0)).toBeLessThanOrEqual(lower?.y ?? 0);
+  }
+});
+
 test("lengths are exported in the unit that is chosen", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

@@ -19,6 +19,8 @@ test("the help has the documents, a search finds sections of all of them, and li
   await expect(format.getByRole("cell", { name: "CTRIA6" })).toBeVisible();
   await search.fill("fit model");
   await expect(results).toContainText("Fit model");
+  await search.fill("mesh");
+  await expect(help.getByRole("status")).toHaveText(/^The first 40 of \d{2,} sections$/);
   await search.fill("qqqqqq");
   await expect(help).toContainText("Nothing found");
   await search.fill("");

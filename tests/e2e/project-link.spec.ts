@@ -220,3 +220,11 @@ test("a picture of the view has the size asked for, with or without background, 
   await page.getByTestId("image-save").click();
   await expect(page.getByText("at most 16,384 pixels a side")).toBeVisible();
 });
+
+test("a link that was entered and cannot be followed says so", async ({ page }) => {
+  await new AppPage(page).openCube();
+  await page.route(/\/assets\/share-actions-[^/]*\.js$/, (route) => route.abort());
+  await page.evaluate(() => void (window.location.hash = "#project=x"));
+  const message = page.getByRole("dialog", { name: "What the address asks for could not be shown" });
+  await expect(message).toContainText("share-actions");
+});

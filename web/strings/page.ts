@@ -97,6 +97,7 @@ export const pageStrings = {
   },
   messages: {
     openFailed: (file: string) => `${file} could not be opened`,
+    addressFailed: "What the address asks for could not be shown",
     someFailed: (count: number) => `${count} files could not be opened`,
     noOpenDialog: "The browser did not open its dialog. Try again, or drop the file here.",
     saveFailed: "The project could not be saved",
@@ -187,8 +188,14 @@ export const pageStrings = {
     title: "Keyboard and mouse",
     contents: "Contents of the help",
     search: "Search the help",
-    found: (count: number) =>
-      count === 0 ? "Nothing found" : count === 1 ? "1 section" : `${count} sections`,
+    found: (count: number, shown: number) =>
+      count === 0
+        ? "Nothing found"
+        : count === 1
+          ? "1 section"
+          : count === shown
+            ? `${count} sections`
+            : `The first ${shown} of ${count} sections`,
     documents: {
       readme: "Introduction",
       format: "Files and formats",

@@ -54,7 +54,7 @@ it("a check that an edit has ended says nothing of the project, even if undo res
   } as unknown as BodyFeed;
   const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
   const resize = (size: number): void =>
-    documents.edit({ label: "Size", replace: [[["project", "meshing"], { size }]] });
+    void documents.edit({ label: "Size", replace: [[["project", "meshing"], { size }]] });
   const checks = (count: number) => vi.waitFor(() => expect(ends).toHaveLength(count));
   resize(0.3);
   await checks(1);
@@ -156,7 +156,7 @@ describe("bodies that touch", () => {
     for (const message of found) expect(message).not.toMatch(/box [12]/);
     expect(found.join()).toContain("box 3");
     const rename = (index: number, name: string): void =>
-      documents.edit({
+      void documents.edit({
         label: "Rename",
         change: ({ project: draft }) => {
           const body = draft.bodies?.[index];

@@ -120,7 +120,7 @@ describe("the commands", () => {
     const { documents, view } = app;
     const removed = { kind: "patch", id: 6 } as const;
     const add = (): void =>
-      documents.edit({
+      void documents.edit({
         label: "Add",
         change: ({ project }) => void project.patches.push({ id: 6, type: "planar", loops: [[1, 2, 3, 4]] }),
       });

@@ -45,7 +45,7 @@ function opened({ isImmediate = false } = {}) {
     Promise.resolve(mesher as Mesher),
   );
   const moveTo = (x: number): void =>
-    documents.edit({
+    void documents.edit({
       label: "Move",
       change: ({ project }) => {
         const first = project.points[0];

@@ -63,7 +63,7 @@ export function ExportDialog() {
             </Text>
           </div>
         </div>
-        <Group justify="flex-end" gap="xs" mt="md">
+        <Group justify="flex-end" gap="xs" mt="md" className={styles["actions"]}>
           <Button size="xs" variant="subtle" mr="auto" onClick={() => downloadReport(app)}>
             {texts.report}
           </Button>

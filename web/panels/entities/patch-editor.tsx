@@ -86,7 +86,7 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
     unknown: strings.fields.unknownLine,
   };
   const setLoops = (loops: readonly (readonly number[])[]): void =>
-    app.documents.edit(setPatchLoops(patch.id, loops));
+    void app.documents.edit(setPatchLoops(patch.id, loops));
   const isRim = patch.type === "tube";
   const named = index === 0 ? strings.inspector.outerLoop : strings.inspector.hole(index);
   const label = isRim ? strings.inspector.rim(index + 1) : named;

@@ -108,14 +108,15 @@ const maxResults = 40;
 
 /** The sections of all documents that a query finds. */
 export function HelpResults({ query, keys, onOpen }: ResultsProps) {
-  const found = searchHelp(query, [...keys, ...sections]).slice(0, maxResults);
+  const found = searchHelp(query, [...keys, ...sections]);
+  const shown = found.slice(0, maxResults);
   return (
     <>
       <Text size="sm" c="dimmed" role="status">
-        {texts.found(found.length)}
+        {texts.found(found.length, shown.length)}
       </Text>
       <ul className={styles["results"]} data-testid="help-results">
-        {found.map(({ section, excerpt }) => (
+        {shown.map(({ section, excerpt }) => (
           <li key={`${section.document}-${section.index}`}>
             <UnstyledButton
               className={styles["result"]}
