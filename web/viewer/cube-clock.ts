@@ -5,6 +5,11 @@
 export class Clock {
   #last = performance.now();
 
+  /** Begins to measure anew. */
+  start(): void {
+    this.#last = performance.now();
+  }
+
   /** Returns the seconds since the last call. */
   getDelta(): number {
     const now = performance.now();
