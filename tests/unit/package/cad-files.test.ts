@@ -110,7 +110,10 @@ describe("a solid", () => {
   test("that takes too long is given up, and its worker ends", async () => {
     const deflection = { distance: 0.1, isRelative: false, angle: 0.1 };
     const request = { format: "step", bytes: plate, deflection } as const;
-    expect(await askForCad(request, undefined, 0.001)).toEqual({ kind: "timed-out", seconds: 0.001 });
+    expect(await askForCad(request, undefined, { reading: 0.001 })).toEqual({
+      kind: "timed-out",
+      seconds: 0.001,
+    });
     expect((await askForCad(request, undefined)).kind).toBe("read");
     expect(secondsFor(1e8)).toBeGreaterThan(secondsFor(1e3));
     // A small file cannot keep its user waiting for minutes.

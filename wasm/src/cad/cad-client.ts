@@ -4,7 +4,7 @@ import { untilCancelled } from "../calls/cancelling.js";
 import { cadLibrary } from "./cad-library.js";
 import type { CadWorker } from "./cad-host.js";
 import { startFailure } from "./crash.js";
-import type { CadLoaded, CadReply, CadRequest } from "./protocol.js";
+import type { CadLoaded, CadReply, CadRequest, CadTimeout } from "./protocol.js";
 
 export const notLoadedRemedy = cadHost.remedy;
 
@@ -16,17 +16,21 @@ export const notLoadedRemedy = cadHost.remedy;
 const LIMIT = { base: 30, perMegabyte: 500 } as const;
 const SMALL_LIMIT = { base: 6, perMegabyte: 700 } as const;
 const MEGABYTE = 1e6;
-/** Bytes up to which the limit of small files holds. */
+/** Bytes of files that contain a part, and not an assembly of many: the limit of small files holds for them. */
 const SMALL_FILE = 34_000;
 
-/** Seconds that the library gets to be loaded: in a browser, 7 MB from a server. */
-const LOADING = 60;
+/** Seconds that the library gets to be loaded: in a browser, 7 MB from a server, which take 140 s at 400 kbit/s. */
+const LOADING = 300;
+
+export function isSmallFile(bytes: number): boolean {
+  return bytes < SMALL_FILE;
+}
 
 /** Returns the longest time that the worker gets for a file, in seconds. */
 export function secondsFor(bytes: number): number {
   const most = ({ base, perMegabyte }: typeof LIMIT | typeof SMALL_LIMIT) =>
     base + (perMegabyte * bytes) / MEGABYTE;
-  return Math.ceil(bytes < SMALL_FILE ? most(SMALL_LIMIT) : most(LIMIT));
+  return Math.ceil(isSmallFile(bytes) ? most(SMALL_LIMIT) : most(LIMIT));
 }
 
 /** Returns the longest time for a file that has been read before, and is triangulated more finely. */
@@ -34,14 +38,20 @@ export function secondsForFiner(bytes: number): number {
   return Math.max(secondsFor(bytes), LIMIT.base);
 }
 
+/** The longest times that the worker gets, in seconds. */
+interface CadLimits {
+  readonly reading?: number;
+  readonly loading?: number;
+}
+
 /**
- * Resolves with the reply of the worker; a crash of the worker and the end of its time are replies, too. Rejects with a
+ * Resolves with the reply of the worker; a crash of the worker and the end of its times are replies, too. Rejects with a
  * `MesherError` of code `cancelled` if the signal is aborted.
  */
 export async function askForCad(
   request: Omit<CadRequest, "library">,
   signal: AbortSignal | undefined,
-  seconds = secondsFor(request.bytes.length),
+  { reading = secondsFor(request.bytes.length), loading = LOADING }: CadLimits = {},
 ): Promise<CadReply> {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let worker: CadWorker | undefined;
@@ -49,13 +59,13 @@ export async function askForCad(
     return await untilCancelled(
       () =>
         new Promise<CadReply>((resolve) => {
-          const stopAfter = (limit: number) => {
+          const stopAfter = (seconds: number, kind: CadTimeout["kind"]) => {
             clearTimeout(timer);
-            timer = setTimeout(() => resolve({ kind: "timed-out", seconds: limit }), limit * 1000);
+            timer = setTimeout(() => resolve({ kind, seconds }), seconds * 1000);
           };
           const onReply = (reply: CadReply | CadLoaded) =>
-            reply.kind === "loaded" ? stopAfter(seconds) : resolve(reply);
-          stopAfter(LOADING);
+            reply.kind === "loaded" ? stopAfter(reading, "timed-out") : resolve(reply);
+          stopAfter(loading, "loading-timed-out");
           try {
             worker = cadHost.start({ onReply, onCrash: resolve });
             worker.post({ ...request, library: cadLibrary() });

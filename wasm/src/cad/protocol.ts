@@ -55,9 +55,9 @@ export interface CadCrash {
   readonly message: string;
 }
 
-/** The worker was terminated because it took longer than the limit. */
+/** The worker was terminated because reading the file, or loading the library, took longer than the limit. */
 export interface CadTimeout {
-  readonly kind: "timed-out";
+  readonly kind: "timed-out" | "loading-timed-out";
   readonly seconds: number;
 }
 

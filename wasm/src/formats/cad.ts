@@ -2,9 +2,9 @@
  * Reads STEP, IGES and BREP files by OpenCascade, which triangulates their faces. Each solid becomes a region, each
  * face a patch, in millimetres.
  */
-import { askForCad, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
+import { askForCad, isSmallFile, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
 import { GENERIC } from "../cad/opencascade.js";
-import type { CadFormat, CadShape, Deflection } from "../cad/protocol.js";
+import type { CadFormat, CadReply, CadShape, Deflection } from "../cad/protocol.js";
 import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
@@ -84,7 +84,9 @@ async function finer(
   const largest = coarse.reduce((most, { points }) => Math.max(most, diagonalOf(points)), 0);
   const distance = Math.max(PER_SIZE * size, FINEST * largest);
   const deflection = { distance, isRelative: false, angle: DEFLECTION.angle };
-  const reply = await askForCad({ format, bytes, deflection }, signal, secondsForFiner(bytes.length));
+  const reply = await askForCad({ format, bytes, deflection }, signal, {
+    reading: secondsForFiner(bytes.length),
+  });
   const shapes = reply.kind === "read" ? reply.shapes.filter(hasTriangles) : [];
   return shapes.length > 0 ? shapes : coarse;
 }
@@ -102,41 +104,50 @@ async function shapesIn(
   signal: AbortSignal | undefined,
 ): Promise<readonly CadShape[]> {
   const reply = await askForCad(request, signal);
-  const name = NAMES[request.format];
+  if (reply.kind !== "read") throw failureOf(reply, request.format, request.bytes.length);
+  const shapes = reply.shapes.filter(hasTriangles);
+  if (shapes.length > 0) return shapes;
+  const message = `the ${NAMES[request.format]} file contains no solids and no faces`;
+  throw new ReadFailure({ code: "no-triangles", message, remedy: "Export the part as solids." });
+}
+
+/** Returns why a file of this many bytes could not be read. */
+export function failureOf(
+  reply: Exclude<CadReply, { readonly kind: "read" }>,
+  format: CadFormat,
+  bytes: number,
+): ReadFailure {
+  const name = NAMES[format];
   const remedy = `Export the part again as ${name}, or in another format; the file is damaged or not ${name}.`;
   switch (reply.kind) {
     case "not-loaded": {
       const message = `${name} files need the library occt-import-js, which could not be loaded: ${reply.message}`;
-      throw new ReadFailure({ code: "missing-library", message, remedy: notLoadedRemedy });
+      return new ReadFailure({ code: "missing-library", message, remedy: notLoadedRemedy });
+    }
+    case "loading-timed-out": {
+      const message = `${name} files need the library for CAD files, which could not be loaded within ${reply.seconds} s`;
+      const again = "Check the connection, and read the file again.";
+      return new ReadFailure({ code: "missing-library", message, remedy: again });
     }
     case "out-of-memory": {
       const message = `the memory does not suffice to read the ${name} file: ${reply.message}`;
       const smaller = "Export the parts one by one, or triangulate them in the CAD program and export STL.";
-      throw new ReadFailure({ code: "too-large-file", message, remedy: smaller });
+      return new ReadFailure({ code: "too-large-file", message, remedy: smaller });
     }
     case "timed-out": {
       const message = `the ${name} file seems to be damaged: OpenCascade was stopped after ${reply.seconds} s, far longer than files of this size take`;
       const simpler =
         "Export the part again. For an assembly, export the parts one by one, or triangulate them in the CAD program and export STL.";
-      const isSmall = request.bytes.length < SMALL_FILE;
+      const isSmall = isSmallFile(bytes);
       const again = `Export the part again as ${name}, or in another format.`;
-      throw new ReadFailure({ message, remedy: isSmall ? again : simpler });
+      return new ReadFailure({ message, remedy: isSmall ? again : simpler });
     }
     case "rejected":
-      throw new ReadFailure({ message: `OpenCascade cannot read the file as ${name}`, remedy });
+      return new ReadFailure({ message: `OpenCascade cannot read the file as ${name}`, remedy });
     case "failed":
-      throw new ReadFailure({ message: failedMessage(name, reply.message), remedy });
-    case "read": {
-      const shapes = reply.shapes.filter(hasTriangles);
-      if (shapes.length > 0) return shapes;
-      const message = `the ${name} file contains no solids and no faces`;
-      throw new ReadFailure({ code: "no-triangles", message, remedy: "Export the part as solids." });
-    }
+      return new ReadFailure({ message: failedMessage(name, reply.message), remedy });
   }
 }
-
-/** Bytes of files that contain a part, and not an assembly of many. */
-const SMALL_FILE = 1e5;
 
 /** Errors of WebAssembly mean that OpenCascade has followed a wrong number in the file; the program's own have a sentence. */
 function failedMessage(name: string, cause: string): string {
