@@ -44,6 +44,15 @@ test("a BREP file with an impossible number of poles is refused at once, with th
   );
 });
 
+test.each([
+  ["knots", "7 4 90000000 1 100000000 4"],
+  ["poles", "7 1.5 0  90000000 100000000 0"],
+])("a line of %s that begins with the number of a kind of curve is no impossible count", async (_, line) => {
+  const text = plate.replace(/^Curves .*\n/m, (head) => `${head}${line}\n`);
+  const read = await readSurface(Buffer.from(text, "latin1"), { fileName: "a.brep" });
+  expect(read.success ? "" : read.errors[0].message).not.toMatch(/poles or knots/);
+});
+
 const plate = readFileSync(new URL("../../fixtures/plate.brep", import.meta.url), "latin1");
 
 test.each([

@@ -19,14 +19,21 @@ const TABLES: ReadonlyMap<string, number> = new Map([
 ]);
 const HEAD = new RegExp(`^\\s*(${[...TABLES.keys()].join("|")})(?:\\s+(.*?))?\\s*$`);
 
-/** Words at the beginning of a curve or surface with poles, and where its numbers of poles and knots are among the words. */
+/**
+ * Beginnings of a B-spline curve and surface, and where the numbers of poles and knots are among the words. Lines of poles or knots
+ * may begin with the same number: only a beginning goes on with as many flags and degrees. Knots increase, so that theirs do not.
+ */
 const POLES: readonly {
   readonly table: RegExp;
-  readonly type: string;
+  readonly head: RegExp;
   readonly counts: readonly number[];
 }[] = [
-  { table: /Curve|Surfaces/, type: "7", counts: [4, 5] },
-  { table: /Surfaces/, type: "9", counts: [7, 8, 9, 10] },
+  { table: /Curve|Surfaces/, head: /^\s*7(?:\s+[01]){2}\s+\d\d?(?:\s+\d+){2}(?:\s|$)/, counts: [4, 5] },
+  {
+    table: /Surfaces/,
+    head: /^\s*9(?:\s+[01]){4}(?:\s+\d\d?){2}(?:\s+\d+){4}(?:\s|$)/,
+    counts: [7, 8, 9, 10],
+  },
 ];
 
 interface Table {
@@ -84,9 +91,7 @@ function wrongPoles(
   table: string,
   { line, left }: { readonly line: number; readonly left: number },
 ): ReadFailure | undefined {
-  const kind = POLES.find(
-    ({ table: known, type }) => known.test(table) && text.trimStart().startsWith(`${type} `),
-  );
+  const kind = POLES.find(({ table: known, head }) => known.test(table) && head.test(text));
   if (kind === undefined) return undefined;
   const words = text.trim().split(/\s+/);
   // The first of the numbers may be on the same line.
