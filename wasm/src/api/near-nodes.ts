@@ -1,4 +1,5 @@
 /** Finds nodes of open edges that nearly coincide: cracks that a weld within a small distance closes. */
+import { roundedUp } from "../base/rounded-up.js";
 import { type Steps, stepwise } from "../base/steps.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { type EntityNamer } from "../diagnostics/entity-names.js";
@@ -6,6 +7,7 @@ import { sentence } from "../diagnostics/package-diagnostic.js";
 import { NearGrid } from "../formats/near-grid.js";
 import { diagonalOf } from "../formats/near-points.js";
 import { openEdges } from "../formats/open-edges.js";
+import { squareBetween } from "../formats/rounding-tolerance.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 
 /** Largest distance / shortest open edge at both nodes: a weld moves no node far along the boundary. */
@@ -14,6 +16,10 @@ const PER_EDGE = 0.25;
 const PER_DIAGONAL = 1e-3;
 /** Margin of the distance of the weld. */
 const MARGIN = 1.01;
+/** The limits of a class differ by at most this power of two. */
+const PER_CLASS = 2;
+/** Largest number of nodes with which one is compared: more are a heap of triangles, whose pairs tell nothing. */
+const MAX_VISITS = 1024;
 /** Number of pairs that the message names. */
 const NAMED_PAIRS = 3;
 
@@ -24,7 +30,7 @@ interface Pair {
 }
 
 /** Returns the distance that welds all nodes that nearly coincide; 0 without any. */
-export function* crackWidth({ points, triangles }: SurfaceInput): Steps<number> {
+export function* nearNodeWeld({ points, triangles }: SurfaceInput): Steps<number> {
   const pairs = yield* nearPairs(points, yield* openEdges(triangles, points.length / 3));
   return pairs.length === 0 ? 0 : weldDistance(pairs);
 }
@@ -69,23 +75,49 @@ export function* nearNodeWarnings(
 /** Returns pairs of nodes of open edges that are much nearer to each other than their neighbours on these edges. */
 function* nearPairs(points: Float64Array, open: Uint32Array): Steps<readonly Pair[]> {
   const shortest = yield* shortestEdges(points, open);
-  const nodes = Uint32Array.from(shortest.keys());
   const limit = PER_DIAGONAL * diagonalOf(points);
   const limitAt = (node: number) => Math.min(limit, PER_EDGE * (shortest.get(node) ?? 0));
-  const reach = nodes.reduce((most, node) => Math.max(most, limitAt(node)), 0);
-  if (!(reach > 0 && reach < Infinity)) return [];
-  const grid = yield* NearGrid.of(points, [reach, reach, reach], nodes);
   const pairs: Pair[] = [];
-  yield* stepwise(nodes.length, (i) => {
-    const one = nodes[i] ?? 0;
-    const own = limitAt(one);
-    grid.near(one, [own, own, own], (other) => {
-      if (other < one) return;
-      const distance = distanceOf(points, one, other);
-      if (distance > 0 && distance <= Math.min(own, limitAt(other))) pairs.push({ one, other, distance });
+  let larger: readonly number[] = [];
+  // Each node is compared with those of the same and of larger limits, in cells that fit its own.
+  for (const [reach, nodes] of yield* byLimit(shortest.keys(), limitAt)) {
+    const all = Uint32Array.from([...nodes, ...larger]);
+    const grid = yield* NearGrid.of(points, [reach, reach, reach], all);
+    const ranks = new Map(nodes.map((node, rank) => [node, rank]));
+    yield* stepwise(nodes.length, (i) => {
+      const one = nodes[i] ?? 0;
+      const own = limitAt(one);
+      let visits = 0;
+      grid.near(one, [own, own, own], (other) => {
+        if ((ranks.get(other) ?? Infinity) < i) return true;
+        const distance = distanceOf(points, one, other);
+        if (distance > 0 && distance <= Math.min(own, limitAt(other)))
+          pairs.push({ one: Math.min(one, other), other: Math.max(one, other), distance });
+        return ++visits < MAX_VISITS;
+      });
     });
-  });
+    larger = [...all];
+  }
   return pairs;
+}
+
+/** Returns the nodes in classes of similar limits, the largest first, each with a number that its limits do not exceed. */
+function* byLimit(
+  nodes: Iterable<number>,
+  limitAt: (node: number) => number,
+): Steps<readonly (readonly [number, number[]])[]> {
+  const classes = new Map<number, number[]>();
+  const all = Uint32Array.from(nodes);
+  yield* stepwise(all.length, (i) => {
+    const node = all[i] ?? 0;
+    const limit = limitAt(node);
+    if (!(limit > 0 && limit < Infinity)) return;
+    const reach = 2 ** (PER_CLASS * Math.ceil(Math.log2(limit) / PER_CLASS));
+    const known = classes.get(reach);
+    if (known === undefined) classes.set(reach, [node]);
+    else known.push(node);
+  });
+  return [...classes].sort(([a], [b]) => b - a);
 }
 
 /** Returns the length of the shortest open edge at each of their nodes. */
@@ -100,10 +132,7 @@ function* shortestEdges(points: Float64Array, open: Uint32Array): Steps<Readonly
 }
 
 function distanceOf(points: Float64Array, one: number, other: number): number {
-  const squares = [0, 1, 2].map(
-    (axis) => ((points[3 * one + axis] ?? 0) - (points[3 * other + axis] ?? 0)) ** 2,
-  );
-  return Math.sqrt(squares.reduce((sum, square) => sum + square, 0));
+  return Math.sqrt(squareBetween(points, one, other));
 }
 
 function positionOf(points: Float64Array, node: number): [number, number, number] {
@@ -112,10 +141,4 @@ function positionOf(points: Float64Array, node: number): [number, number, number
 
 function digits(value: number): number {
   return Number(value.toPrecision(2));
-}
-
-/** Rounds up to two digits. */
-function roundedUp(value: number): number {
-  const unit = 10 ** (Math.floor(Math.log10(value)) - 1);
-  return Number((Math.ceil(value / unit) * unit).toPrecision(2));
 }

@@ -12,7 +12,7 @@ import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/ins
 import { crackWarning } from "./cracks.js";
 import { withoutFilledPatch } from "./filled-holes.js";
 import { hasRegionVolumes } from "./input-checks.js";
-import { crackWidth } from "./near-nodes.js";
+import { nearNodeWeld } from "./near-nodes.js";
 import type { RepairOptions } from "./option-types.js";
 import { joinedBodies, overlappingSolids } from "./overlaps.js";
 import { repairedSurface } from "./repaired-surface.js";
@@ -101,7 +101,7 @@ async function weldedCracks(
   options: RepairOptions,
 ): Promise<SurfaceRepair | undefined> {
   if (options.weld !== undefined) return undefined;
-  const weld = await inSteps(crackWidth(given));
+  const weld = await inSteps(nearNodeWeld(given));
   if (weld === 0) return undefined;
   const repair = await mesher.repairSurface(given, { ...options, weld, resolveIntersections: false });
   if (!keepsTriangles(repair)) return undefined;

@@ -2,11 +2,8 @@
 import { type Steps, stepwise } from "../base/steps.js";
 
 const NONE = 0xffffffff;
-/** Side of a cell / reach: most searches visit one cell or two. */
-const CELL = 8;
-
-/** Largest number of points near another one. */
-const CROWD = 512;
+/** Side of a cell / reach: most searches visit a few cells, and few points out of reach. */
+const CELL = 4;
 
 /** Distance along each axis. */
 export type Reach = readonly [number, number, number];
@@ -33,37 +30,28 @@ export class NearGrid {
     return grid;
   }
 
-  /**
-   * Calls `visit` with each other point of the grid in the cells within `reach` of point p; with none if there are very many: a
-   * mesh that is fine at this scale, in which every search would visit all others.
-   */
-  near(p: number, reach: Reach, visit: (other: number) => void): void {
-    const found: number[] = [];
-    const isCrowded = this.#collect(p, reach, found);
-    if (!isCrowded) found.forEach(visit);
-  }
-
-  /** Collects the points near p. Returns true, early, if there are too many. */
-  #collect(p: number, reach: Reach, found: number[]): boolean {
+  /** Calls `visit` with each other point of the grid in the cells within `reach` of point p, until it returns false. */
+  near(p: number, reach: Reach, visit: (other: number) => boolean): void {
     const [x = 0, y = 0, z = 0] = this.#points.subarray(3 * p, 3 * p + 3);
     const [iEnd, jEnd, kEnd] = this.#cellAt(x + reach[0], y + reach[1], z + reach[2]);
     const [iBegin, jBegin, kBegin] = this.#cellAt(x - reach[0], y - reach[1], z - reach[2]);
     for (let i = iBegin; i <= iEnd; i++) {
       for (let j = jBegin; j <= jEnd; j++) {
-        for (let k = kBegin; k <= kEnd; k++) if (this.#collectIn([i, j, k], p, found)) return true;
+        for (let k = kBegin; k <= kEnd; k++) {
+          if (!this.#visit(i, j, k, p, visit)) return;
+        }
       }
     }
-    return false;
   }
 
-  #collectIn([i, j, k]: Reach, p: number, found: number[]): boolean {
+  #visit(i: number, j: number, k: number, p: number, visit: (other: number) => boolean): boolean {
     for (let q = this.#heads[this.#slotOf(i, j, k)] ?? NONE; q !== NONE; q = this.#next[q] ?? NONE) {
       if (q === p) continue;
       // Other cells may have the same slot.
       const [x, y, z] = this.#cellOf(q);
-      if (x === i && y === j && z === k && found.push(q) > CROWD) return true;
+      if (x === i && y === j && z === k && !visit(q)) return false;
     }
-    return false;
+    return true;
   }
 
   #add(p: number): void {

@@ -1,10 +1,10 @@
 /** Groups nodes that differ by rounding, independently of the order of the nodes. */
-import { type Steps, stepwise } from "../base/steps.js";
+import { PAUSE, type Steps, stepwise } from "../base/steps.js";
 import type { NearGrid } from "./near-grid.js";
 import { comparePositions, type Rounding, squareBetween } from "./rounding-tolerance.js";
 
 /** Largest number of nodes that are connected by pairs within rounding; more are a dense mesh, not noise. */
-const MAX_CONNECTED = 64;
+const MAX_CONNECTED = 256;
 
 export interface NoisySoup {
   readonly points: Float64Array;
@@ -46,23 +46,27 @@ export function* groupNoise(soup: NoisySoup, nodes: Uint32Array): Steps<Uint32Ar
   let pairs = 0;
   yield* stepwise(nodes.length, (i) => {
     const one = nodes[i] ?? 0;
+    let found = 0;
     grid.near(one, rounding.largest, (other) => {
-      if (!rounding.isWithin(one, other)) return;
-      pairs++;
+      if (!rounding.isWithin(one, other)) return true;
+      found++;
       connect(parent, one, other);
+      // With more, it is part of a dense mesh, all of whose other pairs would take long.
+      return found < MAX_CONNECTED;
     });
+    pairs += found;
   });
   if (pairs === 0) return undefined;
   const groupOf = Uint32Array.from(parent.keys());
   const isOpen = new Uint8Array(points.length / 3);
   for (const node of nodes) isOpen[node] = 1;
-  const components = [...(yield* componentsOf(parent))].filter(({ length }) => length <= MAX_CONNECTED);
-  yield* stepwise(components.length, (c) => {
-    const members = components[c] ?? [];
-    for (const group of isGroup(soup, members) ? [members] : nearestFirst(soup, members, isOpen)) {
+  for (const members of yield* componentsOf(parent)) {
+    if (members.length > MAX_CONNECTED) continue;
+    for (const group of groupsOf(soup, members, isOpen)) {
       for (const node of group) groupOf[node] = group[0] ?? node;
     }
-  });
+    yield PAUSE;
+  }
   return groupOf;
 }
 
@@ -94,49 +98,66 @@ function* componentsOf(parent: Uint32Array): Steps<Iterable<number[]>> {
   return components.values();
 }
 
-/** Returns whether all of these nodes differ by rounding, and no two have a triangle in common. */
-function isGroup({ rounding, triangles, incidence }: NoisySoup, members: readonly number[]): boolean {
-  for (const [i, one] of members.entries()) {
-    for (let k = 0; k < i; k++) if (!rounding.isWithin(one, members[k] ?? 0)) return false;
-  }
-  return members.every((one) =>
-    incidence(one).every((t) => {
-      for (let corner = 3 * t; corner < 3 * t + 3; corner++) {
-        const node = triangles[corner] ?? 0;
-        if (node !== one && members.includes(node)) return false;
-      }
-      return true;
-    }),
-  );
-}
-
-/** Joins the nodes of a component, the nearest first, to groups that are as large as they can be. */
-function nearestFirst(soup: NoisySoup, members: readonly number[], isOpen: Uint8Array): Iterable<number[]> {
-  const groups = new Map(members.map((node) => [node, [node]]));
+/** Joins the nodes of a component, the nearest first, to groups that are as large as they can be. O(m² log m) for m nodes. */
+function groupsOf(soup: NoisySoup, members: readonly number[], isOpen: Uint8Array): Iterable<number[]> {
+  const conflicts = conflictsOf(soup, members);
+  if (!conflicts.includes(1)) return [[...members]];
+  const count = members.length;
+  // The first member of each group stands for all of them.
+  const firstOf = Uint16Array.from(members.keys());
+  const groups = new Map(members.map((node, m) => [m, [node]]));
   for (const [one, other] of sortedPairs(soup, members, isOpen)) {
-    const [left = [], right = []] = [groups.get(one), groups.get(other)];
-    if (left === right) continue;
-    const all = [...left, ...right].sort((a, b) => a - b);
-    if (isGroup(soup, all)) for (const node of all) groups.set(node, all);
+    const [first = 0, second = 0] = [firstOf[one], firstOf[other]].sort((a = 0, b = 0) => a - b);
+    if (first === second || conflicts[first * count + second] === 1) continue;
+    for (let m = 0; m < count; m++) {
+      if (conflicts[second * count + m] === 1)
+        conflicts[first * count + m] = conflicts[m * count + first] = 1;
+      if (firstOf[m] === second) firstOf[m] = first;
+    }
+    groups.get(first)?.push(...(groups.get(second) ?? []));
+    groups.delete(second);
   }
-  return new Set(groups.values());
+  return [...groups.values()].map((group) => group.sort((a, b) => a - b));
 }
 
-/** Returns the pairs of a node of an open edge and another one, by their distance, then by their positions. */
+/** Returns a square matrix: 1 where two of the nodes differ by more than rounding, or have a triangle in common. */
+function conflictsOf({ rounding, triangles, incidence }: NoisySoup, members: readonly number[]): Uint8Array {
+  const count = members.length;
+  const places = new Map(members.map((node, m) => [node, m]));
+  const conflicts = new Uint8Array(count * count);
+  for (const [m, one] of members.entries()) {
+    for (let k = 0; k < m; k++) {
+      if (!rounding.isWithin(one, members[k] ?? 0)) conflicts[m * count + k] = conflicts[k * count + m] = 1;
+    }
+    for (const t of incidence(one)) {
+      for (let corner = 3 * t; corner < 3 * t + 3; corner++) {
+        const k = places.get(triangles[corner] ?? 0);
+        if (k !== undefined && k !== m) conflicts[m * count + k] = 1;
+      }
+    }
+  }
+  return conflicts;
+}
+
+/** Returns the places of pairs of a node of an open edge and another one, by their distance, then by their positions. */
 function sortedPairs(
   { points, rounding }: NoisySoup,
   members: readonly number[],
   isOpen: Uint8Array,
 ): (readonly [number, number])[] {
-  const inOrder = [...members].sort((a, b) => comparePositions(points, a, b));
-  const pairs = inOrder.flatMap((one, i) =>
-    inOrder
-      .slice(i + 1)
-      .filter((other) => isOpen[one] === 1 || isOpen[other] === 1)
-      .filter((other) => rounding.isWithin(one, other))
-      .map((other) => [one, other] as const),
+  const inOrder = [...members.keys()].sort((a, b) =>
+    comparePositions(points, members[a] ?? 0, members[b] ?? 0),
   );
-  const square = ([one, other]: readonly [number, number]) => squareBetween(points, one, other);
+  const pairs: { readonly places: readonly [number, number]; readonly square: number }[] = [];
+  for (const [i, m] of inOrder.entries()) {
+    const one = members[m] ?? 0;
+    for (const k of inOrder.slice(i + 1)) {
+      const other = members[k] ?? 0;
+      if (isOpen[one] !== 1 && isOpen[other] !== 1) continue;
+      if (rounding.isWithin(one, other))
+        pairs.push({ places: [m, k], square: squareBetween(points, one, other) });
+    }
+  }
   // The sort is stable: of equal distances, the first position decides.
-  return pairs.sort((a, b) => square(a) - square(b));
+  return pairs.sort((a, b) => a.square - b.square).map(({ places }) => places);
 }
