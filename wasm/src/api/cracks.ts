@@ -2,6 +2,7 @@
 import type { SurfaceMesher } from "./surface-mesher.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { roundedUp } from "../base/rounded-up.js";
 import { withoutPause } from "../base/steps.js";
 import { openEdges } from "../formats/open-edges.js";
 import { diagonalOf, distanceAlong } from "../formats/near-points.js";
@@ -30,7 +31,7 @@ export async function crackWarning(
   repaired: { readonly isFillable: boolean; readonly regions: number },
   innerShells?: InnerShells,
 ): Promise<Diagnostic[]> {
-  const gap = crackWidth(given);
+  const gap = largestGap(given);
   if (gap === undefined) return [];
   for (const margin of MARGINS) {
     const weld = roundedUp(margin * gap);
@@ -49,17 +50,11 @@ export async function crackWarning(
   return [];
 }
 
-/** Rounds up to two digits. */
-function roundedUp(value: number): number {
-  const unit = 10 ** (Math.floor(Math.log10(value)) - 1);
-  return Number((Math.ceil(value / unit) * unit).toPrecision(2));
-}
-
 /**
  * Returns the largest distance of a node on an open edge from the nearest one of another part; undefined if there is none, or
  * if the parts are not near each other everywhere.
  */
-function crackWidth({ points, triangles }: SurfaceInput): number | undefined {
+function largestGap({ points, triangles }: SurfaceInput): number | undefined {
   const nodes = new Set(withoutPause(openEdges(triangles, points.length / 3)));
   if (nodes.size === 0 || nodes.size > MAX_NODES) return undefined;
   const limit = LARGEST_GAP * diagonalOf(points);
