@@ -17,7 +17,7 @@ import {
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 
 import { withoutPause } from "../../../wasm/dist/base/steps.js";
-import { askForCad, secondsFor } from "../../../wasm/dist/cad/cad-client.js";
+import { askForCad } from "../../../wasm/dist/cad/cad-client.js";
 import { stepNotes, stepText } from "../../../wasm/dist/formats/step-text.js";
 import { mutated, randomSource } from "../../support/random.js";
 import { boxSolid, drilledSolid, pinSolid, stepFile } from "../../support/step-files.js";
@@ -110,14 +110,9 @@ describe("a solid", () => {
   test("that takes too long is given up, and its worker ends", async () => {
     const deflection = { distance: 0.1, isRelative: false, angle: 0.1 };
     const request = { format: "step", bytes: plate, deflection } as const;
-    expect(await askForCad(request, undefined, { reading: 0.001 })).toEqual({
-      kind: "timed-out",
-      seconds: 0.001,
-    });
+    const late = await askForCad(request, undefined, { reading: 0.001 });
+    expect(late).toEqual({ kind: "timed-out", seconds: 0.001 });
     expect((await askForCad(request, undefined)).kind).toBe("read");
-    expect(secondsFor(1e8)).toBeGreaterThan(secondsFor(1e3));
-    // A small file cannot keep its user waiting for minutes.
-    expect(secondsFor(4000)).toBeLessThan(60);
   });
 
   test("of a BREP file has no unit", async () => {
@@ -409,7 +404,7 @@ describe("a file that cannot be read", () => {
     const readOne = async (seed: number): Promise<void> => {
       const bytes = withOtherWords(file, randomSource(seed));
       // One file in twenty keeps OpenCascade busy: edges between vertices that are elsewhere. The others are read in 0.1 s.
-      const reply = await askForCad({ ...request, bytes }, undefined, 5);
+      const reply = await askForCad({ ...request, bytes }, undefined, { reading: 5 });
       kinds.set(reply.kind, (kinds.get(reply.kind) ?? 0) + 1);
       const shapes = reply.kind === "read" ? reply.shapes : [];
       for (const { points, triangles, faces } of shapes) {

@@ -1,9 +1,9 @@
-/** The time that the library for CAD files takes to be loaded. */
+/** The longest times for CAD files and their library. */
 import { readFileSync } from "node:fs";
 
 import { expect, test } from "vitest";
 
-import { askForCad } from "../../../wasm/dist/cad/cad-client.js";
+import { askForCad, secondsFor } from "../../../wasm/dist/cad/cad-client.js";
 import { failureOf } from "../../../wasm/dist/formats/cad.js";
 
 test("a file is not called damaged if the library takes long to be loaded", async () => {
@@ -16,4 +16,9 @@ test("a file is not called damaged if the library takes long to be loaded", asyn
     message: "STEP files need the library for CAD files, which could not be loaded within 300 s",
     remedy: "Check the connection, and read the file again.",
   });
+});
+
+test("larger files have more time, and small ones cannot keep their user waiting for minutes", () => {
+  expect(secondsFor(1e8)).toBeGreaterThan(secondsFor(1e3));
+  expect(secondsFor(4000)).toBeLessThan(60);
 });
