@@ -301,6 +301,22 @@ test("the standard views look along the axes", async ({ page }) => {
   expect(Math.abs(z.right)).toBeLessThan(1);
 });
 
+test("a click on the top of the view cube shows x to the right", async ({ page }) => {
+  const errors: string[] = [];
+  page.on("pageerror", ({ message }) => errors.push(message));
+  const app = new AppPage(page);
+  await app.openCube();
+  const box = await app.viewport.boundingBox();
+  if (!box) throw new Error("there is no view");
+  // In the isometric view, the upper face is above the middle of the cube.
+  await page.mouse.click(box.x + box.width - 56, box.y + 56 - 24);
+  const along = (end: Position) => onScreen(page, cubeCentre, end);
+  await expect.poll(async () => Math.round((await along([0.7, 0.5, 0.5])).up)).toBe(0);
+  expect((await along([0.7, 0.5, 0.5])).right).toBeGreaterThan(20);
+  expect((await along([0.5, 0.7, 0.5])).up).toBeGreaterThan(20);
+  expect(errors).toEqual([]);
+});
+
 test("keys rotate, zoom and pan the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

@@ -5,7 +5,7 @@
 export class Clock {
   #last = performance.now();
 
-  /** Begins to measure anew. */
+  /** Restarts the measurement. */
   start(): void {
     this.#last = performance.now();
   }

@@ -10,6 +10,9 @@ import { prepareShaders } from "./shaders";
 const size = 92;
 const offset = 10;
 
+/** Sine of the angle to the z axis below which the view is from above or below: less than a pixel of the cube. */
+const alongZ = 1e-3;
+
 /** From where the library draws the cube, which has no name for this camera. */
 const cubeCamera = new PerspectiveCamera(26, 1, 5, 10);
 cubeCamera.position.set(0, 0, 7);
@@ -60,6 +63,8 @@ export class ViewCube {
     });
     this.#gizmo.addEventListener("end", () => {
       controls.enabled = true;
+      // From above or below, no direction is the library's: the views of the keys have x to the right.
+      if (Math.sin(controls.polarAngle) < alongZ) void controls.rotateTo(0, controls.polarAngle, false);
       // A piece that the pointer has left is not highlighted any more.
       this.#pictured = null;
       options.onChange();

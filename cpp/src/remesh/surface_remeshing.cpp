@@ -36,11 +36,11 @@ namespace {
 
 /// The automatic tolerance is relative to the smallest region, which is a bolt of an assembly, but not to a smaller one than
 /// this share of the diagonal of all: the whole surface has one tolerance.
-constexpr double kLeastRegion = 1.0 / 8.0;
+constexpr double kMinRegion = 1.0 / 8.0;
 /// Largest automatic tolerance / mean thickness: the sides of a thin wall must not come near each other.
 constexpr double kTolerancePerThickness = 0.5;
-/// The same limit does not go below this share of the diagonal: rounding.
-constexpr double kLeastTolerance = 1e-6;
+/// Smallest automatic tolerance / diagonal: six digits, as text files have. A smaller one would keep their rounding as shape.
+constexpr double kMinTolerancePerDiagonal = 1e-6;
 
 /// Returns the diagonal of the smallest region beside the triangles, two regions each; at least the share above.
 double smallestDiagonal(const SurfaceMesh& mesh, std::span<const std::uint32_t> regions,
@@ -61,7 +61,7 @@ double smallestDiagonal(const SurfaceMesh& mesh, std::span<const std::uint32_t> 
   for (const Bounds& each : bounds) {
     if (each.low.x <= each.high.x) smallest = std::min(smallest, glm::length(each.high - each.low));
   }
-  return std::max(smallest, kLeastRegion * diagonal);
+  return std::max(smallest, kMinRegion * diagonal);
 }
 
 /// Returns 2 V / A of the thinnest region beside the triangles, two regions each, or of all if there are none: the thickness of a
@@ -192,9 +192,10 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   if (settled.tolerance <= 0.0) {
     const double extent = smallestDiagonal(given.mesh, regions, diagonal);
     const double automatic = automaticTolerance(options, hasTargets, extent);
-    const double least = regions.empty() ? kLeastTolerance * diagonal : kLeastRegion * automatic;
+    const double smallest =
+        regions.empty() ? kMinTolerancePerDiagonal * diagonal : kMinRegion * automatic;
     const double ofThickness = kTolerancePerThickness * meanThickness(given.mesh, regions);
-    settled.tolerance = std::min(automatic, std::max(least, ofThickness));
+    settled.tolerance = std::min(automatic, std::max(smallest, ofThickness));
   }
   const RemeshLengths lengths = remeshLengthsOf(settled, hasTargets, diagonal);
   const Remeshing remeshing{given, regions, movedSizes, settled, lengths, isStopped};

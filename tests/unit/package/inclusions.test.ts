@@ -133,7 +133,7 @@ describe("nested solids of a file", () => {
     }
   });
 
-  test("of which all face inward are turned, each as a whole", async () => {
+  test("that all face inward: each is turned as a whole", async () => {
     save("solids.stl", solids(["matrix", turned(matrix)], ["inclusion", turned(ball)]));
     const { stderr } = await run("mesh", "solids.stl", "-o", "a.vtu");
     const count = ({ triangles }: SurfaceInput) => triangles.length / 3;

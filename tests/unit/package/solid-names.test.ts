@@ -38,7 +38,7 @@ test("products of a file are those of its solids; escapes in names are decoded",
   expect(found).toEqual(["a", "Gehäuse", "d'e"].map((product) => ({ product, faces: 6 })));
 });
 
-test("a solid that cannot be told from those of other products has none", () => {
+test("a solid that could be one of several products gets no name", () => {
   const solids = [
     { product: "box", faces: 6 },
     { product: "pin", faces: 3 },

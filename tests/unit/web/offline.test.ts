@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { keepEverything } from "../../../web/session/offline";
 import { offlineStrings } from "../../../web/strings/passing";
 
-/** A service worker of which a test sets the state. Asked to keep all files, it answers if `answers`. */
+/** A service worker whose state a test sets. `answers`: whether it replies when it is asked to keep all files. */
 class TestWorker extends EventTarget {
   state: ServiceWorkerState = "installing";
   readonly #answers: boolean;

@@ -2,10 +2,9 @@
 import { STEP_HEIGHT } from "../base/limits.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { inSteps } from "../calls/yielder.js";
-import { MesherError, refuse } from "../diagnostics/mesher-error.js";
+import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
-import { openEdges } from "../formats/open-edges.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/inspection.js";
@@ -212,26 +211,23 @@ export async function madeFillable(
 }
 
 /**
- * Returns a surface with open edges after a repair that closes it, keeps its triangles and changes nothing that one sees; undefined
- * if it is closed, or if no such repair suffices.
+ * Returns a surface whose cracks have been welded; undefined if it has none, if this does not make it valid, or if one would see the
+ * change.
  */
 export async function withoutCracks(
   mesher: SurfaceMesher,
   given: SurfaceFile,
   innerShells: InnerShells | undefined,
 ): Promise<PreparedSurface | undefined> {
-  const { length } = await inSteps(openEdges(given.triangles, given.points.length / 3));
-  if (length === 0) return undefined;
-  const made = await madeFillable(mesher, given, { innerShells, isRemeshed: false }).catch(
-    undefinedIfRefused,
-  );
-  if (made === undefined || !keepsTriangles(made) || isVisiblyChanged(given, made)) return undefined;
-  const { isFillable } = await mesher.inspectSurface(made.surface, { innerShells });
-  return isFillable ? made : undefined;
-}
-
-function undefinedIfRefused(failure: unknown): undefined {
-  if (!(failure instanceof MesherError) || failure.code !== "invalid-input") throw failure;
+  const repair = await weldedCracks(mesher, given, { innerShells });
+  if (repair === undefined) return undefined;
+  const { changes, deviation: repairDeviation } = repair;
+  const welded = repairedSurface(given, repair);
+  const solids = hasSolids(given) ? await withSolidRegions(mesher, given, welded) : undefined;
+  const surface = solids?.surface ?? welded;
+  const warnings = [...repair.diagnostics, ...(solids?.warnings ?? [])];
+  const made = { surface, changes, repairDeviation, warnings };
+  return isVisiblyChanged(given, made) ? undefined : made;
 }
 
 function limitsLost(): Diagnostic {

@@ -1,9 +1,9 @@
 /** Whether a remeshed surface encloses as much as the given one. */
 import { short } from "../base/short.js";
-import { type Steps, stepwise } from "../base/steps.js";
+import type { Steps } from "../base/steps.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
 import { sentence } from "../diagnostics/package-diagnostic.js";
-import { sixfoldVolume } from "../formats/sixfold-volume.js";
+import { enclosedVolumes } from "../formats/sixfold-volume.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 
@@ -28,8 +28,8 @@ export function* volumeWarnings(
     triangleRegions.length === 0 ||
     triangleRegions[2 * t] === NO_REGION ||
     triangleRegions[2 * t + 1] === NO_REGION;
-  const before = yield* enclosedVolume(given, isOuter);
-  const after = yield* enclosedVolume(made, (t) => isOuter(origin[t] ?? 0));
+  const [before = 0] = yield* enclosedVolumes(given, 1, (t) => (isOuter(t) ? 0 : undefined));
+  const [after = 0] = yield* enclosedVolumes(made, 1, (t) => (isOuter(origin[t] ?? 0) ? 0 : undefined));
   if (!(Math.abs(after - before) > CHANGED * Math.abs(before))) return [];
   const [one, other] = [before, after].map((volume) => short(Math.abs(volume), DIGITS));
   const warning: DiagnosticOf<"changed-volume"> = {
@@ -41,18 +41,4 @@ export function* volumeWarnings(
     data: { given: before, made: after },
   };
   return [warning];
-}
-
-function* enclosedVolume(
-  { points, triangles }: SurfaceInput,
-  isCounted: (triangle: number) => boolean,
-): Steps<number> {
-  const first = triangles[0] ?? 0;
-  let sum = 0;
-  yield* stepwise(triangles.length / 3, (t) => {
-    if (!isCounted(t)) return;
-    const [a = 0, b = 0, c = 0] = triangles.subarray(3 * t, 3 * t + 3);
-    sum += sixfoldVolume(points, first, a, b, c).volume;
-  });
-  return sum / 6;
 }

@@ -2,7 +2,7 @@
 import { type Steps, stepwise } from "../base/steps.js";
 import { type AssemblyPart, assemblyOf } from "./assembly.js";
 import { openEdges } from "./open-edges.js";
-import { sixfoldVolume } from "./sixfold-volume.js";
+import { enclosedVolumes } from "./sixfold-volume.js";
 import { type SurfaceFile, surfaceOf } from "./surface-file.js";
 
 /**
@@ -46,14 +46,9 @@ function* areClosed({ points, triangles, trianglePatch, patches }: SurfaceFile):
   return points.length > 0 && (yield* openEdges(own, nodeOf.size)).length === 0;
 }
 
-function* faceOutward({ points, triangles, trianglePatch, patches }: SurfaceFile): Steps<boolean> {
-  const volumes = new Float64Array(patches.length);
-  const first = triangles[0] ?? 0;
-  yield* stepwise(trianglePatch.length, (t) => {
-    const [a = 0, b = 0, c = 0] = triangles.subarray(3 * t, 3 * t + 3);
-    const patch = trianglePatch[t] ?? 0;
-    volumes[patch] = (volumes[patch] ?? 0) + sixfoldVolume(points, first, a, b, c).volume;
-  });
+function* faceOutward(surface: SurfaceFile): Steps<boolean> {
+  const { trianglePatch, patches } = surface;
+  const volumes = yield* enclosedVolumes(surface, patches.length, (t) => trianglePatch[t]);
   const used = new Set(trianglePatch);
   return volumes.every((volume, patch) => volume > 0 || !used.has(patch));
 }
