@@ -27,6 +27,7 @@ test("one dialog exports the mesh: format, order, encoding and what the file kee
   await expect(file).toContainText("unit-cube.ugrid");
   await dialog.getByRole("radio", { name: /^STL/ }).check();
   await expect(keeps).toContainText("single precision");
+  await expect(keeps).toContainText("numbers only");
   await expect(dialog.getByRole("radio", { name: "Second order" })).toBeDisabled();
   await dialog.getByRole("radio", { name: /^UGRID/ }).check();
   const [download] = await Promise.all([

@@ -61,6 +61,24 @@ test("after one visit, all pages work without a network, and CAD files once the 
   await expect(embed.viewport).toHaveAttribute("data-step", "100");
 });
 
+test("without a network and the library for CAD files, a sentence says how to get it", async ({
+  page,
+  context,
+}) => {
+  await visited(page);
+  await context.setOffline(true);
+  await dropBytes(page, plate, "plate.step");
+  const dialog = page.getByRole("dialog", { name: "plate.step could not be opened" });
+  await expect(dialog).toContainText("not kept in this browser, and there is no network");
+  await expect(dialog).not.toContainText(/occt-import-js|setCadLibrary/);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("Keep for offline use");
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("dialog", { name: "could not be kept" })).toContainText("There is no network.");
+  await expect(page.getByTestId("notice-offline")).toBeHidden();
+});
+
 test("the library for CAD files is kept when it was used", async ({ page, context }) => {
   const app = await visited(page);
   await dropBytes(page, plate, "plate.step");

@@ -1,6 +1,6 @@
 import type { App } from "../app/app";
 import { keepEverything, workOffline } from "../session/offline";
-import { showNotice } from "../session/shell";
+import { hideNotice, showNotice } from "../session/shell";
 import { untilState } from "../session/until-state";
 import { offlineStrings as texts } from "../strings/passing";
 import { showFailure } from "./messages";
@@ -15,8 +15,9 @@ export async function keepOffline(app: App): Promise<void> {
   const note = (text: string): void => showNotice(app.shell, { key: "offline", text, ...information });
   note(texts.keeping);
   const kept = await keepEverything();
-  if (kept.kind === "kept") note(texts.kept(kept.bytes));
-  else showFailure(app, texts.notKept, kept.reason);
+  if (kept.kind === "kept") return note(texts.kept(kept.bytes));
+  hideNotice(app.shell, "offline");
+  showFailure(app, texts.notKept, navigator.onLine ? kept.reason : texts.noNetwork);
 }
 
 /** Leaves the connection and the processor to the first picture and the first mesh, in milliseconds; longer to tests. */

@@ -154,6 +154,8 @@ export const pageStrings = {
     meshDescription: "Surface or mesh file",
     meshNotSaved:
       "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
+    noCadLibrary:
+      "The library that reads CAD files is not kept in this browser, and there is no network. Open a CAD file once with a network, or use Keep for offline use in the Help menu.",
     keptTriangles:
       "Its triangles are well shaped, so Generate mesh keeps them. Select Remesh under Triangles to replace them.",
     needles: (needles: number, triangles: number) =>

@@ -45,6 +45,7 @@ export const offlineStrings = {
   kept: (bytes: number) =>
     `Tetrafront is kept in this browser (${(bytes / 1e6).toFixed(1)} MB), with the library for CAD files. It works without a network.`,
   notKept: "Tetrafront could not be kept for offline use",
+  noNetwork: "There is no network. Try again when there is one.",
   notInstalled: "A file of the site could not be fetched, or is of another version. Try again later.",
   tooLong: (minutes: number) =>
     `It took more than ${minutes} minutes. The browser continues while this page is open; try again later.`,

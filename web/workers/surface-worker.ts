@@ -91,6 +91,9 @@ function notesOf({ notes = [], regionPoints }: SurfaceFile): string[] {
 
 /** Returns why a file cannot be read, one sentence each. */
 function refusal(errors: readonly ReadError[]): Answer<SurfaceProtocol["read"]["answer"]> {
+  // Without a network, the library for CAD files is there only if this browser keeps it.
+  if (!navigator.onLine && errors.some(({ code }) => code === "missing-library"))
+    return { answer: { success: false, reasons: [strings.files.noCadLibrary] } };
   const reasons = errors.map(({ message, remedy, line }) =>
     [line === undefined || /^line \d/i.test(message) ? message : `Line ${line}: ${message}`, remedy]
       .filter((text) => text !== "")
