@@ -20,6 +20,7 @@
 #include "support/mesh_validator.h"
 #include "support/part_shapes.h"
 #include "support/shapes.h"
+#include "support/stored_fingerprints.h"
 #include "support/surface_measures.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/remesh.h"
@@ -369,6 +370,7 @@ TEST_P(RegressionParts, ReachesItsFigures) {
   }
   ASSERT_EQ(run.status(), MeshStatus::kDone);
   EXPECT_EQ(complaintAbout(run.volume(), run.surface()), "");
+  expectStoredFingerprint(GetParam().name, given, run.fingerprint());
   double dihedral = 180.0;
   double ratioSum = 0.0;
   double elements = 0.0;

@@ -12,6 +12,7 @@
 #include "support/mesh_validator.h"
 #include "support/random.h"
 #include "support/shapes.h"
+#include "support/stored_fingerprints.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront {
@@ -46,13 +47,14 @@ SurfaceMesh transformed(SurfaceMesh surface, std::uint64_t seed) {
 
 class Regression : public ::testing::TestWithParam<Family> {};
 
-std::string complaintAboutRun(const SurfaceMesh& surface, bool fillOnly) {
-  MeshOptions options;
-  options.exactFillOnly = fillOnly;
-  if (fillOnly) options.optimization = Optimization::kNone;
+MeshRun finishedRun(const SurfaceMesh& surface, const MeshOptions& options) {
   MeshRun run(surface.points, surface.triangles, options);
   while (run.advance(5000) == MeshStatus::kRunning) {
   }
+  return run;
+}
+
+std::string complaintAboutRun(const MeshRun& run) {
   if (run.status() != MeshStatus::kDone) return "not done";
   return testing::complaintAbout(run.volume(), run.surface());
 }
@@ -63,16 +65,23 @@ TEST_P(Regression, IsMeshedCompletely) {
     for (int i = 0; i < family.solids; ++i) {
       const auto seed = static_cast<std::uint64_t>(100 * size + i + 1);
       const SurfaceMesh surface = family.make(size, seed);
-      EXPECT_EQ(complaintAboutRun(surface, false), "") << "size " << size << ", seed " << seed;
+      const MeshRun run = finishedRun(surface, {});
+      EXPECT_EQ(complaintAboutRun(run), "") << "size " << size << ", seed " << seed;
+      const std::string name = family.name + "-" + std::to_string(size) + "-" + std::to_string(i);
+      testing::expectStoredFingerprint(name, surface, run.fingerprint());
     }
   }
 }
 
 TEST_P(Regression, IsFilledByTheExactFillAlone) {
   const Family& family = GetParam();
+  MeshOptions options;
+  options.exactFillOnly = true;
+  options.optimization = Optimization::kNone;
   for (int size = 0; size < 3; ++size) {
     const auto seed = static_cast<std::uint64_t>(100 * size + 1);
-    EXPECT_EQ(complaintAboutRun(family.make(size, seed), true), "") << "size " << size;
+    const MeshRun run = finishedRun(family.make(size, seed), options);
+    EXPECT_EQ(complaintAboutRun(run), "") << "size " << size;
   }
 }
 

@@ -38,7 +38,8 @@ struct RemeshOptions {
   double maxSize = 0.0;  ///< largest automatic size; 0: a fifteenth of the surface's diagonal
   /// Largest distance between the two surfaces, measured from each to the other, in model units; 0:
   /// 1/250 of the diagonal, with several regions of that of the smallest, but at least 1/2000 of the whole; with given
-  /// sizes 1/700 instead of 1/250, and at most a twentieth of `size`.
+  /// sizes 1/700 instead of 1/250, and at most a twentieth of `size`. Besides, at most half of the mean thickness 2 V / A of the
+  /// thinnest region.
   double tolerance = 0.0;
   double featureAngle =
       40.0;  ///< edges with a larger angle between their triangles stay sharp; degrees

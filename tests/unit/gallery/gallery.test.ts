@@ -115,6 +115,13 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
   });
 });
 
+test("the meshes of all models are the stored ones", async () => {
+  const lines: string[] = [];
+  for (const id of projects.keys()) lines.push(`${id} ${(await meshOf(id)).report.fingerprint}\n`);
+  // If a change of a mesh is right: npm run fingerprints.
+  await expect(lines.join("")).toMatchFileSnapshot("../../fingerprints/gallery.txt");
+});
+
 /**
  * Patches with fewer triangles than this, at the sizes of the model, have lower limits: one side more or less
  * on a line already affects their statistics. tests/cpp/surface_gallery_patches_test.cpp tests every patch at

@@ -343,7 +343,7 @@ describe("the command", () => {
 
   test("remeshing writes what it has when it is interrupted", async () => {
     save("sphere.stl", stlBinary(sphereSurface(24)));
-    const args = ["remesh", "sphere.stl", "-o", "part.ply", "--size", "0.05"];
+    const args = ["remesh", "sphere.stl", "-o", "part.ply", "--size", "0.02"];
     const { code, stderr } = await tetrafront(folder.path, args, {
       env: signalAtProgress("SIGINT", "program", 0.05),
     });
@@ -356,7 +356,7 @@ describe("the command", () => {
 
   test("meshing explains what it has when its remeshing is interrupted", async () => {
     save("sphere.stl", stlBinary(sphereSurface(24)));
-    const args = ["mesh", "sphere.stl", "-o", "no.vtu", "--surface", "remesh", "--size", "0.05"];
+    const args = ["mesh", "sphere.stl", "-o", "no.vtu", "--surface", "remesh", "--size", "0.02"];
     const { code, stderr } = await tetrafront(folder.path, [...args, "--report", "no.json"], {
       env: signalAtProgress("SIGINT", "program", 0.05),
     });

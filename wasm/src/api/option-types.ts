@@ -57,7 +57,8 @@ export interface RemeshOptions {
   readonly maxSize?: number | undefined;
   /**
    * Largest distance between the given and the new surface, in both directions, in model units. Default: 1/250 of the
-   * diagonal, of several regions of that of the smallest; with `size` or the nodes of a `background` 1/700, but at most 1/20 of `size`.
+   * diagonal, of several regions of that of the smallest, but at most half of the mean thickness 2 V / A of the thinnest region; with
+   * `size` or the nodes of a `background` 1/700, but at most 1/20 of `size`.
    */
   readonly tolerance?: number | undefined;
   /**

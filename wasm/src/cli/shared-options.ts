@@ -52,7 +52,7 @@ export const withRemeshing = (command: Command, prefix = ""): Command =>
     .option("--max-size <length>", `${prefix}largest automatic size (default: 1/15 of the diagonal)`)
     .option(
       "--tolerance <distance>",
-      `${prefix}largest distance from the given surface (default: 1/250 of the diagonal, of several solids of that of the smallest; with given sizes 1/700, at most 1/20 of --size)`,
+      `${prefix}largest distance from the given surface (default: 1/250 of the diagonal, of several solids of that of the smallest, and at most half of the mean thickness; with given sizes 1/700, at most 1/20 of --size)`,
     )
     .option(
       "--feature-angle <degrees>",

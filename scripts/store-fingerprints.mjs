@@ -1,0 +1,27 @@
+/**
+ * npm run fingerprints: stores the fingerprints of the meshes of all models of the gallery and of all bodies of the regression
+ * tests in tests/fingerprints. Run it after a change that changes meshes for the better, and say in its message why they differ.
+ */
+import { rmSync } from "node:fs";
+import path from "node:path";
+import { build } from "./build.mjs";
+import { buildFolders, inRoot } from "./lib/paths.mjs";
+import { main, must } from "./lib/run.mjs";
+import { setup } from "./setup.mjs";
+
+await main(async () => {
+  await build(["native", "wasm", "package"], await setup([]));
+  rmSync(inRoot("tests", "fingerprints", "bodies.txt"), { force: true });
+  await must(
+    path.join(buildFolders.release, "tetrafront_tests"),
+    ["--gtest_brief=1", "--gtest_filter=*/Regression*"],
+    {
+      env: { TETRAFRONT_STORE_FINGERPRINTS: "1" },
+    },
+  );
+  await must(inRoot("node_modules", ".bin", "vitest"), [
+    "run",
+    "--update",
+    "tests/unit/gallery/gallery.test.ts",
+  ]);
+});
