@@ -10,7 +10,7 @@
 
 #include "base/diagnostics.h"
 #include "boundary/boundary.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "optimize/locality.h"
 #include "preview/check_input.h"
 #include "quality/metrics.h"
@@ -48,9 +48,6 @@ constexpr double kFrontShare = 0.45;
 constexpr double kOptimizeEnd = 0.97;
 constexpr double kLimitedOptimizeEnd = 0.9;  ///< if volumes are limited
 constexpr double kMeasureEnd = 0.98;
-
-/// Elements per unit of budget: copying one in the order of a list costs far less than a step of the front.
-constexpr std::size_t kReorderedPerUnit = 32;
 
 bool isAboutRegions(DiagnosticCode code) {
   return code == DiagnosticCode::kNestedRegions || code == DiagnosticCode::kSurfaceContact;
@@ -283,9 +280,8 @@ void MeshRun::Impl::keepUnfinished() {
 Task<> MeshRun::Impl::optimize(Work& work) {
   work.beginPart(0.01);
   {
-    MortonReordering reordering(mesh_, boundaryNodes());
-    co_await work.finish(reordering, kReorderedPerUnit);
-    mesh_ = reordering.take();
+    VolumeMesh ordered = co_await alongMortonCurve(work, mesh_, boundaryNodes());
+    mesh_ = std::move(ordered);
   }
   work.beginPart(1.0);
   optimizer_.emplace(std::exchange(mesh_, {}), boundaryNodes(), *field_, options_.optimization);
@@ -293,7 +289,7 @@ Task<> MeshRun::Impl::optimize(Work& work) {
     observer_ = makeObserver_(recorder_.bytes());
     optimizer_->observe(*observer_);
   }
-  co_await work.finish(*optimizer_);
+  co_await optimizer_->run(work);
   hasFoundNothingBetter_ = optimizer_->hasFoundNothingBetter();
   keepUnfinished();
 }
@@ -302,7 +298,7 @@ Task<> MeshRun::Impl::optimize(Work& work) {
 Task<bool> MeshRun::Impl::limitVolumes(Work& work, VolumeLimits limits) {
   limiter_.emplace(std::exchange(mesh_, {}), boundaryNodes(), std::move(limits),
                    options_.maxTetrahedra);
-  co_await work.finish(*limiter_);
+  co_await limiter_->run(work);
   report(limiter_->diagnostics());
   keepUnfinished();
   co_await work.yield();

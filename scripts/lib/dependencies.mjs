@@ -8,7 +8,7 @@ import { inRoot, root } from "./paths.mjs";
 const ENGINE = [
   ["base"],
   ["geom"],
-  ["search"],
+  ["search", "topology"],
   ["field", "model", "fill"],
   ["quality"],
   ["boundary"],

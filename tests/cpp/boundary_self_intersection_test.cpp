@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "boundary/triangle_pairs.h"
 #include "geom/intersect.h"
 #include "support/random.h"

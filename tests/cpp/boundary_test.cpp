@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "boundary/edge_table.h"
-#include "boundary/half_faces.h"
+#include "topology/edge_table.h"
+#include "topology/half_faces.h"
 #include "support/random.h"
 #include "support/shapes.h"
 

@@ -118,8 +118,8 @@ TEST(MeshScore, CountsTheElementsOutOfRange) {
   for (const Vec3& p : kRegular) mesh.points.insert(mesh.points.end(), {p.x + 9.0, p.y, 0.1 * p.z});
   mesh.tetrahedra = {0, 1, 2, 3, 4, 5, 6, 7};
   TetComplex complex(mesh, 8);
-  while (!complex.build(8)) {
-  }
+  Job<> finding([&complex](Work& work) { return complex.findNeighbours(work); });
+  finding.finish();
   /// Returns the score of a mesh with the given numbers of copies of the two elements.
   const auto scoreOf = [&](int regular, int flat) {
     MeshScore score;
@@ -156,8 +156,8 @@ constexpr double kSize = 0.2;
 
 TetComplex complexOf(const Filled& filled, const ElementCost<>& cost) {
   TetComplex complex(filled.mesh, filled.surface.points.size() / 3);
-  while (!complex.build(100)) {
-  }
+  Job<> finding([&complex](Work& work) { return complex.findNeighbours(work); });
+  finding.finish();
   for (std::size_t i = 0; i < complex.nodeCount(); ++i)
     complex.setTarget<PlainSpace>(NodeId(i), kSize);
   complex.recomputeCosts(cost, 0, complex.slotCount());
@@ -619,7 +619,8 @@ TEST(MeshOptimizer, DoesNotDependOnHowTheWorkIsSliced) {
       const SizeField field = SizeField::uniform(0.2);
       MeshOptimizer optimizer(filled.mesh, filled.surface.points.size() / 3, field,
                               Optimization::kThorough);
-      while (!optimizer.advance(budget)) {
+      Job<> optimizing([&optimizer](Work& work) { return optimizer.run(work); });
+      while (!optimizing.advance(budget)) {
       }
       return fingerprintOf(optimizer.mesh());
     };
@@ -697,6 +698,11 @@ double meanStride(const VolumeMesh& mesh) {
   return sum / static_cast<double>(count);
 }
 
+VolumeMesh orderedMesh(const VolumeMesh& mesh, std::size_t boundaryNodes) {
+  Job<VolumeMesh> ordering([&](Work& work) { return alongMortonCurve(work, mesh, boundaryNodes); });
+  return ordering.finish();
+}
+
 TEST(AlongMortonCurve, KeepsTheMeshAndGroupsNeighbours) {
   const Filled filled = fill(testing::cubeWithCubicCavity(8, 4));
   VolumeMesh shuffled = filled.mesh;
@@ -707,23 +713,21 @@ TEST(AlongMortonCurve, KeepsTheMeshAndGroupsNeighbours) {
       std::swap(shuffled.tetrahedra[4 * t + k], shuffled.tetrahedra[4 * other + k]);
     }
   }
-  const VolumeMesh ordered = alongMortonCurve(shuffled, filled.surface.points.size() / 3);
+  const VolumeMesh ordered = orderedMesh(shuffled, filled.surface.points.size() / 3);
   EXPECT_EQ(testing::complaintAbout(ordered, filled.surface), "");
   EXPECT_EQ(ordered.tetrahedra.size(), shuffled.tetrahedra.size());
   EXPECT_EQ(ordered.points.size(), shuffled.points.size());
   EXPECT_LT(meanStride(ordered), 0.4 * meanStride(shuffled));
 }
 
-TEST(AlongMortonCurve, VisitsTheBudgetedElementsPerCall) {
+TEST(AlongMortonCurve, DoesNotDependOnHowTheWorkIsSliced) {
   const Filled filled = fill(testing::gridCube(6));
-  const std::size_t count = filled.mesh.regions.size();
-  constexpr std::size_t kBudget = 50;
-  MortonReordering reordering(filled.mesh, filled.surface.points.size() / 3);
-  std::size_t calls = 1;
-  while (!reordering.advance(kBudget)) ++calls;
-  EXPECT_GE(calls * kBudget, 13 * count);
-  EXPECT_EQ(reordering.take().tetrahedra,
-            alongMortonCurve(filled.mesh, filled.surface.points.size() / 3).tetrahedra);
+  const std::size_t nodes = filled.surface.points.size() / 3;
+  Job<VolumeMesh> ordering([&](Work& work) { return alongMortonCurve(work, filled.mesh, nodes); });
+  std::size_t slices = 1;
+  while (!ordering.advance(1)) ++slices;
+  EXPECT_GT(slices, filled.mesh.regions.size() / 10);
+  EXPECT_EQ(ordering.take().tetrahedra, orderedMesh(filled.mesh, nodes).tetrahedra);
 }
 
 TEST(MeshOptimizer, IsValidWheneverItIsStopped) {
@@ -731,7 +735,8 @@ TEST(MeshOptimizer, IsValidWheneverItIsStopped) {
   const SizeField field = SizeField::uniform(0.2);
   MeshOptimizer optimizer(filled.mesh, filled.surface.points.size() / 3, field,
                           Optimization::kDefault);
-  for (int i = 0; i < 40 && !optimizer.advance(500); ++i) {
+  Job<> optimizing([&optimizer](Work& work) { return optimizer.run(work); });
+  for (int i = 0; i < 40 && !optimizing.advance(500); ++i) {
     ASSERT_EQ(testing::complaintAbout(optimizer.mesh(), filled.surface), "") << "slice " << i;
   }
 }

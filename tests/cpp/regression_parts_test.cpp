@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "boundary/boundary.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/part_shapes.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/task.h"
 #include "remesh/curvature.h"
 #include "remesh/mean_curvature.h"

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "boundary/boundary.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/intersect.h"
 #include "support/damage.h"
 #include "support/hard_shapes.h"

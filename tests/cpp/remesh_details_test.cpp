@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "support/hard_shapes.h"
 #include "support/part_shapes.h"
 #include "support/remeshed.h"

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "base/task.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "remesh/envelope.h"
 #include "remesh/guarded_surface.h"
 #include "remesh/surface_editor.h"

@@ -10,9 +10,9 @@
 #include <random>
 #include <vector>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/task.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
 #include "remesh/envelope.h"

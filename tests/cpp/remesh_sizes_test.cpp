@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/task.h"
 #include "geom/measure.h"
 #include "quality/metrics.h"

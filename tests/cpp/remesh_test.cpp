@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "geom/measure.h"
 #include "support/hard_shapes.h"
 #include "support/part_shapes.h"

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "support/hard_shapes.h"
 #include "support/remeshed.h"
 #include "support/shapes.h"

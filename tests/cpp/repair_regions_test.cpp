@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "geom/measure.h"
 #include "support/random.h"
 #include "support/shape_building.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "search/incidence.h"
+#include "topology/node_lists.h"
 #include "support/random.h"
 
 namespace tetrafront {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "boundary/boundary.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "remesh/surface_complex.h"
 #include "support/part_shapes.h"
 #include "support/shapes.h"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "base/mesh_access.h"
-#include "boundary/surface_access.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 #include "geom/measure.h"
 #include "support/shapes.h"
 

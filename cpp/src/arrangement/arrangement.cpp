@@ -6,7 +6,7 @@
 #include "arrangement/cut_graph.h"
 #include "arrangement/planar_triangulation.h"
 #include "arrangement/triangle_cuts.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "boundary/self_intersection.h"
 #include "search/box_tree.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"

@@ -11,7 +11,7 @@
 #include "arrangement/low_triangles.h"
 #include "arrangement/part_shells.h"
 #include "arrangement/region_nesting.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
 #include "boundary/weld.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "geom/predicates.h"
 

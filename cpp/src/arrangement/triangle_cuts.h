@@ -9,7 +9,7 @@
 #include "arrangement/cut_graph.h"
 #include "arrangement/cut_points.h"
 #include "base/ids.h"
-#include "search/disjoint_sets.h"
+#include "topology/disjoint_sets.h"
 #include "tetrafront/mesh.h"
 
 namespace tetrafront {

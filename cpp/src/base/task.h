@@ -320,4 +320,16 @@ class Job {
 template <class Start>
 explicit Job(Start) -> Job<typename std::invoke_result_t<Start, Work&>::Result>;
 
+/// Does a job in the slices of another one; returns false if it was stopped.
+template <class T>
+Task<bool> finishUnlessStopped(Work& work, Job<T>& job, const bool& isStopped) {
+  while (!isStopped) {
+    const bool isFinished = job.advance(work.remaining());
+    work.setFraction(job.fraction());
+    co_await work.yield();
+    if (isFinished) co_return true;
+  }
+  co_return false;
+}
+
 }  // namespace tetrafront

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "boundary/centred_surface.h"
-#include "boundary/corner_fans.h"
-#include "boundary/edge_table.h"
-#include "boundary/half_faces.h"
+#include "topology/corner_fans.h"
+#include "topology/edge_table.h"
+#include "topology/half_faces.h"
 #include "boundary/self_intersection.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "search/box_tree.h"
 
 namespace tetrafront {

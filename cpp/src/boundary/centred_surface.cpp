@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/box.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"

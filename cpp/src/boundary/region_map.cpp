@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/sort.h"
-#include "search/disjoint_sets.h"
+#include "topology/disjoint_sets.h"
 
 namespace tetrafront {
 namespace {

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "boundary/boundary_report.h"
-#include "boundary/edge_table.h"
-#include "boundary/half_faces.h"
+#include "topology/edge_table.h"
+#include "topology/half_faces.h"
 #include "boundary/shell_nesting.h"
 #include "search/box_tree.h"
 #include "tetrafront/mesh.h"

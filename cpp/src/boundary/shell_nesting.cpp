@@ -5,7 +5,7 @@
 
 #include "base/sort.h"
 #include "boundary/ray_crossing.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/predicates.h"
 
 namespace tetrafront {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "boundary/half_faces.h"
+#include "topology/half_faces.h"
 #include "search/box_tree.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"

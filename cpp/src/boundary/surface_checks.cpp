@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "base/sort.h"
-#include "boundary/surface_access.h"
+#include "topology/face_table.h"
+#include "topology/surface_access.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
 
@@ -56,45 +57,33 @@ void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
 }
 
 InvalidTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report) {
-  struct Entry {
-    NodeTriple nodes;  ///< ascending
-    TriangleId triangle;
-  };
   const std::uint32_t count = countTriangles(mesh);
   InvalidTriangles invalid{std::vector<std::uint8_t>(count, 0),
                            std::vector<std::uint8_t>(count, 0)};
-  // A counting sort by the lowest node, as in EdgeTable.
-  std::vector<std::uint32_t> begins(countNodes(mesh) + std::size_t{1}, 0);
-  std::vector<Entry> entries(count);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const NodeTriple n = sorted(nodesOf(mesh, TriangleId(t)));
+  FaceTable<TriangleId> faces(countNodes(mesh));
+  for (const TriangleId t : IdRange<TriangleId>(count)) {
+    const NodeTriple n = sorted(nodesOf(mesh, t));
     const bool isRepeated = n[0] == n[1] || n[1] == n[2];
     if (isRepeated || collinear(pointOf(mesh, n[0]), pointOf(mesh, n[1]), pointOf(mesh, n[2]))) {
-      report.addTriangle(DiagnosticCode::kDegenerateTriangle, TriangleId(t));
-      invalid.inTopology[t] = isRepeated ? 1 : 0;
-      invalid.inGeometry[t] = 1;
+      report.addTriangle(DiagnosticCode::kDegenerateTriangle, t);
+      invalid.inTopology[t.index()] = isRepeated ? 1 : 0;
+      invalid.inGeometry[t.index()] = 1;
     }
-    entries[t] = {n, TriangleId(t)};
-    ++begins[n[0].index() + 1];
+    faces.count(n);
   }
-  for (std::size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
-  std::vector<Entry> byLowest(count);
-  std::vector<std::uint32_t> next(begins.begin(), begins.end() - 1);
-  for (const Entry& entry : entries) byLowest[next[entry.nodes[0].index()]++] = entry;
-  for (std::size_t node = 0; node + 1 < begins.size(); ++node) {
-    const std::span<Entry> run =
-        std::span(byLowest).subspan(begins[node], begins[node + 1] - begins[node]);
-    sortFew(run, [](const Entry& a, const Entry& b) {
-      return a.nodes != b.nodes ? a.nodes < b.nodes : a.triangle < b.triangle;
+  faces.endCounting();
+  for (const TriangleId t : IdRange<TriangleId>(count)) faces.add(nodesOf(mesh, t), t);
+  for (const NodeId node : IdRange<NodeId>(countNodes(mesh))) {
+    faces.forEachGroup(node, [&](const auto& same) {
+      for (std::size_t i = 1; i < same.size(); ++i) {
+        const TriangleId triangle = same[i].owner;
+        if (invalid.inTopology[triangle.index()] != 0) continue;
+        report.addTrianglePair(DiagnosticCode::kDuplicateTriangle, same[i - 1].owner, triangle,
+                               centroidOf(cornersOf(mesh, triangle)));
+        invalid.inTopology[triangle.index()] = 1;
+        invalid.inGeometry[triangle.index()] = 1;
+      }
     });
-    for (std::size_t i = 1; i < run.size(); ++i) {
-      const TriangleId triangle = run[i].triangle;
-      if (run[i].nodes != run[i - 1].nodes || invalid.inTopology[triangle.index()] != 0) continue;
-      report.addTrianglePair(DiagnosticCode::kDuplicateTriangle, run[i - 1].triangle, triangle,
-                             centroidOf(cornersOf(mesh, triangle)));
-      invalid.inTopology[triangle.index()] = 1;
-      invalid.inGeometry[triangle.index()] = 1;
-    }
   }
   return invalid;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "boundary/boundary_report.h"
-#include "boundary/edge_table.h"
+#include "topology/edge_table.h"
 
 namespace tetrafront {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -15,7 +15,7 @@
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
-#include "search/incidence.h"
+#include "topology/node_lists.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {

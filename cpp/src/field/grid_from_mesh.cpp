@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "base/mesh_access.h"
-#include "geom/tetrahedron.h"
+#include "topology/mesh_access.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

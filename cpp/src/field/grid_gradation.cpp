@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "field/tensor_limits.h"
-#include "geom/tetrahedron.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

@@ -14,7 +14,7 @@
 #include "base/sort.h"
 #include "field/grid_access.h"
 #include "field/size_tensor.h"
-#include "search/incidence.h"
+#include "topology/node_lists.h"
 #include "search/indexed_heap.h"
 #include "tetrafront/background_grid.h"
 

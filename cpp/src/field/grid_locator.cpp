@@ -6,7 +6,7 @@
 
 #include "field/grid_access.h"
 #include "field/grid_locator_builder.h"
-#include "geom/tetrahedron.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

@@ -5,16 +5,14 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "base/ids.h"
-#include "base/sort.h"
 #include "field/grid_access.h"
 #include "field/grid_gradation.h"
 #include "field/tensor_limits.h"
-#include "geom/tetrahedron.h"
-#include "search/incidence.h"
+#include "topology/tetrahedron.h"
+#include "topology/face_table.h"
 
 namespace tetrafront {
 namespace {
@@ -42,13 +40,6 @@ std::uint32_t cubeRootUp(std::size_t n) {
 /// The steps of buildGridLocator().
 class GridLocatorBuilder {
  public:
-  /// A face of a tetrahedron, listed at its lowest node.
-  struct Face {
-    GridNodeId middle;
-    GridNodeId highest;
-    GridTetFace owner;
-  };
-
   GridLocatorBuilder(BackgroundGrid grid, double growth) : growth_(growth) {
     made_.grid_ = std::move(grid);
     made_.maxSteps_ = kFreeSteps + kStepsPerLayer * cubeRootUp(tetrahedronCount());
@@ -102,30 +93,20 @@ class GridLocatorBuilder {
          {}});
   }
 
-  /// Calls use(lowest node, face) for the faces of the tetrahedron.
+  /// Calls use(nodes, face) for the faces of the tetrahedron.
   template <class Use>
   void forEachFace(GridTetId tet, const Use& use) const {
     const GridNodeQuad nodes = nodesOf(made_.grid_, tet);
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& [a, b, c] = kFaceCorners[i];
-      const auto [lowest, middle, highest] = sorted(std::array{nodes[a], nodes[b], nodes[c]});
-      use(lowest, Face{middle, highest, {tet, i}});
+      use({nodes[a], nodes[b], nodes[c]}, GridTetFace(tet, i));
     }
   }
 
-  /// Links the tetrahedra that share a face; `faces` have the same lowest node.
-  void linkNeighbours(std::span<Face> faces) {
-    sortFew(faces, [](const Face& a, const Face& b) {
-      return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
-    });
-    for (std::size_t i = 1; i < faces.size(); ++i) {
-      const Face& a = faces[i - 1];
-      const Face& b = faces[i];
-      if (a.middle != b.middle || a.highest != b.highest) continue;
-      neighbourAcross(a.owner) = b.owner.tet();
-      neighbourAcross(b.owner) = a.owner.tet();
-      ++i;
-    }
+  /// The tetrahedra have a common face.
+  void join(GridTetFace one, GridTetFace other) {
+    neighbourAcross(one) = other.tet();
+    neighbourAcross(other) = one.tet();
   }
 
   [[nodiscard]] Box boxOf(GridTetId tet) const {
@@ -178,28 +159,23 @@ Task<GridLocator> buildGridLocator(Work& work, const BackgroundGrid& grid, doubl
       nodes, [&](GridNodeId node) { builder.addSize(node); }, kVisitedPerUnit);
 
   work.beginPart(0.5);
-  NodeLists<GridLocatorBuilder::Face, GridNodeId> faces(nodes);
   co_await work.forEachId<GridTetId>(
-      tetrahedra,
-      [&](GridTetId tet) {
-        builder.addFrame(tet);
-        builder.forEachFace(tet,
-                            [&](GridNodeId lowest, const auto& /*face*/) { faces.count(lowest); });
-      },
-      kVisitedPerUnit);
-  faces.endCounting();
-  work.beginPart(0.6);
-  co_await work.forEachId<GridTetId>(
-      tetrahedra,
-      [&](GridTetId tet) {
-        builder.forEachFace(tet,
-                            [&](GridNodeId lowest, const auto& face) { faces.add(lowest, face); });
-      },
+      tetrahedra, [&](GridTetId tet) { builder.addFrame(tet); }, kVisitedPerUnit);
+  work.beginPart(0.65);
+  auto faces = co_await listFaces<GridTetFace, GridNodeId>(
+      work, nodes, tetrahedra,
+      [&builder](std::size_t tet, const auto& use) { builder.forEachFace(GridTetId(tet), use); },
       kVisitedPerUnit);
   work.beginPart(0.75);
   co_await work.forEachId<GridNodeId>(
-      nodes, [&](GridNodeId node) { builder.linkNeighbours(faces.at(node)); }, kVisitedPerUnit);
-  faces = {};
+      nodes,
+      [&](GridNodeId node) {
+        faces.forEachGroup(node, [&](const auto& group) {
+          if (group.size() > 1) builder.join(group[0].owner, group[1].owner);
+        });
+      },
+      kVisitedPerUnit);
+  faces = FaceTable<GridTetFace, GridNodeId>(0);
 
   work.beginPart(0.8);
   std::vector<Box> boxes;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fill/fill_mesh.h"
-#include "search/incidence.h"
+#include "topology/node_lists.h"
 
 namespace tetrafront {
 

@@ -7,7 +7,7 @@
 #include "base/sort.h"
 #include "geom/coordinates.h"
 #include "search/box_tree.h"
-#include "search/disjoint_sets.h"
+#include "topology/disjoint_sets.h"
 
 namespace tetrafront {
 namespace {

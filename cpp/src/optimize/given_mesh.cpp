@@ -5,120 +5,78 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "base/diagnostics.h"
 #include "base/ids.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "boundary/boundary_report.h"
-#include "boundary/edge_table.h"
-#include "boundary/half_faces.h"
+#include "topology/edge_table.h"
+#include "topology/half_faces.h"
 #include "boundary/self_intersection.h"
 #include "boundary/shell_nesting.h"
 #include "geom/predicates.h"
-#include "geom/tetrahedron.h"
+#include "topology/tetrahedron.h"
 #include "search/box_tree.h"
-#include "search/disjoint_sets.h"
-#include "search/incidence.h"
+#include "topology/disjoint_sets.h"
+#include "topology/face_table.h"
 
 namespace tetrafront {
 namespace {
 
-/// A face of an element, or a kept triangle, in the list of its lowest node.
-struct ListedFace {
-  NodeId middle;
-  NodeId highest;
-  ElementFace owner;  ///< none for a kept triangle
-
-  [[nodiscard]] auto key() const { return std::tie(middle, highest); }
-};
+/// The faces of elements and the kept triangles.
+using Faces = FaceTable<ElementFace>;
 
 /// Faces with the same nodes: of elements first, then kept triangles.
 struct FaceGroup {
-  std::span<const ListedFace> owners;
+  std::span<const Faces::Face> owners;
   bool isKept = false;  ///< a kept triangle has the same nodes
 };
 
-NodeTriple cornersOfFace(const VolumeMesh& mesh, ElementFace face) {
-  const NodeQuad nodes = nodesOf(mesh, face.tet());
-  const auto& [a, b, c] = kFaceCorners[face.corner()];
-  return {nodes[a], nodes[b], nodes[c]};
-}
-
 /// Returns whether both elements lie on the same side of their common face.
 bool onSameSide(const VolumeMesh& mesh, ElementFace one, ElementFace other) {
-  const NodeTriple a = cornersOfFace(mesh, one);
-  const NodeTriple b = cornersOfFace(mesh, other);
+  const NodeTriple a = nodesOf(mesh, one);
+  const NodeTriple b = nodesOf(mesh, other);
   const std::size_t shift = b[0] == a[0] ? 0 : b[1] == a[0] ? 1 : 2;
   return b[(shift + 1) % 3] == a[1];
 }
 
 Vec3 centroidOf(const VolumeMesh& mesh, ElementFace face) {
-  const auto [a, b, c] = cornersOfFace(mesh, face);
+  const auto [a, b, c] = nodesOf(mesh, face);
   return (pointOf(mesh, a) + pointOf(mesh, b) + pointOf(mesh, c)) / 3.0;
 }
 
-/// Lists the faces of elements and the kept triangles at their lowest nodes.
-class FaceLists {
- public:
-  explicit FaceLists(const VolumeMesh& mesh, std::span<const std::uint32_t> keptTriangles)
-      : mesh_(mesh), kept_(keptTriangles), lists_(countNodes(mesh)) {}
-
-  Task<> build(Work& work) {
-    work.beginPart(0.3);
-    co_await work.forEachBlock(faceCount(), [this](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) lists_.count(sortedNodes(i)[0]);
-    });
-    lists_.endCounting();
-    work.beginPart(0.7);
-    co_await work.forEachBlock(faceCount(), [this](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) add(i);
-    });
-    work.beginPart(1.0);
-    co_await work.forEachId<NodeId>(countNodes(mesh_), [this](NodeId node) {
-      sortFew(lists_.at(node), [](const ListedFace& a, const ListedFace& b) {
-        return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
+/// Lists the faces of elements and the kept triangles, which have no owner.
+Task<Faces> listAllFaces(Work& work, const VolumeMesh& mesh, std::span<const std::uint32_t> kept) {
+  const std::size_t elements = countTetrahedra(mesh);
+  Faces faces = co_await listFaces<ElementFace>(
+      work, countNodes(mesh), elements + kept.size() / 3,
+      [&mesh, kept, elements](std::size_t item, const auto& use) {
+        if (item >= elements) {
+          const std::size_t at = 3 * (item - elements);
+          use({NodeId(kept[at]), NodeId(kept[at + 1]), NodeId(kept[at + 2])}, ElementFace());
+          return;
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+          const ElementFace face(TetId(item), k);
+          use(nodesOf(mesh, face), face);
+        }
       });
-    });
-  }
+  co_return faces;
+}
 
-  /// Calls visit(group) for the faces whose lowest node is `node`.
-  template <class Visit>
-  void forEachGroup(NodeId node, Visit visit) const {
-    const std::span<const ListedFace> faces = lists_.at(node);
-    for (std::size_t first = 0; first < faces.size();) {
-      std::size_t last = first + 1;
-      while (last < faces.size() && faces[last].key() == faces[first].key()) ++last;
-      std::size_t owners = first;
-      while (owners < last && !faces[owners].owner.isNone()) ++owners;
-      if (owners > first) visit(FaceGroup{faces.subspan(first, owners - first), owners < last});
-      first = last;
-    }
-  }
-
- private:
-  [[nodiscard]] std::size_t faceCount() const { return mesh_.tetrahedra.size() + kept_.size() / 3; }
-
-  [[nodiscard]] NodeTriple sortedNodes(std::size_t i) const {
-    const std::size_t faces = mesh_.tetrahedra.size();
-    if (i < faces) return sorted(cornersOfFace(mesh_, {TetId(i / 4), i % 4}));
-    const std::size_t k = 3 * (i - faces);
-    return sorted(NodeTriple{NodeId(kept_[k]), NodeId(kept_[k + 1]), NodeId(kept_[k + 2])});
-  }
-
-  void add(std::size_t i) {
-    const auto [lowest, middle, highest] = sortedNodes(i);
-    const bool isFace = i < mesh_.tetrahedra.size();
-    const ElementFace owner = isFace ? ElementFace(TetId(i / 4), i % 4) : ElementFace();
-    lists_.add(lowest, {middle, highest, owner});
-  }
-
-  const VolumeMesh& mesh_;
-  std::span<const std::uint32_t> kept_;
-  NodeLists<ListedFace> lists_;  // of no owner last: its packed value is the largest
-};
+/// Calls visit(group) for the faces of elements whose lowest node is `node`.
+template <class Visit>
+void forEachGroup(Faces& faces, NodeId node, Visit visit) {
+  faces.forEachGroup(node, [&](std::span<const Faces::Face> group) {
+    // The packed value of no owner is the largest.
+    const auto isKept = [](const Faces::Face& face) { return face.owner.isNone(); };
+    const auto owners =
+        static_cast<std::size_t>(std::ranges::find_if(group, isKept) - group.begin());
+    if (owners > 0) visit(FaceGroup{group.first(owners), owners < group.size()});
+  });
+}
 
 /// Counts one kind of defect and describes the first.
 class DefectCount {
@@ -150,11 +108,7 @@ Entity entityOf(TetId tet) { return {EntityKind::kTetrahedron, tet.value}; }
 class GivenMeshMaker {
  public:
   GivenMeshMaker(const VolumeMesh& given, std::span<const std::uint32_t> kept)
-      : mesh_(given),
-        kept_(kept),
-        faces_(mesh_, kept),
-        part_(countTetrahedra(given)),
-        isKept_(countNodes(given), 0) {}
+      : mesh_(given), kept_(kept), part_(countTetrahedra(given)), isKept_(countNodes(given), 0) {}
 
   Task<> run(Work& work) {
     work.beginPart(0.1);
@@ -162,11 +116,11 @@ class GivenMeshMaker {
     degenerate_.report(made_.diagnostics);
     if (anyError(made_.diagnostics)) co_return;
     work.beginPart(0.4);
-    co_await faces_.build(work);
+    Faces faces = co_await listAllFaces(work, mesh_, kept_);
     work.beginPart(0.5);
     DisjointSets sets(countTetrahedra(mesh_));
     co_await work.forEachId<NodeId>(countNodes(mesh_), [&](NodeId node) {
-      faces_.forEachGroup(node, [&](const FaceGroup& group) { match(group, sets); });
+      forEachGroup(faces, node, [&](const FaceGroup& group) { match(group, sets); });
     });
     nonManifold_.report(made_.diagnostics);
     overlapping_.report(made_.diagnostics);
@@ -176,8 +130,8 @@ class GivenMeshMaker {
     if (anyError(made_.diagnostics)) co_return;
     work.beginPart(0.9);
     divide(sets);
-    co_await work.forEachId<NodeId>(countNodes(mesh_), [this](NodeId node) {
-      faces_.forEachGroup(node, [this](const FaceGroup& group) { keep(group); });
+    co_await work.forEachId<NodeId>(countNodes(mesh_), [&](NodeId node) {
+      forEachGroup(faces, node, [this](const FaceGroup& group) { keep(group); });
     });
     for (const std::uint32_t node : kept_) isKept_[node] = 1;
     renumber();
@@ -195,7 +149,7 @@ class GivenMeshMaker {
     std::swap(mesh_.tetrahedra[4 * tet.index() + 2], mesh_.tetrahedra[4 * tet.index() + 3]);
   }
 
-  [[nodiscard]] std::uint32_t regionOf(const ListedFace& face) const {
+  [[nodiscard]] std::uint32_t regionOf(const Faces::Face& face) const {
     return mesh_.regions[face.owner.tet().index()];
   }
 
@@ -203,7 +157,7 @@ class GivenMeshMaker {
     const ElementFace one = group.owners[0].owner;
     if (group.owners.size() > 2) {
       std::vector<Entity> elements;
-      for (const ListedFace& face : group.owners) elements.push_back(entityOf(face.owner.tet()));
+      for (const Faces::Face& face : group.owners) elements.push_back(entityOf(face.owner.tet()));
       return nonManifold_.add(std::move(elements), centroidOf(mesh_, one));
     }
     if (group.owners.size() == 1) return boundary_.push_back(one);
@@ -325,7 +279,7 @@ class GivenMeshMaker {
   [[nodiscard]] std::vector<std::uint8_t> findBoundaryNodes() const {
     std::vector<std::uint8_t> isOnBoundary(countNodes(mesh_), 0);
     for (const ElementFace face : boundary_) {
-      for (const NodeId node : cornersOfFace(mesh_, face)) isOnBoundary[node.index()] = 1;
+      for (const NodeId node : nodesOf(mesh_, face)) isOnBoundary[node.index()] = 1;
     }
     return isOnBoundary;
   }
@@ -351,7 +305,7 @@ class GivenMeshMaker {
     surface.points = mesh_.points;
     surface.triangles.reserve(3 * boundary_.size());
     for (const ElementFace face : boundary_) {
-      for (const NodeId node : cornersOfFace(mesh_, face)) surface.triangles.push_back(node.value);
+      for (const NodeId node : nodesOf(mesh_, face)) surface.triangles.push_back(node.value);
     }
     std::vector<std::uint32_t> nodes = surface.triangles;
     sortUnique(nodes);
@@ -425,7 +379,7 @@ class GivenMeshMaker {
     const std::uint32_t beyond =
         isBoundary ? SurfaceMesh::kNoRegion : part_[group.owners[1].owner.tet().index()];
     if (beyond == own) return;
-    for (const NodeId node : cornersOfFace(mesh_, one)) {
+    for (const NodeId node : nodesOf(mesh_, one)) {
       isKept_[node.index()] = 1;
       made_.surface.triangles.push_back(node.value);
     }
@@ -459,7 +413,6 @@ class GivenMeshMaker {
 
   VolumeMesh mesh_;
   std::span<const std::uint32_t> kept_;
-  FaceLists faces_;
   std::vector<ElementFace> boundary_;  ///< faces of one element
   std::vector<std::pair<TetId, TetId>>
       keptInside_;  ///< elements of one region beside a kept triangle

@@ -1,78 +1,81 @@
 #include "optimize/locality.h"
 
-#include <algorithm>
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
 #include "base/ids.h"
+#include "search/morton.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
+namespace {
 
-MortonReordering::MortonReordering(const VolumeMesh& mesh, std::size_t boundaryNodes)
-    : mesh_(mesh),
-      centroids_(mesh.regions.size()),
-      sort_(centroids_),
-      newId_(mesh.points.size() / 3, kNoIndex) {
-  std::iota(newId_.begin(), newId_.begin() + static_cast<std::ptrdiff_t>(boundaryNodes), 0U);
-  ordered_.front = mesh.front;
-  ordered_.points.reserve(mesh.points.size());
-  ordered_.points.assign(mesh.points.begin(),
-                         mesh.points.begin() + static_cast<std::ptrdiff_t>(3 * boundaryNodes));
-}
+/// Elements per unit of budget: copying one in the order of a list costs far less than a step of the front.
+constexpr std::size_t kVisitedPerUnit = 32;
 
-bool MortonReordering::advance(std::size_t budget) {
-  if (stage_ == Stage::kSort) {
-    if (!sort_.advance(budget)) return false;
-    order_ = sort_.take();
-    centroids_ = {};
-    ordered_.tetrahedra.reserve(mesh_.tetrahedra.size());
-    ordered_.regions.reserve(mesh_.regions.size());
-    stage_ = Stage::kCopy;
-    return false;
-  }
-  const std::size_t count = mesh_.regions.size();
-  const std::size_t last = next_ + std::min(budget, count - next_);
-  for (; next_ < last; ++next_) {
-    if (stage_ == Stage::kCentroids) {
-      addCentroid(next_);
-    } else {
-      copyElement(order_[next_]);
-    }
-  }
-  if (next_ < count) return false;
-  if (stage_ == Stage::kCopy) return true;
-  next_ = 0;
-  stage_ = Stage::kSort;
-  return false;
-}
-
-void MortonReordering::addCentroid(std::size_t element) {
+Vec3 centroidOf(const VolumeMesh& mesh, TetId tet) {
   Vec3 sum(0.0);
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double* at = &mesh_.points[3 * std::size_t{mesh_.tetrahedra[4 * element + k]}];
-    sum += Vec3(at[0], at[1], at[2]);
-  }
-  centroids_[element] = sum * 0.25;
+  for (const Vec3& corner : cornersOf(mesh, tet)) sum += corner;
+  return sum * 0.25;
 }
 
-/// Appends the element and those of its nodes that no earlier element has.
-void MortonReordering::copyElement(std::size_t element) {
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t node = mesh_.tetrahedra[4 * element + k];
-    if (newId_[node] == kNoIndex) {
-      newId_[node] = static_cast<std::uint32_t>(ordered_.points.size() / 3);
-      const double* at = &mesh_.points[3 * node];
-      ordered_.points.insert(ordered_.points.end(), at, at + 3);
+/// Copies elements, and those of their nodes that no earlier element has.
+class OrderedCopy {
+ public:
+  OrderedCopy(const VolumeMesh& mesh, std::size_t boundaryNodes)
+      : mesh_(mesh), newId_(countNodes(mesh), kNoIndex) {
+    std::iota(newId_.begin(), newId_.begin() + static_cast<std::ptrdiff_t>(boundaryNodes), 0U);
+    ordered_.front = mesh.front;
+    ordered_.points.reserve(mesh.points.size());
+    ordered_.points.assign(mesh.points.begin(),
+                           mesh.points.begin() + static_cast<std::ptrdiff_t>(3 * boundaryNodes));
+    ordered_.tetrahedra.reserve(mesh.tetrahedra.size());
+    ordered_.regions.reserve(mesh.regions.size());
+  }
+
+  void add(TetId tet) {
+    for (const NodeId node : nodesOf(mesh_, tet)) {
+      std::uint32_t& known = newId_[node.index()];
+      if (known == kNoIndex) {
+        known = countNodes(ordered_);
+        const Vec3 p = pointOf(mesh_, node);
+        ordered_.points.insert(ordered_.points.end(), {p.x, p.y, p.z});
+      }
+      ordered_.tetrahedra.push_back(known);
     }
-    ordered_.tetrahedra.push_back(newId_[node]);
+    ordered_.regions.push_back(mesh_.regions[tet.index()]);
   }
-  ordered_.regions.push_back(mesh_.regions[element]);
-}
 
-VolumeMesh alongMortonCurve(const VolumeMesh& mesh, std::size_t boundaryNodes) {
-  MortonReordering reordering(mesh, boundaryNodes);
-  while (!reordering.advance(mesh.regions.size())) {
-  }
-  return reordering.take();
+  [[nodiscard]] VolumeMesh take() { return std::move(ordered_); }
+
+ private:
+  const VolumeMesh& mesh_;
+  std::vector<std::uint32_t> newId_;
+  VolumeMesh ordered_;
+};
+
+}  // namespace
+
+Task<VolumeMesh> alongMortonCurve(Work& work, const VolumeMesh& mesh, std::size_t boundaryNodes) {
+  const std::size_t count = countTetrahedra(mesh);
+  work.beginPart(0.2);
+  std::vector<Vec3> centroids(count);
+  co_await work.forEachId<TetId>(
+      count, [&](TetId tet) { centroids[tet.index()] = centroidOf(mesh, tet); }, kVisitedPerUnit);
+  work.beginPart(0.7);
+  MortonSort sort(centroids);
+  co_await work.finish(sort, kVisitedPerUnit);
+  const std::vector<std::uint32_t> order = sort.take();
+  work.beginPart(1.0);
+  OrderedCopy copy(mesh, boundaryNodes);
+  co_await work.forEachBlock(
+      count,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) copy.add(TetId(order[i]));
+      },
+      kVisitedPerUnit);
+  co_return copy.take();
 }
 
 }  // namespace tetrafront

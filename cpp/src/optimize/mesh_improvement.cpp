@@ -7,7 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "base/ids.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/tool_job.h"
 #include "field/grid_locator_builder.h"
 #include "field/size_field.h"
@@ -118,14 +118,6 @@ Task<bool> isProved(Work& work, const VolumeMesh& mesh, const GivenMesh& given,
   co_return false;
 }
 
-/// Runs the optimizer until it has finished or the input is stopped.
-Task<> finishUnlessStopped(Work& work, MeshOptimizer& optimizer, const bool& isStopped) {
-  while (!isStopped && !optimizer.advance(work.remaining())) {
-    work.setFraction(optimizer.fraction());
-    co_await work.yield();
-  }
-}
-
 /// A mesh and its shapes.
 struct Attempt {
   VolumeMesh mesh;
@@ -153,9 +145,7 @@ Task<Attempt> bestAttempt(Work& work, const GivenMesh& given, const MeshShapes& 
   work.beginPart(0.05);
   const SizeField field = co_await fieldOfOwnEdges(work, given.mesh);
   work.beginPart(0.1);
-  MortonReordering reordering(given.mesh, given.keptNodes);
-  co_await work.finish(reordering);
-  const VolumeMesh ordered = reordering.take();
+  const VolumeMesh ordered = co_await alongMortonCurve(work, given.mesh, given.keptNodes);
   const MeshLimits limits = limitsOf(before, input.options.maxGrowth);
   Attempt made;
   for (int attempt = 0; attempt < 2; ++attempt) {
@@ -165,7 +155,8 @@ Task<Attempt> bestAttempt(Work& work, const GivenMesh& given, const MeshShapes& 
         isCautious
             ? MeshOptimizer::cautious(ordered, given.keptNodes, field, limits)
             : MeshOptimizer(ordered, given.keptNodes, field, input.options.optimization, limits);
-    co_await finishUnlessStopped(work, optimizer, input.isStopped);
+    Job<> optimizing([&optimizer](Work& inner) { return optimizer.run(inner); });
+    co_await finishUnlessStopped(work, optimizing, input.isStopped);
     made.mesh = optimizer.mesh();
     made.isGrowthLimited = optimizer.hasRefusedGrowth();
     work.beginPart(isCautious ? 1.0 : 0.7);

@@ -48,7 +48,7 @@ std::vector<std::uint32_t> regionsOfNodes(const VolumeMesh& mesh, const SizeFiel
 
 }  // namespace
 
-/// Interface called once per slice, for either kind of space.
+/// Either kind of space.
 class MeshOptimizer::AnySpace {
  public:
   AnySpace() = default;
@@ -56,9 +56,8 @@ class MeshOptimizer::AnySpace {
   AnySpace& operator=(const AnySpace&) = delete;
   virtual ~AnySpace() = default;
 
-  virtual bool advance(std::uint32_t budget) = 0;
+  virtual Task<> run(Work& work) = 0;
   void observe(SweepObserver& observer) { observer_ = &observer; }
-  [[nodiscard]] virtual double fraction() const = 0;
   [[nodiscard]] virtual std::size_t elementCount() const = 0;
   [[nodiscard]] virtual VolumeMesh mesh() const = 0;
   [[nodiscard]] virtual std::size_t pointCount() const = 0;
@@ -79,88 +78,70 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
       : schedule_(std::move(schedule)),
         limits_(limits),
         field_(field),
-        targetsNeeded_(mesh.points.size() / 3),
         givenRegionOf_(regionsOfNodes(mesh, field)),
         complex_(std::move(mesh), boundaryNodes, Space::kIsStretched),
         sweeps_(complex_) {}
 
-  bool advance(std::uint32_t budget) override {
-    while (budget > 0 && !isDone()) {
-      std::size_t done = 0;
-      if (targetsKnown_ < targetsNeeded_) {
-        done = queryTargets(budget);
-      } else if (!isBuilt_) {
-        done = build(budget);
-      } else if (costed_ < toCost_) {
-        done = costSome(budget);
-      } else if (!isUnderWay_) {
-        enter();
-      } else {
-        done = sweepSome(budget);
-      }
-      budget -= std::min<std::uint32_t>(budget, static_cast<std::uint32_t>(done) + 1);
+  Task<> run(Work& work) override {
+    work.beginPart(kBuildShare);
+    co_await queryTargets(work, 0);
+    co_await complex_.findNeighbours(work);
+    freeNodes_ = complex_.freeNodeCount();
+    hasNeighbours_ = true;
+    if (complex_.elementCount() > 0) {
+      if (observer_ != nullptr && !schedule_.empty()) observer_->begun(complex_);
+      co_await runSteps(work);
     }
-    return isDone();
-  }
-
-  [[nodiscard]] double fraction() const override {
-    if (isDone()) return 1.0;
-    if (!isBuilt_) return kBuildShare * knownShare();
-    double before = 0.0;
-    double all = 0.0;
-    for (std::size_t i = 0; i < schedule_.size(); ++i) {
-      all += schedule_[i].work;
-      if (i < step_) before += schedule_[i].work;
-    }
-    const double made = before + (isUnderWay_ ? stepFraction() * step().work : 0.0);
-    return kBuildShare + (1.0 - kBuildShare) * made / all;
+    isDone_ = true;
+    if (observer_ != nullptr && kept_) observer_->restored();
   }
   [[nodiscard]] std::size_t elementCount() const override {
-    if (isDone() && kept_) return kept_->regions.size();
+    if (hasFoundNothingBetter()) return kept_->regions.size();
     return complex_.elementCount();
   }
   [[nodiscard]] VolumeMesh mesh() const override {
-    if (isDone() && kept_) return *kept_;
+    if (hasFoundNothingBetter()) return *kept_;
     return complex_.toMesh();
   }
   [[nodiscard]] std::size_t pointCount() const override {
-    if (!isBuilt_) return complex_.nodeCount();
-    if (isDone() && kept_) return kept_->points.size() / 3;
+    if (!hasNeighbours_) return complex_.nodeCount();
+    if (hasFoundNothingBetter()) return kept_->points.size() / 3;
     return complex_.boundaryNodeCount() + freeNodes_;
   }
-  [[nodiscard]] bool hasFoundNothingBetter() const override {
-    return isDone() && kept_.has_value();
-  }
+  [[nodiscard]] bool hasFoundNothingBetter() const override { return isDone_ && kept_.has_value(); }
   [[nodiscard]] bool hasRefusedGrowth() const override { return complex_.hasRefusedGrowth(); }
 
  private:
-  [[nodiscard]] bool isDone() const { return isBuilt_ && step_ == schedule_.size(); }
-  [[nodiscard]] const Step& step() const { return schedule_[step_]; }
-
-  [[nodiscard]] double knownShare() const {
-    return targetsNeeded_ == 0
-               ? 1.0
-               : static_cast<double>(targetsKnown_) / static_cast<double>(targetsNeeded_);
+  Task<> runSteps(Work& work) {
+    double all = 0.0;
+    for (const Step& step : schedule_) all += step.work;
+    double before = 0.0;
+    for (const Step& step : schedule_) {
+      before += step.work;
+      if (isLeftOut(step)) continue;
+      work.beginPart(kBuildShare + (1.0 - kBuildShare) * before / all);
+      co_await measureBy(work, step);
+      wasWorthwhile_ = isWorthwhile(step);
+      if (!wasWorthwhile_) continue;
+      co_await runSweeps(work, step);
+      if (isHopeless_) co_return;
+    }
   }
 
-  /// Estimated part of the step that is made. How often it repeats is not known: each repetition takes the same part of
-  /// what is left, because later ones visit less.
-  [[nodiscard]] double stepFraction() const {
-    const double ofRepeat = (static_cast<double>(sweep_) + sweeps_.fraction()) /
-                            static_cast<double>(step().sweeps.size());
-    if (step().maxRepeats == 1) return ofRepeat;
-    return 1.0 - std::pow(kLeftByRepeat, static_cast<double>(repeats_) + ofRepeat);
+  [[nodiscard]] bool isLeftOut(const Step& step) const {
+    return (step.entry == Entry::kIfGivenUp && !isGivenUp_) ||
+           (step.entry == Entry::kIfBefore && !wasWorthwhile_) ||
+           (step.entry == Entry::kIfGaining && !isGaining_);
   }
 
-  std::size_t queryTargets(std::uint32_t budget) {
-    const std::size_t count = std::min<std::size_t>(budget, targetsNeeded_ - targetsKnown_);
-    for (std::size_t i = 0; i < count; ++i, ++targetsKnown_) {
-      const NodeId node(targetsKnown_);
-      if (!complex_.isUsed(node) && isBuilt_) continue;
+  /// Queries the targets of nodes from `first` on.
+  Task<> queryTargets(Work& work, std::size_t first) {
+    co_await work.forEachId<NodeId>(complex_.nodeCount() - first, [this, first](NodeId offset) {
+      const NodeId node(first + offset.index());
+      if (!complex_.isUsed(node) && hasNeighbours_) return;
       if (field_.hasRegionCaps()) hint_.region = regionOf(node);
       complex_.setTarget<Space>(node, Space::targetAt(field_, complex_.position(node), hint_));
-    }
-    return count;
+    });
   }
 
   /// Returns the region whose sizes apply at a node: on an interface, that of the smaller cap.
@@ -169,56 +150,31 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
                                                 : complex_.regionAt(node);
   }
 
-  std::size_t build(std::uint32_t budget) {
-    if (!complex_.build(budget)) return budget;
-    isBuilt_ = true;
-    freeNodes_ = complex_.freeNodeCount();
-    if (complex_.elementCount() == 0) schedule_.clear();
-    if (observer_ != nullptr && !isDone()) observer_->begun(complex_);
-    turnToStep(0);
-    return budget;
-  }
-
-  [[nodiscard]] bool isLeftOut() const {
-    return (step().entry == Entry::kIfGivenUp && !isGivenUp_) ||
-           (step().entry == Entry::kIfBefore && !isUnderWay_) ||
-           (step().entry == Entry::kIfGaining && !isGaining_);
-  }
-
-  /// Advances to the next step that is not skipped.
-  void turnToStep(std::size_t next) {
-    step_ = next;
-    while (!isDone() && isLeftOut()) ++step_;
-    repeats_ = 0;
-    isUnderWay_ = false;
-    if (isDone()) {
-      if (observer_ != nullptr && kept_) observer_->restored();
-      return;
-    }
-    if (step().costBasis == CostBasis::kTargets) {
+  /// Sets what the step measures elements by, with the targets and costs that it needs.
+  Task<> measureBy(Work& work, const Step& step) {
+    if (step.costBasis == CostBasis::kTargets) {
       if (improvementBegan_ == 0) improvementBegan_ = complex_.pass() + 1;
-      sweeps_.improvements().begin(step());
+      sweeps_.improvements().begin(step);
     }
-    const bool isNewMeasure = step().costBasis != CostBasis::kAsBefore;
+    const bool isNewMeasure = step.costBasis != CostBasis::kAsBefore;
     if (isNewMeasure) {
-      sweeps_.measureBy(costOfStep().above(limits_.leastRadiusRatio),
-                        step().changedOnly ? improvementBegan_ : 0);
+      sweeps_.measureBy(costOf(step).above(limits_.leastRadiusRatio),
+                        step.changedOnly ? improvementBegan_ : 0);
     }
-    complex_.limitElements(step().costBasis == CostBasis::kTargets ? limits_.elementsWithRepairs
-                                                                   : limits_.elements);
-    if (isRounds()) {
-      beginRound();
-    } else if (Space::kIsStretched && step_ > 0) {
-      requeryTargets();
+    complex_.limitElements(step.costBasis == CostBasis::kTargets ? limits_.elementsWithRepairs
+                                                                 : limits_.elements);
+    const bool isFirst = &step == schedule_.data();
+    if (isRounds(step) || (Space::kIsStretched && !isFirst)) {
+      co_await queryTargets(work, complex_.boundaryNodeCount());
     }
-    if (isNewMeasure) recomputeCosts();
+    if (isNewMeasure || (isRounds(step) && Space::kIsStretched)) co_await recomputeCosts(work);
   }
 
-  [[nodiscard]] ElementCost<Space> costOfStep() const {
+  [[nodiscard]] ElementCost<Space> costOf(const Step& step) const {
     // Factor of the squared tangents of half the angles. Recomputing the cost of an unchanged element changes it by
     // far less; the angles that a report shows differ by far more.
     constexpr double kMargin = 1.0 + 1e-9;
-    switch (step().costBasis) {
+    switch (step.costBasis) {
       case CostBasis::kAsBefore:
         break;
       case CostBasis::kBulk:
@@ -226,7 +182,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
       case CostBasis::kFinish:
         return ElementCost<Space>(Measure::kFinish);
       case CostBasis::kTargets:
-        return ElementCost<Space>(Measure::kDihedral, step().targets);
+        return ElementCost<Space>(Measure::kDihedral, step.targets);
       case CostBasis::kWithinAngles:
         return ElementCost<Space>(Measure::kWithin,
                                   sweeps_.score().within(kTargets35And130).loweredBy(kMargin));
@@ -234,40 +190,14 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     return sweeps_.cost();
   }
 
-  std::size_t costSome(std::uint32_t budget) {
-    const std::size_t some = std::min<std::size_t>(budget, toCost_ - costed_);
-    complex_.recomputeCosts(sweeps_.cost(), costed_, costed_ + some);
-    costed_ += some;
-    return some;
+  Task<> recomputeCosts(Work& work) {
+    co_await work.forEachBlock(complex_.slotCount(), [this](std::size_t first, std::size_t last) {
+      complex_.recomputeCosts(sweeps_.cost(), first, last);
+    });
   }
 
-  [[nodiscard]] bool isRounds() const { return step().again == Again::kWhileItGains; }
-
-  /// Returns whether the targets of the nodes must be queried again: nodes have moved, and new
-  /// nodes have a mean of their neighbours' targets. Without stretching this affects lengths only,
-  /// which matter in rounds alone.
-  void beginRound() {
-    requeryTargets();
-    if (Space::kIsStretched) recomputeCosts();
-  }
-
-  void requeryTargets() {
-    targetsKnown_ = complex_.boundaryNodeCount();
-    targetsNeeded_ = complex_.nodeCount();
-  }
-
-  void recomputeCosts() {
-    costed_ = 0;
-    toCost_ = complex_.slotCount();
-  }
-
-  /// Begins the step's sweeps, or the next step, now that the costs are known.
-  void enter() {
-    if (!isWorthwhile()) return turnToStep(step_ + 1);
-    if (isRounds()) meanCost_ = meanCostOf(complex_);
-    if (step().again == Again::kIfMuchChanged) isMuchChanged_ = changedPart() > kMuchChanged;
-    isUnderWay_ = true;
-    beginSweeps();
+  [[nodiscard]] static bool isRounds(const Step& step) {
+    return step.again == Again::kWhileItGains;
   }
 
   [[nodiscard]] double changedPart() const {
@@ -276,62 +206,75 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   }
 
   /// Returns whether the step is worthwhile; also records whether its target is given up.
-  bool isWorthwhile() {
-    if (step().costBasis != CostBasis::kTargets) return true;
+  bool isWorthwhile(const Step& step) {
+    if (step.costBasis != CostBasis::kTargets) return true;
     const std::size_t missing = sweeps_.improvements().missing();
-    if (step().entry == Entry::kIfFewMiss) {
+    if (step.entry == Entry::kIfFewMiss) {
       return !isGivenUp_ && missing > 0 && missing <= ImprovementQueue<Space>::kVeryFew;
     }
     const auto count = static_cast<double>(complex_.elementCount());
-    const double most =
-        std::max(step().many * count, std::min(kFewMissing, step().manyOfFew * count));
+    const double most = std::max(step.many * count, std::min(kFewMissing, step.manyOfFew * count));
     isGivenUp_ = static_cast<double>(missing) > most;
     return !isGivenUp_;
   }
 
-  void beginSweeps() {
-    sweep_ = 0;
-    sweeps_.begin(step().sweeps[0]);
-  }
-
-  std::size_t sweepSome(std::uint32_t budget) {
-    const std::size_t done = sweeps_.advance(budget);
-    if (!sweeps_.isDone()) return done;
-    if (observer_ != nullptr) observer_->swept(step().sweeps[sweep_], complex_);
-    freeNodes_ = complex_.freeNodeCount();
-    if (++sweep_ < step().sweeps.size()) {
-      sweeps_.begin(step().sweeps[sweep_]);
-    } else {
-      endSweeps();
+  /// Makes the sweeps of the step, again as its rule says, and what else it does.
+  Task<> runSweeps(Work& work, const Step& step) {
+    if (isRounds(step)) meanCost_ = meanCostOf(complex_);
+    if (step.again == Again::kIfMuchChanged) isMuchChanged_ = changedPart() > kMuchChanged;
+    int repeats = 0;
+    for (int run = 0;; ++run) {
+      for (std::size_t i = 0; i < step.sweeps.size(); ++i) {
+        work.beginPart(fractionAfter(step, run, i + 1));
+        co_await sweep(work, step.sweeps[i]);
+      }
+      ++repeats;
+      if (!isAgain(step, sweeps_.takeChanges(), repeats)) break;
+      if (!isRounds(step)) continue;
+      // Nodes have moved, and new nodes have a mean of their neighbours' targets. Without stretching this affects lengths
+      // only, which matter in rounds alone.
+      co_await queryTargets(work, complex_.boundaryNodeCount());
+      if (Space::kIsStretched) co_await recomputeCosts(work);
     }
-    return done;
+    if (step.costBasis == CostBasis::kTargets) isGivenUp_ = sweeps_.improvements().canGiveUp();
+    servePurpose(step);
   }
 
-  /// Repeats the step or advances to the next one.
-  void endSweeps() {
-    ++repeats_;
-    if (isAgain(sweeps_.takeChanges())) return repeat();
-    if (step().costBasis == CostBasis::kTargets) isGivenUp_ = sweeps_.improvements().canGiveUp();
-    servePurpose();
-    turnToStep(isHopeless_ ? schedule_.size() : step_ + 1);
+  /// Estimated part of the step that is made after so many sweeps of a run. How often it repeats is not known: each run takes
+  /// the same part of what is left, because later ones visit less.
+  [[nodiscard]] static double fractionAfter(const Step& step, int run, std::size_t sweeps) {
+    const double ofRun = static_cast<double>(sweeps) / static_cast<double>(step.sweeps.size());
+    if (step.maxRepeats == 1) return ofRun;
+    return 1.0 - std::pow(kLeftByRepeat, run + ofRun);
   }
 
-  [[nodiscard]] bool isAgain(std::size_t changes) {
-    const bool isLast = repeats_ >= step().maxRepeats;
-    switch (step().again) {
+  Task<> sweep(Work& work, Sweep kind) {
+    for (sweeps_.begin(kind); !sweeps_.isDone();) {
+      const std::size_t done = sweeps_.advance(work.remaining());
+      work.setFraction(sweeps_.fraction());
+      co_await work.spend(done + 1);
+    }
+    if (observer_ != nullptr) observer_->swept(kind, complex_);
+    freeNodes_ = complex_.freeNodeCount();
+  }
+
+  /// `repeats`: how often the sweeps have been made; set to 0 when the goal changes.
+  [[nodiscard]] bool isAgain(const Step& step, std::size_t changes, int& repeats) {
+    const bool isLast = repeats >= step.maxRepeats;
+    switch (step.again) {
       case Again::kAlways:
         return !isLast;
       case Again::kWhileItGains: {
         const double before = std::exchange(meanCost_, meanCostOf(complex_));
         isGaining_ =
-            static_cast<double>(changes) >= step().minChanges * static_cast<double>(freeNodes_) &&
-            meanCost_ < before * (1.0 - step().minGain);
+            static_cast<double>(changes) >= step.minChanges * static_cast<double>(freeNodes_) &&
+            meanCost_ < before * (1.0 - step.minGain);
         return !isLast && isGaining_;
       }
       case Again::kWhileItImproves:
         if (changes > 0 && !isLast) return true;
         if (!sweeps_.improvements().focusOnWorst()) return false;
-        repeats_ = 0;
+        repeats = 0;
         return true;
       case Again::kWhileLastResortHelps:
         return changes > 0 && !isLast;
@@ -341,13 +284,8 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     return false;
   }
 
-  void repeat() {
-    if (isRounds()) beginRound();
-    beginSweeps();
-  }
-
-  void servePurpose() {
-    switch (step().purpose) {
+  void servePurpose(const Step& step) {
+    switch (step.purpose) {
       case Purpose::kSweeps:
         return;
       case Purpose::kSeeIfSparse:
@@ -378,19 +316,13 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   MeshLimits limits_;
   const SizeField& field_;
   FieldHint hint_;
-  std::size_t targetsKnown_ = 0;              ///< nodes whose targets are known
-  std::size_t targetsNeeded_;                 ///< nodes whose targets are needed
   std::vector<std::uint32_t> givenRegionOf_;  ///< per given node; empty without caps
-  std::size_t costed_ = 0;
-  std::size_t toCost_ = 0;
   TetComplex complex_;
   Sweeps<Space> sweeps_;
-  bool isBuilt_ = false;
-  std::size_t step_ = 0;     ///< index in the schedule
-  bool isUnderWay_ = false;  ///< the step's sweeps have begun
-  std::size_t sweep_ = 0;    ///< index in the step
-  int repeats_ = 0;          ///< of the step
-  double meanCost_ = 0.0;    ///< of the elements at the end of the last round
+  bool hasNeighbours_ = false;
+  bool isDone_ = false;
+  bool wasWorthwhile_ = false;  ///< the last step that was not left out
+  double meanCost_ = 0.0;       ///< of the elements at the end of the last round
   bool isMuchChanged_ = false;
   bool isGaining_ = false;              ///< the last round gained
   bool isHopeless_ = false;             ///< the kept mesh is the result
@@ -431,8 +363,7 @@ MeshOptimizer& MeshOptimizer::operator=(MeshOptimizer&&) noexcept = default;
 MeshOptimizer::~MeshOptimizer() = default;
 
 void MeshOptimizer::observe(SweepObserver& observer) { optimizer_->observe(observer); }
-bool MeshOptimizer::advance(std::uint32_t budget) { return optimizer_->advance(budget); }
-double MeshOptimizer::fraction() const { return optimizer_->fraction(); }
+Task<> MeshOptimizer::run(Work& work) { return optimizer_->run(work); }
 std::uint32_t MeshOptimizer::pointCount() const {
   return static_cast<std::uint32_t>(optimizer_->pointCount());
 }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/task.h"
 #include "field/size_field.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
@@ -42,14 +43,12 @@ class MeshOptimizer {
   MeshOptimizer& operator=(MeshOptimizer&&) noexcept;
   ~MeshOptimizer();
 
-  /// Reports the sweeps from now on to an observer, which must outlive this. Call it before the first advance().
+  /// Reports the sweeps to an observer, which must outlive this. Call it before run().
   void observe(SweepObserver& observer);
 
-  /// Visits about `budget` elements or nodes; returns true when finished.
-  bool advance(std::uint32_t budget);
+  /// Executes the schedule; once. This must outlive the task and must not move meanwhile.
+  Task<> run(Work& work);
 
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
   [[nodiscard]] std::uint32_t pointCount() const;
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
 

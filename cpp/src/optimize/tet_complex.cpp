@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "topology/face_table.h"
 
 namespace tetrafront {
 
@@ -20,90 +21,41 @@ TetComplex::TetComplex(VolumeMesh mesh, std::size_t boundaryNodes, bool isStretc
   const std::size_t count = mesh.tetrahedra.size() / 4;
   elements_.resize(count);
   states_.assign(count, {.pass = pass_});
-  build_.given = std::move(mesh.tetrahedra);
-  build_.starts.assign(positions_.size() + 1, 0);
-}
-
-bool TetComplex::build(std::size_t budget) {
-  const bool byNode = build_.step == BuildStep::kMatch;
-  const std::size_t size = byNode ? positions_.size() : elements_.size();
-  const std::size_t last = build_.next + std::min(budget, size - build_.next);
-  switch (build_.step) {
-    case BuildStep::kTake:
-      takeElements(build_.next, last);
-      break;
-    case BuildStep::kInsert:
-      placeSides(build_.next, last);
-      break;
-    case BuildStep::kMatch:
-      matchSides(build_.next, last);
-      break;
-    case BuildStep::kBuilt:
-      return true;
-  }
-  build_.next = last;
-  if (last < size) return false;
-  build_.next = 0;
-  if (build_.step == BuildStep::kTake) {
-    build_.given = {};
-    for (std::size_t i = 1; i < build_.starts.size(); ++i) {
-      build_.starts[i] += build_.starts[i - 1];
-    }
-    build_.filled.assign(build_.starts.begin(), build_.starts.end() - 1);
-    build_.sides.resize(4 * elements_.size());
-    build_.step = BuildStep::kInsert;
-  } else if (build_.step == BuildStep::kInsert) {
-    build_.step = BuildStep::kMatch;
-  } else {
-    build_ = BuildState{};
-    build_.step = BuildStep::kBuilt;
-  }
-  return build_.step == BuildStep::kBuilt;
-}
-
-/// Copies elements and counts their faces by the lowest node.
-void TetComplex::takeElements(std::size_t first, std::size_t last) {
-  for (std::size_t t = first; t < last; ++t) {
-    Element& element = elements_[t];
+  for (std::size_t t = 0; t < count; ++t) {
     for (std::size_t k = 0; k < 4; ++k) {
-      element.nodes[k] = NodeId(build_.given[4 * t + k]);
-      elementAt_[element.nodes[k].index()] = TetId(t);
-    }
-    for (std::size_t k = 0; k < 4; ++k) ++build_.starts[keyOf(element.nodes, k).nodes[0] + 1];
-  }
-}
-
-void TetComplex::placeSides(std::size_t first, std::size_t last) {
-  for (std::size_t t = first; t < last; ++t) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto [least, middle, most] = keyOf(elements_[t].nodes, k).nodes;
-      build_.sides[build_.filled[least]++] = {{middle, most}, {TetId(t), k}};
+      const NodeId node(mesh.tetrahedra[4 * t + k]);
+      elements_[t].nodes[k] = node;
+      elementAt_[node.index()] = TetId(t);
     }
   }
 }
 
-/// Sorts the few faces of each node and links equal ones, except across an interface, which is a
-/// boundary of both regions.
-void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
-  for (std::size_t node = firstNode; node < lastNode; ++node) {
-    const std::span sides =
-        std::span(build_.sides)
-            .subspan(build_.starts[node], build_.starts[node + 1] - build_.starts[node]);
-    sortFew(sides, [](const Side& a, const Side& b) { return a.nodes < b.nodes; });
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-      if (sides[i].nodes != sides[i + 1].nodes) continue;
-      const ElementFace one = sides[i].facing;
-      const ElementFace other = sides[i + 1].facing;
-      if (regions_[one.tet().index()] != regions_[other.tet().index()]) continue;
-      elements_[one.tet().index()].across[one.corner()] = other;
-      elements_[other.tet().index()].across[other.corner()] = one;
-      ++i;
-    }
-  }
+Task<> TetComplex::findNeighbours(Work& work) {
+  work.beginPart(0.6);
+  auto faces = co_await listFaces<ElementFace>(
+      work, positions_.size(), elements_.size(), [this](std::size_t t, const auto& use) {
+        const Corners& nodes = elements_[t].nodes;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const auto& [a, b, c] = kFaceCorners[k];
+          use({nodes[a], nodes[b], nodes[c]}, ElementFace(TetId(t), k));
+        }
+      });
+  work.beginPart(1.0);
+  co_await work.forEachId<NodeId>(positions_.size(), [&](NodeId node) {
+    faces.forEachGroup(node, [this](const auto& group) {
+      if (group.size() == 2) join(group[0].owner, group[1].owner);
+    });
+  });
+}
+
+/// Makes the elements neighbours, except across an interface, which is a boundary of both regions.
+void TetComplex::join(ElementFace one, ElementFace other) {
+  if (regions_[one.tet().index()] != regions_[other.tet().index()]) return;
+  elements_[one.tet().index()].across[one.corner()] = other;
+  elements_[other.tet().index()].across[other.corner()] = one;
 }
 
 VolumeMesh TetComplex::toMesh() const {
-  if (build_.step == BuildStep::kTake) return asGiven();
   std::vector<NodeId> newId(positions_.size());  // none if no element uses the node
   VolumeMesh mesh;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
@@ -119,16 +71,6 @@ VolumeMesh TetComplex::toMesh() const {
       mesh.tetrahedra.push_back(newId[node.index()].value);
     mesh.regions.push_back(regions_[t]);
   }
-  return mesh;
-}
-
-VolumeMesh TetComplex::asGiven() const {
-  VolumeMesh mesh;
-  mesh.points.reserve(3 * positions_.size());
-  for (const Vec3& position : positions_)
-    mesh.points.insert(mesh.points.end(), {position.x, position.y, position.z});
-  mesh.tetrahedra = build_.given;
-  mesh.regions = regions_;
   return mesh;
 }
 

@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "geom/tetrahedron.h"
+#include "base/task.h"
+#include "topology/tetrahedron.h"
 #include "optimize/element_cost.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
@@ -52,13 +53,11 @@ struct Star {
 
 class TetComplex {
  public:
-  /// The first `boundaryNodes` nodes are fixed. Until build() has finished, only counts, positions
-  /// and toMesh() are usable.
+  /// The first `boundaryNodes` nodes are fixed. Until findNeighbours() has finished, nothing may change.
   TetComplex(VolumeMesh mesh, std::size_t boundaryNodes, bool isStretched = false);
 
-  /// Finds the neighbours, visiting about `budget` elements or nodes; returns true when finished.
-  /// O(n log k) for k elements at a node.
-  bool build(std::size_t budget);
+  /// Finds the neighbours of all elements. O(n log k) for k elements at a node.
+  Task<> findNeighbours(Work& work);
 
   /// Returns the elements and the used nodes, boundary nodes first, in their order.
   [[nodiscard]] VolumeMesh toMesh() const;
@@ -194,21 +193,6 @@ class TetComplex {
     ElementFace facing;
     std::uint32_t stamp = 0;
   };
-  /// A face in build(): faces are grouped by their lowest node; the other two nodes, and the
-  /// element.
-  struct Side {
-    std::array<std::uint32_t, 2> nodes;
-    ElementFace facing;
-  };
-  enum class BuildStep : std::uint8_t { kTake, kInsert, kMatch, kBuilt };
-  struct BuildState {
-    BuildStep step = BuildStep::kTake;
-    std::size_t next = 0;
-    std::vector<std::uint32_t> given;   ///< elements to insert
-    std::vector<std::uint32_t> starts;  ///< faces of node i begin at starts[i]
-    std::vector<std::uint32_t> filled;
-    std::vector<Side> sides;
-  };
   static constexpr std::size_t kFaceSlots = 8192;  // a power of two, above 4 x 2 x kMaxCavity
 
   /// Returns the array that has an entry for each node: sizes_ or tensors_.
@@ -220,16 +204,13 @@ class TetComplex {
       return self.sizes_;
     }
   }
-  [[nodiscard]] VolumeMesh asGiven() const;
   NodeId addNode(const Vec3& position);
   void resizeNodes(std::size_t count);
   [[nodiscard]] FaceKey keyOf(const Corners& nodes, std::size_t corner) const;
   FaceSlot& slotFor(const FaceKey& key);
   TetId takeSlot();
   void link(TetId tet, std::size_t corner);
-  void takeElements(std::size_t first, std::size_t last);
-  void placeSides(std::size_t first, std::size_t last);
-  void matchSides(std::size_t firstNode, std::size_t lastNode);
+  void join(ElementFace one, ElementFace other);
   void save(TetId tet);
 
   std::size_t boundaryNodes_;
@@ -243,7 +224,6 @@ class TetComplex {
   std::vector<std::uint32_t> regions_;
   std::vector<ElementState> states_;
   std::vector<TetId> freeSlots_;
-  BuildState build_;
   std::uint32_t pass_ = 1;
   std::uint32_t stamp_ = 0;
   std::vector<FaceSlot> faceSlots_;

@@ -10,6 +10,12 @@
 #include "sizing/expected_count.h"
 
 namespace tetrafront {
+namespace {
+
+/// Share of the time before the first split.
+constexpr double kSetUpShare = 0.1;
+
+}  // namespace
 
 bool VolumeLimits::areGiven() const {
   return everywhere > 0.0 || std::ranges::any_of(ofRegions, [](double v) { return v > 0.0; });
@@ -29,48 +35,44 @@ VolumeLimiter::VolumeLimiter(VolumeMesh mesh, std::size_t boundaryNodes, VolumeL
       maxTetrahedra_(maxTetrahedra),
       complex_(std::move(mesh), boundaryNodes) {}
 
-bool VolumeLimiter::advance(std::uint32_t budget) {
-  if (!isBuilt_) {
-    isBuilt_ = complex_.build(budget);
-    return false;
-  }
-  if (!isCounted_) {
-    count(budget);
-    return isDone_;
-  }
-  for (std::uint32_t i = 0; i < budget && !isDone_; ++i) {
-    if (next_ < complex_.slotCount()) {
-      const TetId tet(next_);
-      const bool isLarge = complex_.isLive(tet) && volumeRatio(tet) > 1.0;
-      hasTooMany_ = isLarge && complex_.elementCount() >= maxTetrahedra_;
-      isDone_ = hasTooMany_;
-      if (isLarge && !isDone_ && split(tet)) {
-        ++splits_;
-      } else {
-        ++next_;
-      }
-      continue;
-    }
-    isDone_ = splits_ == 0;
-    splits_ = 0;
-    next_ = 0;
-  }
-  return isDone_;
-}
-
-/// Counts the parts that each tetrahedron needs at least: parts never extend beyond the tetrahedron that they replace.
-void VolumeLimiter::count(std::uint32_t budget) {
-  for (std::uint32_t i = 0; i < budget && next_ < complex_.slotCount(); ++i, ++next_) {
-    if (complex_.isLive(TetId(next_))) {
-      required_ += std::max(1.0, std::ceil(volumeRatio(TetId(next_))));
-    }
-  }
-  if (next_ < complex_.slotCount()) return;
-  isCounted_ = true;
-  next_ = 0;
+Task<> VolumeLimiter::run(Work& work) {
+  work.beginPart(kSetUpShare);
+  co_await complex_.findNeighbours(work);
+  co_await work.forEachId<TetId>(complex_.slotCount(), [this](TetId tet) { count(tet); });
   given_ = complex_.elementCount();
   hasTooMany_ = required_ > static_cast<double>(maxTetrahedra_);
-  isDone_ = hasTooMany_;
+  work.beginPart(1.0);
+  for (bool hasSplit = true; hasSplit && !hasTooMany_;) {
+    hasSplit = false;
+    for (std::size_t next = 0; next < complex_.slotCount() && !hasTooMany_;) {
+      const std::size_t visited = splitSome(work.remaining(), next, hasSplit);
+      work.setFraction(fraction());
+      co_await work.spend(visited);
+    }
+  }
+}
+
+/// Counts the parts that a tetrahedron needs at least: parts never extend beyond the tetrahedron that they replace.
+void VolumeLimiter::count(TetId tet) {
+  if (complex_.isLive(tet)) required_ += std::max(1.0, std::ceil(volumeRatio(tet)));
+}
+
+/// Visits at most `budget` slots from `next` on, and returns how many.
+std::size_t VolumeLimiter::splitSome(std::uint32_t budget, std::size_t& next, bool& hasSplit) {
+  std::uint32_t visited = 0;
+  for (; visited < budget && next < complex_.slotCount(); ++visited) {
+    const TetId tet(next);
+    const bool isLarge = complex_.isLive(tet) && volumeRatio(tet) > 1.0;
+    hasTooMany_ = isLarge && complex_.elementCount() >= maxTetrahedra_;
+    if (hasTooMany_) break;
+    // A split leaves another element in the slot.
+    if (isLarge && split(tet)) {
+      hasSplit = true;
+    } else {
+      ++next;
+    }
+  }
+  return visited;
 }
 
 std::uint32_t VolumeLimiter::nodeCount() const {
@@ -86,7 +88,7 @@ double VolumeLimiter::fraction() const {
   constexpr double kPartsPerRequired = 2.0;
   const double parts = kPartsPerRequired * required_ - static_cast<double>(given_);
   const auto made = static_cast<double>(complex_.elementCount()) - static_cast<double>(given_);
-  return isCounted_ && parts > 0.0 ? std::min(1.0, made / parts) : 0.0;
+  return parts > 0.0 ? std::min(1.0, made / parts) : 0.0;
 }
 
 std::vector<Diagnostic> VolumeLimiter::diagnostics() const {

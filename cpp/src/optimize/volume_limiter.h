@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/task.h"
 #include "optimize/tet_complex.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/status.h"
@@ -31,22 +32,22 @@ class VolumeLimiter {
   VolumeLimiter(VolumeMesh mesh, std::size_t boundaryNodes, VolumeLimits limits,
                 std::size_t maxTetrahedra);
 
-  /// Visits about `budget` tetrahedra; returns true when finished. O(n + splits) in total.
-  bool advance(std::uint32_t budget);
+  /// Splits the elements. O(n + splits).
+  Task<> run(Work& work);
 
   /// Returns the mesh at any time.
   [[nodiscard]] VolumeMesh mesh() const { return complex_.toMesh(); }
   [[nodiscard]] std::uint32_t nodeCount() const;
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
-  /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
   /// Returns, once finished, kTooManyElements if the limit of their number is reached, kLargeTetrahedra if tetrahedra
   /// remain that rounding does not allow to split; else nothing.
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
 
  private:
   [[nodiscard]] double volumeRatio(TetId tet) const;
-  void count(std::uint32_t budget);
+  [[nodiscard]] double fraction() const;
+  void count(TetId tet);
+  std::size_t splitSome(std::uint32_t budget, std::size_t& next, bool& hasSplit);
   bool split(TetId tet);
   bool splitEdge(TetId tet, std::size_t edge);
   bool splitAtCentroid(TetId tet);
@@ -57,14 +58,9 @@ class VolumeLimiter {
   VolumeLimits limits_;
   std::size_t maxTetrahedra_;
   TetComplex complex_;
-  bool isBuilt_ = false;
-  bool isCounted_ = false;
   std::size_t given_ = 0;  ///< number of tetrahedra before the splits
   double required_ = 0.0;  ///< lower bound of their number after the splits
   bool hasTooMany_ = false;
-  std::size_t next_ = 0;
-  std::size_t splits_ = 0;  ///< in the current round
-  bool isDone_ = false;
   std::vector<TetId> ring_;
   std::vector<NewElement> fresh_;
 };

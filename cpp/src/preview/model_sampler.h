@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/task.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "model/check_model.h"
 #include "tetrafront/preview.h"
 

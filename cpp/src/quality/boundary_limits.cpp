@@ -7,7 +7,7 @@
 
 #include "base/sort.h"
 #include "geom/measure.h"
-#include "geom/tetrahedron.h"
+#include "topology/tetrahedron.h"
 #include "quality/metrics.h"
 
 namespace tetrafront {

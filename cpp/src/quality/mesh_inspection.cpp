@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/resumable.h"
 #include "base/sort.h"
 #include "base/task.h"
@@ -16,7 +16,7 @@
 #include "field/size_field.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
-#include "geom/tetrahedron.h"
+#include "topology/tetrahedron.h"
 #include "quality/mesh_boundary.h"
 #include "quality/quality_analysis.h"
 #include "quality/verify_mesh.h"
@@ -84,12 +84,12 @@ void measureEdges(const VolumeMesh& mesh, TetId element, double& sum, MeshInspec
 }
 
 /// Moves the boundary to the inspection; returns it together with the interfaces, without positions.
-SurfaceMesh takeSurface(BoundaryFinder& finder, MeshInspection& out) {
-  out.boundary = finder.take();
+SurfaceMesh takeSurface(MeshBoundary found, MeshInspection& out) {
+  out.boundary = std::move(found.boundary);
   SurfaceMesh surface;
   surface.triangles = out.boundary.triangles;
-  const std::vector<std::uint32_t> interfaces = finder.takeInterfaces();
-  surface.triangles.insert(surface.triangles.end(), interfaces.begin(), interfaces.end());
+  surface.triangles.insert(surface.triangles.end(), found.interfaces.begin(),
+                           found.interfaces.end());
   return surface;
 }
 
@@ -120,12 +120,8 @@ Task<MeshInspection> inspect(Work& work, VolumeMesh& mesh) {
   out.meanEdge = edgeSum / (6.0 * out.tetrahedra);
 
   work.beginPart(0.4);
-  SurfaceMesh withInterfaces;
-  {
-    BoundaryFinder finder(mesh);
-    co_await work.finish(finder);
-    withInterfaces = takeSurface(finder, out);
-  }
+  MeshBoundary found = co_await findMeshBoundary(work, mesh);
+  const SurfaceMesh withInterfaces = takeSurface(std::move(found), out);
   work.beginPart(0.6);
   {
     SurfaceMesh surface = out.boundary;

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/ids.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {

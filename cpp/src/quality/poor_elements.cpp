@@ -6,11 +6,11 @@
 #include <numbers>
 #include <tuple>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "geom/box.h"
 #include "geom/measure.h"
-#include "geom/tetrahedron.h"
+#include "topology/tetrahedron.h"
 #include "quality/boundary_limits.h"
 #include "quality/metrics.h"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "base/mesh_access.h"
-#include "geom/tetrahedron.h"
+#include "topology/mesh_access.h"
+#include "topology/tetrahedron.h"
 #include "quality/poor_elements.h"
-#include "search/incidence.h"
+#include "topology/node_lists.h"
 
 namespace tetrafront {
 namespace {

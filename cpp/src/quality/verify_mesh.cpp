@@ -7,12 +7,12 @@
 #include <limits>
 #include <span>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/resumable.h"
 #include "base/sort.h"
 #include "geom/predicates.h"
-#include "geom/tetrahedron.h"
-#include "search/incidence.h"
+#include "topology/tetrahedron.h"
+#include "topology/node_lists.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {

@@ -9,9 +9,9 @@
 #include <span>
 #include <utility>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/tolerance.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/measure.h"
 #include "remesh/curvature.h"
 #include "remesh/mean_curvature.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "geom/box.h"
 #include "remesh/feature_line.h"
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/sort.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "geom/measure.h"
 
 namespace tetrafront {

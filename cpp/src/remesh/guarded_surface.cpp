@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
 #include "remesh/envelope.h"

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <tuple>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/sort.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/sort.h"
-#include "boundary/smooth_triangles.h"
-#include "boundary/surface_access.h"
+#include "topology/smooth_triangles.h"
+#include "topology/surface_access.h"
 #include "geom/measure.h"
 
 namespace tetrafront {

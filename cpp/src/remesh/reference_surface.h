@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/task.h"
-#include "boundary/edge_table.h"
+#include "topology/edge_table.h"
 #include "geom/coordinates.h"
 #include "geom/triangle_frame.h"
 #include "remesh/feature_line.h"

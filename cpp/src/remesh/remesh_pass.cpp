@@ -10,8 +10,8 @@
 #include <span>
 #include <utility>
 
-#include "base/mesh_access.h"
-#include "boundary/surface_access.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 #include "geom/angles.h"
 #include "quality/metrics.h"
 #include "remesh/deviation.h"

@@ -38,18 +38,6 @@ struct RemeshPass {
   std::vector<std::uint32_t> beneath;  ///< per triangle: as `origin`, in the surface of this pass
 };
 
-/// Does a job in the slices of another one; returns false if it was stopped.
-template <class T>
-Task<bool> finishUnlessStopped(Work& work, Job<T>& job, const bool& isStopped) {
-  while (!isStopped) {
-    const bool isFinished = job.advance(work.remaining());
-    work.setFraction(job.fraction());
-    co_await work.yield();
-    if (isFinished) co_return true;
-  }
-  co_return false;
-}
-
 /// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
 [[nodiscard]] PassSurface nextSurface(const RemeshPass& pass, const Vec3& centre);
 

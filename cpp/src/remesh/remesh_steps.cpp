@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "boundary/boundary.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/angles.h"
 #include "remesh/detail_merger.h"
 #include "remesh/reference_surface.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "field/size_sites.h"
 #include "geom/angles.h"
 #include "remesh/automatic_sizes.h"

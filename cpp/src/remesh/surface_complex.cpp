@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 

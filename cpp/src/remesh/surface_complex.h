@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "boundary/edge_table.h"
+#include "topology/edge_table.h"
 #include "remesh/feature_line.h"
 #include "remesh/reference_surface.h"
 #include "tetrafront/vec3.h"

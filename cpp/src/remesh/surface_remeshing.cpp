@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "base/tool_job.h"
 #include "boundary/boundary.h"
 #include "boundary/centred_surface.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "field/size_octree_builder.h"
 #include "geom/angles.h"
 #include "geom/coordinates.h"

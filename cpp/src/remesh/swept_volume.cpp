@@ -6,10 +6,10 @@
 #include "base/ids.h"
 #include "base/sort.h"
 #include "boundary/ray_crossing.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
-#include "search/disjoint_sets.h"
+#include "topology/disjoint_sets.h"
 
 namespace tetrafront {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "search/box_tree.h"
 
 namespace tetrafront {

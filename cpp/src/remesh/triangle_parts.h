@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <numeric>
 
-#include "base/mesh_access.h"
-#include "boundary/surface_access.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 #include "quality/metrics.h"
 
 namespace tetrafront {

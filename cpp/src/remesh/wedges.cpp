@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "base/mesh_access.h"
-#include "boundary/edge_table.h"
+#include "topology/mesh_access.h"
+#include "topology/edge_table.h"
 #include "geom/box.h"
 #include "geom/measure.h"
 

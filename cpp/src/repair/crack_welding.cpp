@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "boundary/edge_table.h"
-#include "boundary/surface_access.h"
+#include "topology/edge_table.h"
+#include "topology/surface_access.h"
 #include "boundary/weld.h"
 
 namespace tetrafront {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "sizing/target_sizes.h"
 
 namespace tetrafront {

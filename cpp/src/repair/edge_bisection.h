@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "boundary/edge_table.h"
+#include "topology/edge_table.h"
 #include "field/size_field.h"
 #include "search/indexed_heap.h"
 #include "sizing/region_sizes.h"

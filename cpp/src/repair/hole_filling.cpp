@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "boundary/edge_table.h"
+#include "topology/edge_table.h"
 #include "boundary/self_intersection.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/intersect.h"
 #include "repair/open_rims.h"
 #include "repair/rim_triangulation.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "base/mesh_access.h"
-#include "boundary/edge_table.h"
+#include "topology/mesh_access.h"
+#include "topology/edge_table.h"
 
 namespace tetrafront {
 namespace {

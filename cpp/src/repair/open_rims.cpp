@@ -5,8 +5,8 @@
 #include <span>
 
 #include "base/sort.h"
-#include "boundary/corner_fans.h"
-#include "boundary/surface_access.h"
+#include "topology/corner_fans.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

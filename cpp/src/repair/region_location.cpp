@@ -8,7 +8,7 @@
 #include "boundary/boundary.h"
 #include "boundary/ray_crossing.h"
 #include "boundary/self_intersection.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "search/box_tree.h"
 
 namespace tetrafront {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/mesh_access.h"
-#include "boundary/surface_access.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 #include "geom/measure.h"
 
 namespace tetrafront {

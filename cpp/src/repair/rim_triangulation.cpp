@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/predicates.h"
 
 namespace tetrafront {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "boundary/edge_table.h"
-#include "boundary/surface_access.h"
+#include "topology/edge_table.h"
+#include "topology/surface_access.h"
 #include "geom/predicates.h"
 
 namespace tetrafront {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "boundary/boundary.h"
-#include "boundary/corner_fans.h"
-#include "boundary/edge_table.h"
-#include "boundary/surface_access.h"
+#include "topology/corner_fans.h"
+#include "topology/edge_table.h"
+#include "topology/surface_access.h"
 #include "quality/metrics.h"
 
 namespace tetrafront {

@@ -7,7 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "boundary/boundary_report.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "boundary/surface_checks.h"
 #include "repair/edge_bisection.h"
 #include "sizing/check_options.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "field/size_octree_builder.h"
 #include "field/size_sites.h"
 #include "sizing/target_sizes.h"

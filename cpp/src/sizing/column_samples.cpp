@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/ids.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

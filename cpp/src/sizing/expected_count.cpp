@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sizing/column_samples.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -2,7 +2,7 @@
 
 /// @file Finds what to change if the sizes require too many elements.
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"

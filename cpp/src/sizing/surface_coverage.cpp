@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

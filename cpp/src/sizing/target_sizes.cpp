@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "field/check_background_grid.h"
 #include "field/grid_locator_builder.h"
 #include "field/size_octree_builder.h"

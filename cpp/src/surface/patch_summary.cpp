@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "quality/metrics.h"
 #include "sizing/target_sizes.h"
 

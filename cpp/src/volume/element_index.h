@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "search/incidence.h"
+#include "topology/node_lists.h"
 #include "volume/elements.h"
 
 namespace tetrafront {

@@ -8,7 +8,7 @@
 
 #include "base/sort.h"
 #include "geom/predicates.h"
-#include "search/disjoint_sets.h"
+#include "topology/disjoint_sets.h"
 
 namespace tetrafront {
 namespace {

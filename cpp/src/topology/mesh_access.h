@@ -9,6 +9,7 @@
 #include "base/ids.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 
@@ -42,6 +43,13 @@ inline NodeQuad nodesOf(const VolumeMesh& mesh, TetId tet) {
   const std::size_t i = 4 * tet.index();
   return {NodeId(mesh.tetrahedra[i]), NodeId(mesh.tetrahedra[i + 1]),
           NodeId(mesh.tetrahedra[i + 2]), NodeId(mesh.tetrahedra[i + 3])};
+}
+
+/// Returns the nodes of a face, counter-clockwise as seen from outside the element (mesh.h).
+inline NodeTriple nodesOf(const VolumeMesh& mesh, ElementFace face) {
+  const NodeQuad nodes = nodesOf(mesh, face.tet());
+  const auto& [a, b, c] = kFaceCorners[face.corner()];
+  return {nodes[a], nodes[b], nodes[c]};
 }
 
 inline NodeTriple nodesOf(const SurfaceMesh& mesh, TriangleId triangle) {

@@ -1,8 +1,8 @@
-#include "boundary/corner_fans.h"
+#include "topology/corner_fans.h"
 
 #include <utility>
 
-#include "search/disjoint_sets.h"
+#include "topology/disjoint_sets.h"
 
 namespace tetrafront {
 

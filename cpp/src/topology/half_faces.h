@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "boundary/edge_table.h"
+#include "topology/edge_table.h"
 #include "tetrafront/mesh.h"
 
 namespace tetrafront {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "boundary/edge_table.h"
+#include "topology/edge_table.h"
 
 namespace tetrafront {
 

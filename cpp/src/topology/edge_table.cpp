@@ -1,4 +1,4 @@
-#include "boundary/edge_table.h"
+#include "topology/edge_table.h"
 
 #include <algorithm>
 

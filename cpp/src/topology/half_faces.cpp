@@ -1,12 +1,12 @@
-#include "boundary/half_faces.h"
+#include "topology/half_faces.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "base/sort.h"
-#include "boundary/surface_access.h"
+#include "topology/surface_access.h"
 #include "geom/predicates.h"
-#include "search/disjoint_sets.h"
+#include "topology/disjoint_sets.h"
 
 namespace tetrafront {
 namespace {

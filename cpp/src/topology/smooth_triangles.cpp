@@ -1,4 +1,4 @@
-#include "boundary/smooth_triangles.h"
+#include "topology/smooth_triangles.h"
 
 #include <array>
 #include <cstddef>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "boundary/edge_table.h"
-#include "boundary/surface_access.h"
+#include "topology/edge_table.h"
+#include "topology/surface_access.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
 

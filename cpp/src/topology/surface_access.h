@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "base/mesh_access.h"
+#include "topology/mesh_access.h"
 #include "geom/intersect.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
