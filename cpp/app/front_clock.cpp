@@ -18,8 +18,8 @@
 #include <ctime>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "field/grid_locator.h"
@@ -82,34 +82,53 @@ struct Timing {
   double share = 0.0;    ///< share of the crossing test, with a ClockTrace
 };
 
-template <class Trace>
-Timing runFront(const Problem& problem, const tetrafront::SizeField& field,
-                const tetrafront::MeshOptions& options) {
-  const std::clock_t begin = std::clock();
-  tetrafront::BasicVolumeMesher<Trace> mesher(problem.boundary, field, options);
-  constexpr std::uint32_t kBudget = 4096;
-  while (mesher.advance(kBudget) == tetrafront::MeshStatus::kRunning) {
+/// Makes steps whose crossing tests are timed, and keeps those of the last front.
+class ClockMaker final : public tetrafront::FrontMaker {
+ public:
+  using Advance = tetrafront::TracedFrontAdvance<tetrafront::ClockTrace>;
+
+  [[nodiscard]] std::unique_ptr<tetrafront::FrontAdvance> make(tetrafront::Front& front,
+                                                               tetrafront::Elements& elements,
+                                                               const tetrafront::SizeField& field,
+                                                               bool filters) const override {
+    auto made = std::make_unique<Advance>(front, elements, field, filters);
+    last_ = made.get();
+    return made;
   }
+  [[nodiscard]] double secondsInCrossingTest() const {
+    return std::chrono::duration<double>(last_->trace().inCrossingTest).count();
+  }
+
+ private:
+  mutable const Advance* last_ = nullptr;
+};
+
+Timing runFront(const Problem& problem, const tetrafront::SizeField& field,
+                const tetrafront::MeshOptions& options, const ClockMaker* clock) {
+  const tetrafront::PlainFrontMaker plain;
+  const std::clock_t begin = std::clock();
+  tetrafront::VolumeMesher mesher(
+      problem.boundary, field, options,
+      clock ? *clock : static_cast<const tetrafront::FrontMaker&>(plain));
+  tetrafront::Job<tetrafront::MeshStatus> job(
+      [&mesher](tetrafront::Work& work) { return mesher.run(work); });
+  job.finish();
   const std::clock_t spent = std::clock() - begin;
   Timing timing;
   timing.status = mesher.status();
   timing.tetrahedra = mesher.tetrahedronCount();
   timing.counters = mesher.counters();
   timing.seconds = static_cast<double>(spent) / CLOCKS_PER_SEC;
-  if constexpr (std::is_same_v<Trace, tetrafront::ClockTrace>) {
-    const std::chrono::duration<double> crossing = mesher.trace().inCrossingTest;
-    timing.share = crossing.count() / timing.seconds;
-  }
+  if (clock != nullptr) timing.share = clock->secondsInCrossingTest() / timing.seconds;
   return timing;
 }
 
-template <class Trace>
 Timing quickest(const Problem& problem, const tetrafront::SizeField& field,
-                const tetrafront::MeshOptions& options) {
+                const tetrafront::MeshOptions& options, const ClockMaker* clock) {
   Timing best;
   best.seconds = std::numeric_limits<double>::infinity();
   for (int run = 0; run < kRuns; ++run) {
-    const Timing timing = runFront<Trace>(problem, field, options);
+    const Timing timing = runFront(problem, field, options, clock);
     if (timing.seconds < best.seconds) best = timing;
   }
   return best;
@@ -142,8 +161,9 @@ int main(int argc, char** argv) {
                                      : tetrafront::FrontOrder::kSmallestFirst;
   options.filters = filters == "on";
   const tetrafront::SizeField field = fieldOf(problem, options);
-  const Timing plain = quickest<tetrafront::NullTrace>(problem, field, options);
-  const Timing clocked = quickest<tetrafront::ClockTrace>(problem, field, options);
+  const Timing plain = quickest(problem, field, options, nullptr);
+  const ClockMaker clock;
+  const Timing clocked = quickest(problem, field, options, &clock);
   const auto per = [](std::uint64_t part, std::uint64_t whole) {
     return static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
   };

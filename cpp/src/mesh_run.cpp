@@ -4,7 +4,7 @@
 
 #include "optimize/sweep_recorder.h"
 #include "tetrafront/trace.h"
-#include "volume/recorded_stage.h"
+#include "volume/recorded_front.h"
 
 namespace tetrafront {
 
@@ -53,7 +53,8 @@ std::uint64_t MeshRun::recordedSteps() const { return impl_->recordedSteps(); }
 std::uint64_t MeshRun::frontFingerprint() const { return impl_->frontFingerprint(); }
 
 void recordFront(MeshRun& run, const FrontExperiment& experiment) {
-  run.impl_->record(makeRecordedStage, makeSweepRecorder, experiment);
+  run.impl_->record(std::make_unique<RecordingFrontMaker>(run.impl_->recorder(), experiment),
+                    makeSweepRecorder);
 }
 
 }  // namespace tetrafront

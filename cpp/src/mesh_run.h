@@ -21,7 +21,6 @@
 #include "surface/surface_trace.h"
 #include "tetrafront/mesher.h"
 #include "volume/region_mesher.h"
-#include "volume/volume_stage.h"
 
 namespace tetrafront {
 
@@ -101,14 +100,14 @@ class MeshRun::Impl {
   }
 
   /// Records the steps of a run that has not begun. Only callers of this function need the code that records.
-  void record(MakeVolumeStage make, MakeSweepObserver observe, const FrontExperiment& experiment) {
-    experiment_ = experiment;
-    makeFront_ = make;
+  void record(std::unique_ptr<FrontMaker> maker, MakeSweepObserver observe) {
+    frontMaker_ = std::move(maker);
     makeObserver_ = observe;
     meshSurface_ = &Impl::meshSurface<RecordingSurfaceTrace>;
     records_ = true;
   }
   [[nodiscard]] std::vector<std::uint8_t> takeTrace() { return recorder_.takeEvents(); }
+  [[nodiscard]] StepRecorder& recorder() { return recorder_; }
   [[nodiscard]] std::uint64_t recordedSteps() const { return recorder_.counts().steps; }
   [[nodiscard]] std::uint64_t frontFingerprint() const { return frontFingerprint_; }
 
@@ -123,7 +122,7 @@ class MeshRun::Impl {
       progress.nodes = front_->nodeCount();
       progress.tetrahedra = front_->tetrahedronCount();
       progress.frontFaces = front_->frontFaceCount();
-      progress.exactFillFraction = exactFill_;
+      progress.exactFillFraction = front_->exactFillFraction();
     } else if (optimizer_) {
       progress.nodes = optimizer_->pointCount();
       progress.tetrahedra = optimizer_->tetrahedronCount();
@@ -157,7 +156,6 @@ class MeshRun::Impl {
   Task<> measure(Work& work);
   Task<MeshStatus> verify(Work& work);
 
-  void followFront(Work& work, std::optional<std::uint32_t>& section);
   void keepUnfinished();
 
   void report(const std::vector<Diagnostic>& found) {
@@ -179,19 +177,17 @@ class MeshRun::Impl {
   MeshStatus status_ = MeshStatus::kRunning;
   Phase phase_ = Phase::kCheck;
   double fraction_ = 0.0;
-  double exactFill_ = 0.0;
   SurfaceMesh surface_;
   std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;
   std::uint32_t expectedTetrahedra_ = 0;
   Task<bool> (Impl::*meshSurface_)(Work&) = &Impl::meshSurface<NullSurfaceTrace>;
-  MakeVolumeStage makeFront_ = makeStage;
+  std::unique_ptr<FrontMaker> frontMaker_ = std::make_unique<PlainFrontMaker>();
   MakeSweepObserver makeObserver_ = nullptr;
   bool records_ = false;
   StepRecorder recorder_;
-  FrontExperiment experiment_;
   std::uint64_t frontFingerprint_ = 0;
-  std::unique_ptr<VolumeStage> front_;       ///< while it fills
+  std::optional<RegionMesher> front_;        ///< while it fills
   std::unique_ptr<SweepObserver> observer_;  ///< of the optimizer, if the run is recorded
   std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes
   std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements

@@ -40,10 +40,8 @@ constexpr StageEnds kBodyEnds{.input = 0.02, .surface = 0.14, .boundary = 0.155,
 constexpr StageEnds kSurfaceEnds{
     .input = 0.004, .surface = 0.004, .boundary = 0.015, .sizes = 0.02};
 
-/// Progress at the end of the volume if the front leaves everything to recovery, and the share of
-/// the fronts in it.
+/// Progress at the end of the volume if the front leaves everything to recovery.
 constexpr double kVolumeEnd = 0.75;
-constexpr double kFrontShare = 0.45;
 
 constexpr double kOptimizeEnd = 0.97;
 constexpr double kLimitedOptimizeEnd = 0.9;  ///< if volumes are limited
@@ -229,13 +227,8 @@ bool MeshRun::Impl::limitElements() {
 }
 
 Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
-  std::optional<std::uint32_t> section;
-  front_ = makeFront_(surface_, *field_, options_, recorder_, experiment_);
-  MeshStatus status = front_->advance(work.remaining());
-  for (; status == MeshStatus::kRunning; status = front_->advance(work.remaining())) {
-    followFront(work, section);
-    co_await work.yield();
-  }
+  front_.emplace(surface_, *field_, options_, *frontMaker_);
+  const MeshStatus status = co_await front_->run(work);
   std::vector<Diagnostic> found = front_->diagnostics();
   for (Diagnostic& diagnostic : found) {
     if (diagnostic.code != DiagnosticCode::kTooManyElements) continue;
@@ -246,19 +239,6 @@ Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
   if (records_) frontFingerprint_ = fingerprint();
   co_await work.yield();
   co_return status;
-}
-
-/// Follows the progress of the front. A section is a front or its recovery; the part of a section begins with it.
-void MeshRun::Impl::followFront(Work& work, std::optional<std::uint32_t>& section) {
-  if (section != front_->section()) {
-    section = front_->section();
-    exactFill_ = 0.0;
-    work.beginPart(kFrontShare * front_->passFractionAtSectionEnd() +
-                   (1.0 - kFrontShare) * front_->openShare());
-  }
-  work.setFraction(front_->sectionFraction());
-  // A failed attempt lowers the mesher's own estimate. The reported progress never decreases.
-  exactFill_ = std::max(exactFill_, front_->exactFillFraction());
 }
 
 /// Keeps what the running stage has made so far, and frees its memory.

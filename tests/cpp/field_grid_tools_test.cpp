@@ -195,8 +195,8 @@ TEST(GridFromMeshTest, WalksAreShortOnALargeGridInTheOrderOfTheFront) {
   std::vector<Diagnostic> diagnostics;
   ASSERT_TRUE(closeBoundary(sphere, BoundarySource::kGivenSurface, diagnostics).isValid);
   VolumeMesher mesher(sphere, field, {});
-  while (mesher.advance(kBudget) == MeshStatus::kRunning) {
-  }
+  Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
+  job.finish();
   ASSERT_EQ(mesher.status(), MeshStatus::kDone);
   const WalkCount walked = field.walkCount();
   EXPECT_GT(walked.queries, mesher.tetrahedronCount());

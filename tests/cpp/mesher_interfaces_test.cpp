@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "boundary/boundary.h"
 #include "field/size_field.h"
 #include "quality/verify_mesh.h"
 #include "support/mesh_validator.h"
@@ -114,15 +115,55 @@ TEST(MeshInterfaces, TooManyElementsAreThoseOfAllRegions) {
   const auto ofFirst = static_cast<std::uint32_t>(std::ranges::count(regions, 0U));
   options.maxTetrahedra = ofFirst + 20;
   const SizeField field = SizeField::uniform(0.3);
-  RegionMesher mesher(run.surface(), field, options);
-  while (mesher.advance(100) == MeshStatus::kRunning) {
-  }
+  const PlainFrontMaker maker;
+  RegionMesher mesher(run.surface(), field, options, maker);
+  Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
+  job.finish();
   const std::vector<Diagnostic> reported = mesher.diagnostics();
   ASSERT_EQ(reported.size(), 1U);
   EXPECT_EQ(reported[0].code, DiagnosticCode::kTooManyElements);
   EXPECT_EQ(reported[0].values[1], ofFirst + 20);
   EXPECT_GT(reported[0].values[0], ofFirst + 20);
   EXPECT_LT(reported[0].values[0], 3.0 * static_cast<double>(regions.size()));
+}
+
+/// Positions of the corners of the elements of a region, in order.
+std::vector<double> cornersOfRegion(const VolumeMesh& mesh, std::uint32_t region) {
+  std::vector<double> corners;
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    if (mesh.regions[i / 4] != region) continue;
+    const auto first = mesh.points.begin() + 3 * static_cast<std::ptrdiff_t>(mesh.tetrahedra[i]);
+    corners.insert(corners.end(), first, first + 3);
+  }
+  return corners;
+}
+
+/// Returns the mesh of all regions of closed surfaces, before its optimization.
+VolumeMesh meshOfRegions(SurfaceMesh boundary) {
+  std::vector<Diagnostic> diagnostics;
+  EXPECT_TRUE(closeBoundary(boundary, BoundarySource::kGivenSurface, diagnostics).isValid);
+  const SizeField field = SizeField::uniform(0.25);
+  const PlainFrontMaker maker;
+  RegionMesher mesher(boundary, field, {}, maker);
+  Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
+  EXPECT_EQ(job.finish(), MeshStatus::kDone);
+  return mesher.mesh();
+}
+
+/// The second cube is far away and much coarser: a common front would have other buckets of sizes and another grid.
+TEST(MeshInterfaces, ARegionDoesNotDependOnOthers) {
+  const SurfaceMesh cube = testing::gridCube(5);
+  SurfaceMesh other = testing::gridCube(2);
+  testing::scale(other, 3.0);
+  testing::translate(other, Vec3(10.0, 0.0, 0.0));
+  const std::vector<double> alone = cornersOfRegion(meshOfRegions(cube), 0);
+  ASSERT_FALSE(alone.empty());
+  SurfaceMesh both = cube;
+  testing::append(both, other);
+  EXPECT_EQ(cornersOfRegion(meshOfRegions(both), 0), alone);
+  SurfaceMesh turned = other;
+  testing::append(turned, cube);
+  EXPECT_EQ(cornersOfRegion(meshOfRegions(turned), 1), alone);
 }
 
 TEST(MeshInterfaces, TwentySevenCubes) {

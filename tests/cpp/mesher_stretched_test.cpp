@@ -142,8 +142,8 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
       closeBoundary(mesh.surface, BoundarySource::kGivenSurface, diagnostics);
   ASSERT_TRUE(closed.isValid);
   VolumeMesher mesher(mesh.surface, field, {});
-  while (mesher.advance(kBudget) == MeshStatus::kRunning) {
-  }
+  Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
+  job.finish();
   ASSERT_EQ(mesher.status(), MeshStatus::kDone);
   mesh.volume = mesher.mesh();
   expectStretched(mesh);

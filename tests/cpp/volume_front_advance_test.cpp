@@ -192,15 +192,15 @@ TEST(Candidates, BeginWithTheNodeThatFillsAPocketHoweverFlat) {
 struct AdvanceFixture : BaseFixture {
   Elements elements;
   SizeField field = SizeField::uniform(1.0);
-  FrontAdvance<RecordingTrace> advance{front, elements, field, true};
   StepRecorder recorder;
+  TracedFrontAdvance<RecordingTrace> advance{front, elements, field, true,
+                                             RecordingTrace(recorder)};
+  bool hasBegun = false;
   std::vector<TraceStep> events;
 
   std::uint32_t step(bool mayRelax = true) {
-    if (advance.trace().recorder == nullptr) {
-      advance.trace().recorder = &recorder;
-      recorder.beginPass(front);
-    }
+    if (!hasBegun) advance.recordBegin({});
+    hasBegun = true;
     const std::uint32_t cost = advance.step(mayRelax);
     std::ranges::copy(testing::readTrace(recorder.takeEvents()), std::back_inserter(events));
     return cost;
@@ -267,7 +267,7 @@ void addLid(BaseFixture& fixture) {
 TEST(FrontAdvance, RequeuesAFaceUnderMoreLenientRules) {
   AdvanceFixture fixture;
   addLid(fixture);
-  const FrontAdvance<RecordingTrace>& advance = fixture.advance;
+  const FrontAdvance& advance = fixture.advance;
   for (std::uint8_t next = 1; next <= 2; ++next) {
     fixture.step();
     ASSERT_EQ(fixture.elements.size(), 0U);

@@ -1,6 +1,7 @@
 /// The volume front on closed surfaces. The tests' validator checks the meshes, and everything that
 /// must not matter is varied: slices, tracing, position, scale.
 
+#include "volume/recorded_front.h"
 #include "volume/volume_mesher.h"
 
 #include <gtest/gtest.h>
@@ -50,18 +51,17 @@ struct Outcome {
   }
 };
 
-template <class Trace = NullTrace>
 Outcome fill(SurfaceMesh surface, const SizeField& field, const MeshOptions& options = {},
-             std::uint32_t budget = 5000, Trace trace = {}) {
+             std::uint32_t budget = 5000, const FrontMaker& maker = PlainFrontMaker()) {
   Outcome outcome;
   outcome.boundary = std::move(surface);
   std::vector<Diagnostic> diagnostics;
   const BoundaryResult closed =
       closeBoundary(outcome.boundary, BoundarySource::kGivenSurface, diagnostics);
   EXPECT_TRUE(closed.isValid);
-  BasicVolumeMesher<Trace> mesher(outcome.boundary, field, options);
-  mesher.trace() = trace;
-  while (mesher.advance(budget) == MeshStatus::kRunning) {
+  VolumeMesher mesher(outcome.boundary, field, options, maker);
+  Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
+  while (!job.advance(budget)) {
   }
   outcome.status = mesher.status();
   outcome.mesh = mesher.mesh();
@@ -382,7 +382,7 @@ TEST(VolumeMesher, TracingRecordsEveryStepAndChangesNothing) {
   const SizeField field = ownSizes(surface);
   StepRecorder recorder;
   const Outcome plain = fill(surface, field);
-  const Outcome traced = fill(surface, field, {}, 5000, RecordingTrace{&recorder, {}});
+  const Outcome traced = fill(surface, field, {}, 5000, RecordingFrontMaker(recorder, {}));
   EXPECT_EQ(traced.fingerprint(), plain.fingerprint());
   const StepCounts& counts = recorder.counts();
   EXPECT_EQ(counts.steps, traced.counters.pops);

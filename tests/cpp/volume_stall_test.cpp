@@ -12,7 +12,8 @@
 #include "base/sort.h"
 #include "boundary/boundary.h"
 #include "support/shapes.h"
-#include "volume/front_progress.h"
+#include "topology/tetrahedron.h"
+#include "volume/front_watch.h"
 #include "volume/region_mesher.h"
 #include "volume/stall_diagnostic.h"
 #include "volume/volume_mesher.h"
@@ -35,9 +36,10 @@ struct StallOutcome {
 
 template <class Mesher>
 StallOutcome runToEnd(Mesher& mesher, std::uint32_t budget) {
-  MeshStatus status = MeshStatus::kRunning;
-  while (status == MeshStatus::kRunning) status = mesher.advance(budget);
-  return {status, mesher.diagnostics(), mesher.mesh()};
+  Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
+  while (!job.advance(budget)) {
+  }
+  return {job.take(), mesher.diagnostics(), mesher.mesh()};
 }
 
 StallOutcome outcomeOf(const SurfaceMesh& boundary, const MeshOptions& options,
@@ -68,28 +70,67 @@ std::set<std::uint32_t> trianglesIn(const VolumeMesh& mesh, const SurfaceMesh& b
   return triangles;
 }
 
-TEST(FrontProgress, AllowsEachFaceOneFailurePerRuleClass) {
-  FrontProgress progress;
-  const auto isStuck = [&] { return progress.isStuck(0.0, 1.0, 1.0); };
-  constexpr std::uint32_t kFaces = 7;
-  progress.recordStep(true, kFaces);
-  for (std::size_t step = 0; step < kRuleClasses.size() * kFaces; ++step) {
-    progress.recordStep(false, kFaces);
-    ASSERT_FALSE(isStuck()) << "step " << step;
+/// The front of a tetrahedron, and elements that fill it.
+struct WatchedFront {
+  SizeField field = SizeField::uniform(1.0);
+  Front front{1.0, Vec3(0.0), FrontOrder::kLayered};
+  Elements elements;
+  FrontWatch watch{field, 4, 1000};
+
+  WatchedFront() {
+    for (const Vec3& corner :
+         {Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)}) {
+      front.addNode(corner, 0);
+    }
+    for (const auto& [a, b, c] : kFaceCorners) {
+      const NodeTriple inward{NodeId(std::size_t{a}), NodeId(std::size_t{c}),
+                              NodeId(std::size_t{b})};
+      front.addFace(inward, 0, {}, false);
+    }
   }
-  progress.recordStep(false, kFaces);
-  EXPECT_TRUE(isStuck());
-  progress.recordStep(true, kFaces);
-  EXPECT_FALSE(isStuck()) << "an element is progress";
+  /// Adds the element, whose volume is a sixth, and looks.
+  void fillOnce() {
+    elements.add({NodeId(0U), NodeId(1U), NodeId(2U), NodeId(3U)}, 0);
+    watch.look(front, elements, 1);
+  }
+};
+
+TEST(FrontWatch, AllowsEachFaceOneFailurePerRuleClass) {
+  WatchedFront watched;
+  watched.watch.begin(watched.front, 10.0);
+  watched.fillOnce();
+  for (std::size_t step = 0; step < kRuleClasses.size() * 4; ++step) {
+    watched.watch.look(watched.front, watched.elements, 1);
+    ASSERT_TRUE(watched.watch.isRunning()) << "step " << step;
+  }
+  watched.watch.look(watched.front, watched.elements, 1);
+  EXPECT_EQ(watched.watch.end(), FrontWatch::End::kStuck);
 }
 
-TEST(FrontProgress, AllowsRoundingButNoOverfilling) {
-  const FrontProgress progress;
-  EXPECT_FALSE(progress.isStuck(6.0, 6.0, 1.0));
-  EXPECT_FALSE(progress.isStuck(6.0 + 1e-6, 6.0, 1.0));
-  EXPECT_TRUE(progress.isStuck(9.1, 6.0, 1.0));
-  EXPECT_FALSE(progress.isStuck(1e-10, 0.0, 1.0)) << "a flat model";
-  EXPECT_TRUE(progress.isStuck(1e-3, -6.0, 1.0)) << "an inside-out boundary";
+TEST(FrontWatch, AllowsRoundingButNoOverfilling) {
+  // Six times the enclosed volume, and how often one may fill a sixth of a unit.
+  for (const auto& [enclosed, allowed] :
+       {std::pair{1.0, 1}, {1.0 - 1e-9, 1}, {2.0, 3}, {-1.0, 0}}) {
+    WatchedFront watched;
+    watched.watch.begin(watched.front, enclosed);
+    for (int i = 0; i < allowed; ++i) watched.fillOnce();
+    EXPECT_TRUE(watched.watch.isRunning()) << enclosed;
+    watched.fillOnce();
+    EXPECT_EQ(watched.watch.end(), FrontWatch::End::kStuck) << enclosed;
+  }
+}
+
+TEST(FrontWatch, EndsAtTheLargestNumberOfElements) {
+  WatchedFront watched;
+  watched.watch = FrontWatch(watched.field, 4, 2);
+  watched.watch.begin(watched.front, 100.0);
+  for (int i = 0; i < 2; ++i) watched.fillOnce();
+  EXPECT_TRUE(watched.watch.isRunning());
+  watched.fillOnce();
+  EXPECT_EQ(watched.watch.end(), FrontWatch::End::kTooManyElements);
+  const std::vector<Diagnostic> found = watched.watch.diagnostics(watched.front, watched.elements);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].values, (std::vector{100.0, 2.0})) << "three elements fill 3 %";
 }
 
 TEST(VolumeMesher, StallsIfTheBoundaryFacesInward) {
@@ -193,7 +234,8 @@ SurfaceMesh openSecondBox() {
 
 StallOutcome outcomeOfRegions(const SurfaceMesh& boundary) {
   const SizeField field = SizeField::uniform(0.3);
-  RegionMesher mesher(boundary, field, withoutFront());
+  const PlainFrontMaker maker;
+  RegionMesher mesher(boundary, field, withoutFront(), maker);
   return runToEnd(mesher, 100);
 }
 

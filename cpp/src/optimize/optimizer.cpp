@@ -117,12 +117,14 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     for (const Step& step : schedule_) all += step.work;
     double before = 0.0;
     for (const Step& step : schedule_) {
+      const double begin = kBuildShare + (1.0 - kBuildShare) * before / all;
       before += step.work;
       if (isLeftOut(step)) continue;
-      work.beginPart(kBuildShare + (1.0 - kBuildShare) * before / all);
+      work.beginPart(begin);
       co_await measureBy(work, step);
       wasWorthwhile_ = isWorthwhile(step);
       if (!wasWorthwhile_) continue;
+      work.beginPart(kBuildShare + (1.0 - kBuildShare) * before / all);
       co_await runSweeps(work, step);
       if (isHopeless_) co_return;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/measure.h"
+#include "geom/predicates.h"
 
 namespace tetrafront {
 namespace {
@@ -17,26 +18,44 @@ std::uint16_t nextLayer(std::uint16_t layer) {
 /// triangles are well shaped.
 constexpr std::uint64_t kFacesPerUnit = 64;
 
-/// Returns the number of faces whose boxes overlap a box, by comparing all faces with it.
-std::uint64_t countFacesNear(const Front& front, const Box& box) {
-  std::uint64_t count = 0;
-  for (const FaceId face : IdRange<FaceId>(front.slotCount())) {
-    if (!front.face(face).active) continue;
-    const Box own = front.boxOf(face);
-    bool overlaps = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      overlaps = overlaps && own.low[axis] <= box.high[axis] && box.low[axis] <= own.high[axis];
-    }
-    count += overlaps ? 1 : 0;
-  }
-  return count;
-}
-
 }  // namespace
 
 template <class Trace>
-std::uint32_t FrontAdvance<Trace>::step(bool mayRelax) {
-  if constexpr (Trace::kOn) mayRelax = mayRelax && trace_.experiment.relaxation;
+std::uint64_t TracedFrontAdvance<Trace>::advance(std::uint64_t budget, FrontWatch& watch) {
+  const std::uint64_t exactBefore = exactPredicateCount();
+  variant_ = {};
+  std::uint64_t spent = 0;
+  // The watch looks after every step, so that the end does not depend on the budget.
+  while (spent < budget && !front_.isQueueEmpty() && watch.isRunning()) {
+    const std::uint32_t cost = step(watch.allowsRelaxation(elements_, counters_.relaxedCost));
+    watch.look(front_, elements_, cost);
+    spent += cost;
+  }
+  counters_.exactPredicates += exactPredicateCount() - exactBefore;
+  return spent;
+}
+
+template <class Trace>
+std::uint64_t TracedFrontAdvance<Trace>::refill(std::uint64_t budget, const RuleVariant& variant) {
+  const std::uint64_t exactBefore = exactPredicateCount();
+  variant_ = variant;
+  std::uint64_t spent = 0;
+  while (spent < budget && !front_.isQueueEmpty()) spent += step();
+  counters_.exactPredicates += exactPredicateCount() - exactBefore;
+  return spent;
+}
+
+template <class Trace>
+FrontAdvance::Counters TracedFrontAdvance<Trace>::counters() const {
+  Counters counters = counters_;
+  counters.facesTested = crossing_.counters().facesTested;
+  counters.facesAnalysed = crossing_.counters().facesAnalysed;
+  return counters;
+}
+
+template <class Trace>
+std::uint32_t TracedFrontAdvance<Trace>::step(bool mayRelax) {
+  mayRelax = trace_.allowsRelaxation(mayRelax);
   const std::uint64_t before = facesVisited();
   const FaceId face = front_.popBase();
   const bool isRelaxed = front_.face(face).ruleClass > 0;
@@ -48,12 +67,10 @@ std::uint32_t FrontAdvance<Trace>::step(bool mayRelax) {
 }
 
 template <class Trace>
-void FrontAdvance<Trace>::postpone(FaceId face, bool mayRelax) {
+void TracedFrontAdvance<Trace>::postpone(FaceId face, bool mayRelax) {
   const auto next = static_cast<std::uint8_t>(front_.face(face).ruleClass + 1);
   const bool comesAgain = mayRelax && next < kRuleClasses.size();
-  if constexpr (Trace::kOn) {
-    trace_.recorder->postponed(comesAgain ? next : StepRecorder::kNoNextClass);
-  }
+  trace_.postponed(comesAgain, next);
   if (comesAgain) {
     front_.requeue(face, next);
   } else {
@@ -62,7 +79,7 @@ void FrontAdvance<Trace>::postpone(FaceId face, bool mayRelax) {
 }
 
 template <class Trace>
-bool FrontAdvance<Trace>::complete(FaceId face) {
+bool TracedFrontAdvance<Trace>::complete(FaceId face) {
   const FrontFace& faceData = front_.face(face);
   const NodeTriple nodes = faceData.nodes;
   const RuleClass& rules = kRuleClasses[faceData.ruleClass];
@@ -73,15 +90,11 @@ bool FrontAdvance<Trace>::complete(FaceId face) {
   const IdealPoint ideal = placeIdealPoint(base, space.targetEdge());
   gatherAround(nodes, space, base, ideal, rules);
   candidates_.rank(around_, crossing_, base, ideal, neighbours_, rules, variant_);
-  if constexpr (Trace::kOn) {
-    trace_.recorder->base(front_, face, space, space.toSpace(ideal.position), around_.faceCount(),
-                          candidates_.size());
-  }
+  trace_.base(front_, face, space, ideal, around_.faceCount(), candidates_.size());
+  const double minFaceDistance = trace_.faceDistance(rules.faceDistance * ideal.size);
   for (std::uint32_t tries = 0; tries < rules.maxTries; ++tries) {
     const Candidate* candidate = candidates_.next();
     if (candidate == nullptr) return false;
-    double minFaceDistance = rules.faceDistance * ideal.size;
-    if constexpr (Trace::kOn) minFaceDistance *= trace_.experiment.tolerance;
     if (tryCandidate(face, *candidate, space, minFaceDistance)) {
       counters_.relaxed += &rules == kRuleClasses.data() ? 0 : 1;
       return true;
@@ -91,9 +104,9 @@ bool FrontAdvance<Trace>::complete(FaceId face) {
 }
 
 template <class Trace>
-void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace& space,
-                                       const BaseFace& base, const IdealPoint& ideal,
-                                       const RuleClass& rules) {
+void TracedFrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace& space,
+                                             const BaseFace& base, const IdealPoint& ideal,
+                                             const RuleClass& rules) {
   const Vec3 idealPosition = space.toSpace(ideal.position);
   SearchRegion region(space, {front_.node(nodes[0]), front_.node(nodes[1]), front_.node(nodes[2])},
                       ideal.position, rules.searchRadius * ideal.size, front_.extent());
@@ -101,10 +114,7 @@ void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace&
   // the crossing test needs all faces that an element could cross. The region never shrinks, so the
   // loop ends.
   do {
-    if constexpr (Trace::kOn) {
-      if (trace_.experiment.linearSearch)
-        counters_.comparedFaces += countFacesNear(front_, region.box());
-    }
+    counters_.comparedFaces += trace_.searchLinearly(front_, region.box());
     around_.gather(front_, nodes, region, idealPosition);
     around_.mapTo(space);
     {
@@ -116,18 +126,13 @@ void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace&
 }
 
 template <class Trace>
-bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
-                                       const UnitSpace& space, double minFaceDistance) {
+bool TracedFrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
+                                             const UnitSpace& space, double minFaceDistance) {
   const bool isNew = candidate.node == Candidate::kNewNode;
-  const NodeId name = isNew ? NodeId() : around_.nodeId(candidate.node);
+  const NodeId known = isNew ? NodeId() : around_.nodeId(candidate.node);
   FaceId culprit;
   const auto refuse = [&](Refusal why) {
-    if constexpr (Trace::kOn) {
-      trace_.recorder->refused(front_, name, space.toSpace(candidate.unitPosition), candidate.score,
-                               why, culprit);
-    }
-    static_cast<void>(why);
-    static_cast<void>(name);
+    trace_.refused(front_, known, space, candidate, why, culprit);
     return false;
   };
   if (isNew && isTooCloseToFace(candidate.unitPosition, minFaceDistance, culprit)) {
@@ -137,31 +142,28 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
   const LocalNode apex = isNew ? around_.setNewNode(position) : candidate.node;
   if (crossing_.volumeSign(apex) <= 0) return refuse(Refusal::kBehind);
   ++counters_.candidatesTried;
-  if (const FaceId crossed = firstCrossedFace(apex); !crossed.isNone()) {
-    culprit = crossed;
-    return refuse(Refusal::kCrosses);
-  }
+  culprit = firstCrossedFace(apex);
+  if (!culprit.isNone()) return refuse(Refusal::kCrosses);
+
   const ExistingFaces existing = findExistingFaces(apex);
-  NodeId node = name;
-  if (isNew) {
-    const FrontFace& base = front_.face(face);
-    const NodeTriple& n = base.nodes;
-    const std::uint16_t layer =
-        std::min(front_.layer(n[0]), std::min(front_.layer(n[1]), front_.layer(n[2])));
-    node = front_.addNode(position, nextLayer(layer), base.hint);
-  }
-  const NodeTriple nodes = front_.face(face).nodes;
-  const std::uint32_t region = front_.face(face).region;
-  const std::array<FaceId, 3> added = accept(face, node, existing);
-  if constexpr (Trace::kOn) {
-    trace_.recorder->accepted(front_, nodes, node, isNew, candidate.score, existing, added, region);
-  }
-  static_cast<void>(added);
+  const FrontFace base = front_.face(face);
+  const NodeId node = isNew ? addNode(base, position) : known;
+  const std::array<FaceId, 3> added = accept(base, face, node, existing);
+  trace_.accepted(front_, base, node, candidate, existing, added);
   return true;
 }
 
+/// Adds the new node one layer deeper than the base.
 template <class Trace>
-FaceId FrontAdvance<Trace>::firstCrossedFace(LocalNode apex) {
+NodeId TracedFrontAdvance<Trace>::addNode(const FrontFace& base, const Vec3& position) {
+  const NodeTriple& n = base.nodes;
+  const std::uint16_t layer =
+      std::min(front_.layer(n[0]), std::min(front_.layer(n[1]), front_.layer(n[2])));
+  return front_.addNode(position, nextLayer(layer), base.hint);
+}
+
+template <class Trace>
+FaceId TracedFrontAdvance<Trace>::firstCrossedFace(LocalNode apex) {
   [[maybe_unused]] const CrossingScope scope(trace_);
   crossing_.setApex(apex);
   facesMasked_ += around_.faceCount();
@@ -169,7 +171,8 @@ FaceId FrontAdvance<Trace>::firstCrossedFace(LocalNode apex) {
 }
 
 template <class Trace>
-bool FrontAdvance<Trace>::isTooCloseToFace(const Vec3& position, double distance, FaceId& culprit) {
+bool TracedFrontAdvance<Trace>::isTooCloseToFace(const Vec3& position, double distance,
+                                                 FaceId& culprit) {
   if (!(distance > 0.0)) return false;
   for (std::size_t i = 0; i < around_.faceCount(); ++i) {
     const LocalTriple& f = around_.face(i);
@@ -191,7 +194,7 @@ bool FrontAdvance<Trace>::isTooCloseToFace(const Vec3& position, double distance
 /// orientations alternate. So a third face lies between the base and such a face, within the element,
 /// and the crossing test has already refused the candidate.
 template <class Trace>
-typename FrontAdvance<Trace>::ExistingFaces FrontAdvance<Trace>::findExistingFaces(
+typename TracedFrontAdvance<Trace>::ExistingFaces TracedFrontAdvance<Trace>::findExistingFaces(
     LocalNode apex) const {
   ExistingFaces existing{};
   for (const AdjacentFace& adjacent : around_.adjacentFaces()) {
@@ -200,10 +203,11 @@ typename FrontAdvance<Trace>::ExistingFaces FrontAdvance<Trace>::findExistingFac
   return existing;
 }
 
+/// Adds the element and updates the front. Returns the faces that join the front, each where there was no existing one.
 template <class Trace>
-std::array<FaceId, 3> FrontAdvance<Trace>::accept(FaceId face, NodeId apex,
-                                                  const ExistingFaces& existing) {
-  const FrontFace base = front_.face(face);
+std::array<FaceId, 3> TracedFrontAdvance<Trace>::accept(const FrontFace& base, FaceId face,
+                                                        NodeId apex,
+                                                        const ExistingFaces& existing) {
   const NodeTriple& n = base.nodes;
   elements_.add({n[0], n[1], n[2], apex}, base.region);
   front_.removeFace(face);
@@ -218,8 +222,13 @@ std::array<FaceId, 3> FrontAdvance<Trace>::accept(FaceId face, NodeId apex,
   return added;
 }
 
-template class FrontAdvance<NullTrace>;
-template class FrontAdvance<ClockTrace>;
-template class FrontAdvance<RecordingTrace>;
+template class TracedFrontAdvance<NullTrace>;
+template class TracedFrontAdvance<ClockTrace>;
+template class TracedFrontAdvance<RecordingTrace>;
+
+std::unique_ptr<FrontAdvance> PlainFrontMaker::make(Front& front, Elements& elements,
+                                                    const SizeField& field, bool filters) const {
+  return std::make_unique<TracedFrontAdvance<NullTrace>>(front, elements, field, filters);
+}
 
 }  // namespace tetrafront

@@ -1,10 +1,11 @@
 #pragma once
 
-/// @file Steps F4 to F8 (Löhner & Parikh 1988, section 2) for one base face at a time: pick it, place
-/// the ideal point, rank the candidates, take the first whose element crosses nothing, update the front.
+/// @file Steps F4 to F9 (Löhner & Parikh 1988, section 2): for one base face after the other, pick it, place the ideal point,
+/// rank the candidates, take the first whose element crosses nothing, update the front; until the front is empty.
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "field/size_field.h"
@@ -12,6 +13,7 @@
 #include "volume/crossing.h"
 #include "volume/elements.h"
 #include "volume/front.h"
+#include "volume/front_watch.h"
 #include "volume/ideal_point.h"
 #include "volume/neighbourhood.h"
 #include "volume/rules.h"
@@ -19,40 +21,65 @@
 
 namespace tetrafront {
 
-template <class Trace>
+/// The steps, whether they are recorded or not. A virtual call costs nothing here, because each makes many steps.
 class FrontAdvance {
  public:
   struct Counters {
     std::uint64_t pops = 0;
     std::uint64_t gatheredFaces = 0;
     std::uint64_t candidatesTried = 0;
-    std::uint64_t comparedFaces = 0;  ///< found by linear searches; only in experiments
-    std::uint64_t relaxed = 0;        ///< elements made under a class other than the strict one
-    std::uint64_t relaxedCost = 0;  ///< cost of the steps under such classes, as step() returns it
+    std::uint64_t comparedFaces = 0;    ///< found by linear searches; only in experiments
+    std::uint64_t relaxed = 0;          ///< elements made under a class other than the strict one
+    std::uint64_t relaxedCost = 0;      ///< cost of the steps under such classes
+    std::uint64_t facesTested = 0;      ///< as in FrontCounters
+    std::uint64_t facesAnalysed = 0;    ///< as in FrontCounters
+    std::uint64_t exactPredicates = 0;  ///< signs that needed exact arithmetic
   };
 
-  /// For `filters`, see CrossingTest.
-  FrontAdvance(Front& front, Elements& elements, const SizeField& field, bool filters)
-      : front_(front), elements_(elements), field_(field), crossing_(around_, filters) {}
+  FrontAdvance() = default;
+  FrontAdvance(const FrontAdvance&) = delete;
+  FrontAdvance& operator=(const FrontAdvance&) = delete;
+  virtual ~FrontAdvance() = default;
+
+  /// Makes steps until they have cost `budget`, the queue is empty, or the watch ends the front. Returns the cost: 1 per step
+  /// if triangles are well shaped, more if a face has many others near it.
+  virtual std::uint64_t advance(std::uint64_t budget, FrontWatch& watch) = 0;
+  /// The same for recovery, with other rules and without a watch.
+  virtual std::uint64_t refill(std::uint64_t budget, const RuleVariant& variant) = 0;
+  [[nodiscard]] virtual Counters counters() const = 0;
+
+  /// Records the front as it begins. What `names` refers to must outlive this.
+  virtual void recordBegin(const NodeNames& names) = 0;
+  /// Records what recovery has changed. O(front + elements) if this records, else nothing.
+  virtual void recordChange(FrontChange what) = 0;
+  virtual void recordEnd() = 0;
+};
+
+template <class Trace>
+class TracedFrontAdvance final : public FrontAdvance {
+ public:
+  /// For `filters`, see CrossingTest. What is referred to must outlive this.
+  TracedFrontAdvance(Front& front, Elements& elements, const SizeField& field, bool filters,
+                     Trace trace = Trace())
+      : front_(front),
+        elements_(elements),
+        field_(field),
+        crossing_(around_, filters),
+        trace_(std::move(trace)) {}
+
+  std::uint64_t advance(std::uint64_t budget, FrontWatch& watch) override;
+  std::uint64_t refill(std::uint64_t budget, const RuleVariant& variant) override;
+  [[nodiscard]] Counters counters() const override;
+  void recordBegin(const NodeNames& names) override { trace_.beginPass(front_, names); }
+  void recordChange(FrontChange what) override { trace_.changed(front_, elements_, what); }
+  void recordEnd() override { trace_.endPass(); }
 
   /// Takes the next base face and completes it. If this fails, requeues the face under the next
   /// rule class, or sets it aside after the last one. Without `mayRelax`, the strict class is the
-  /// last. The front must have a face in its queue. Returns the cost: 1 if triangles are well
-  /// shaped, more if a face has many others near it.
+  /// last. The front must have a face in its queue. Returns the cost.
   std::uint32_t step(bool mayRelax = true);
 
-  void setVariant(const RuleVariant& variant) { variant_ = variant; }
-
-  [[nodiscard]] const Counters& counters() const { return counters_; }
-  [[nodiscard]] const CrossingTest::Counters& crossingCounters() const {
-    return crossing_.counters();
-  }
-  [[nodiscard]] Trace& trace() { return trace_; }
-  /// Passes what recovery has changed to the trace. O(front + elements) if it records, else nothing.
-  void recordChange(FrontChange what) {
-    if constexpr (Trace::kOn) trace_.recorder->changed(front_, elements_, what);
-    static_cast<void>(what);
-  }
+  [[nodiscard]] const Trace& trace() const { return trace_; }
 
  private:
   using CrossingScope = typename Trace::CrossingScope;
@@ -72,8 +99,9 @@ class FrontAdvance {
   [[nodiscard]] FaceId firstCrossedFace(LocalNode apex);
   [[nodiscard]] bool isTooCloseToFace(const Vec3& position, double distance, FaceId& culprit);
   [[nodiscard]] ExistingFaces findExistingFaces(LocalNode apex) const;
-  /// Returns the faces that join the front, each where there was no existing one.
-  std::array<FaceId, 3> accept(FaceId face, NodeId apex, const ExistingFaces& existing);
+  NodeId addNode(const FrontFace& base, const Vec3& position);
+  std::array<FaceId, 3> accept(const FrontFace& base, FaceId face, NodeId apex,
+                               const ExistingFaces& existing);
 
   Front& front_;
   Elements& elements_;
@@ -88,8 +116,29 @@ class FrontAdvance {
   [[no_unique_address]] Trace trace_;
 };
 
-extern template class FrontAdvance<NullTrace>;
-extern template class FrontAdvance<ClockTrace>;
-extern template class FrontAdvance<RecordingTrace>;
+extern template class TracedFrontAdvance<NullTrace>;
+extern template class TracedFrontAdvance<ClockTrace>;
+extern template class TracedFrontAdvance<RecordingTrace>;
+
+/// Makes the steps of a front.
+class FrontMaker {
+ public:
+  FrontMaker() = default;
+  FrontMaker(const FrontMaker&) = delete;
+  FrontMaker& operator=(const FrontMaker&) = delete;
+  virtual ~FrontMaker() = default;
+  /// What is referred to must outlive the result.
+  [[nodiscard]] virtual std::unique_ptr<FrontAdvance> make(Front& front, Elements& elements,
+                                                           const SizeField& field,
+                                                           bool filters) const = 0;
+};
+
+/// Makes steps that record nothing and have the usual rules.
+class PlainFrontMaker final : public FrontMaker {
+ public:
+  [[nodiscard]] std::unique_ptr<FrontAdvance> make(Front& front, Elements& elements,
+                                                   const SizeField& field,
+                                                   bool filters) const override;
+};
 
 }  // namespace tetrafront

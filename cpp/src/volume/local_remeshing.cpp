@@ -32,126 +32,92 @@ constexpr std::uint64_t kExtraTotalCost = 40'000;
 
 }  // namespace
 
-template <class Trace>
-std::size_t LocalRemeshing<Trace>::work(std::uint32_t budget, PocketSet& pockets) {
-  switch (stage_) {
-    case Stage::kBeginPass:
-      beginPass();
-      return 1;
-    case Stage::kIndex: {
-      const std::size_t cost = index_.build(budget);
-      if (index_.isBuilt()) stage_ = Stage::kRemesh;
-      return cost;
+/// One pocket with the elements around it removed.
+struct LocalRemeshing::Attempt {
+  const RuleVariant& variant;
+  std::size_t elementsBefore;
+  std::size_t nodesBefore;
+  EnlargedPocket enlarged;
+};
+
+Task<> LocalRemeshing::run(Work& work, PocketSet& pockets) {
+  for (pass_ = 0; pass_ < kPasses && front_.activeCount() > 0; ++pass_) {
+    if (pass_ % kVariants.size() == 0) {
+      index_.begin(front_.nodes().size());
+      while (!index_.isBuilt()) co_await work.spend(index_.build(work.remaining()));
     }
-    case Stage::kRemesh:
-      return enlargeNext(pockets);
-    case Stage::kAdvance:
-      return advanceFront(budget, pockets);
-    case Stage::kDone:
-      break;
+    for (const PocketId pocket : IdRange<PocketId>(pockets.size())) {
+      if (pockets.faces(pocket).empty()) continue;
+      if (cost_ > costLimit()) co_return;
+      const std::uint64_t before = cost_;
+      const std::optional<Attempt> attempt = open(pockets, pocket);
+      co_await work.spend(static_cast<std::size_t>(cost_ - before));
+      if (!attempt) continue;
+      const std::size_t removed = attempt->enlarged.removedElements();
+      std::uint64_t left = kAttemptCostPerElement * removed + kExtraAttemptCost;
+      while (!front_.isQueueEmpty() && left > 0) {
+        const std::uint64_t budget = std::min<std::uint64_t>(work.remaining(), left);
+        const std::uint64_t cost = advance_.refill(budget, attempt->variant);
+        left -= std::min(cost, left);
+        cost_ += cost;
+        work.setFraction(fraction());
+        co_await work.spend(static_cast<std::size_t>(cost));
+      }
+      co_await work.spend(close(pockets, *attempt));
+    }
+    if (cost_ > costLimit()) co_return;
   }
-  return 1;
 }
 
-template <class Trace>
-std::uint64_t LocalRemeshing<Trace>::costLimit() const {
+std::uint64_t LocalRemeshing::costLimit() const {
   return kTotalCostPerElement * elements_.size() + kExtraTotalCost;
 }
 
-template <class Trace>
-double LocalRemeshing<Trace>::fraction() const {
+/// Returns the estimated progress: passes done, or cost used, whichever is more.
+double LocalRemeshing::fraction() const {
   const double passes = static_cast<double>(pass_) / kPasses;
   const double cost = static_cast<double>(cost_) / static_cast<double>(costLimit());
   return std::min(std::max(passes, cost), 1.0);
 }
 
-template <class Trace>
-void LocalRemeshing<Trace>::beginPass() {
-  nextPocket_ = 0;
-  if (pass_ == kPasses || front_.activeCount() == 0) {
-    stage_ = Stage::kDone;
-  } else if (pass_ % kVariants.size() != 0) {
-    stage_ = Stage::kRemesh;
-  } else {
-    index_.begin(front_.nodes().size());
-    stage_ = Stage::kIndex;
-  }
-}
-
-template <class Trace>
-std::size_t LocalRemeshing<Trace>::enlargeNext(PocketSet& pockets) {
-  while (nextPocket_ < pockets.size() && pockets.faces(PocketId(nextPocket_)).empty())
-    ++nextPocket_;
-  if (cost_ > costLimit()) {
-    stage_ = Stage::kDone;
-    return 1;
-  }
-  if (nextPocket_ == pockets.size()) {
-    ++pass_;
-    stage_ = Stage::kBeginPass;
-    return 1;
-  }
-  const PocketId pocket(nextPocket_++);
+/// Removes the elements around a pocket, unless they are too many, and queues its faces.
+std::optional<LocalRemeshing::Attempt> LocalRemeshing::open(PocketSet& pockets, PocketId pocket) {
   const auto rings = static_cast<std::uint32_t>(pass_ / kVariants.size() + 1);
   std::vector<TetId> around = index_.around(pockets.nodes(pocket), rings, kMaxRemovedElements);
-  const std::size_t touched = around.size() + pockets.faces(pocket).size();
-  if (around.size() <= kMaxRemovedElements) {
-    costLeft_ = kAttemptCostPerElement * around.size() + kExtraAttemptCost;
-    elementsBefore_ = elements_.size();
-    nodesBefore_ = front_.nodes().size();
-    enlarged_.emplace(front_, elements_, pockets, pocket, std::move(around));
-    const RuleVariant& variant = kVariants[pass_ % kVariants.size()];
-    advance_.setVariant(variant);
-    front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
-    for (const FaceId face : enlarged_->faces()) front_.requeue(face, 0);
-    advance_.recordChange(FrontChange::kReopened);
-    stage_ = Stage::kAdvance;
-  }
-  const std::size_t cost = 1 + touched / kTouchedPerStep;
-  cost_ += cost;
-  return cost;
+  cost_ += 1 + (around.size() + pockets.faces(pocket).size()) / kTouchedPerStep;
+  if (around.size() > kMaxRemovedElements) return {};
+  std::optional<Attempt> attempt(
+      Attempt{.variant = kVariants[pass_ % kVariants.size()],
+              .elementsBefore = elements_.size(),
+              .nodesBefore = front_.nodes().size(),
+              .enlarged{front_, elements_, pockets, pocket, std::move(around)}});
+  front_.setOrder(attempt->variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
+  for (const FaceId face : attempt->enlarged.faces()) front_.requeue(face, 0);
+  advance_.recordChange(FrontChange::kReopened);
+  return attempt;
 }
 
-template <class Trace>
-std::size_t LocalRemeshing<Trace>::advanceFront(std::uint32_t budget, PocketSet& pockets) {
-  std::uint64_t cost = 0;
-  while (cost < budget && cost < costLeft_ && !front_.isQueueEmpty()) {
-    cost += advance_.step();
-  }
-  costLeft_ -= std::min(cost, costLeft_);
-  cost_ += cost;
-  if (!front_.isQueueEmpty() && costLeft_ > 0) return cost;
-  return cost + finish(pockets);
-}
-
-template <class Trace>
-std::size_t LocalRemeshing<Trace>::finish(PocketSet& pockets) {
+/// Keeps the attempt if the pocket has closed, else restores what was before. Returns the cost in steps of the front.
+std::size_t LocalRemeshing::close(PocketSet& pockets, const Attempt& attempt) {
   front_.clearQueue();
-  advance_.setVariant(RuleVariant{});
   front_.setOrder(order_);
-  stage_ = Stage::kRemesh;
-  const std::vector<FaceId> left = enlarged_->facesNow(front_, pockets);
+  const std::vector<FaceId> left = attempt.enlarged.facesNow(front_, pockets);
   bool closed = true;
   for (const Pocket& pocket : findPockets(front_, left)) {
     if (!fillFromStarPoint(front_, elements_, pocket)) closed = false;
   }
   if (closed) {
-    made_.push_back({elementsBefore_, elements_.size()});
+    made_.push_back({attempt.elementsBefore, elements_.size()});
   } else {
     // The index does not know these elements yet: it is queried only before an attempt.
-    elements_.dropFrom(elementsBefore_);
-    enlarged_->restore(front_, elements_, pockets);
-    front_.dropNodesFrom(nodesBefore_);
+    elements_.dropFrom(attempt.elementsBefore);
+    attempt.enlarged.restore(front_, elements_, pockets);
+    front_.dropNodesFrom(attempt.nodesBefore);
   }
   advance_.recordChange(closed ? FrontChange::kClosed : FrontChange::kUndone);
-  const std::size_t touched =
-      enlarged_->faces().size() + enlarged_->removedElements() + left.size();
-  enlarged_.reset();
+  const EnlargedPocket& enlarged = attempt.enlarged;
+  const std::size_t touched = enlarged.faces().size() + enlarged.removedElements() + left.size();
   return 1 + touched / kTouchedPerStep;
 }
-
-template class LocalRemeshing<NullTrace>;
-template class LocalRemeshing<ClockTrace>;
-template class LocalRemeshing<RecordingTrace>;
 
 }  // namespace tetrafront

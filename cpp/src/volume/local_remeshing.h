@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "volume/element_index.h"
 #include "volume/elements.h"
 #include "volume/enlarged_pocket.h"
@@ -16,56 +17,33 @@
 
 namespace tetrafront {
 
-template <class Trace>
 class LocalRemeshing {
  public:
-  LocalRemeshing(Front& front, Elements& elements, FrontAdvance<Trace>& advance, FrontOrder order,
+  LocalRemeshing(Front& front, Elements& elements, FrontAdvance& advance, FrontOrder order,
                  ElementIndex& index)
       : front_(front), elements_(elements), advance_(advance), order_(order), index_(index) {}
 
-  /// Does work that costs about `budget` steps of the front; returns the actual cost.
-  std::size_t work(std::uint32_t budget, PocketSet& pockets);
-  /// Returns true if everything has been tried, or if the attempts have cost too much.
-  [[nodiscard]] bool isDone() const { return stage_ == Stage::kDone; }
-  /// Estimated progress, 0 to 1: passes done, or cost used, whichever is more.
-  [[nodiscard]] double fraction() const;
+  /// Tries all pockets, under each rule variant with each number of rings, until the attempts have cost too much.
+  Task<> run(Work& work, PocketSet& pockets);
   /// The elements of each pocket that was closed.
   [[nodiscard]] std::span<const IndexRange> made() const { return made_; }
 
  private:
-  enum class Stage : std::uint8_t {
-    kBeginPass,
-    kIndex,    ///< index the elements, once for each number of rings
-    kRemesh,   ///< choose a pocket and enlarge it
-    kAdvance,  ///< fill it again
-    kDone
-  };
+  struct Attempt;
 
   [[nodiscard]] std::uint64_t costLimit() const;
-  void beginPass();
-  std::size_t enlargeNext(PocketSet& pockets);
-  std::size_t advanceFront(std::uint32_t budget, PocketSet& pockets);
-  std::size_t finish(PocketSet& pockets);
+  std::optional<Attempt> open(PocketSet& pockets, PocketId pocket);
+  std::size_t close(PocketSet& pockets, const Attempt& attempt);
+  [[nodiscard]] double fraction() const;
 
   Front& front_;
   Elements& elements_;
-  FrontAdvance<Trace>& advance_;
+  FrontAdvance& advance_;
   FrontOrder order_;
   ElementIndex& index_;
-  Stage stage_ = Stage::kBeginPass;
   std::uint32_t pass_ = 0;  ///< one pass per number of rings and rule variant
-  std::size_t nextPocket_ = 0;
   std::uint64_t cost_ = 0;  ///< total cost of all attempts
-  // State of the current attempt.
-  std::optional<EnlargedPocket> enlarged_;
-  std::size_t elementsBefore_ = 0;
-  std::size_t nodesBefore_ = 0;
-  std::uint64_t costLeft_ = 0;
   std::vector<IndexRange> made_;
 };
-
-extern template class LocalRemeshing<NullTrace>;
-extern template class LocalRemeshing<ClockTrace>;
-extern template class LocalRemeshing<RecordingTrace>;
 
 }  // namespace tetrafront

@@ -14,9 +14,8 @@ constexpr double kRemeshEnd = 0.2;
 
 }  // namespace
 
-template <class Trace>
-Recovery<Trace>::Recovery(Front& front, Elements& elements, FrontAdvance<Trace>& advance,
-                          FrontOrder order, bool fillOnly)
+Recovery::Recovery(Front& front, Elements& elements, FrontAdvance& advance, FrontOrder order,
+                   bool fillOnly)
     : front_(front),
       elements_(elements),
       advance_(advance),
@@ -24,106 +23,57 @@ Recovery<Trace>::Recovery(Front& front, Elements& elements, FrontAdvance<Trace>&
       index_(elements),
       remeshing_(front, elements, advance, order, index_) {}
 
-template <class Trace>
-typename Recovery<Trace>::State Recovery<Trace>::advance(std::uint32_t budget) {
-  while (budget > 0) {
-    if (stage_ == Stage::kFinished) {
-      return front_.activeCount() == 0 ? State::kClosed : State::kStalled;
+Task<bool> Recovery::run(Work& work) {
+  work.beginPart(kStarEnd);
+  if (!fillOnly_) {
+    const std::vector<Pocket> pockets = findPockets(front_);
+    co_await work.spend(scanCost());
+    for (const Pocket& pocket : pockets) {
+      star(pocket);
+      co_await work.spend(1 + pocket.faces.size());
     }
-    const std::size_t cost = std::max<std::size_t>(work(budget), 1);
-    budget -= static_cast<std::uint32_t>(std::min<std::size_t>(cost, budget));
+    if (front_.activeCount() == 0) co_return true;
   }
-  return State::kRunning;
+  remaining_.emplace(front_, findPockets(front_));
+  co_await work.spend(scanCost());
+  work.beginPart(kRemeshEnd);
+  if (!fillOnly_) co_await remeshing_.run(work, *remaining_);
+  work.beginPart(1.0);
+  co_await fillExactly(work);
+  co_return front_.activeCount() == 0;
 }
 
-template <class Trace>
-std::size_t Recovery<Trace>::work(std::uint32_t budget) {
-  switch (stage_) {
-    case Stage::kFindPockets:
-      pockets_ = findPockets(front_);
-      stage_ = fillOnly_ ? Stage::kFindRemaining : Stage::kStar;
-      return scanCost();
-    case Stage::kStar:
-      return starNext();
-    case Stage::kFindRemaining:
-      remaining_.emplace(front_, findPockets(front_));
-      stage_ = Stage::kRemesh;
-      if (fillOnly_) beginFill();
-      return scanCost();
-    case Stage::kRemesh: {
-      const std::size_t cost = remeshing_.work(budget, *remaining_);
-      if (remeshing_.isDone()) beginFill();
-      return cost;
-    }
-    case Stage::kFill: {
-      const std::size_t made = filler_->made().size();
-      const std::size_t cost = filler_->work(budget);
-      if (filler_->made().size() > made) advance_.recordChange(FrontChange::kExactFill);
-      if (filler_->isDone()) stage_ = Stage::kFinished;
-      return cost;
-    }
-    case Stage::kFinished:
-      break;
-  }
-  return 1;
-}
-
-template <class Trace>
-double Recovery<Trace>::fraction() const {
-  switch (stage_) {
-    case Stage::kFindPockets:
-      return 0.0;
-    case Stage::kStar:
-      if (pockets_.empty()) return kStarEnd;
-      return kStarEnd * static_cast<double>(nextPocket_) / static_cast<double>(pockets_.size());
-    case Stage::kFindRemaining:
-      return kStarEnd;
-    case Stage::kRemesh:
-      return kStarEnd + (kRemeshEnd - kStarEnd) * remeshing_.fraction();
-    case Stage::kFill:
-      return kRemeshEnd + (1.0 - kRemeshEnd) * exactFillFraction();
-    case Stage::kFinished:
-      break;
-  }
-  return 1.0;
-}
-
-template <class Trace>
-std::size_t Recovery<Trace>::scanCost() const {
+std::size_t Recovery::scanCost() const {
   return 1 + front_.activeCount() / kTouchedPerStep + front_.slotCount() / kSlotsPerStep;
 }
 
-template <class Trace>
-std::size_t Recovery<Trace>::starNext() {
-  if (nextPocket_ == pockets_.size()) {
-    pockets_.clear();
-    stage_ = front_.activeCount() == 0 ? Stage::kFinished : Stage::kFindRemaining;
-    return 1;
-  }
-  const Pocket& pocket = pockets_[nextPocket_++];
+/// Joins a pocket to one point, if one sees all of it.
+void Recovery::star(const Pocket& pocket) {
   const std::size_t first = elements_.size();
-  if (fillFromStarPoint(front_, elements_, pocket)) {
-    starred_.push_back({first, elements_.size()});
-    advance_.recordChange(FrontChange::kStar);
-  }
-  return 1 + pocket.faces.size();
+  if (!fillFromStarPoint(front_, elements_, pocket)) return;
+  starred_.push_back({first, elements_.size()});
+  advance_.recordChange(FrontChange::kStar);
 }
 
-template <class Trace>
-void Recovery<Trace>::beginFill() {
+Task<> Recovery::fillExactly(Work& work) {
   filler_.emplace(front_, elements_, index_, *remaining_);
-  stage_ = Stage::kFill;
+  while (!filler_->isDone()) {
+    const std::size_t made = filler_->made().size();
+    const std::size_t cost = filler_->work(work.remaining());
+    if (filler_->made().size() > made) advance_.recordChange(FrontChange::kExactFill);
+    exactFill_ = std::max(exactFill_, filler_->fraction());
+    work.setFraction(exactFill_);
+    co_await work.spend(std::max<std::size_t>(cost, 1));
+  }
 }
 
-template <class Trace>
-bool Recovery<Trace>::hasLiveElement(const IndexRange& made) const {
+bool Recovery::hasLiveElement(const IndexRange& made) const {
   const auto begin = elements_.removed.begin();
   const auto last = begin + static_cast<std::ptrdiff_t>(made.last);
   return std::find(begin + static_cast<std::ptrdiff_t>(made.first), last, 0) != last;
 }
 
-template <class Trace>
-RecoverySummary Recovery<Trace>::summary() const {
+RecoverySummary Recovery::summary() const {
   std::vector<std::uint8_t> used(front_.nodes().size(), 0);
   for (std::size_t element = 0; element < elements_.size(); ++element) {
     if (elements_.removed[element] != 0) continue;
@@ -141,9 +91,5 @@ RecoverySummary Recovery<Trace>::summary() const {
   }
   return counts;
 }
-
-template class Recovery<NullTrace>;
-template class Recovery<ClockTrace>;
-template class Recovery<RecordingTrace>;
 
 }  // namespace tetrafront

@@ -12,61 +12,26 @@
 namespace tetrafront {
 namespace {
 
-/// Returns the pairs of regions with a common interface, the higher region first, ascending and
-/// unique.
-std::vector<std::array<std::uint32_t, 2>> interfaceNeighbours(const SurfaceMesh& boundary) {
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (std::size_t t = 0; t < boundary.triangles.size() / 3; ++t) {
-    if (!boundary.isInterface(t)) continue;
-    const auto [low, high] =
-        std::minmax(boundary.triangleRegions[2 * t], boundary.triangleRegions[2 * t + 1]);
-    pairs.push_back({high, low});
+/// Share of the fronts in the progress, if they leave everything to recovery.
+constexpr double kFrontShare = 0.45;
+
+/// Returns per region the sides of triangles that face it.
+std::vector<std::vector<std::uint32_t>> halvesOfRegions(const SurfaceMesh& boundary) {
+  std::vector<std::vector<std::uint32_t>> halves(1);
+  for (std::uint32_t half = 0; half < boundary.triangleRegions.size(); ++half) {
+    const std::uint32_t region = boundary.triangleRegions[half];
+    if (region == SurfaceMesh::kNoRegion) continue;
+    if (region >= halves.size()) halves.resize(region + 1);
+    halves[region].push_back(half);
   }
-  sortUnique(pairs);
-  return pairs;
+  return halves;
 }
 
-std::uint32_t regionCount(const SurfaceMesh& boundary) {
-  std::uint32_t count = 1;
-  for (const std::uint32_t region : boundary.triangleRegions) {
-    if (region != SurfaceMesh::kNoRegion) count = std::max(count, region + 1);
-  }
-  return count;
-}
-
-/// Gives each region, in order, the first pass that none of its neighbours has. Two or three passes
-/// nearly always suffice.
-std::vector<std::uint32_t> assignPasses(const SurfaceMesh& boundary) {
-  std::vector<std::uint32_t> passOf(regionCount(boundary), 0);
-  const auto pairs = interfaceNeighbours(boundary);
-  std::vector<std::uint32_t> taken;
-  for (std::size_t i = 0, j = 0; i < pairs.size(); i = j) {
-    taken.clear();
-    for (; j < pairs.size() && pairs[j][0] == pairs[i][0]; ++j)
-      taken.push_back(passOf[pairs[j][1]]);
-    std::uint32_t pass = 0;
-    while (std::ranges::find(taken, pass) != taken.end()) ++pass;
-    passOf[pairs[i][0]] = pass;
-  }
-  return passOf;
-}
-
-/// Appends the mesh of one pass, which has the same boundary nodes.
-void append(VolumeMesh& mesh, VolumeMesh part, std::size_t boundaryNodes) {
-  if (mesh.points.empty()) {
-    mesh = std::move(part);
-    return;
-  }
-  const auto newNodes = static_cast<std::uint32_t>(mesh.points.size() / 3 - boundaryNodes);
-  const auto indexOf = [&](std::uint32_t node) {
-    return node < boundaryNodes ? node : node + newNodes;
-  };
-  mesh.points.insert(mesh.points.end(),
-                     part.points.begin() + static_cast<std::ptrdiff_t>(3 * boundaryNodes),
-                     part.points.end());
-  mesh.regions.insert(mesh.regions.end(), part.regions.begin(), part.regions.end());
-  std::ranges::transform(part.tetrahedra, std::back_inserter(mesh.tetrahedra), indexOf);
-  std::ranges::transform(part.front, std::back_inserter(mesh.front), indexOf);
+/// Returns the nodes of a side of a triangle, counter-clockwise as seen from outside the region.
+std::array<std::uint32_t, 3> nodesOfHalf(const SurfaceMesh& boundary, std::uint32_t half) {
+  const std::uint32_t* nodes = &boundary.triangles[3 * std::size_t{half / 2}];
+  const std::size_t isFront = half % 2;
+  return {nodes[0], nodes[1 + isFront], nodes[2 - isFront]};
 }
 
 RecoverySummary sum(const RecoverySummary& a, const RecoverySummary& b) {
@@ -85,73 +50,101 @@ FrontCounters sum(const FrontCounters& a, const FrontCounters& b) {
 
 }  // namespace
 
-template <class Trace>
-BasicRegionMesher<Trace>::BasicRegionMesher(const SurfaceMesh& boundary, const SizeField& field,
-                                            const MeshOptions& options, Trace trace)
+RegionMesher::RegionMesher(const SurfaceMesh& boundary, const SizeField& field,
+                           const MeshOptions& options, const FrontMaker& maker)
     : boundary_(boundary),
       field_(field),
       options_(options),
-      passOf_(assignPasses(boundary)),
-      trace_(trace) {
-  passCount_ = *std::ranges::max_element(passOf_) + 1;
-  begin(0);
+      maker_(maker),
+      halvesOf_(halvesOfRegions(boundary)) {}
+
+Task<MeshStatus> RegionMesher::run(Work& work) {
+  const auto all = static_cast<double>(std::max<std::size_t>(boundary_.triangleRegions.size(), 1));
+  double shareOfFronts = 0.0;  // of the regions begun, by their triangles
+  double openShare = 0.0;      // faces left to recovery, per triangle
+  for (std::uint32_t region = 0; region < halvesOf_.size(); ++region) {
+    begin(region);
+    // The end of a slice shows that the progress of the exact fill begins again.
+    co_await work.yield();
+    const double share = static_cast<double>(halvesOf_[region].size()) / all;
+    shareOfFronts += share;
+    work.beginPart(kFrontShare * shareOfFronts + (1.0 - kFrontShare) * openShare);
+    const bool isGood = co_await current_->advanceFront(work);
+    if (!isGood) co_return current_->status();
+    openShare += share * std::min(current_->openShare(), 1.0);
+    work.beginPart(kFrontShare * shareOfFronts + (1.0 - kFrontShare) * openShare);
+    const MeshStatus status = co_await current_->recover(work);
+    if (status != MeshStatus::kDone || region + 1 == halvesOf_.size()) co_return status;
+    endRegion();
+  }
+  co_return MeshStatus::kDone;
 }
 
-template <class Trace>
-void BasicRegionMesher<Trace>::begin(std::uint32_t pass) {
-  pass_ = pass;
+void RegionMesher::begin(std::uint32_t region) {
+  region_ = region;
   MeshOptions options = options_;
   options.maxTetrahedra -=
       std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4));
   current_.reset();
-  if (passCount_ > 1) passBoundary_ = boundaryOf(pass);
-  waitingFaces_ = 0;
-  for (const std::uint32_t region : boundary_.triangleRegions) {
-    waitingFaces_ += region != SurfaceMesh::kNoRegion && passOf_[region] > pass ? 1 : 0;
-  }
-  current_.emplace(passCount_ > 1 ? passBoundary_.surface : boundary_, field_, options);
-  current_->trace() = trace_;
+  if (!isOne()) boundaryOf(region);
+  const NodeNames names{isOne() ? std::span<const std::uint32_t>() : regionBoundary_.nodeOf,
+                        static_cast<std::uint32_t>(boundaryNodes())};
+  current_.emplace(isOne() ? boundary_ : regionBoundary_.surface, field_, options, maker_, names);
 }
 
-template <class Trace>
-typename BasicRegionMesher<Trace>::PassBoundary BasicRegionMesher<Trace>::boundaryOf(
-    std::uint32_t pass) const {
-  PassBoundary result;
-  result.surface.points = boundary_.points;
-  for (std::uint32_t t = 0; t < boundary_.triangles.size() / 3; ++t) {
-    const std::uint32_t* nodes = &boundary_.triangles[3 * std::size_t{t}];
-    for (std::size_t half = 0; half < 2; ++half) {
-      const std::uint32_t region = boundary_.triangleRegions[2 * std::size_t{t} + half];
-      if (region == SurfaceMesh::kNoRegion || passOf_[region] != pass) continue;
-      result.surface.triangles.insert(result.surface.triangles.end(),
-                                      {nodes[0], nodes[1 + half], nodes[2 - half]});
-      result.surface.triangleRegions.insert(result.surface.triangleRegions.end(),
-                                            {region, SurfaceMesh::kNoRegion});
-      result.triangleOf.push_back(t);
-    }
-  }
-  return result;
-}
-
-template <class Trace>
-MeshStatus BasicRegionMesher<Trace>::advance(std::uint32_t budget) {
-  const MeshStatus status = current_->advance(budget);
-  if (status != MeshStatus::kDone || pass_ + 1 == passCount_) return status;
-  append(filled_, current_->mesh(), boundary_.points.size() / 3);
+void RegionMesher::endRegion() {
+  append(filled_, current_->mesh());
   recovery_ = sum(recovery_, current_->recovery());
   counters_ = sum(counters_, current_->counters());
-  openShareBefore_ += std::min(current_->openShare(), 1.0);
-  begin(pass_ + 1);
-  return MeshStatus::kRunning;
 }
 
-/// Triangles of a pass become triangles of the whole boundary, or in a drawn model their patches.
-template <class Trace>
-void BasicRegionMesher<Trace>::nameForUser(std::vector<Entity>& entities) const {
+void RegionMesher::boundaryOf(std::uint32_t region) {
+  regionBoundary_ = {};
+  auto& [surface, nodeOf, triangleOf] = regionBoundary_;
+  for (const std::uint32_t half : halvesOf_[region]) {
+    const auto nodes = nodesOfHalf(boundary_, half);
+    surface.triangles.insert(surface.triangles.end(), nodes.begin(), nodes.end());
+    surface.triangleRegions.insert(surface.triangleRegions.end(), {region, SurfaceMesh::kNoRegion});
+    triangleOf.push_back(half / 2);
+  }
+  nodeOf = surface.triangles;
+  sortUnique(nodeOf);
+  for (const std::uint32_t node : nodeOf) {
+    const auto first = boundary_.points.begin() + 3 * static_cast<std::ptrdiff_t>(node);
+    surface.points.insert(surface.points.end(), first, first + 3);
+  }
+  for (std::uint32_t& node : surface.triangles) {
+    node = static_cast<std::uint32_t>(std::ranges::lower_bound(nodeOf, node) - nodeOf.begin());
+  }
+}
+
+/// Appends the mesh of this region.
+void RegionMesher::append(VolumeMesh& mesh, VolumeMesh part) const {
+  if (isOne()) {
+    mesh = std::move(part);
+    return;
+  }
+  if (mesh.points.empty()) mesh.points = boundary_.points;
+  const NodeNames names{regionBoundary_.nodeOf, static_cast<std::uint32_t>(mesh.points.size() / 3)};
+  const auto nameOf = [&](std::uint32_t node) { return names.of(NodeId(node)); };
+  mesh.points.insert(
+      mesh.points.end(),
+      part.points.begin() + static_cast<std::ptrdiff_t>(3 * regionBoundary_.nodeOf.size()),
+      part.points.end());
+  mesh.regions.insert(mesh.regions.end(), part.regions.begin(), part.regions.end());
+  std::ranges::transform(part.tetrahedra, std::back_inserter(mesh.tetrahedra), nameOf);
+  std::ranges::transform(part.front, std::back_inserter(mesh.front), nameOf);
+}
+
+/// Triangles and nodes of the region become those of the whole boundary; in a drawn model, triangles become patches.
+void RegionMesher::nameForUser(std::vector<Entity>& entities) const {
   const bool isDrawn = !boundary_.sides.empty();
   for (Entity& entity : entities) {
+    if (entity.kind == EntityKind::kSurfaceNode && !isOne()) {
+      entity.index = regionBoundary_.nodeOf[entity.index];
+    }
     if (entity.kind != EntityKind::kTriangle) continue;
-    if (passCount_ > 1) entity.index = passBoundary_.triangleOf[entity.index];
+    if (!isOne()) entity.index = regionBoundary_.triangleOf[entity.index];
     if (isDrawn) entity = {EntityKind::kPatch, boundary_.trianglePatch[entity.index]};
   }
   const auto isRepeated = [](const Entity& a, const Entity& b) {
@@ -160,8 +153,8 @@ void BasicRegionMesher<Trace>::nameForUser(std::vector<Entity>& entities) const 
   entities.erase(std::ranges::unique(entities, isRepeated).begin(), entities.end());
 }
 
-template <class Trace>
-std::vector<Diagnostic> BasicRegionMesher<Trace>::diagnostics() const {
+std::vector<Diagnostic> RegionMesher::diagnostics() const {
+  if (!current_) return {};
   std::vector<Diagnostic> diagnostics = current_->diagnostics();
   const std::size_t filledBefore = filled_.tetrahedra.size() / 4;
   for (Diagnostic& diagnostic : diagnostics) {
@@ -172,89 +165,67 @@ std::vector<Diagnostic> BasicRegionMesher<Trace>::diagnostics() const {
   return diagnostics;
 }
 
-template <class Trace>
-std::uint32_t BasicRegionMesher<Trace>::nodeCount() const {
-  if (filled_.points.empty()) return current_->nodeCount();
-  return current_->nodeCount() +
-         static_cast<std::uint32_t>((filled_.points.size() - boundary_.points.size()) / 3);
+std::uint32_t RegionMesher::nodeCount() const {
+  const std::size_t earlier = filled_.points.empty() ? boundaryNodes() : filled_.points.size() / 3;
+  if (!current_) return static_cast<std::uint32_t>(earlier);
+  const std::size_t own = isOne() ? boundaryNodes() : regionBoundary_.nodeOf.size();
+  return static_cast<std::uint32_t>(earlier - own) + current_->nodeCount();
 }
 
-template <class Trace>
-std::uint32_t BasicRegionMesher<Trace>::tetrahedronCount() const {
-  return current_->tetrahedronCount() + static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4);
+std::uint32_t RegionMesher::tetrahedronCount() const {
+  const std::uint32_t own = current_ ? current_->tetrahedronCount() : 0;
+  return own + static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4);
 }
 
-template <class Trace>
-double BasicRegionMesher<Trace>::sectionFraction() const {
-  return current_->isRecovering() ? current_->recoveryFraction() : current_->frontFraction();
+std::uint32_t RegionMesher::frontFaceCount() const {
+  std::size_t waiting = 0;
+  for (std::size_t region = current_ ? region_ + 1 : 0; region < halvesOf_.size(); ++region) {
+    waiting += halvesOf_[region].size();
+  }
+  return static_cast<std::uint32_t>(waiting) + (current_ ? current_->frontFaceCount() : 0);
 }
 
-template <class Trace>
-double BasicRegionMesher<Trace>::openShare() const {
-  return (openShareBefore_ + std::min(current_->openShare(), 1.0)) / passCount_;
-}
-
-/// Returns the triangles of regions of later passes, as a front sees them.
-template <class Trace>
-std::vector<std::uint32_t> BasicRegionMesher<Trace>::facesOfLaterPasses() const {
+/// Returns the triangles of regions that have not begun, as a front sees them.
+std::vector<std::uint32_t> RegionMesher::waitingFaces() const {
   std::vector<std::uint32_t> faces;
-  for (std::uint32_t pass = pass_ + 1; pass < passCount_; ++pass) {
-    const SurfaceMesh surface = boundaryOf(pass).surface;
-    for (std::size_t t = 0; t < surface.triangles.size() / 3; ++t) {
-      for (const NodeId node : frontFaceOf(surface, t)) faces.push_back(node.value);
+  for (std::size_t region = current_ ? region_ + 1 : 0; region < halvesOf_.size(); ++region) {
+    for (const std::uint32_t half : halvesOf_[region]) {
+      const auto [a, b, c] = nodesOfHalf(boundary_, half);
+      faces.insert(faces.end(), {a, c, b});
     }
   }
   return faces;
 }
 
-template <class Trace>
-VolumeMesh BasicRegionMesher<Trace>::mesh() const {
-  return completed(filled_);
-}
+VolumeMesh RegionMesher::mesh() const { return completed(filled_); }
 
-template <class Trace>
-VolumeMesh BasicRegionMesher<Trace>::take() {
-  return completed(std::exchange(filled_, {}));
-}
+VolumeMesh RegionMesher::take() { return completed(std::exchange(filled_, {})); }
 
-/// Appends the elements of this pass, and the faces of later ones to the front.
-template <class Trace>
-VolumeMesh BasicRegionMesher<Trace>::completed(VolumeMesh mesh) const {
-  append(mesh, current_->mesh(), boundary_.points.size() / 3);
-  const std::vector<std::uint32_t> waiting = facesOfLaterPasses();
+/// Appends the elements of this region, and the faces of later ones to the front.
+VolumeMesh RegionMesher::completed(VolumeMesh mesh) const {
+  if (current_) append(mesh, current_->mesh());
+  const std::vector<std::uint32_t> waiting = waitingFaces();
   mesh.front.insert(mesh.front.end(), waiting.begin(), waiting.end());
   return mesh;
 }
 
-template <class Trace>
-std::vector<double> BasicRegionMesher<Trace>::frontCorners() const {
+std::vector<double> RegionMesher::frontCorners() const {
   std::vector<double> corners;
   corners.reserve(9 * std::size_t{frontFaceCount()});
-  current_->appendFront(corners);
-  for (const std::uint32_t node : facesOfLaterPasses()) {
+  if (current_) current_->appendFront(corners);
+  for (const std::uint32_t node : waitingFaces()) {
     const auto first = boundary_.points.begin() + 3 * static_cast<std::ptrdiff_t>(node);
     corners.insert(corners.end(), first, first + 3);
   }
   return corners;
 }
 
-template <class Trace>
-RecoverySummary BasicRegionMesher<Trace>::recovery() const {
-  return sum(recovery_, current_->recovery());
+RecoverySummary RegionMesher::recovery() const {
+  return current_ ? sum(recovery_, current_->recovery()) : recovery_;
 }
 
-template <class Trace>
-FrontCounters BasicRegionMesher<Trace>::counters() const {
-  return sum(counters_, current_->counters());
-}
-
-template class BasicRegionMesher<NullTrace>;
-template class BasicRegionMesher<RecordingTrace>;
-
-std::unique_ptr<VolumeStage> makeStage(const SurfaceMesh& boundary, const SizeField& field,
-                                       const MeshOptions& options, StepRecorder& /*recorder*/,
-                                       const FrontExperiment& /*experiment*/) {
-  return std::make_unique<RegionMesher>(boundary, field, options);
+FrontCounters RegionMesher::counters() const {
+  return current_ ? sum(counters_, current_->counters()) : counters_;
 }
 
 }  // namespace tetrafront

@@ -1,92 +1,81 @@
 #pragma once
 
-/// @file Meshes all regions of a boundary, with the interfaces between them. A front sees a face
-/// from one side only, so regions with a common interface are meshed in different passes, from the
-/// same nodes and triangles. Their meshes fit together, because no pass changes its boundary.
-/// Regions without a common interface share one front; a boundary without interfaces needs one pass
-/// and no copies.
+/// @file Meshes all regions of a boundary, one after the other. Each has a boundary and a front of its own, so its mesh does not
+/// depend on other regions. Regions with a common interface fit together, because no front changes its boundary.
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "base/task.h"
 #include "field/size_field.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
 #include "volume/volume_mesher.h"
-#include "volume/volume_stage.h"
 
 namespace tetrafront {
 
-template <class Trace>
-class BasicRegionMesher final : public VolumeStage {
+class RegionMesher {
  public:
-  /// `boundary` must be as closeBoundary() leaves it. It, `field` and what `trace` refers to must outlive the mesher.
-  BasicRegionMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options,
-                    Trace trace = {});
+  /// `boundary` must be as closeBoundary() leaves it. It, `field` and `maker` must outlive the mesher.
+  RegionMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options,
+               const FrontMaker& maker);
 
-  MeshStatus advance(std::uint32_t budget) override;
-  [[nodiscard]] std::vector<Diagnostic> diagnostics() const override;
-  [[nodiscard]] std::uint32_t nodeCount() const override;
-  [[nodiscard]] std::uint32_t tetrahedronCount() const override;
-  [[nodiscard]] std::uint32_t frontFaceCount() const override {
-    return current_->frontFaceCount() + waitingFaces_;
+  /// Meshes the regions. Ends with the first one that fails. One unit of budget is a step of the front.
+  Task<MeshStatus> run(Work& work);
+
+  /// Triangles and nodes are those of the whole boundary. The values of kTooManyElements count all regions
+  /// begun so far.
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
+  [[nodiscard]] std::uint32_t nodeCount() const;
+  [[nodiscard]] std::uint32_t tetrahedronCount() const;
+  [[nodiscard]] std::uint32_t frontFaceCount() const;
+  /// Estimated progress of the exact fill of this region, 0 to 1; 0 before it starts.
+  [[nodiscard]] double exactFillFraction() const {
+    return current_ ? current_->exactFillFraction() : 0.0;
   }
-  [[nodiscard]] std::uint32_t section() const override {
-    return 2 * pass_ + (current_->isRecovering() ? 1 : 0);
-  }
-  [[nodiscard]] double sectionFraction() const override;
-  [[nodiscard]] double passFractionAtSectionEnd() const override {
-    return (pass_ + 1.0) / passCount_;
-  }
-  [[nodiscard]] double openShare() const override;
-  [[nodiscard]] double exactFillFraction() const override { return current_->exactFillFraction(); }
-  [[nodiscard]] VolumeMesh mesh() const override;
-  [[nodiscard]] VolumeMesh take() override;
-  [[nodiscard]] std::vector<double> frontCorners() const override;
-  [[nodiscard]] RecoverySummary recovery() const override;
-  [[nodiscard]] FrontCounters counters() const override;
+  /// Returns the mesh made so far. Its front includes the faces of regions that have not begun.
+  [[nodiscard]] VolumeMesh mesh() const;
+  /// The same without copying the mesh of earlier regions. Afterwards only recovery() and counters()
+  /// may be called.
+  [[nodiscard]] VolumeMesh take();
+  /// The faces of the front, x y z of three corners each, including the boundary of regions that have
+  /// not begun. O(front).
+  [[nodiscard]] std::vector<double> frontCorners() const;
+  [[nodiscard]] RecoverySummary recovery() const;
+  [[nodiscard]] FrontCounters counters() const;
 
  private:
-  /// Boundary of the regions of one pass: all nodes, and the triangles around these regions.
-  struct PassBoundary {
+  /// Boundary of one region: its nodes, and the triangles around it.
+  struct RegionBoundary {
     SurfaceMesh surface;
+    std::vector<std::uint32_t> nodeOf;  ///< per node: its index in the whole boundary, ascending
     std::vector<std::uint32_t> triangleOf;  ///< per triangle: its index in the whole boundary
   };
 
-  void begin(std::uint32_t pass);
+  void begin(std::uint32_t region);
+  void endRegion();
+  void boundaryOf(std::uint32_t region);
+  void append(VolumeMesh& mesh, VolumeMesh part) const;
   void nameForUser(std::vector<Entity>& entities) const;
-  [[nodiscard]] PassBoundary boundaryOf(std::uint32_t pass) const;
-  [[nodiscard]] std::vector<std::uint32_t> facesOfLaterPasses() const;
+  [[nodiscard]] std::vector<std::uint32_t> waitingFaces() const;
   [[nodiscard]] VolumeMesh completed(VolumeMesh mesh) const;
+  [[nodiscard]] std::size_t boundaryNodes() const { return boundary_.points.size() / 3; }
+  [[nodiscard]] bool isOne() const { return halvesOf_.size() == 1; }
 
   const SurfaceMesh& boundary_;
   const SizeField& field_;
   MeshOptions options_;
-  std::vector<std::uint32_t> passOf_;  ///< per region
-  std::uint32_t passCount_ = 1;
-  std::uint32_t pass_ = 0;
-  double openShareBefore_ = 0.0;    ///< sum of the open shares of earlier passes, each at most 1
-  std::uint32_t waitingFaces_ = 0;  ///< faces of regions of later passes
-  PassBoundary passBoundary_;       ///< used if there are several passes
-  [[no_unique_address]] Trace trace_;
-  std::optional<BasicVolumeMesher<Trace>> current_;
-  VolumeMesh filled_;  ///< mesh of earlier passes
+  const FrontMaker& maker_;
+  /// Per region, the sides of triangles that face it, ascending: twice the triangle, plus 1 for its front.
+  std::vector<std::vector<std::uint32_t>> halvesOf_;
+  std::uint32_t region_ = 0;
+  RegionBoundary regionBoundary_;  ///< used if there are several regions
+  std::optional<VolumeMesher> current_;
+  VolumeMesh filled_;  ///< mesh of earlier regions
   RecoverySummary recovery_;
   FrontCounters counters_;
 };
-
-extern template class BasicRegionMesher<NullTrace>;
-extern template class BasicRegionMesher<RecordingTrace>;
-
-using RegionMesher = BasicRegionMesher<NullTrace>;
-
-/// Makes a mesher of regions that records nothing and has the usual rules.
-[[nodiscard]] std::unique_ptr<VolumeStage> makeStage(const SurfaceMesh& boundary,
-                                                     const SizeField& field,
-                                                     const MeshOptions& options,
-                                                     StepRecorder& recorder,
-                                                     const FrontExperiment& experiment);
 
 }  // namespace tetrafront

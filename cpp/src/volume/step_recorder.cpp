@@ -32,12 +32,14 @@ std::uint32_t head(TraceEvent event, std::uint32_t detail) {
 template <class Nodes>
 void StepRecorder::writeCorners(const Nodes& nodes, std::uint32_t& before) {
   for (const NodeId node : nodes) {
-    bytes_.difference(node.value, before);
-    before = node.value;
+    const std::uint32_t name = names_.of(node);
+    bytes_.difference(name, before);
+    before = name;
   }
 }
 
-void StepRecorder::beginPass(const Front& front) {
+void StepRecorder::beginPass(const Front& front, const NodeNames& names) {
+  names_ = names;
   nodes_.assign(front.nodes().begin(), front.nodes().end());
   faces_.clear();
   elements_.clear();
@@ -93,7 +95,7 @@ void StepRecorder::refused(const Front& front, NodeId node, const Vec3& position
   if (node.isNone()) {
     bytes_.offset(front.node(firstNode_), position);
   } else {
-    bytes_.difference(node.value, firstNode_.value);
+    bytes_.difference(names_.of(node), names_.of(firstNode_));
   }
   if (why != Refusal::kBehind) bytes_.difference(culprit.value, base_.value);
 }
@@ -112,7 +114,7 @@ void StepRecorder::accepted(const Front& front, const NodeTriple& nodes, NodeId 
     bytes_.position(front.node(apex));
     nodes_.push_back(front.node(apex));
   } else {
-    bytes_.difference(apex.value, firstNode_.value);
+    bytes_.difference(names_.of(apex), names_.of(firstNode_));
   }
   removeFace(base_);
   for (const FaceId slot : existing) {
@@ -165,7 +167,8 @@ void StepRecorder::writeNodes(const Front& front) {
   const std::span<const Vec3> now = front.nodes();
   const auto kept =
       static_cast<std::size_t>(std::ranges::mismatch(nodes_, now).in1 - nodes_.begin());
-  bytes_.varint(kept);
+  // The nodes of the boundary always stay.
+  bytes_.varint(names_.of(NodeId(kept)));
   bytes_.varint(now.size() - kept);
   for (std::size_t node = kept; node < now.size(); ++node) bytes_.position(now[node]);
   nodes_.assign(now.begin(), now.end());

@@ -16,6 +16,7 @@
 #include "volume/elements.h"
 #include "volume/front.h"
 #include "volume/ideal_point.h"
+#include "volume/node_names.h"
 #include "volume/unit_space.h"
 
 namespace tetrafront {
@@ -46,8 +47,8 @@ struct StepCounts {
 
 class StepRecorder {
  public:
-  /// A front begins; its faces are those of the boundary.
-  void beginPass(const Front& front);
+  /// A front begins; its faces are those of the boundary. Nodes are written by their names, which must outlive the pass.
+  void beginPass(const Front& front, const NodeNames& names = {});
   /// Step F4 and F5 for a base face, after its candidates were ranked.
   void base(const Front& front, FaceId face, const UnitSpace& space, const Vec3& ideal,
             std::size_t facesNear, std::size_t candidates);
@@ -96,6 +97,7 @@ class StepRecorder {
   bool isInPass_ = false;
   bool isRemeshing_ = false;
   FaceId base_;
+  NodeNames names_;
   NodeId firstNode_;  ///< of the base face
   FaceId baseBefore_{0U};
   std::vector<Vec3> nodes_;
