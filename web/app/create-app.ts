@@ -36,6 +36,8 @@ export interface AppOptions {
   /** Mesh every project that is opened, the first one too. */
   readonly generate: boolean;
   readonly intent: Intent;
+  /** The caller records the front of the first document, so that it is not meshed too. Default false. */
+  readonly showsFront?: boolean;
   /** Turns off motion and smooth edges, so that tests always get the same pictures. */
   readonly still?: boolean;
 }
@@ -43,7 +45,8 @@ export interface AppOptions {
 const noGallery: Gallery = { opening: "", models: [] };
 
 /** Makes an app with its own documents, meshers and workers. A page can have several apps. */
-export async function createApp({ autosave, generate, intent, still = false }: AppOptions): Promise<App> {
+export async function createApp(options: AppOptions): Promise<App> {
+  const { autosave, generate, intent, showsFront = false, still = false } = options;
   // One mesher for runs and one for everything else, so that neither waits for the other.
   const [mesher, previewMesher] = [createMesher(), createMesher()];
   // Runs and previews report a failure themselves; this only prevents an unhandled rejection.
@@ -81,7 +84,7 @@ export async function createApp({ autosave, generate, intent, still = false }: A
   const isOpening = first.isOpening === true && autosave !== null;
   if (isOpening && (isFurther || startPage.isWanted())) app.shell.setState({ startPage: true });
   // The example is meshed in one tab.
-  const isMeshed = generate && !(isOpening && isFurther);
+  const isMeshed = generate && !showsFront && !(isOpening && isFurther);
   if (isMeshed && !isEmptyProject(first.document.history.present.project)) void app.run.generate("app");
   return app;
 }

@@ -169,7 +169,7 @@ function offerReopening(app: App, name: string, reopenIt: () => Promise<void>): 
 }
 
 /** A mesh that was made from this project earlier is already shown. */
-function meshOpened(app: App): void {
+export function meshOpened(app: App): void {
   if (!app.generate) return;
   if (app.run.state.getState().mesh) app.run.cancel();
   else void app.run.restart();

@@ -23,6 +23,10 @@ export const addressStrings = {
       `No order has the name in ${quoted("order", value)}; the orders are ${FRONT_ORDERS.join(", ")}. The model's own order is used.`,
     color: (value: string) =>
       `The colours are “age”, “size” or “layer”, but the address has ${quoted("color", value)}. Ages are shown.`,
+    faces: (value: string) =>
+      `The faces are “inside” or “all”, but the address has ${quoted("faces", value)}. Those seen from inside are shown.`,
+    elements: (value: string) =>
+      `The elements are “none”, “last”, “recent”, “all” or “cut”, but the address has ${quoted("elements", value)}. The last 60 are shown.`,
     candidate: (value: string) =>
       `The address should have a candidate from 0, but has ${quoted("candidate", value)}. The candidate that decides the step is shown.`,
     camera: (value: string) =>

@@ -80,6 +80,7 @@ export const pageStrings = {
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `${count} front faces`,
+    frontAt: (step: string, steps: string) => `Front after step ${step} of ${steps}`,
     filling: "Filling remaining pockets",
     exactFill: (fraction: string) => `exact fill ${fraction}`,
     cancel: { mesh: "Cancel meshing", improve: "Stop improving" },

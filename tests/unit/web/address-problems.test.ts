@@ -11,7 +11,7 @@ it.each([
   "new=1",
   "model=unit-cube",
   "model=unit-cube&step=0",
-  "model=unit-cube&step=-12&order=random&color=age&candidate=0&camera=1,2,3,4,5,6",
+  "model=unit-cube&step=-12&order=random&color=age&faces=all&elements=cut&candidate=0&camera=1,2,3,4,5,6",
   "lesson=7",
   "lesson=7&runs=first-in,strict%2Blinear",
   // Whether there is such a lesson is known later.
@@ -27,6 +27,8 @@ it.each([
   ["step=3", [/“step=3” without a model.*No front/]],
   ["model=a&step=1&order=largest", [/“order=largest”.*layered.*own order/]],
   ["model=a&step=1&color=red", [/“age”, “size” or “layer”.*“color=red”.*Ages/]],
+  ["model=a&step=1&faces=half", [/“inside” or “all”.*“faces=half”/]],
+  ["model=a&step=1&elements=some", [/“recent”.*“elements=some”.*last 60/]],
   ["model=a&step=1&candidate=-1", [/“candidate=-1”.*decides/]],
   ["model=a&step=1&camera=1,2,3", [/six numbers.*“camera=1,2,3”.*whole model/]],
   ["model=a&step=1&color=red&candidate=z", [/color=red/, /candidate=z/]],

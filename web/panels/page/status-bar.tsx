@@ -1,6 +1,6 @@
 import { Progress, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
-import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
+import type { MeshReport, Progress as RunProgressReport, Trace } from "tetrafront";
 import { useStore } from "zustand";
 import { useMemo } from "react";
 import { unitOf } from "../../document/length-units";
@@ -35,12 +35,12 @@ import styles from "./status-bar.module.css";
 /** Time between two announcements to screen readers, in milliseconds. */
 const announceEveryMs = 5000;
 
-function outcomeText(run: RunState, stale: boolean, hasErrors: boolean): string {
+function outcomeText(run: RunState, stale: boolean, hasErrors: boolean, front: string | null): string {
   if (run.failure !== null) return strings.messages.engineFailed;
   // Once the errors are mended, the model waits for another run.
   const isInvalid = run.outcome?.result.report.status === "invalid-input" && hasErrors;
   if (isInvalid && stale) return strings.status.invalid;
-  if (!run.mesh) return isInvalid ? strings.status.invalid : strings.status.ready;
+  if (!run.mesh) return isInvalid ? strings.status.invalid : (front ?? strings.status.ready);
   if (stale) return strings.status.stale;
   switch (run.mesh.report.status) {
     case "done":
@@ -52,6 +52,11 @@ function outcomeText(run: RunState, stale: boolean, hasErrors: boolean): string 
     case "invalid-input":
       return strings.status.invalid;
   }
+}
+
+/** Returns where the front that is shown is. */
+function frontText({ stepCount }: Trace, step: number): string {
+  return strings.status.frontAt(formatCount(step), formatCount(stepCount));
 }
 
 function phaseText(
@@ -140,7 +145,8 @@ function Outcome() {
   const hasErrors = useStore(app.problems.state, ({ problems }) =>
     problems.some(({ severity }) => severity === "error"),
   );
-  return <span role="status">{outcomeText(run, stale, hasErrors)}</span>;
+  const front = useStore(app.player.state, ({ trace, step }) => trace && frontText(trace, step));
+  return <span role="status">{outcomeText(run, stale, hasErrors, front)}</span>;
 }
 
 function RunProgress() {
