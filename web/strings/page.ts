@@ -47,7 +47,7 @@ export const pageStrings = {
     update: "Remesh",
     incomplete: "Incomplete",
     incompleteStalled: "The front stalled. Its remaining faces are orange.",
-    incompleteCancelled: "Cancelled. The remaining faces of the front are orange.",
+    incompleteCancelled: "The faces of the front are orange.",
     incompleteUnverified: "Cancelled before optimization and verification finished.",
     noWebgl: "This browser cannot show the view",
     noWebglHint:
@@ -66,6 +66,7 @@ export const pageStrings = {
     summaryNoMesh: (name: string) => `${name}, not meshed yet.`,
     summary: (name: string, tetrahedra: string, minAngle: string) =>
       `${name}, meshed with ${tetrahedra} tetrahedra, smallest dihedral angle ${minAngle}.`,
+    summaryCancelled: (name: string, cancelled: string) => `${name}, not meshed to the end. ${cancelled}.`,
     summaryCut: " The mesh is cut open.",
     summaryStale: " The mesh is out of date.",
     keys: "Arrow keys orbit, Shift with arrow keys pans, plus and minus zoom.",

@@ -6,7 +6,7 @@ import { useMemo } from "react";
 import { unitOf } from "../../document/length-units";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
-import type { RunState } from "../../session/run";
+import { cancelledText, type RunState } from "../../session/run";
 import { IconButton } from "../../ui/icon-button";
 import { TextButton } from "../../ui/text-button";
 import {
@@ -48,7 +48,7 @@ function outcomeText(run: RunState, stale: boolean, hasErrors: boolean, front: s
     case "stalled":
       return strings.status.stalled;
     case "cancelled":
-      return strings.status.cancelled;
+      return cancelledText(run) ?? strings.status.cancelled;
     case "invalid-input":
       return strings.status.invalid;
   }
@@ -204,6 +204,8 @@ function MeshNumbers() {
   const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
   // Without elements, the statistics of the report are zeros without a meaning.
   const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
+  // The worst angle of an unfinished mesh says nothing about the one that was asked for.
+  const isFinished = report?.status !== "cancelled";
   // The statistics of the old mesh keep their space in the bar while a run replaces the mesh.
   const hasProgress = progress !== null || undefined;
   const points = progress?.nodes ?? report?.nodes;
@@ -218,7 +220,7 @@ function MeshNumbers() {
       {tetrahedra !== undefined && (
         <span data-testid="count-tetrahedra">{strings.status.tetrahedra(formatCount(tetrahedra))}</span>
       )}
-      {report && (
+      {report && isFinished && (
         <>
           <span className={styles["wide"]} data-testid="min-dihedral" data-hidden={hasProgress}>
             <MinDihedral report={report} />

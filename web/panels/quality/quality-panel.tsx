@@ -1,6 +1,7 @@
 import { Button, CopyButton, Group, Text, UnstyledButton } from "@mantine/core";
 import type { MeshReport, MeshResult } from "tetrafront";
 import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
+import { cancelledText } from "../../session/run";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatAngle, formatCount, formatSeconds, formatShort } from "../../ui/format";
 import { HistogramChart } from "../../ui/histogram-chart";
@@ -25,6 +26,7 @@ export function QualityPanel() {
   const app = useApp();
   const mesh = useRun((state) => state.mesh);
   const stale = useStale();
+  const cancelled = useRun(cancelledText);
   if (!mesh) {
     return (
       <>
@@ -37,12 +39,19 @@ export function QualityPanel() {
   }
   // Without elements, the statistics of the report are zeros without a meaning.
   const measured = mesh.report.tetrahedra > 0;
+  const isUnfinished = measured && mesh.report.status === "cancelled";
   return (
     <section data-stale={stale || undefined}>
       <SectionTitle>
         {strings.quality.title}
         {stale && <span className={styles["note"]}>{strings.viewport.stale.toLowerCase()}</span>}
+        {isUnfinished && <span className={styles["note"]}>{strings.quality.unfinished}</span>}
       </SectionTitle>
+      {cancelled !== null && (
+        <Text size="sm" mb={8} data-testid="cancelled-at">
+          {`${cancelled}.`}
+        </Text>
+      )}
       {measured && <MeasureHistogram mesh={mesh} />}
       <ReportFacts report={mesh.report} measured={measured} />
       {measured && (
