@@ -446,7 +446,11 @@ function summary({ result, expectedTetrahedra }: Omit<RunOutcome, "key">): strin
     case "done":
       return logStrings.done(size, seconds, report.fingerprint);
     case "cancelled":
-      return logStrings.cancelled(size, seconds, aboutCount(expectedTetrahedra));
+      return logStrings.cancelled(
+        size,
+        seconds,
+        result.volume.front.length > 0 ? aboutCount(expectedTetrahedra) : null,
+      );
     case "stalled":
       return logStrings.stalled(size, seconds);
     case "invalid-input":
