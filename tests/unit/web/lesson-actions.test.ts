@@ -3,7 +3,7 @@ import { readTrace, writeProject, type MeshReport, type Mesher, type Project } f
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import { compareRun, lessonRuns, openLesson, showLessonModel } from "../../../web/commands/lesson-actions";
-import { commandNamed, runCommand } from "../../../web/commands/registry";
+import { commandNamed, commandOfKey, runCommand } from "../../../web/commands/registry";
 import { moveEntity } from "../../../web/document/edits";
 import type { Lesson } from "../../../web/lessons/lesson";
 import { showOwnRun } from "../../../web/lessons/own-run";
@@ -214,7 +214,12 @@ it("does not edit the model of the open lesson, and offers to do so", async () =
   gesture.update({ change: moveEntity("point", 1, 0, -2).change });
   gesture.commit();
   expect(app.documents.project).toEqual(expect.objectContaining({ points: cube.points }));
-  expect(commandNamed("tool-point").enabled(app)).toBe(false);
+  const armed = ["P", "L", "A", "N", "D", "G"].map((key) => commandOfKey({ key, shiftKey: false }));
+  for (const command of armed) {
+    expect(command?.needs(app)).toMatch(/lesson/);
+    if (command) runCommand(app, command);
+    expect(app.view.state.getState().tool).toBe("select");
+  }
   const notice = app.shell.getState().notices.find(({ key }) => key === "lesson-model");
   notice?.action.run();
   expect(commandNamed("tool-point").enabled(app)).toBe(true);
