@@ -54,10 +54,8 @@ export async function createApp(options: AppOptions): Promise<App> {
   const failures: string[] = [];
   const noteFailure = (error: unknown): void => void failures.push(String(error));
 
-  const library =
-    autosave === null
-      ? null
-      : new DocumentLibrary(new BrowserStorage(), new BrowserLocks(), new BrowserTabMemory(autosave));
+  const tab = autosave === null ? null : new BrowserTabMemory(autosave);
+  const library = tab && new DocumentLibrary(new BrowserStorage(), new BrowserLocks(), tab);
   const gallery = await loadGallery().catch((error: unknown) => {
     noteFailure(error);
     return noGallery;
@@ -81,10 +79,16 @@ export async function createApp(options: AppOptions): Promise<App> {
   }
   keepDocuments(app);
   reportLostWorkers(app);
-  const isOpening = first.isOpening === true && autosave !== null;
-  if (isOpening && (isFurther || startPage.isWanted())) app.shell.setState({ startPage: true });
-  // The example is meshed in one tab.
-  const isMeshed = generate && !showsFront && !(isOpening && isFurther);
+  const isOpening = first.isOpening === true && tab !== null;
+  const kept = tab?.readStart() ?? null;
+  const isKept = kept?.documentId === first.document.id;
+  if (isKept ? kept.startPage : isOpening && (isFurther || startPage.isWanted()))
+    app.shell.setState({ startPage: true });
+  // The example is meshed in one tab. A reload keeps it as it was in another one.
+  const isUnmeshed = isKept || (isOpening && isFurther);
+  if (isUnmeshed && tab) keepUnmeshed(app, tab);
+  else tab?.writeStart(null);
+  const isMeshed = generate && !showsFront && !isUnmeshed;
   if (isMeshed && !isEmptyProject(first.document.history.present.project)) void app.run.generate("app");
   return app;
 }
@@ -119,6 +123,24 @@ async function firstDocument(
     gallery.models.find(({ id }) => id === gallery.opening);
   const project = model ? await loadModel(model) : emptyProject();
   return { document: newDocument(project), isOpening: start === null };
+}
+
+/** Lets the tab remember that its document is not meshed, until it is, or another one is opened. */
+function keepUnmeshed({ documents, run, shell }: App, tab: BrowserTabMemory): void {
+  const { id: documentId } = documents.state.getState();
+  const write = (): void => tab.writeStart({ documentId, startPage: shell.getState().startPage });
+  write();
+  const stops = [
+    shell.subscribe((state, before) => {
+      if (state.startPage !== before.startPage) write();
+    }),
+    run.state.subscribe(({ busy }) => busy && forget()),
+    documents.state.subscribe(({ id }) => id !== documentId && forget()),
+  ];
+  function forget(): void {
+    for (const stop of stops) stop();
+    tab.writeStart(null);
+  }
 }
 
 /** Says that a worker has ended by itself. Its client starts another one; runs report the end of the engine. */
