@@ -12,6 +12,9 @@ import { addressStrings as texts } from "../strings/address";
  */
 export function addressProblems(query: URLSearchParams): readonly string[] {
   const lesson = lessonIn(query);
+  const step = query.get("step");
+  const isUnread = lesson !== null && lesson.step === null && step !== null;
+  if (isUnread) return [...runProblems(query, lesson.runs), texts.lessonStep(step)];
   return lesson ? runProblems(query, lesson.runs) : [...frontProblems(query), ...runsAlone(query)];
 }
 

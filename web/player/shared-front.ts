@@ -73,7 +73,7 @@ export function knownCandidate(trace: Trace, step: number, candidate: number | n
 }
 
 /** Steps of lines and patches are negative. */
-function integerIn(text: string | null): number | null {
+export function integerIn(text: string | null): number | null {
   return text !== null && /^-?\d{1,9}$/.test(text) ? Number(text) : null;
 }
 

@@ -10,6 +10,8 @@ export const addressStrings = {
   understood: "OK",
   step: (value: string) =>
     `The address should have a whole number as its step, but has ${quoted("step", value)}. No front is shown.`,
+  lessonStep: (value: string) =>
+    `The address should have a whole number as its step, but has ${quoted("step", value)}. The lesson begins where it always does.`,
   stepAlone: (value: string) =>
     `The address has ${quoted("step", value)} without a model, for example “model=unit-cube”. No front is shown.`,
   withoutStep: (names: readonly string[]) =>

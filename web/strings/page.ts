@@ -139,14 +139,12 @@ export const pageStrings = {
   files: {
     description: "Tetrafront project",
     anyDescription: "Project, surface or mesh",
-    /** `formats`: extensions of CAD files, of surfaces, and of meshes. */
-    unknownFormat: (
-      extension: string,
-      [cad = [], surfaces = [], meshes = []]: readonly (readonly string[])[],
-    ) => [
+    unknownFormat: (extension: string) =>
       extension === ""
         ? "A file without an extension is of no known format."
         : `Files that end in ${extension} cannot be opened.`,
+    /** Given the extensions of CAD files, of surfaces, and of meshes. */
+    knownFormats: ([cad = [], surfaces = [], meshes = []]: readonly (readonly string[])[]) => [
       "These can be opened:",
       "Projects: .json",
       `CAD: ${cad.join(", ")}`,
@@ -192,6 +190,7 @@ export const pageStrings = {
     title: "Keyboard and mouse",
     contents: "Contents of the help",
     search: "Search the help",
+    inMenu: (menu: string) => `menu ${menu}`,
     found: (count: number, shown: number) =>
       count === 0
         ? "Nothing found"

@@ -8,6 +8,8 @@ import { isSimilarWord } from "../../../web/commands/similar-words";
 import type { Gallery } from "../../../web/session/gallery";
 import { newDocument } from "../../../web/session/document-store";
 import { synonyms } from "../../../web/strings";
+import { searchHelp } from "../../../web/document/help-search";
+import { keySections } from "../../../web/panels/help/help-dialog";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";
 import { SilentWorker } from "../../support/silent-worker";
@@ -223,4 +225,13 @@ it("takes a word with one mistake for the right one, and no other word", () => {
     ["triangle", "tetrahedra", false],
   ];
   for (const [a, b, isSame] of typed) expect([a, b, isSimilarWord(a, b)]).toEqual([a, b, isSame]);
+});
+
+it.each([
+  ["offline", "Keep for offline use", "menu Help"],
+  ["start page", "Start page", "menu File"],
+  ["generate mesh", "Generate mesh", "Ctrl Enter, menu Mesh"],
+])("the search of the help finds %s among the commands", (query, title, place) => {
+  const found = searchHelp(query, keySections(cubeApp()));
+  expect(found[0]?.section).toMatchObject({ title, text: `${title}\n${place}` });
 });

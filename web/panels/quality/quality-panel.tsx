@@ -3,11 +3,11 @@ import type { MeshReport, MeshResult } from "tetrafront";
 import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
 import { cancelledText } from "../../session/run";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatAngle, formatCount, formatSeconds, formatShort } from "../../ui/format";
+import { formatAngle, formatCount, formatMeasure, formatSeconds } from "../../ui/format";
 import { HistogramChart } from "../../ui/histogram-chart";
 import { measuredIn, measureNames, strings } from "../../strings";
 import { viridisAt } from "../../ui/theme/viridis";
-import { useApp, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
+import { useApp, useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { useHistogram } from "./use-histogram";
 import { ImproveButton } from "./improvement";
 import { Facts } from "../../ui/facts";
@@ -113,6 +113,7 @@ interface ReportFactsProps {
 
 function ReportFacts({ report, measured }: ReportFactsProps) {
   const texts = strings.quality;
+  const { units } = useProject();
   const ifMeasured = (text: string): string => (measured ? text : texts.unmeasured);
   const space = useQualitySpace();
   const origin = useRun((state) => state.origin);
@@ -128,7 +129,7 @@ function ReportFacts({ report, measured }: ReportFactsProps) {
       <dt>{measuredIn(texts.dihedral, space)}</dt>
       <dd>{ifMeasured(`${formatAngle(min)} – ${formatAngle(max)}`)}</dd>
       <dt>{texts.volume}</dt>
-      <dd>{ifMeasured(formatShort(report.volume))}</dd>
+      <dd>{ifMeasured(formatMeasure(report.volume, units, 3))}</dd>
       {origin ? (
         <>
           <dt>{texts.file}</dt>
