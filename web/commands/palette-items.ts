@@ -40,6 +40,7 @@ function commandItems(app: App): PaletteItem[] {
       hotkey: command.keys[0] ?? null,
       needs,
       run: () => runCommand(app, command),
+      takesFocus: command.id === "start",
     }));
 }
 

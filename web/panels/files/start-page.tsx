@@ -25,8 +25,8 @@ export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
   const heading = useRef<HTMLHeadingElement>(null);
   useFocusReturn(true);
   useEffect(() => {
-    // From here, Tab leads to what it offers. Who types or reads a dialog goes on.
-    if (inputMode(document.activeElement) === "view") heading.current?.focus({ preventScroll: true });
+    // From here, Tab leads to what it offers. Who types in a field goes on; the palette, which closes, is a dialog.
+    if (inputMode(document.activeElement) !== "field") heading.current?.focus({ preventScroll: true });
   }, []);
   const close = (): void => shell.setState({ startPage: false });
   const closeByKey = (event: KeyboardEvent): void => {
