@@ -224,7 +224,7 @@ test("a picture of the view has the size asked for, with or without background, 
   await page.getByTestId("export-image").click();
   await page.getByTestId("image-width").fill("20000");
   await page.getByTestId("image-save").click();
-  await expect(page.getByText("at most 16,384 pixels a side")).toBeVisible();
+  await expect(page.getByText("1 to 16,384 whole pixels a side")).toBeVisible();
 });
 
 test("a link that was entered and cannot be followed says so", async ({ page }) => {
