@@ -23,10 +23,12 @@ const still = query.get("test") === "1";
 const linked = window.location.hash.startsWith("#project=")
   ? await import("./player/project-link").then(({ linkedIn }) => linkedIn(window.location.hash))
   : null;
+const shared = linked ? null : sharedFrontIn(query);
 const app = await createApp({
   autosave: "main",
   generate: true,
   intent: linked?.kind === "linked" ? { kind: "project", project: linked.linked.project } : intentOf(query),
+  showsFront: shared !== null || (linked?.kind === "linked" && linked.linked.front !== null),
   still,
 });
 
@@ -77,7 +79,6 @@ function startOf(query: URLSearchParams): Start | null {
   return model === null ? null : { kind: "model", id: model };
 }
 
-const shared = sharedFrontIn(query);
 if (shared) {
   follow(sharing().then(({ showSharedIfOpen }) => showSharedIfOpen(app, shared)));
 }

@@ -31,7 +31,7 @@ test("a binary STL becomes a mesh: card, preview, mesh, download", async ({ page
   await expect(page.getByTestId("entity-name")).toHaveValue("plate");
   await expect(page.getByTestId("body-size")).toContainText("10 × 10 × 1");
   await expect(page.getByTestId("body-shells")).toHaveText("1");
-  const volume = Number(await page.getByTestId("body-volume").textContent());
+  const volume = parseFloat((await page.getByTestId("body-volume").textContent()) ?? "");
   expect(Math.abs(volume / plateVolume(plate) - 1)).toBeLessThan(1e-3);
   await previewed(page);
   const prepared = Number((await page.getByTestId("prepared-triangles").textContent())?.replaceAll(",", ""));

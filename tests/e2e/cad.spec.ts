@@ -18,7 +18,7 @@ test("a STEP file becomes a mesh: card, faces as patches, mesh, download", async
   await dropBytes(page, plate, "plate.step");
   await expect(page.getByTestId("entity-name")).toHaveValue("Plate");
   await expect(page.getByTestId("body-size")).toContainText("20 × 10 × 8");
-  const volume = Number(await page.getByTestId("body-volume").textContent());
+  const volume = parseFloat((await page.getByTestId("body-volume").textContent()) ?? "");
   expect(Math.abs(volume / plateVolume - 1)).toBeLessThan(1e-3);
   await expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
 

@@ -240,7 +240,7 @@ test("the palette finds disabled commands with what they need, and does not run 
   await page.keyboard.press("Control+k");
   const box = page.getByRole("dialog", { name: "Search commands" });
   await page.keyboard.type("export mesh");
-  const first = box.getByRole("button", { name: /Download mesh as VTU/ });
+  const first = box.getByRole("button", { name: /Export mesh…/ });
   await expect(first).toContainText("Generate a mesh first.");
   await expect(first).toHaveAttribute("aria-disabled", "true");
   await page.keyboard.press("Enter");
@@ -311,4 +311,54 @@ test("the palette sets the theme, snapping and the mouse; F2 renames the project
   await page.keyboard.type("everything");
   await page.keyboard.press("Enter");
   await expect(page.getByTestId("tree-group-1")).toContainText("everything");
+});
+
+test("a dialog that a menu has opened returns the focus to the menu, and the share dialog takes it", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const dialog = page.getByRole("dialog");
+  const menu = (name: string) => page.getByRole("menuitem", { name, exact: true });
+  const opened = async (name: string, item: string | RegExp): Promise<void> => {
+    await menu(name).click();
+    await page.getByRole("menuitem", { name: item }).click();
+    await expect(dialog).toBeVisible();
+  };
+  // The first time, a dialog is mounted open.
+  for (const [name, item] of [
+    ["Help", /^Help:/],
+    ["File", /^Open recent/],
+    ["Help", /^Help:/],
+  ] as const) {
+    await opened(name, item);
+    await expect(dialog.locator(":focus")).toHaveCount(1);
+    await page.keyboard.press("Escape");
+    await expect(dialog).toBeHidden();
+    await expect(menu(name)).toBeFocused();
+  }
+  await opened("File", /^Share/);
+  await expect(page.getByTestId("share-link-copy")).toBeFocused();
+  await page.keyboard.press("Escape");
+  await expect(menu("File")).toBeFocused();
+});
+
+test("the start page is reached by Tab, and returns the focus to the view or to what had it", async ({
+  page,
+}) => {
+  await page.goto("./?test=1");
+  const start = page.getByTestId("start-page");
+  await expect(start).toBeVisible();
+  await page.keyboard.press("Tab");
+  await expect(start.getByRole("button", { name: "Close start page" })).toBeFocused();
+  await page.keyboard.press("Escape");
+  await expect(start).toBeHidden();
+  await expect(page.getByTestId("viewport-canvas")).toBeFocused();
+  await page.keyboard.press("Control+k");
+  await page.getByRole("textbox", { name: "Search commands" }).fill("welcome");
+  await page.keyboard.press("Enter");
+  await expect(start).toBeVisible();
+  await expect(start.locator("#start-title")).toBeFocused();
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("viewport-canvas")).toBeFocused();
 });

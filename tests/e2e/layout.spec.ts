@@ -503,3 +503,37 @@ test("parts of the app that load later are available offline", async ({ page, co
   await page.getByTestId("tab-quality").click();
   await expect(page.getByTestId("verdict")).toContainText("Verified");
 });
+
+test("on a phone, numbers of tables and labels of charts keep to one line, and a long name widens no panel", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.route("**/models/unit-cube.json", async (route) => {
+    const project = (await (await route.fetch()).json()) as { patches: { name: string }[] };
+    for (const patch of project.patches) patch.name = "a_name_without_a_blank".repeat(4);
+    await route.fulfill({ json: project });
+  });
+  const app = new AppPage(page);
+  await app.openCube();
+  /** Texts of cells and labels that take several lines. */
+  const broken = (selector: string): Promise<readonly string[]> =>
+    page.locator(selector).evaluateAll((elements) =>
+      elements.flatMap((element) => {
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        const tops = new Set([...range.getClientRects()].map(({ top }) => Math.round(top)));
+        return tops.size > 1 ? [element.textContent] : [];
+      }),
+    );
+  await page.getByTestId("drawer-bottom").click();
+  await page.getByRole("tab", { name: "Patches" }).click();
+  await expect(page.getByTestId("patch-row-1")).toBeVisible();
+  expect(await broken('[data-testid="patch-table"] td')).toEqual([]);
+  const drawer = page.getByRole("dialog");
+  expect(await drawer.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
+  await page.keyboard.press("Escape");
+  await page.getByTestId("drawer-right").click();
+  await page.getByTestId("tab-quality").click();
+  await expect(page.getByTestId("worst-0")).toBeVisible();
+  expect(await broken('[data-testid="worst"] td, [data-testid^="chart-"] span')).toEqual([]);
+});

@@ -82,17 +82,23 @@ for (const { id } of models) {
 test("a link holds the cut and the step of the front, also of a changed model", async ({ page }) => {
   const project = { ...sampleProject("unit-cube"), name: "My cube" };
   const cut = { enabled: true, axis: "y", position: 0.4, flipped: true } as const;
-  const front = { step: 258, order: "layered", coloring: "layer", candidate: 0 } as const;
+  const shown = { coloring: "layer", faces: "all", elements: "all" } as const;
+  const front = { step: 258, order: "layered", candidate: 0, ...shown } as const;
   await page.goto(await testLink({ project, cut, front }));
   const viewport = page.getByTestId("viewport");
   await expect(viewport).toHaveAttribute("data-step", "258");
   await expect(page.getByTestId("lens-sentence")).toContainText("Node 286 was refused");
+  // No run was begun and cancelled for it.
+  await expect(page.getByTestId("status")).toContainText("Front after step 258 of");
+  await expect(page.getByTestId("status")).not.toContainText(/cancelled|\b0 tetrahedra/);
   await page.getByTestId("player-forward").click();
   const link = await linkOf(page);
   await page.goto("about:blank");
   await page.goto(forTest(link));
   await expect(viewport).toHaveAttribute("data-step", "259");
   await expect(page.getByTestId("player-coloring")).toHaveValue("layer");
+  await expect(page.getByTestId("player-elements")).toHaveValue("all");
+  await expect(page.getByTestId("player-faces")).toHaveValue("all");
   await expect(page.getByTestId("cut-button")).toHaveAttribute("aria-pressed", "true");
 });
 
@@ -218,7 +224,7 @@ test("a picture of the view has the size asked for, with or without background, 
   await page.getByTestId("export-image").click();
   await page.getByTestId("image-width").fill("20000");
   await page.getByTestId("image-save").click();
-  await expect(page.getByText("at most 16,384 pixels a side")).toBeVisible();
+  await expect(page.getByText("1 to 16,384 whole pixels a side")).toBeVisible();
 });
 
 test("a link that was entered and cannot be followed says so", async ({ page }) => {

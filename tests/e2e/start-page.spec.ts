@@ -84,8 +84,23 @@ test("a further tab shows the start page, and does not mesh the example again", 
   await expect(viewport).toHaveAttribute("data-frames", /./);
   await expect(viewport).toHaveAttribute("data-busy", "false");
   await expect(viewport).toHaveAttribute("data-tets", "0");
+  const isUnmeshed = async (): Promise<void> => {
+    await second.reload();
+    await expect(viewport).toHaveAttribute("data-frames", /./);
+    await expect(viewport).toHaveAttribute("data-busy", "false");
+    await expect(viewport).toHaveAttribute("data-tets", "0");
+  };
+  await isUnmeshed();
+  await expect(start(second)).toBeVisible();
   await second.getByRole("button", { name: "Close start page" }).click();
   await expect(start(second)).toBeHidden();
+  await isUnmeshed();
+  await expect(start(second)).toBeHidden();
+  // What the user has meshed is meshed again.
+  await second.getByTestId("generate").click();
+  await expect(viewport).toHaveAttribute("data-status", "done");
+  await second.reload();
+  await expect(viewport).toHaveAttribute("data-status", "done");
 });
 
 test("on a line of 400 kbit/s, the page says within 2 s what it is and that it is loading", async ({

@@ -36,6 +36,8 @@ export interface AppOptions {
   /** Mesh every project that is opened, the first one too. */
   readonly generate: boolean;
   readonly intent: Intent;
+  /** The caller records the front of the first document, so that it is not meshed too. Default false. */
+  readonly showsFront?: boolean;
   /** Turns off motion and smooth edges, so that tests always get the same pictures. */
   readonly still?: boolean;
 }
@@ -43,7 +45,8 @@ export interface AppOptions {
 const noGallery: Gallery = { opening: "", models: [] };
 
 /** Makes an app with its own documents, meshers and workers. A page can have several apps. */
-export async function createApp({ autosave, generate, intent, still = false }: AppOptions): Promise<App> {
+export async function createApp(options: AppOptions): Promise<App> {
+  const { autosave, generate, intent, showsFront = false, still = false } = options;
   // One mesher for runs and one for everything else, so that neither waits for the other.
   const [mesher, previewMesher] = [createMesher(), createMesher()];
   // Runs and previews report a failure themselves; this only prevents an unhandled rejection.
@@ -51,10 +54,8 @@ export async function createApp({ autosave, generate, intent, still = false }: A
   const failures: string[] = [];
   const noteFailure = (error: unknown): void => void failures.push(String(error));
 
-  const library =
-    autosave === null
-      ? null
-      : new DocumentLibrary(new BrowserStorage(), new BrowserLocks(), new BrowserTabMemory(autosave));
+  const tab = autosave === null ? null : new BrowserTabMemory(autosave);
+  const library = tab && new DocumentLibrary(new BrowserStorage(), new BrowserLocks(), tab);
   const gallery = await loadGallery().catch((error: unknown) => {
     noteFailure(error);
     return noGallery;
@@ -78,10 +79,16 @@ export async function createApp({ autosave, generate, intent, still = false }: A
   }
   keepDocuments(app);
   reportLostWorkers(app);
-  const isOpening = first.isOpening === true && autosave !== null;
-  if (isOpening && (isFurther || startPage.isWanted())) app.shell.setState({ startPage: true });
-  // The example is meshed in one tab.
-  const isMeshed = generate && !(isOpening && isFurther);
+  const isOpening = first.isOpening === true && tab !== null;
+  const kept = tab?.readStart() ?? null;
+  const isKept = kept?.documentId === first.document.id;
+  if (isKept ? kept.startPage : isOpening && (isFurther || startPage.isWanted()))
+    app.shell.setState({ startPage: true });
+  // The example is meshed in one tab. A reload keeps it as it was in another one.
+  const isUnmeshed = isKept || (isOpening && isFurther);
+  if (isUnmeshed && tab) keepUnmeshed(app, tab);
+  else tab?.writeStart(null);
+  const isMeshed = generate && !showsFront && !isUnmeshed;
   if (isMeshed && !isEmptyProject(first.document.history.present.project)) void app.run.generate("app");
   return app;
 }
@@ -116,6 +123,24 @@ async function firstDocument(
     gallery.models.find(({ id }) => id === gallery.opening);
   const project = model ? await loadModel(model) : emptyProject();
   return { document: newDocument(project), isOpening: start === null };
+}
+
+/** Lets the tab remember that its document is not meshed, until it is, or another one is opened. */
+function keepUnmeshed({ documents, run, shell }: App, tab: BrowserTabMemory): void {
+  const { id: documentId } = documents.state.getState();
+  const write = (): void => tab.writeStart({ documentId, startPage: shell.getState().startPage });
+  write();
+  const stops = [
+    shell.subscribe((state, before) => {
+      if (state.startPage !== before.startPage) write();
+    }),
+    run.state.subscribe(({ busy }) => busy && forget()),
+    documents.state.subscribe(({ id }) => id !== documentId && forget()),
+  ];
+  function forget(): void {
+    for (const stop of stops) stop();
+    tab.writeStart(null);
+  }
 }
 
 /** Says that a worker has ended by itself. Its client starts another one; runs report the end of the engine. */

@@ -12,11 +12,14 @@ import { addressStrings as texts } from "../strings/address";
  */
 export function addressProblems(query: URLSearchParams): readonly string[] {
   const lesson = lessonIn(query);
+  const step = query.get("step");
+  const isUnread = lesson !== null && lesson.step === null && step !== null;
+  if (isUnread) return [...runProblems(query, lesson.runs), texts.lessonStep(step)];
   return lesson ? runProblems(query, lesson.runs) : [...frontProblems(query), ...runsAlone(query)];
 }
 
 /** Parameters that say how a front is shown. */
-const frontNames = ["order", "color", "candidate", "camera"] as const;
+const frontNames = ["order", "color", "faces", "elements", "candidate", "camera"] as const;
 
 /** Shows sentences about the address, after those that are shown already. */
 export function showAddressProblems({ shell }: Pick<App, "shell">, problems: readonly string[]): void {
@@ -47,10 +50,12 @@ function frontProblems(query: URLSearchParams): readonly string[] {
   if (!query.has("model")) return [texts.stepAlone(step)];
   const front = sharedFrontIn(query);
   if (!front) return [texts.step(step)];
-  const { order, coloring, candidate, camera } = front;
+  const { order, coloring, faces, elements, candidate, camera } = front;
   const isRead: Readonly<Record<(typeof frontNames)[number], boolean>> = {
     order: order !== null,
     color: coloring === query.get("color"),
+    faces: faces === query.get("faces"),
+    elements: elements === query.get("elements"),
     candidate: candidate !== null,
     camera: camera !== null,
   };

@@ -71,6 +71,6 @@ export const bodyCommands: readonly Command[] = [
       const body = repairableSubject(app);
       if (body) void repairBody(app, body.id);
     },
-    { enabled: (app) => repairableSubject(app) !== undefined },
+    { enabled: (app) => repairableSubject(app) !== undefined, needs: paletteStrings.needs.repair },
   ),
 ];

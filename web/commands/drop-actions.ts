@@ -1,11 +1,11 @@
 import type { App } from "../app/app";
-import { readDroppedFiles, type OpenResult } from "../session/files";
+import { failureLines, readDroppedFiles, type FailedOpening, type OpenResult } from "../session/files";
 import { strings } from "../strings";
 import { showMessage } from "./messages";
 import { noteReading, showNotes, takeOpened } from "./project-actions";
 import { addSurfaces, fitToBodies } from "./surface-actions";
 
-type Failure = Pick<Extract<OpenResult, { readonly kind: "failed" }>, "fileName" | "reasons">;
+type Failure = Omit<FailedOpening, "kind">;
 
 /**
  * Opens files that are dropped together: the first one as a document, to which the bodies of all others are added as one
@@ -44,9 +44,7 @@ const notesOf = (result: OpenResult): readonly string[] =>
 function showFailures(app: App, failures: readonly Failure[]): void {
   const [first, second] = failures;
   if (!first) return;
-  if (!second) showMessage(app, strings.messages.openFailed(first.fileName), first.reasons);
-  else {
-    const lines = failures.map(({ fileName, reasons }) => strings.files.reason(fileName, reasons));
-    showMessage(app, strings.messages.someFailed(failures.length), lines);
-  }
+  const { openFailed, someFailed } = strings.messages;
+  const title = second ? someFailed(failures.length) : openFailed(first.fileName);
+  showMessage(app, title, failureLines(failures));
 }

@@ -59,13 +59,21 @@ export const editMenu: readonly Command[] = [
     (app) => {
       if (!app.drawing.takeBack()) app.documents.undo();
     },
-    { keys: ["mod+Z"], enabled: (app) => canTakeBack(app) || past(app).length > 0 },
+    {
+      keys: ["mod+Z"],
+      enabled: (app) => canTakeBack(app) || past(app).length > 0,
+      needs: paletteStrings.needs.past,
+    },
   ),
   define("edit", 0)(
     "redo",
     (app) => commandLabels.redo(future(app)[0]?.label),
     (app) => app.documents.redo(),
-    { keys: ["mod+shift+Z", "mod+Y"], enabled: (app) => future(app).length > 0 },
+    {
+      keys: ["mod+shift+Z", "mod+Y"],
+      enabled: (app) => future(app).length > 0,
+      needs: paletteStrings.needs.future,
+    },
   ),
   define("edit", 0)("history", commandLabels.history, (app) =>
     app.shell.setState({ bottomTab: "history", drawer: "bottom" }),

@@ -1,9 +1,8 @@
 import type { App } from "../app/app";
-import { encodingsOf, exportFormats, extensionIn } from "../document/export-formats";
 import { commandLabels, exportStrings } from "../strings";
 import { define, type Command } from "./command";
 import { hasTetrahedra, meshNeeded } from "./conditions";
-import { downloadMesh, downloadReport } from "./download-actions";
+import { downloadReport } from "./download-actions";
 import { newProject, openFromDialog, save } from "./project-actions";
 import { importSurface } from "./surface-actions";
 
@@ -13,28 +12,6 @@ const needsTetrahedra = {
   enabled: (app: App): boolean => hasTetrahedra(app.run.state.getState()),
   needs: meshNeeded,
 };
-
-/** Extension and name of each format that the palette saves at once, without the dialog. */
-const formats = exportFormats.flatMap((format) =>
-  encodingsOf(format).map((encoding) => {
-    const kind = format.content === "boundary" ? " (boundary)" : "";
-    const name = `${exportStrings.formats[format.id] ?? format.id}${kind}`;
-    return [
-      extensionIn(format, encoding),
-      encoding === encodingsOf(format)[0] ? name : `${name}, ${encoding}`,
-    ];
-  }),
-) as readonly (readonly [extension: string, name: string])[];
-const secondOrder = exportFormats
-  .filter(({ hasSecondOrder }) => hasSecondOrder)
-  .map((format) => extensionIn(format, "binary"));
-
-/** Ids of the commands that save the mesh at once. */
-export const DOWNLOADS: readonly string[] = [
-  ...formats.map(([extension]) => `download-${extension}`),
-  ...secondOrder.map((extension) => `download-second-order-${extension}`),
-  "download-report",
-];
 
 export const fileMenu: readonly Command[] = [
   define("file", 0)("start", commandLabels.start, (app) => app.shell.setState({ startPage: true })),
@@ -72,22 +49,6 @@ export const fileMenu: readonly Command[] = [
     inFields: true,
     ...needsTetrahedra,
   }),
-  ...formats.map(([extension, format]) =>
-    define("file", 2)(
-      `download-${extension}`,
-      commandLabels.download(format),
-      (app) => void downloadMesh(app, extension),
-      { ...needsTetrahedra, inMenu: false },
-    ),
-  ),
-  ...secondOrder.map((extension) =>
-    define("file", 2)(
-      `download-second-order-${extension}`,
-      commandLabels.download(`second-order .${extension}`),
-      (app) => void downloadMesh(app, extension, { elementOrder: 2 }),
-      { ...needsTetrahedra, inMenu: false },
-    ),
-  ),
   define("file", 2)("download-report", commandLabels.downloadReport, downloadReport, {
     enabled: hasMesh,
     needs: meshNeeded,

@@ -1,4 +1,4 @@
-import { commandLabels } from "../strings";
+import { commandLabels, paletteStrings } from "../strings";
 import { canWorkOffline } from "../session/offline";
 import { define, type Command } from "./command";
 import { keepOffline } from "./offline-actions";
@@ -18,5 +18,6 @@ export const helpMenu: readonly Command[] = [
   }),
   define("help", 1)("keep-offline", commandLabels.keepOffline, (app) => void keepOffline(app), {
     enabled: () => canWorkOffline(),
+    needs: paletteStrings.needs.offline,
   }),
 ];

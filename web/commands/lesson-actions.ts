@@ -9,6 +9,7 @@ import type { Lesson } from "../lessons/lesson";
 import type { LessonAddress } from "../lessons/lesson-address";
 import { loadLessonModel } from "../lessons/lesson-files";
 import { rulesNamed } from "../lessons/run-rules";
+import { firstState } from "../player/phases";
 import type { PlayerState } from "../player/player";
 import type { RecordingChoices } from "../player/recording";
 import { settledProject } from "../session/document-store";
@@ -78,15 +79,17 @@ function noteShown({ lesson, runs }: LessonRuns, state: PlayerState, before: Pla
 /** Opens the lesson of an address, shows its model, and runs it in further orders. Unknown numbers open the list, and are named. */
 export async function openLessonNumber(
   app: App,
-  { number, runs }: LessonAddress,
+  { number, runs, step }: LessonAddress,
   asWritten = String(number),
 ): Promise<void> {
   app.shell.setState({ rightTab: "lessons", drawer: "right", lesson: null });
   try {
     const { lessons } = await course();
     const lesson = lessons[number - 1];
-    if (lesson) await openLesson(app, lesson, number, runs);
-    else showAddressProblems(app, [addressStrings.noLesson(asWritten, lessons.length)]);
+    if (lesson) {
+      await openLesson(app, lesson, number, runs);
+      if (step !== null && shownRun(app)) showStep(app, step);
+    } else showAddressProblems(app, [addressStrings.noLesson(asWritten, lessons.length)]);
   } catch {
     // The panel says why, and offers to try again.
   }
@@ -150,6 +153,14 @@ export async function showLessonModel(
   } finally {
     if (isPresent()) store.setState({ isPreparing: false });
   }
+}
+
+/** Shows a state of the front, or the nearest one with a notice that there is no such state. */
+export function showStep(app: App, step: number): void {
+  app.player.seek(step);
+  const { step: shown, trace } = app.player.state.getState();
+  if (!trace || shown === step) return;
+  showAddressProblems(app, [addressStrings.noStep(step, firstState(trace), trace.stepCount, shown)]);
 }
 
 /** Shows the state in which a lesson begins. */

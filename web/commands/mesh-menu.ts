@@ -1,7 +1,7 @@
 import type { App } from "../app/app";
 import { scaleSizes } from "../document/size-edits";
 import { canImprove } from "../session/run";
-import { commandLabels } from "../strings";
+import { commandLabels, paletteStrings } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { bodyCommands } from "./body-commands";
 import { define, type Command } from "./command";
@@ -34,7 +34,7 @@ export const meshMenu: readonly Command[] = [
     "cancel",
     (app) => commandLabels.cancel[app.run.state.getState().task],
     (app) => app.run.cancel(),
-    { keys: ["shift+Escape"], inFields: true, enabled: isBusy },
+    { keys: ["shift+Escape"], inFields: true, enabled: isBusy, needs: paletteStrings.needs.run },
   ),
   define("mesh", 1)("refine", commandLabels.refine(finer), (app) =>
     app.documents.edit(scaleSizes(app.documents.project, finer)),

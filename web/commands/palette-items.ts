@@ -5,7 +5,6 @@ import { templates } from "../document/templates";
 import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
 import { shareStrings } from "../strings/share";
 import { openExample, openTemplate } from "./project-actions";
-import { DOWNLOADS } from "./file-menu";
 import { commands, runCommand } from "./registry";
 import { showEntities } from "./selection-actions";
 
@@ -37,10 +36,11 @@ function commandItems(app: App): PaletteItem[] {
       id: command.id,
       group: strings.menus[command.menu],
       label: command.label(app),
-      words: synonyms[command.id] ?? (DOWNLOADS.includes(command.id) ? paletteStrings.downloads : ""),
+      words: synonyms[command.id] ?? "",
       hotkey: command.keys[0] ?? null,
       needs,
       run: () => runCommand(app, command),
+      takesFocus: command.id === "start",
     }));
 }
 
@@ -97,7 +97,7 @@ function exampleItems(app: App): PaletteItem[] {
     id: `example-${model.id}`,
     group: paletteStrings.examples,
     label: model.title,
-    words: `${model.id} ${model.blurb}`,
+    words: model.id,
     hotkey: null,
     needs: null,
     run: () => void openExample(app, model),

@@ -3,16 +3,10 @@ import { isSimilarWord } from "./similar-words";
 
 /** Entries shown per group, of those that are only found. */
 const maxPerGroup = 8;
-/** Fewest letters with which a word is also found within other words. */
-const minPartLetters = 4;
 
 const wordsOf = (text: string): string[] => text.toLowerCase().split(/\s+/).filter(Boolean);
 
 const partsOf = (text: string): string[] => text.toLowerCase().split(/[^\p{L}\p{N}]+/u);
-
-/** Returns whether a text contains all words, in any order. */
-const hasWords = (text: string, words: readonly string[]): boolean =>
-  words.every((word) => word.length >= minPartLetters && text.toLowerCase().includes(word));
 
 /** Returns whether words of a text begin with all words of a query. */
 const beginsWords = (text: string, words: readonly string[]): boolean => {
@@ -34,20 +28,17 @@ const hasSimilarWords = (text: string, words: readonly string[]): boolean => {
   return words.every((word) => parts.some((part) => part.startsWith(word) || isSimilarWord(word, part)));
 };
 
-/** Returns how well an entry fits a query: 0 is best, 5 is not at all. */
+/** Returns how well an entry fits a query: 0 is best, 3 is not at all. */
 function rankOf({ label, words: others }: PaletteItem, words: readonly string[]): number {
   const both = `${label} ${others}`;
   if (beginsWords(label, words)) return 0;
   if (hasWholeWords(both, words)) return 1;
-  if (beginsWords(both, words)) return 2;
-  if (hasWords(label, words)) return 3;
-  return hasWords(both, words) ? 4 : 5;
+  return beginsWords(both, words) ? 2 : 3;
 }
 
 /**
  * Returns the entries that a query finds, the best first: those with a label whose words begin with those of the query, then
- * those with other words for them, then those that contain them within words; only without any, those with words that differ
- * by a mistake in typing. Nothing is better than a loose match. Entries that can be run come before disabled ones. O(entries).
+ * those with other words that do; only without any, those with words that differ by a mistake in typing. Nothing is better than a loose match. Entries that can be run come before disabled ones. O(entries).
  */
 export function searchPalette(
   query: string,
@@ -57,7 +48,7 @@ export function searchPalette(
   const words = wordsOf(query);
   if (words.length === 0) return listed;
   const all = [...listed, ...found];
-  const ranked = all.map((item) => ({ item, rank: rankOf(item, words) })).filter(({ rank }) => rank < 5);
+  const ranked = all.map((item) => ({ item, rank: rankOf(item, words) })).filter(({ rank }) => rank < 3);
   const exact = ranked.toSorted((a, b) => a.rank - b.rank).map(({ item }) => item);
   const best = exact.length > 0 ? exact : similar(words, all);
   const isDisabled = ({ needs }: PaletteItem): boolean => needs !== null;

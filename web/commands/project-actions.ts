@@ -9,7 +9,13 @@ import {
   type DocumentState,
   type ProjectFile,
 } from "../session/document-store";
-import { openDocumentFile, saveProjectFile, type OnReading, type OpenResult } from "../session/files";
+import {
+  failureLines,
+  openDocumentFile,
+  saveProjectFile,
+  type OnReading,
+  type OpenResult,
+} from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
 import { reasonsOf, openedMesh } from "../session/shown-mesh";
@@ -169,7 +175,7 @@ function offerReopening(app: App, name: string, reopenIt: () => Promise<void>): 
 }
 
 /** A mesh that was made from this project earlier is already shown. */
-function meshOpened(app: App): void {
+export function meshOpened(app: App): void {
   if (!app.generate) return;
   if (app.run.state.getState().mesh) app.run.cancel();
   else void app.run.restart();
@@ -180,7 +186,7 @@ export async function takeOpened(app: App, result: OpenResult): Promise<void> {
   else if (result.kind === "surface") openSurface(app, result.name, result.read);
   else if (result.kind === "mesh") await openMesh(app, result);
   else if (result.kind === "failed") {
-    showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
+    showMessage(app, strings.messages.openFailed(result.fileName), failureLines([result]));
   }
 }
 

@@ -20,6 +20,9 @@ const editing = (commands: readonly Command[]): readonly Command[] =>
     needs: (app) => (app.isLessonModel ? paletteStrings.needs.ownModel : command.needs(app)),
   }));
 
+/** Tools that change entities and stand in menus among others: without them, the view of a lesson has no armed editor. */
+const armed: ReadonlySet<string> = new Set(["tool-move", "tool-node", "tool-source", "paint-size"]);
+
 /** Every command, in the order of the menus. */
 export const commands: readonly Command[] = [
   ...fileMenu,
@@ -38,7 +41,7 @@ export const commands: readonly Command[] = [
   ...meshMenu,
   ...frontCommands,
   ...helpMenu,
-];
+].flatMap((command) => (armed.has(command.id) ? editing([command]) : [command]));
 
 const byId = new Map(commands.map((command) => [command.id, command]));
 

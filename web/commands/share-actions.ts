@@ -16,7 +16,7 @@ import { breakpoints } from "../ui/theme/theme";
 import type { Viewer } from "../viewer/viewer";
 import { showAddressProblems } from "./address-problems";
 import { showFailure, showMessage } from "./messages";
-import { openProject } from "./project-actions";
+import { meshOpened, openProject, showModel } from "./project-actions";
 
 /**
  * Shows the state that an address names if its model is open and unchanged. After a reload, another document may be open.
@@ -24,6 +24,7 @@ import { openProject } from "./project-actions";
 export async function showSharedIfOpen(app: App, shared: SharedFront): Promise<void> {
   const open = await openModel(app, shared.order ?? "layered").catch(() => null);
   if (open?.id === shared.model) await showShared(app, shared);
+  else meshOpened(app);
 }
 
 /** A state of a front, and how it is seen. */
@@ -37,7 +38,8 @@ export async function showShared(app: App, shared: ShownFront): Promise<void> {
   const recorded = await app.player.record({ order: shared.order ?? undefined });
   if (recorded?.kind !== "recorded") return;
   const { player } = app;
-  player.state.setState({ coloring: shared.coloring });
+  const { coloring, faces, elements } = shared;
+  player.state.setState({ coloring, faces, elements });
   player.seek(shared.step);
   const { step } = player.state.getState();
   const { trace } = recorded;
@@ -74,14 +76,15 @@ export function viewerOf({ viewer: store }: App): Promise<Viewer> {
  * unchanged model of the gallery, or no front is shown. Throws if the model cannot be loaded.
  */
 export async function sharedFrontOf(app: App): Promise<SharedFront | null> {
-  const { trace, step, coloring, candidate } = app.player.state.getState();
+  const { trace, step, coloring, faces, elements, candidate } = app.player.state.getState();
   if (!trace || trace.header.name !== app.documents.project.name) return null;
   const { order } = trace.header;
   const camera = app.viewer.getState().viewer?.pose ?? null;
   const open = await openModel(app, order);
   if (!open) return null;
   const usual = open.original.meshing?.order ?? "layered";
-  return { model: open.id, step, order: order === usual ? null : order, coloring, candidate, camera };
+  const named = order === usual ? null : order;
+  return { model: open.id, step, order: named, coloring, faces, elements, candidate, camera };
 }
 
 interface OpenModel {
@@ -126,13 +129,13 @@ export async function copyEmbedCode(app: App): Promise<void> {
 
 /** Returns the link to the open project, as it is seen. */
 export async function projectLink(app: App): Promise<string> {
-  const { trace, step, coloring, candidate } = app.player.state.getState();
+  const { trace, step, coloring, faces, elements, candidate } = app.player.state.getState();
   const { cut } = app.view.state.getState();
   return linkTo(new URL("./", document.baseURI).href, {
     project: settledProject(app.documents.state.getState()),
     camera: app.viewer.getState().viewer?.pose ?? null,
     cut: cut.enabled ? cut : null,
-    front: trace ? { step, order: trace.header.order, coloring, candidate } : null,
+    front: trace ? { step, order: trace.header.order, coloring, faces, elements, candidate } : null,
   });
 }
 
@@ -149,7 +152,9 @@ export async function openLink(app: App, hash: string): Promise<void> {
   if (!found) return;
   window.history.replaceState(null, "", withoutLink(window.location.href));
   if (found.kind !== "linked") return showLinkFailure(app, found);
-  openProject(app, found.linked.project);
+  // The front of a step is recorded in place of a run.
+  const open = found.linked.front ? showModel : openProject;
+  open(app, found.linked.project);
   await showLinked(app, found.linked);
 }
 

@@ -1,5 +1,7 @@
 /** Fewest letters of a word that may have one mistake, or two. */
 const minLetters = { one: 4, two: 8 } as const;
+/** Fewest letters of a word that may have a wrong letter: a short one is then another word, as print and point. */
+const minReplaced = 6;
 
 /** Number of mistakes that a word of this length may have. */
 const maxMistakes = (letters: number): number =>
@@ -7,13 +9,17 @@ const maxMistakes = (letters: number): number =>
 
 /**
  * Returns whether a typed word is another word with a mistake: a wrong, missing or additional letter, or two letters in the
- * wrong order. Short words must be right, except for a missing letter after the first. O(product of the lengths).
+ * wrong order. Short words may have no wrong letter, and shorter ones must be right, except for a missing letter after the first. O(product of the lengths).
  */
 export function isSimilarWord(typed: string, word: string): boolean {
   if (typed[0] !== word[0] && typed.length < minLetters.two) return false;
-  const most = maxMistakes(Math.max(typed.length, word.length));
+  const isReplaced = typed.length === word.length && sorted(typed) !== sorted(word);
+  if (isReplaced && word.length < minReplaced) return false;
+  const most = maxMistakes(word.length);
   return Math.abs(typed.length - word.length) <= most && mistakes(typed, word) <= most;
 }
+
+const sorted = (word: string): string => [...word].sort().join("");
 
 /**
  * Returns the optimal string alignment distance: like that of Levenshtein (1966), but letters that are exchanged with the

@@ -5,7 +5,7 @@ import { withRepairs } from "../document/body-repair";
 import { replaceByJoined } from "../document/touching-bodies";
 import { inProjectUnit, unitOf } from "../document/length-units";
 import { bodiesOf, bodyLabel, bodyOfPatch, findRecord, type Entity } from "../document/entities";
-import { openDocumentFile } from "../session/files";
+import { failureLines, openDocumentFile } from "../session/files";
 import { fillableBodies } from "../session/bodies";
 import { joinedBody } from "../session/touching-bodies";
 import { bodyStepNames, strings } from "../strings";
@@ -21,7 +21,7 @@ export async function importSurface(app: App): Promise<void> {
   try {
     const result = await openDocumentFile("surfaces", noteReading(app));
     if (result.kind === "failed") {
-      showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
+      showMessage(app, strings.messages.openFailed(result.fileName), failureLines([result]));
     }
     if (result.kind !== "surface" && result.kind !== "mesh") return;
     const added = await addSurfaces(app, [result]);

@@ -1,4 +1,5 @@
 /** The open lesson in the address of the page: `lesson=7&runs=first-in,strict`. */
+import { integerIn } from "../player/shared-front";
 import { nameOfRules, rulesNamed } from "./run-rules";
 
 export interface LessonAddress {
@@ -6,6 +7,8 @@ export interface LessonAddress {
   readonly number: number;
   /** Names of the rules by which the model is run besides the lesson's own, in the order of the runs (run-rules.ts). */
   readonly runs: readonly string[];
+  /** State of the front that is shown first; null for the one where the lesson begins. */
+  readonly step: number | null;
 }
 
 /** Returns the lesson that an address names; null if it names none. Unknown rules are left out. */
@@ -17,11 +20,11 @@ export function lessonIn(query: URLSearchParams): LessonAddress | null {
     const known = rules ? nameOfRules(rules) : "";
     return known === "" ? [] : [known];
   });
-  return { number: Number(number), runs: [...new Set(runs)] };
+  return { number: Number(number), runs: [...new Set(runs)], step: integerIn(query.get("step")) };
 }
 
 /** Returns the address with another lesson, or without any. */
-export function withLesson(address: string, lesson: LessonAddress | null): URL {
+export function withLesson(address: string, lesson: Omit<LessonAddress, "step"> | null): URL {
   const changed = new URL(address);
   for (const start of ["model", "new", "lesson", "runs"]) changed.searchParams.delete(start);
   if (!lesson) return changed;

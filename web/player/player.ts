@@ -14,9 +14,11 @@ import { nextStop, refusedIn, type Stop } from "./stops";
 import type { VolumeTask } from "./volume-game";
 
 /** Which faces of the front are drawn: all, or those that look towards the eye, as seen from the empty volume. */
-export type FrontFaces = "all" | "inside";
+export const frontFaces = ["inside", "all"] as const;
+export type FrontFaces = (typeof frontFaces)[number];
 /** Which elements are drawn besides the front: `all` and `cut`, as soon as the front is at rest, what they fill, whole or cut open. */
-export type ShownElements = "none" | "last" | "recent" | "all" | "cut";
+export const shownElements = ["none", "last", "recent", "all", "cut"] as const;
+export type ShownElements = (typeof shownElements)[number];
 
 export interface PlayerState {
   /** A recording that is under way. */

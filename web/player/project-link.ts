@@ -7,12 +7,15 @@ import type { Cut, CutAxis } from "../document/selection";
 import type { Position } from "../document/position";
 import type { CameraPose } from "../viewer/camera";
 import { frontColorings, type FrontColoring } from "./front-values";
+import { frontFaces, shownElements, type FrontFaces, type ShownElements } from "./player";
 
 /** A step of the front of the project. */
 export interface LinkedFront {
   readonly step: number;
   readonly order: FrontOrder;
   readonly coloring: FrontColoring;
+  readonly faces: FrontFaces;
+  readonly elements: ShownElements;
   /** Candidate that the lens shows; null for the one that decides the step. */
   readonly candidate: number | null;
 }
@@ -159,6 +162,8 @@ function frontOf(value: unknown): LinkedFront | null {
     step: Number(value["step"]),
     order: FRONT_ORDERS.find((order) => order === value["order"]) ?? "layered",
     coloring: frontColorings.find((coloring) => coloring === value["coloring"]) ?? "age",
+    faces: frontFaces.find((faces) => faces === value["faces"]) ?? "inside",
+    elements: shownElements.find((elements) => elements === value["elements"]) ?? "recent",
     candidate: Number.isSafeInteger(candidate) && Number(candidate) >= 0 ? Number(candidate) : null,
   };
 }

@@ -2,6 +2,7 @@
 import { FRONT_ORDERS, type FrontOrder, type Trace } from "tetrafront";
 import type { CameraPose } from "../viewer/camera";
 import { frontColorings, type FrontColoring } from "./front-values";
+import { frontFaces, shownElements, type FrontFaces, type ShownElements } from "./player";
 import { surfaceState } from "./phases";
 
 export interface SharedFront {
@@ -11,6 +12,8 @@ export interface SharedFront {
   /** Null for the order of the model. */
   readonly order: FrontOrder | null;
   readonly coloring: FrontColoring;
+  readonly faces: FrontFaces;
+  readonly elements: ShownElements;
   /** Candidate that the lens shows; null for the one that decides the step. */
   readonly candidate: number | null;
   /** Null for a camera that shows the whole model. */
@@ -30,16 +33,21 @@ export function sharedFrontIn(query: URLSearchParams): SharedFront | null {
     step,
     order: FRONT_ORDERS.find((order) => order === query.get("order")) ?? null,
     coloring: frontColorings.find((coloring) => coloring === query.get("color")) ?? "age",
+    faces: frontFaces.find((faces) => faces === query.get("faces")) ?? "inside",
+    elements: shownElements.find((elements) => elements === query.get("elements")) ?? "recent",
     candidate: countIn(query.get("candidate")),
     camera: cameraIn(query.get("camera")),
   };
 }
 
 /** Returns the parameters of an address; defaults are left out. */
-export function queryOf({ model, step, order, coloring, candidate, camera }: SharedFront): URLSearchParams {
+export function queryOf(front: SharedFront): URLSearchParams {
+  const { model, step, order, coloring, faces, elements, candidate, camera } = front;
   const query = new URLSearchParams({ model, step: String(step) });
   if (order !== null) query.set("order", order);
   if (coloring !== "age") query.set("color", coloring);
+  if (faces !== "inside") query.set("faces", faces);
+  if (elements !== "recent") query.set("elements", elements);
   if (candidate !== null) query.set("candidate", String(candidate));
   if (camera) {
     const numbers = [...camera.eye, ...camera.target];
@@ -51,7 +59,8 @@ export function queryOf({ model, step, order, coloring, candidate, camera }: Sha
 /** Returns an address without the state of a front; a model stays. */
 export function withoutFront(address: string): URL {
   const changed = new URL(address);
-  for (const name of ["step", "order", "color", "candidate", "camera"]) changed.searchParams.delete(name);
+  for (const name of ["step", "order", "color", "faces", "elements", "candidate", "camera"])
+    changed.searchParams.delete(name);
   return changed;
 }
 
@@ -64,7 +73,7 @@ export function knownCandidate(trace: Trace, step: number, candidate: number | n
 }
 
 /** Steps of lines and patches are negative. */
-function integerIn(text: string | null): number | null {
+export function integerIn(text: string | null): number | null {
   return text !== null && /^-?\d{1,9}$/.test(text) ? Number(text) : null;
 }
 

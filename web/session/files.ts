@@ -23,7 +23,24 @@ export type OpenResult =
       readonly mesh: OpenedMesh;
     }
   | { readonly kind: "cancelled" }
-  | { readonly kind: "failed"; readonly fileName: string; readonly reasons: readonly string[] };
+  | FailedOpening;
+
+export interface FailedOpening {
+  readonly kind: "failed";
+  readonly fileName: string;
+  readonly reasons: readonly string[];
+  /** What can be opened, in lines, if the file is of no known format. */
+  readonly formats?: readonly string[];
+}
+
+/** Returns why files cannot be opened, in lines; what can be opened stands once, at the end. */
+export function failureLines(failures: readonly Omit<FailedOpening, "kind">[]): readonly string[] {
+  const [first, second] = failures;
+  const reasons = second
+    ? failures.map(({ fileName, reasons: own }) => strings.files.reason(fileName, own))
+    : (first?.reasons ?? []);
+  return [...reasons, ...(failures.find(({ formats }) => formats)?.formats ?? [])];
+}
 
 const projectFile = {
   description: strings.files.description,
@@ -140,12 +157,13 @@ async function otherIn(file: OpenedFile): Promise<OpenResult> {
     !isCad(format) && !format.readable.includes("volume");
   const listed = (formats: typeof readable): readonly string[] =>
     formats.flatMap(({ extensions }) => [...extensions]);
-  const reasons = strings.files.unknownFormat(/\.[^.]+$/.exec(file.name)?.[0] ?? "", [
+  const reasons = [strings.files.unknownFormat(/\.[^.]+$/.exec(file.name)?.[0] ?? "")];
+  const formats = strings.files.knownFormats([
     listed(readable.filter(isCad)),
     listed(readable.filter(isSurface)),
     listed(readable.filter((format) => format.readable.includes("volume"))),
   ]);
-  return { ...result, reasons };
+  return { ...result, reasons, formats };
 }
 
 /** Bytes of a file that tell whether it may be a project. */

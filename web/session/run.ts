@@ -26,6 +26,13 @@ export interface LogLine {
   readonly text: string;
 }
 
+export interface RunOutcome {
+  readonly key: string;
+  readonly result: MeshResult;
+  /** Number of tetrahedra that the run expected; 0 if it ended before that, or if no run has made the mesh. */
+  readonly expectedTetrahedra: number;
+}
+
 export interface RunState {
   readonly busy: boolean;
   /** What the active run does, or the last one has done. */
@@ -56,7 +63,7 @@ export interface RunState {
   /** Key of the bodies that `mesh` was made of. */
   readonly meshedBodies: string | null;
   /** Result of the last run. Unlike `mesh`, it may hold diagnostics only. */
-  readonly outcome: { readonly key: string; readonly result: MeshResult } | null;
+  readonly outcome: RunOutcome | null;
   /** The engine itself failed, e.g. could not be loaded or ran out of memory. */
   readonly failure: string | null;
   readonly log: readonly LogLine[];
@@ -190,6 +197,7 @@ export class MeshRun {
     const project = settledProject(this.#documents.state.getState());
     // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
+    let expectedTetrahedra = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
     log("information", logStrings.meshing(project.name));
     for (const note of notes) log("information", note);
@@ -206,7 +214,7 @@ export class MeshRun {
         {
           signal,
           onProgress: (progress) => {
-            elapsedSeconds = progress.elapsedSeconds;
+            ({ elapsedSeconds, expectedTetrahedra } = progress);
             this.#report(progress, log);
           },
           onBody: (prepared) => {
@@ -219,7 +227,7 @@ export class MeshRun {
       );
       elapsedSeconds = result.report.seconds.total;
       const key = meshKey(project);
-      this.#finish(project, result, log);
+      this.#finish(project, { result, expectedTetrahedra }, log);
       await this.#documents.afterGesture();
       if (isShowable(result)) this.#replaceVersion(key, by);
     } catch (error) {
@@ -361,8 +369,13 @@ export class MeshRun {
     this.state.setState({ progress, secondsLeft });
   }
 
-  #finish(project: Project, result: MeshResult, log: (level: LogLevel, text: string) => void): void {
+  #finish(
+    project: Project,
+    ended: Omit<RunOutcome, "key">,
+    log: (level: LogLevel, text: string) => void,
+  ): void {
     const key = meshKey(project);
+    const { result } = ended;
     const { report } = result;
     for (const diagnostic of report.diagnostics) {
       log(
@@ -373,8 +386,8 @@ export class MeshRun {
           .join(" "),
       );
     }
-    log(report.status === "done" ? "success" : "warning", summary(result));
-    this.state.setState({ outcome: { key, result } });
+    log(report.status === "done" ? "success" : "warning", summary(ended));
+    this.state.setState({ outcome: { ...ended, key } });
     if (!isShowable(result)) return;
     const shown: ShownMesh = { ...madeByRun, mesh: result };
     const meshedBodies = placedSurfacesKey(bodiesOf(project));
@@ -405,7 +418,7 @@ export class MeshRun {
     const shown = this.#cache.get(key);
     if (!shown) return;
     const meshedBodies = placedSurfacesKey(bodiesOf(content.project));
-    const outcome = { key, result: shown.mesh };
+    const outcome = { key, result: shown.mesh, expectedTetrahedra: 0 };
     this.state.setState({ ...shown, meshKey: key, meshedBodies, outcome, failure: null });
   }
 
@@ -425,7 +438,7 @@ function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): bo
 const sizeOf = ({ report }: MeshResult): string =>
   logStrings.size(count(report.tetrahedra), count(report.nodes));
 
-function summary(result: MeshResult): string {
+function summary({ result, expectedTetrahedra }: Omit<RunOutcome, "key">): string {
   const { report } = result;
   const size = sizeOf(result);
   const seconds = `${report.seconds.total.toFixed(2)} s`;
@@ -433,12 +446,27 @@ function summary(result: MeshResult): string {
     case "done":
       return logStrings.done(size, seconds, report.fingerprint);
     case "cancelled":
-      return logStrings.cancelled(size, seconds);
+      return logStrings.cancelled(
+        size,
+        seconds,
+        result.volume.front.length > 0 ? aboutCount(expectedTetrahedra) : null,
+      );
     case "stalled":
       return logStrings.stalled(size, seconds);
     case "invalid-input":
       return logStrings.invalid;
   }
+}
+
+/** Returns an expected number of tetrahedra as it is told; null for none. */
+const aboutCount = (expected: number): string | null =>
+  expected > 0 ? count(Number(expected.toPrecision(2))) : null;
+
+/** Returns how far the run came whose mesh is shown, if it was cancelled before its front closed; null for any other mesh. */
+export function cancelledText({ mesh, outcome }: Pick<RunState, "mesh" | "outcome">): string | null {
+  if (mesh?.report.status !== "cancelled" || mesh.volume.front.length === 0) return null;
+  const expected = outcome?.result === mesh ? outcome.expectedTetrahedra : 0;
+  return logStrings.cancelledAt(count(mesh.report.tetrahedra), aboutCount(expected));
 }
 
 /** Adds a full stop, unless the text ends with a punctuation mark. */

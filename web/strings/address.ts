@@ -10,6 +10,8 @@ export const addressStrings = {
   understood: "OK",
   step: (value: string) =>
     `The address should have a whole number as its step, but has ${quoted("step", value)}. No front is shown.`,
+  lessonStep: (value: string) =>
+    `The address should have a whole number as its step, but has ${quoted("step", value)}. The lesson begins where it always does.`,
   stepAlone: (value: string) =>
     `The address has ${quoted("step", value)} without a model, for example “model=unit-cube”. No front is shown.`,
   withoutStep: (names: readonly string[]) =>
@@ -23,6 +25,10 @@ export const addressStrings = {
       `No order has the name in ${quoted("order", value)}; the orders are ${FRONT_ORDERS.join(", ")}. The model's own order is used.`,
     color: (value: string) =>
       `The colours are “age”, “size” or “layer”, but the address has ${quoted("color", value)}. Ages are shown.`,
+    faces: (value: string) =>
+      `The faces are “inside” or “all”, but the address has ${quoted("faces", value)}. Those seen from inside are shown.`,
+    elements: (value: string) =>
+      `The elements are “none”, “last”, “recent”, “all” or “cut”, but the address has ${quoted("elements", value)}. The last 60 are shown.`,
     candidate: (value: string) =>
       `The address should have a candidate from 0, but has ${quoted("candidate", value)}. The candidate that decides the step is shown.`,
     camera: (value: string) =>

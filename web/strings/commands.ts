@@ -14,7 +14,6 @@ export const commandLabels = {
   share: "Share link…",
   picture: "Export picture…",
   keepOffline: "Keep for offline use",
-  download: (format: string) => `Download mesh as ${format}`,
   downloadReport: "Download mesh report (JSON)",
 
   undo: (step: string | undefined) => (step === undefined ? "Undo" : `Undo: ${step}`),

@@ -68,7 +68,10 @@ export const logStrings = {
   size: (tetrahedra: string, nodes: string) => `${tetrahedra} tetrahedra, ${nodes} nodes`,
   done: (size: string, seconds: string, fingerprint: string) =>
     `Done: ${size} in ${seconds}; fingerprint ${fingerprint}`,
-  cancelled: (size: string, seconds: string) => `Cancelled after ${seconds}; ${size} so far`,
+  cancelled: (size: string, seconds: string, about: string | null) =>
+    `Cancelled after ${seconds}; ${size} so far${about === null ? "" : `, of about ${about} tetrahedra`}`,
+  cancelledAt: (made: string, about: string | null) =>
+    `Cancelled at ${made}${about === null ? "" : ` of about ${about}`} tetrahedra`,
   cancelledBefore: "Cancelled before anything was meshed",
   stalled: (size: string, seconds: string) =>
     `Stalled after ${seconds}; ${size}, the remaining front is shown`,

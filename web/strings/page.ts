@@ -47,7 +47,7 @@ export const pageStrings = {
     update: "Remesh",
     incomplete: "Incomplete",
     incompleteStalled: "The front stalled. Its remaining faces are orange.",
-    incompleteCancelled: "Cancelled. The remaining faces of the front are orange.",
+    incompleteCancelled: "The faces of the front are orange.",
     incompleteUnverified: "Cancelled before optimization and verification finished.",
     noWebgl: "This browser cannot show the view",
     noWebglHint:
@@ -66,6 +66,7 @@ export const pageStrings = {
     summaryNoMesh: (name: string) => `${name}, not meshed yet.`,
     summary: (name: string, tetrahedra: string, minAngle: string) =>
       `${name}, meshed with ${tetrahedra} tetrahedra, smallest dihedral angle ${minAngle}.`,
+    summaryCancelled: (name: string, cancelled: string) => `${name}, not meshed to the end. ${cancelled}.`,
     summaryCut: " The mesh is cut open.",
     summaryStale: " The mesh is out of date.",
     keys: "Arrow keys orbit, Shift with arrow keys pans, plus and minus zoom.",
@@ -80,6 +81,7 @@ export const pageStrings = {
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `${count} front faces`,
+    frontAt: (step: string, steps: string) => `Front after step ${step} of ${steps}`,
     filling: "Filling remaining pockets",
     exactFill: (fraction: string) => `exact fill ${fraction}`,
     cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
@@ -137,14 +139,12 @@ export const pageStrings = {
   files: {
     description: "Tetrafront project",
     anyDescription: "Project, surface or mesh",
-    /** `formats`: extensions of CAD files, of surfaces, and of meshes. */
-    unknownFormat: (
-      extension: string,
-      [cad = [], surfaces = [], meshes = []]: readonly (readonly string[])[],
-    ) => [
+    unknownFormat: (extension: string) =>
       extension === ""
         ? "A file without an extension is of no known format."
         : `Files that end in ${extension} cannot be opened.`,
+    /** Given the extensions of CAD files, of surfaces, and of meshes. */
+    knownFormats: ([cad = [], surfaces = [], meshes = []]: readonly (readonly string[])[]) => [
       "These can be opened:",
       "Projects: .json",
       `CAD: ${cad.join(", ")}`,
@@ -190,6 +190,7 @@ export const pageStrings = {
     title: "Keyboard and mouse",
     contents: "Contents of the help",
     search: "Search the help",
+    inMenu: (menu: string) => `menu ${menu}`,
     found: (count: number, shown: number) =>
       count === 0
         ? "Nothing found"

@@ -1,3 +1,5 @@
+import { exportStrings } from "./export";
+
 /** Texts of the command palette. */
 export const paletteStrings = {
   entities: "Entities",
@@ -7,7 +9,7 @@ export const paletteStrings = {
   front: "Front",
   sharing: {
     link: "share url address send pass on collaborate",
-    embed: "share html iframe website",
+    embed: "embed embedded share html iframe website",
     picture: "image png screenshot photo snapshot capture export",
     drawing: "image vector svg screenshot export share",
     animation: "video film movie gif export share",
@@ -21,19 +23,28 @@ export const paletteStrings = {
     mesh: "Generate a mesh first.",
     running: { mesh: "The mesh is being generated.", improve: "The mesh is being improved." },
     front: "Record the front first (Mesh ▸ Record the front).",
+    past: "There is nothing to undo.",
+    future: "There is nothing to redo.",
+    run: "Nothing is being meshed or improved.",
+    repair: "Select a body that the repair can change first.",
+    offline: "This page or browser cannot keep files for use without a network.",
     body: "Select a body of triangles first: Import surface adds one.",
   },
-  downloads: "export save write file convert output",
 } as const;
+
+/** The names and extensions of the formats of the export dialog. */
+const exportedFormats = [...Object.keys(exportStrings.formats), ...Object.values(exportStrings.formats)].join(
+  " ",
+);
 
 /** Other words for commands, by id: what people type who know other programs. */
 export const synonyms: Readonly<Record<string, string>> = {
-  new: "create file clear reset",
+  new: "create file clear",
   "new-template": "start box wing cylinder sphere",
   open: "load file",
   "import-surface": "load stl obj ply off step stp iges cad 3mf vtk triangles insert",
   recent: "history last autosave restore",
-  export: "export download save write file convert output format vtu msh stl units order binary text",
+  export: `export download save write file convert output format units order binary text ${exportedFormats}`,
   examples: "gallery samples demo models",
   save: "store write file",
   "save-as": "store write copy",
@@ -79,16 +90,20 @@ export const synonyms: Readonly<Record<string, string>> = {
   hole: "cut opening drill",
   "split-patches": "divide faces sharp edges feature angle boundary names surface",
   "paint-size": "brush refine local density stroke source",
-  "repair-body": "heal fix weld fill holes self-intersection surface",
+  "repair-body": "heal fix mend weld remesh fill holes self-intersection surface",
   "split-line": "divide break cut insert point vertex trim",
-  fit: "zoom to all extents home",
+  fit: "zoom to all extents home reset",
+  "view-isometric": "perspective axes reset home standard",
+  "view-front": "axes",
+  "view-right": "axes",
+  "view-top": "axes",
   "fit-selection": "zoom to focus",
   cut: "section clip slice plane",
   hide: "invisible",
   isolate: "solo only show",
   "show-all": "unhide visible",
   edges: "wireframe",
-  generate: "run start compute mesh tetrahedra volume",
+  generate: "remesh again run start compute mesh tetrahedra volume",
   cancel: "stop abort",
   improve: "optimize quality smooth",
   refine: "smaller denser finer",
@@ -111,7 +126,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   history: "undo steps compare versions earlier",
   lessons: "learn course tutorial teach students compare orders experiments help",
   present: "projector lecture large type teach laser",
-  help: "help keys shortcuts manual mouse documentation docs guide reference support about licence license version",
+  help: "help keys keyboard hotkeys shortcut shortcuts manual mouse documentation docs guide reference support about licence license version",
 };
 
 /** Settings and other words for them. */

@@ -133,6 +133,7 @@ export const panelStrings = {
     copied: "copied",
     none: "No mesh yet.",
     unmeasured: "–",
+    unfinished: "of the unfinished mesh",
     bar: (count: string, from: string, to: string) => `${count} tetrahedra from ${from} to ${to}`,
     histogram: (measure: string) => `Histogram of the ${measure.toLowerCase()}`,
   },

@@ -34,7 +34,7 @@ export const pictureStrings = {
   save: "Save PNG",
   cancel: "Cancel",
   limits: (side: number, area: number) =>
-    `A picture has at most ${count(side)} pixels a side, and ${area} million in all.`,
+    `A picture has 1 to ${count(side)} whole pixels a side, and at most ${area} million in all.`,
   noView: "Without a view, there is no picture",
   failed: "The picture could not be saved",
 } as const;

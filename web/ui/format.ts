@@ -14,6 +14,19 @@ export function formatShort(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
 
+const powers = { 1: "", 2: "²", 3: "³" } as const;
+
+/** Returns a length, area or volume with at most four digits and its unit, if the unit is known. */
+export function formatMeasure(
+  value: number,
+  unit: string | undefined,
+  power: keyof typeof powers = 1,
+): string {
+  return unit === undefined || unit === ""
+    ? formatShort(value)
+    : `${formatShort(value)} ${unit}${powers[power]}`;
+}
+
 export function formatPosition(position: readonly number[]): string {
   return position.map(formatShort).join(", ");
 }

@@ -1,7 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Mesher } from "tetrafront";
 import { App } from "../../../web/app/app";
-import { DOWNLOADS } from "../../../web/commands/file-menu";
 import { paletteItems } from "../../../web/commands/palette-items";
 import { searchPalette } from "../../../web/commands/palette-search";
 import {
@@ -75,7 +74,6 @@ describe("the commands", () => {
     expect(new Set(ids).size).toBe(ids.length);
     const keys = commands.flatMap((command) => command.keys.map((key) => key.toLowerCase()));
     expect(new Set(keys).size).toBe(keys.length);
-    for (const id of DOWNLOADS) expect(commandNamed(id).menu).toBe("file");
     expect(() => commandNamed("none")).toThrow('There is no command "none"');
   });
 
@@ -193,7 +191,9 @@ describe("the commands", () => {
   it("do not ask for a mesh that a run is working on", () => {
     const { app } = openApp();
     const reasons = (): (string | null)[] =>
-      [...DOWNLOADS, "background-from-mesh", "improve"].map((id) => commandNamed(id).needs(app));
+      ["export", "download-report", "background-from-mesh", "improve"].map((id) =>
+        commandNamed(id).needs(app),
+      );
     expect(new Set(reasons())).toEqual(new Set(["Generate a mesh first."]));
     app.run.state.setState({ busy: true });
     expect(new Set(reasons())).toEqual(new Set(["The mesh is being generated."]));

@@ -42,6 +42,8 @@ const shared: SharedFront = {
   step: 3,
   order: null,
   coloring: "age",
+  faces: "inside",
+  elements: "recent",
   candidate: null,
   camera: null,
 };

@@ -384,6 +384,11 @@ describe("the layer of the front", () => {
     const left = { ...start, mesh };
     show(layer, start, left);
     expect(layer.root.geometry.drawRange.count).toBe(3);
+    // The elements enclose it: it shows through them.
+    const [behind] = layer.root.children;
+    expect(behind).toMatchObject({ visible: true, material: { depthTest: false } });
+    change(layer, left, { ...left, front: front(0, 1, 2) });
+    expect(behind?.visible).toBe(false);
     const ofOthers = { ...left, isMeshStale: true, isMeshOfOthers: true };
     change(layer, left, ofOthers);
     expect(layer.root.visible).toBe(false);

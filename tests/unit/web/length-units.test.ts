@@ -1,5 +1,6 @@
 import { createBody, UNITS, type Project } from "tetrafront";
 import { describe, expect, it } from "vitest";
+import { formatMeasure } from "../../../web/ui/format";
 import { emptyProject } from "../../../web/document/create";
 import {
   convertProject,
@@ -181,4 +182,11 @@ describe("another unit for a project with numbers", () => {
     expect(hasLengths({ ...emptyProject(), meshing: { size: 1 } })).toBe(true);
     expect(hasLengths(project)).toBe(true);
   });
+});
+
+it("measures are written with the power of their unit, if there is one", () => {
+  expect(formatMeasure(0.125, "m", 3)).toBe("0.125 m³");
+  expect(formatMeasure(12.3456, "mm", 2)).toBe("12.35 mm²");
+  expect(formatMeasure(2, "in")).toBe("2 in");
+  expect(formatMeasure(2, undefined, 3)).toBe("2");
 });

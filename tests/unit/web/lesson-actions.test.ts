@@ -2,8 +2,14 @@
 import { readTrace, writeProject, type MeshReport, type Mesher, type Project } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { compareRun, lessonRuns, openLesson, showLessonModel } from "../../../web/commands/lesson-actions";
-import { commandNamed, runCommand } from "../../../web/commands/registry";
+import {
+  compareRun,
+  lessonRuns,
+  openLesson,
+  showLessonModel,
+  showStep,
+} from "../../../web/commands/lesson-actions";
+import { commandNamed, commandOfKey, runCommand } from "../../../web/commands/registry";
 import { moveEntity } from "../../../web/document/edits";
 import type { Lesson } from "../../../web/lessons/lesson";
 import { showOwnRun } from "../../../web/lessons/own-run";
@@ -83,6 +89,20 @@ it("runs the model in the orders of an address, and shows the lesson's own run",
   expect(app.shell.getState().lessonRuns).toEqual(["random", "first-in", "smallest-first"]);
   await showLessonModel(app, lesson);
   expect(app.shell.getState().lessonRuns).toEqual([]);
+});
+
+it("says how many steps the front has if an address names another one", async () => {
+  await showLessonModel(app, lesson);
+  const { stepCount = 0 } = app.player.state.getState().trace ?? {};
+  const notices = (): readonly string[] => app.shell.getState().notices.map(({ text }) => text);
+  showStep(app, 2);
+  expect(app.player.state.getState().step).toBe(2);
+  expect(notices()).toEqual([]);
+  showStep(app, 99_999);
+  expect(app.player.state.getState().step).toBe(stepCount);
+  expect(notices()).toEqual([
+    expect.stringMatching(new RegExp(`no step 99999: its states are .* to ${stepCount}`)),
+  ]);
 });
 
 it("shows the lesson's own run again after another one", async () => {
@@ -214,7 +234,12 @@ it("does not edit the model of the open lesson, and offers to do so", async () =
   gesture.update({ change: moveEntity("point", 1, 0, -2).change });
   gesture.commit();
   expect(app.documents.project).toEqual(expect.objectContaining({ points: cube.points }));
-  expect(commandNamed("tool-point").enabled(app)).toBe(false);
+  const armed = ["P", "L", "A", "N", "D", "G"].map((key) => commandOfKey({ key, shiftKey: false }));
+  for (const command of armed) {
+    expect(command?.needs(app)).toMatch(/lesson/);
+    if (command) runCommand(app, command);
+    expect(app.view.state.getState().tool).toBe("select");
+  }
   const notice = app.shell.getState().notices.find(({ key }) => key === "lesson-model");
   notice?.action.run();
   expect(commandNamed("tool-point").enabled(app)).toBe(true);

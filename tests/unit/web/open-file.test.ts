@@ -1,7 +1,12 @@
 import { expect, test, vi } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";
-import { openDocumentFile, readDocumentFile } from "../../../web/session/files.js";
+import {
+  failureLines,
+  openDocumentFile,
+  readDocumentFile,
+  readDroppedFiles,
+} from "../../../web/session/files.js";
 
 const fileOpen = vi.hoisted(() => vi.fn<() => Promise<File>>());
 vi.mock("browser-fs-access", () => ({ fileOpen }));
@@ -29,13 +34,22 @@ test.each([
 ])("%s is refused with the formats that can be opened", async (name, content) => {
   const result = await readDocumentFile(new File([content], name), () => undefined);
   if (result.kind !== "failed") throw new Error("it was opened");
-  const text = result.reasons.join("\n");
+  const text = failureLines([result]).join("\n");
   for (const extension of [".json", ".step", ".iges", ".stl", ".obj", ".ply", ".3mf", ".vtu", ".msh"])
     expect(text).toContain(extension);
   const [end] = /\.\w+$/.exec(name) ?? [""];
   expect(result.reasons[0]).toContain(end === "" ? "without an extension" : end);
   // Formats that can only be written are no help.
   for (const extension of [".su2", ".inp", ".glb"]) expect(text).not.toContain(extension);
+});
+
+test("files that cannot be opened are named one by one, and the formats once", async () => {
+  const files = ["notes.txt", "README", "table.csv"].map((name) => new File(["text"], name));
+  const results = await readDroppedFiles(files, () => undefined);
+  const lines = failureLines(results.flatMap((result) => (result.kind === "failed" ? [result] : [])));
+  expect(lines.slice(0, 3).map((line) => line.split(":")[0])).toEqual(["notes.txt", "README", "table.csv"]);
+  expect(lines.filter((line) => line.includes(".step"))).toHaveLength(1);
+  expect(lines.slice(3).join()).toMatch(/^These can be opened:.*[.]vtu/);
 });
 
 test("a project is opened under any name, and what is wrong with it is said", async () => {
@@ -45,7 +59,7 @@ test("a project is opened under any name, and what is wrong with it is said", as
   });
   const damaged = await readDocumentFile(new File([`${project.slice(0, 50)}`], "cube.txt"), () => undefined);
   expect(damaged).toMatchObject({ kind: "failed" });
-  expect(damaged.kind === "failed" && damaged.reasons.join(" ")).not.toContain("can be opened");
+  expect(damaged.kind === "failed" && failureLines([damaged]).join(" ")).not.toContain("can be opened");
 });
 
 test("a second request while the dialog is open is cancelled; any other rejection by the browser is an error", async () => {

@@ -5,8 +5,12 @@ import { paletteItems, type PaletteItem } from "../../../web/commands/palette-it
 import { inGroups, searchPalette } from "../../../web/commands/palette-search";
 import { commands } from "../../../web/commands/registry";
 import { isSimilarWord } from "../../../web/commands/similar-words";
+import type { Gallery } from "../../../web/session/gallery";
 import { newDocument } from "../../../web/session/document-store";
 import { synonyms } from "../../../web/strings";
+import { searchHelp } from "../../../web/document/help-search";
+import { keySections } from "../../../web/panels/help/help-dialog";
+import type { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";
 import { SilentWorker } from "../../support/silent-worker";
 
@@ -14,13 +18,15 @@ beforeEach(() => {
   vi.stubGlobal("Worker", SilentWorker);
 });
 
-/** An app whose mesher never answers. */
-function cubeApp(): App {
+/** An app with a view, whose mesher never answers. */
+function cubeApp(models: Gallery["models"] = []): App {
   const mesher = Promise.resolve({ previewProject: () => new Promise(() => undefined) } as unknown as Mesher);
-  return new App(
+  const app = new App(
     { first: { document: newDocument(cubeProject()) }, mesher, previewMesher: mesher, library: null },
-    { gallery: { opening: "", models: [] }, generate: false, still: true },
+    { gallery: { opening: "", models }, generate: false, still: true },
   );
+  app.viewer.setState({ viewer: {} as Viewer });
+  return app;
 }
 
 const item = (id: string, label: string, words = "", group = "Edit"): PaletteItem => ({
@@ -97,9 +103,9 @@ it("lists all disabled commands that it finds, and the entries of others beside 
   expect(all.filter((id) => id.startsWith("file-"))).toHaveLength(8);
 });
 
-it("prefers other words to parts of labels", () => {
+it("finds words by their beginning, not by parts of them", () => {
   const items = [item("a", "Remove all"), item("b", "Translate", "move")];
-  expect(searchPalette("move", items, []).map(({ id }) => id)).toEqual(["b", "a"]);
+  expect(searchPalette("move", items, []).map(({ id }) => id)).toEqual(["b"]);
 });
 
 it.each([
@@ -139,9 +145,25 @@ it.each([
   ["distance", "tool-measure"],
   ["help", "help"],
   ["manual", "help"],
-  ["export", "download-vtu"],
-  ["download", "download-vtu"],
+  ["export", "export"],
+  ["download", "export"],
+  ["paraview", "export"],
+  ["nastran", "export"],
+  ["vtu", "export"],
   ["shortcuts", "help"],
+  ["shortcut", "help"],
+  ["keyboard", "help"],
+  ["embed", "share-step-embed"],
+  ["weld", "repair-body"],
+  ["repair", "repair-body"],
+  ["remesh", "generate"],
+  ["cancel", "cancel"],
+  ["stop", "cancel"],
+  ["axes", "view-isometric"],
+  ["perspective", "view-isometric"],
+  ["offline", "keep-offline"],
+  ["install", "keep-offline"],
+  ["undo", "undo"],
 ])("finds by the word %s what it means", (query, id) => {
   expect(foundBy(query)).toContain(id);
 });
@@ -161,6 +183,30 @@ it.each(["png", "jpg", "pdf", "svn", "xyz", "qwerty", "triangel soup", "mehs it"
   },
 );
 
+it.each([
+  ["print", []],
+  ["ping", []],
+  ["stop", ["cancel"]],
+  ["reset", ["fit", "view-isometric"]],
+  ["share", ["share", "share-step-link", "share-step-embed", "share-step-drawing", "share-step-animation"]],
+  ["medit", ["export"]],
+])("finds nothing by %s but what it means", (query, ids) => {
+  const opened = {
+    id: "pipe-and-flow",
+    title: "Pipe and flow",
+    blurb: "Regions that share stops and points.",
+  };
+  const app = cubeApp([{ ...opened, group: "", file: "pipe-and-flow.json" }]);
+  const { listed, found } = paletteItems(app);
+  const all = searchPalette(query, listed, found).map(({ id }) => id);
+  expect(all.toSorted()).toEqual(ids.toSorted());
+});
+
+it("shows that there is nothing to undo", () => {
+  const { found } = paletteItems(cubeApp());
+  expect(found.find(({ id }) => id === "undo")?.needs).toBe("There is nothing to undo.");
+});
+
 it("takes a word with one mistake for the right one, and no other word", () => {
   const typed: readonly (readonly [string, string, boolean])[] = [
     ["genrate", "generate", true],
@@ -173,7 +219,19 @@ it("takes a word with one mistake for the right one, and no other word", () => {
     ["line", "side", false],
     ["cut", "cuts", true],
     ["hole", "sole", false],
+    ["print", "point", false],
+    ["ping", "pipe", false],
+    ["stop", "step", false],
     ["triangle", "tetrahedra", false],
   ];
   for (const [a, b, isSame] of typed) expect([a, b, isSimilarWord(a, b)]).toEqual([a, b, isSame]);
+});
+
+it.each([
+  ["offline", "Keep for offline use", "menu Help"],
+  ["start page", "Start page", "menu File"],
+  ["generate mesh", "Generate mesh", "Ctrl Enter, menu Mesh"],
+])("the search of the help finds %s among the commands", (query, title, place) => {
+  const found = searchHelp(query, keySections(cubeApp()));
+  expect(found[0]?.section).toMatchObject({ title, text: `${title}\n${place}` });
 });

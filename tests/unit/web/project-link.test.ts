@@ -12,7 +12,14 @@ describe("a link to a project", () => {
       ...shown,
       camera: { eye: [1 / 3, -2e-7, 1e9], target: [0, 0.1, 0.2] },
       cut: { enabled: true, axis: "z", position: 0.125, flipped: true },
-      front: { step: -3, order: "smallest-first", coloring: "size", candidate: 2 },
+      front: {
+        step: -3,
+        order: "smallest-first",
+        coloring: "size",
+        faces: "all",
+        elements: "all",
+        candidate: 2,
+      },
     } as const;
     const link = await linkTo("https://host/app/?a=1#old", linked);
     expect(link).toMatch(/^https:\/\/host\/app\/#project=[A-Za-z0-9_-]+$/);

@@ -1,6 +1,6 @@
 /** The digits of a score that a trace records in two bytes. */
 import { expect, it } from "vitest";
-import { recordedScore } from "../../../web/player/recorded-score";
+import { recordedScores } from "../../../web/player/recorded-score";
 import { randomSource } from "../../support/random";
 
 /** Returns the number that the upper two bytes of its float stand for. */
@@ -10,6 +10,19 @@ function recorded(score: number): number {
   view.setUint16(2, 0);
   return view.getFloat32(0);
 }
+
+const recordedScore = (score: number): string => recordedScores([score])[0] ?? "";
+
+it("shows all scores of a column with the decimals that each of them has", () => {
+  expect(recordedScores([1.2175, 0.17047, 0, 2.5].map(recorded))).toEqual(["1.2", "0.2", "0.0", "2.5"]);
+  expect(recordedScores([1.2175, 0.17047, 0.2101, 2.5].map(recorded))).toEqual([
+    "1.21",
+    "0.17",
+    "0.21",
+    "2.50",
+  ]);
+  expect(recordedScores([])).toEqual([]);
+});
 
 it("shows the digits that are right, and no others", () => {
   expect(recordedScore(recorded(1.2175))).toBe("1.21");

@@ -11,7 +11,14 @@ import {
 import { emptyProject } from "../../../web/document/create";
 import { meshKey, versionedKey } from "../../../web/document/content-keys";
 import { DocumentStore, newDocument } from "../../../web/session/document-store";
-import { canImprove, isOfOtherBodies, isStale, MeshRun, type LogLine } from "../../../web/session/run";
+import {
+  cancelledText,
+  canImprove,
+  isOfOtherBodies,
+  isStale,
+  MeshRun,
+  type LogLine,
+} from "../../../web/session/run";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 
@@ -364,6 +371,26 @@ it("a mesh of a body that was moved while the run was under way is of others", a
   documents.undo();
   expect(isOfOtherBodies(run.state.getState(), documents.state.getState())).toBe(false);
   mesher.dispose();
+});
+
+it("a run that is cancelled before its front closed says how far it came", async () => {
+  const real = await createMesher();
+  const isCancelled = { front: Uint32Array.from([0, 1, 2]), tetrahedra: 1234, status: "cancelled" } as const;
+  const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
+    meshProject: async (...[project, options, control]: Parameters<Mesher["meshProject"]>) => {
+      const { volume, report: whole, ...rest } = await real.meshProject(project, options);
+      control?.onProgress?.({ ...report("volume", 0), expectedTetrahedra: 56_789 });
+      const { front, tetrahedra, status } = isCancelled;
+      return { ...rest, volume: { ...volume, front }, report: { ...whole, tetrahedra, status } };
+    },
+  });
+  const documents = new DocumentStore({ ...emptyProject("a"), bodies: [bodyOf(1)] });
+  const run = new MeshRun(documents, Promise.resolve(mesher));
+  expect(cancelledText(run.state.getState())).toBeNull();
+  await run.generate();
+  expect(cancelledText(run.state.getState())).toBe("Cancelled at 1,234 of about 57,000 tetrahedra");
+  expect(run.state.getState().log.at(-1)?.text).toMatch(/^Cancelled after .* of about 57,000 tetrahedra$/);
+  real.dispose();
 });
 
 describe("a run that prepares the model", () => {

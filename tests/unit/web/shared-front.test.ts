@@ -7,13 +7,16 @@ const full: SharedFront = {
   step: 258,
   order: "smallest-first",
   coloring: "layer",
+  faces: "all",
+  elements: "all",
   candidate: 1,
   camera: { eye: [3, -2, 1.5], target: [0.5, 0.25, 1e-7] },
 };
 
 it("are read as they were written, and leave out defaults", () => {
   expect(sharedFrontIn(queryOf(full))).toEqual(full);
-  const plain: SharedFront = { ...full, order: null, coloring: "age", candidate: null, camera: null };
+  const usual = { order: null, coloring: "age", faces: "inside", elements: "recent" } as const;
+  const plain: SharedFront = { ...full, ...usual, candidate: null, camera: null };
   expect(queryOf(plain).toString()).toBe("model=unit-cube&step=258");
   expect(sharedFrontIn(queryOf(plain))).toEqual(plain);
 });
@@ -33,6 +36,8 @@ it("name nothing without a model and a step", () => {
 it.each([
   ["order=largest", { order: null }],
   ["color=red", { coloring: "age" }],
+  ["faces=half", { faces: "inside" }],
+  ["elements=some", { elements: "recent" }],
   ["candidate=-1", { candidate: null }],
   ["camera=1,2,3", { camera: null }],
   ["camera=1,2,3,4,5,x", { camera: null }],

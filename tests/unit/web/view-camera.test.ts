@@ -74,4 +74,9 @@ describe("the view of a small part", () => {
     expect(sizes(half)).toEqual([2.5, 2, 0.5].map((size) => expect.closeTo(size, 12) as number));
     expect(sizes(model)).toEqual([4, 3, 0]);
   });
+
+  it("shows a small element in at least a fifth of its sides, however large the model is", () => {
+    const element = new Bounds().add(0, 0, 0).add(0.003, 0.004, 0);
+    for (const size of sizes(element)) expect(size).toBeLessThanOrEqual(5 * 0.005 + 1e-12);
+  });
 });

@@ -1,7 +1,7 @@
 import { Facts } from "../../ui/facts";
-import { formatCount, formatShort } from "../../ui/format";
+import { formatCount, formatMeasure } from "../../ui/format";
 import { strings } from "../../strings";
-import { useRun } from "../shared/app-context";
+import { useProject, useRun } from "../shared/app-context";
 import styles from "./proposal-summary.module.css";
 import { smallestSourceOf, type ProposalAnswer, type SizeProposalState } from "./use-size-proposal";
 
@@ -18,17 +18,18 @@ export function ProposalSummary({ answer, failure }: SizeProposalState) {
 
 function ProposalFacts({ answer: { proposal, tetrahedra } }: { readonly answer: ProposalAnswer }) {
   const current = useRun((state) => state.mesh?.report.tetrahedra ?? 0);
+  const { units } = useProject();
   const smallest = smallestSourceOf(proposal);
   return (
     <Facts>
       <dt>{texts.largest}</dt>
-      <dd>{formatShort(proposal.size)}</dd>
+      <dd>{formatMeasure(proposal.size, units)}</dd>
       <dt>{texts.sources}</dt>
       <dd data-testid="proposal-sources">{formatCount(proposal.sources.length)}</dd>
       {smallest !== null && (
         <>
           <dt>{texts.smallest}</dt>
-          <dd>{formatShort(smallest)}</dd>
+          <dd>{formatMeasure(smallest, units)}</dd>
         </>
       )}
       <dt>{texts.expected}</dt>

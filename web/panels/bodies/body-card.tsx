@@ -5,7 +5,7 @@ import { commandNamed, runCommand } from "../../commands/registry";
 import { canBeFilled } from "../../session/bodies";
 import { Facts } from "../../ui/facts";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatCount, formatShort } from "../../ui/format";
+import { formatCount, formatMeasure, formatShort } from "../../ui/format";
 import { strings } from "../../strings";
 import { useApp, useProject, useRun } from "../shared/app-context";
 import { BrushSection } from "./body-brush";
@@ -90,12 +90,12 @@ function BodyFacts({ body, inspection }: BodyFactsProps) {
               </>
             )}
             <dt>{texts.volume}</dt>
-            <dd data-testid="body-volume">{formatShort(volume * scale ** 3)}</dd>
+            <dd data-testid="body-volume">{formatMeasure(volume * scale ** 3, units, 3)}</dd>
           </>
         ) : (
           <>
             <dt>{texts.area}</dt>
-            <dd>{formatShort(area * scale ** 2)}</dd>
+            <dd>{formatMeasure(area * scale ** 2, units, 2)}</dd>
             {openEdges > 0 && (
               <>
                 <dt>{texts.shells}</dt>

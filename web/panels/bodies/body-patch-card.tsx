@@ -5,7 +5,7 @@ import { patchFacts } from "../../document/patch-facts";
 import { Facts } from "../../ui/facts";
 import { FieldRow } from "../../ui/fields/field-row";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatCount, formatPosition, formatShort } from "../../ui/format";
+import { formatCount, formatPosition, formatMeasure } from "../../ui/format";
 import { strings } from "../../strings";
 import { useProject } from "../shared/app-context";
 import { SplitSection } from "./body-patches";
@@ -32,7 +32,7 @@ export function BodyPatchCard({ patch }: { readonly patch: number }) {
 
 /** The given triangles of a patch: number, area, and normal if they are planar. */
 function GivenFacts({ body, patch }: { readonly body: ProjectBody; readonly patch: number }) {
-  const { units = "" } = useProject();
+  const { units } = useProject();
   const loaded = useBody(body.id)?.loaded;
   const facts = useMemo(() => {
     const index = body.patches.findIndex(({ id }) => id === patch);
@@ -47,9 +47,7 @@ function GivenFacts({ body, patch }: { readonly body: ProjectBody; readonly patc
         <dt>{texts.triangles}</dt>
         <dd>{formatCount(triangles)}</dd>
         <dt>{texts.area}</dt>
-        <dd>
-          {formatShort(area)} {units && `${units}²`}
-        </dd>
+        <dd>{formatMeasure(area, units, 2)}</dd>
         <dt>{texts.normal}</dt>
         <dd>{normal ? formatPosition(normal) : texts.notPlanar}</dd>
       </Facts>

@@ -5,9 +5,9 @@ import { previewBody, showBodySurface } from "../../commands/surface-actions";
 import { Facts } from "../../ui/facts";
 import { FieldRow } from "../../ui/fields/field-row";
 import { IconButton } from "../../ui/icon-button";
-import { formatAngle, formatCount, formatShort } from "../../ui/format";
+import { formatAngle, formatCount, formatMeasure } from "../../ui/format";
 import { strings } from "../../strings";
-import { useApp, useMeshOfOthers, useRun, useView } from "../shared/app-context";
+import { useApp, useProject, useMeshOfOthers, useRun, useView } from "../shared/app-context";
 import { PositionList } from "../shared/position-list";
 import styles from "./bodies.module.css";
 import { useBody, usePreparation } from "./use-body";
@@ -77,12 +77,17 @@ function Making({ fraction, onCancel }: { readonly fraction: number; readonly on
 
 function PreparedFacts({ prepared }: { readonly prepared: PreparedBody }) {
   const { triangles, size, minSize, tolerance, deviation, smallestAngle, meanRadiusRatio } = prepared;
+  const { units } = useProject();
   const rows: readonly (readonly [label: string, value: string | undefined, testId?: string])[] = [
     [strings.bodies.triangles, formatCount(triangles.length / 3), "prepared-triangles"],
-    [texts.size, size === undefined ? undefined : formatShort(size)],
-    [texts.minSize, minSize === undefined ? undefined : formatShort(minSize)],
-    [texts.tolerance, tolerance === undefined ? undefined : formatShort(tolerance)],
-    [texts.deviation, deviation === undefined ? undefined : formatShort(deviation), "prepared-deviation"],
+    [texts.size, size === undefined ? undefined : formatMeasure(size, units)],
+    [texts.minSize, minSize === undefined ? undefined : formatMeasure(minSize, units)],
+    [texts.tolerance, tolerance === undefined ? undefined : formatMeasure(tolerance, units)],
+    [
+      texts.deviation,
+      deviation === undefined ? undefined : formatMeasure(deviation, units),
+      "prepared-deviation",
+    ],
     [texts.smallestAngle, smallestAngle === undefined ? undefined : formatAngle(smallestAngle)],
     [texts.meanRatio, meanRadiusRatio?.toFixed(3)],
   ];

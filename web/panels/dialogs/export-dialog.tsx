@@ -130,12 +130,11 @@ interface OrderChoiceProps {
 
 function OrderChoice({ format, order, onChange }: OrderChoiceProps) {
   return (
-    <FieldRow label={texts.order}>
+    <FieldRow label={texts.order} hint={format.hasSecondOrder ? null : texts.orderHint}>
       <SegmentedControl
         size="xs"
         fullWidth
         aria-label={texts.order}
-        title={format.hasSecondOrder ? undefined : texts.orderHint}
         data-testid="export-order"
         data={[
           { value: "1", label: texts.orders[1] },
@@ -156,8 +155,10 @@ interface EncodingChoiceProps {
 
 function EncodingChoice({ format, encoding, onChange }: EncodingChoiceProps) {
   const possible = encodingsOf(format);
+  const [only, other] = possible;
+  const reason = only && !other ? texts.onlyEncoding[only] : null;
   return (
-    <FieldRow label={texts.encoding}>
+    <FieldRow label={texts.encoding} hint={reason}>
       <SegmentedControl<Encoding>
         size="xs"
         fullWidth

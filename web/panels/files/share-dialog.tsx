@@ -1,6 +1,6 @@
 import { Button, Group, Text, Textarea } from "@mantine/core";
 import { IconCopy, IconDeviceFloppy } from "@tabler/icons-react";
-import { useEffect, useState } from "react";
+import { useEffect, useRef, useState, type Ref } from "react";
 import { save } from "../../commands/project-actions";
 import { maxLinkLength } from "../../player/project-link";
 import { linkStrings as texts } from "../../strings/passing";
@@ -27,14 +27,17 @@ function ShareForm() {
   const link = useLink();
   const [isCopied, setCopied] = useState(false);
   const text = link?.kind === "made" ? link.text : null;
+  const button = useRef<HTMLButtonElement>(null);
   const isTooLong = text !== null && text.length > maxLinkLength;
   useEffect(() => {
     // Most people open the dialog to copy the link. Without the permission, the button is left.
     if (text !== null && !isTooLong) void copy(text).then(setCopied);
+    // The link is made after the dialog has got the focus.
+    if (text !== null) button.current?.focus();
   }, [text, isTooLong]);
   if (link?.kind === "failed") return <Text role="alert">{`${texts.failed}: ${link.reason}`}</Text>;
   if (text === null) return <Text c="dimmed">{texts.making}</Text>;
-  if (isTooLong) return <TooLong length={text.length} />;
+  if (isTooLong) return <TooLong button={button} length={text.length} />;
   return (
     <>
       <Text size="sm">
@@ -56,7 +59,7 @@ function ShareForm() {
         </Text>
         <Button
           size="xs"
-          data-autofocus
+          ref={button}
           data-testid="share-link-copy"
           leftSection={<IconCopy size={15} aria-hidden />}
           onClick={() => void copy(text).then(setCopied)}
@@ -68,7 +71,12 @@ function ShareForm() {
   );
 }
 
-function TooLong({ length }: { readonly length: number }) {
+interface TooLongProps {
+  readonly button: Ref<HTMLButtonElement>;
+  readonly length: number;
+}
+
+function TooLong({ button, length }: TooLongProps) {
   const app = useApp();
   return (
     <>
@@ -77,8 +85,8 @@ function TooLong({ length }: { readonly length: number }) {
       </Text>
       <Group mt="sm" justify="flex-end">
         <Button
+          ref={button}
           size="xs"
-          data-autofocus
           leftSection={<IconDeviceFloppy size={15} aria-hidden />}
           onClick={() => void save(app, true)}
         >

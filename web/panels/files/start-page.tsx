@@ -1,13 +1,15 @@
 import { Anchor, Button, Checkbox, CloseButton, UnstyledButton } from "@mantine/core";
 import { IconFileUpload, IconPencilPlus, IconSchool, IconTemplate } from "@tabler/icons-react";
-import { useState, type KeyboardEvent, type Ref } from "react";
+import { useEffect, useRef, useState, type KeyboardEvent, type Ref } from "react";
 import { newProject, openExample, openFromDialog, openRecent } from "../../commands/project-actions";
 import { thumbnailOf } from "../../session/gallery";
 import { startPage } from "../../session/start-page";
 import { startStrings as texts } from "../../strings/passing";
 import { strings } from "../../strings";
+import { inputMode } from "../../tools/input-mode";
 import { formatTime } from "../../ui/format";
 import { SectionTitle } from "../../ui/frames/section-title";
+import { useFocusReturn } from "../../ui/use-focus-return";
 import { useApp } from "../shared/app-context";
 import { DocumentPicture } from "./document-picture";
 import { useRecentDocuments } from "./use-recent";
@@ -20,6 +22,12 @@ const exampleCount = 6;
 /** Beside the first model: what this is, and how to begin. */
 export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
   const { shell } = useApp();
+  const heading = useRef<HTMLHeadingElement>(null);
+  useFocusReturn(true);
+  useEffect(() => {
+    // From here, Tab leads to what it offers. Who types in a field goes on; the palette, which closes, is a dialog.
+    if (inputMode(document.activeElement) !== "field") heading.current?.focus({ preventScroll: true });
+  }, []);
   const close = (): void => shell.setState({ startPage: false });
   const closeByKey = (event: KeyboardEvent): void => {
     if (event.key !== "Escape") return;
@@ -35,7 +43,9 @@ export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
       onKeyDown={closeByKey}
     >
       <div className={styles["head"]}>
-        <h2 id="start-title">{texts.title}</h2>
+        <h2 ref={heading} id="start-title" tabIndex={-1}>
+          {texts.title}
+        </h2>
         <CloseButton size="sm" aria-label={texts.close} onClick={close} />
       </div>
       <p>{texts.what}</p>

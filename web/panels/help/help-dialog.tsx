@@ -4,6 +4,7 @@ import libraryLicense from "occt-import-js/dist/license.occt-import-js.txt?url";
 import openCascadeLicense from "occt-import-js/dist/license.occt.txt?url";
 import { lazy, Suspense, useState } from "react";
 import type { App } from "../../app/app";
+import type { Command } from "../../commands/command";
 import { commands, keyNames } from "../../commands/registry";
 import type { HelpSection } from "../../document/help-search";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -103,15 +104,21 @@ function PageList({ current, onOpen }: PageListProps) {
 const actions = [...texts.mouse, ...texts.fields];
 const keyedCommands = commands.filter(({ keys }) => keys.length > 0);
 
-/** Returns the keys and mouse actions as sections, for the search. */
-const keySections = (app: App): readonly HelpSection[] =>
+/** Returns the commands with their menus and keys, and the mouse actions, as sections for the search. */
+export const keySections = (app: App): readonly HelpSection[] =>
   [
-    ...keyedCommands.map((command) => ({
-      title: command.label(app),
-      text: command.keys.map((key) => keyNames(key).join(" ")).join(", "),
-    })),
+    ...commands
+      .filter(({ inMenu, keys }) => inMenu || keys.length > 0)
+      .map((command) => ({ title: command.label(app), text: placeOf(command) })),
     ...actions.map(([title, text]) => ({ title, text })),
   ].map(({ title, text }, index) => ({ document: keysPage, index, title, text: `${title}\n${text}` }));
+
+/** Returns the keys of a command, and its menu. */
+const placeOf = ({ inMenu, keys, menu }: Command): string =>
+  [
+    ...keys.map((key) => keyNames(key).join(" ")),
+    ...(inMenu ? [texts.inMenu(strings.menus[menu])] : []),
+  ].join(", ");
 
 /** All keys and mouse actions; those of commands come from the registry. */
 function KeysPage() {

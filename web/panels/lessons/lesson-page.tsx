@@ -21,7 +21,8 @@ import styles from "./lessons.module.css";
 import { usePrintedLesson } from "./printed-lesson";
 import { QueueFigure } from "./queue-figure";
 import { SearchChart } from "./search-chart";
-import { isFocusLost, StopRun } from "./stop-run";
+import { isFocusLost } from "../../ui/use-focus-return";
+import { StopRun } from "./stop-run";
 import { TaskList } from "./task-list";
 import { useLessonRuns, useProgress } from "./use-lessons";
 

@@ -1,6 +1,7 @@
 import { Button } from "@mantine/core";
 import { useEffect, useRef } from "react";
 import { strings } from "../../strings";
+import { isFocusLost } from "../../ui/use-focus-return";
 import { usePlayer } from "../player/use-player";
 import { useApp } from "../shared/app-context";
 
@@ -42,7 +43,3 @@ export function StopRun({ testId, onStop }: StopRunProps) {
     </Button>
   );
 }
-
-/** Returns whether the element that had the focus is gone. */
-export const isFocusLost = (): boolean =>
-  document.activeElement === document.body || document.activeElement === null;

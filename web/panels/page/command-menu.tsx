@@ -75,6 +75,13 @@ function Submenu({ label, items }: { readonly label: string; readonly items: rea
   );
 }
 
+/** Returns the button of the menu in which an element is. */
+function menuButtonOf(element: Element | null): HTMLElement | null {
+  const menu = element?.closest('[role="menu"]');
+  const button = menu && document.getElementById(menu.getAttribute("aria-labelledby") ?? "");
+  return button?.closest('[role="menu"]') ? menuButtonOf(button) : (button ?? null);
+}
+
 function CommandItem({ command }: { readonly command: Command }) {
   const app = useApp();
   const [key] = command.keys;
@@ -88,7 +95,11 @@ function CommandItem({ command }: { readonly command: Command }) {
     </span>
   );
   const common = { disabled: !command.enabled(app), rightSection: keys, children: command.label(app) };
-  const run = (): void => runCommand(app, command);
+  const run = (): void => {
+    // A dialog returns the focus to the element that had it: the item will be gone.
+    menuButtonOf(document.activeElement)?.focus({ preventScroll: true });
+    runCommand(app, command);
+  };
   if (command.checked) {
     return (
       <Menu.CheckboxItem

@@ -1,12 +1,12 @@
 import { Progress, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
-import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
+import type { MeshReport, Progress as RunProgressReport, Trace } from "tetrafront";
 import { useStore } from "zustand";
 import { useMemo } from "react";
 import { unitOf } from "../../document/length-units";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
-import type { RunState } from "../../session/run";
+import { cancelledText, type RunState } from "../../session/run";
 import { IconButton } from "../../ui/icon-button";
 import { TextButton } from "../../ui/text-button";
 import {
@@ -35,12 +35,12 @@ import styles from "./status-bar.module.css";
 /** Time between two announcements to screen readers, in milliseconds. */
 const announceEveryMs = 5000;
 
-function outcomeText(run: RunState, stale: boolean, hasErrors: boolean): string {
+function outcomeText(run: RunState, stale: boolean, hasErrors: boolean, front: string | null): string {
   if (run.failure !== null) return strings.messages.engineFailed;
   // Once the errors are mended, the model waits for another run.
   const isInvalid = run.outcome?.result.report.status === "invalid-input" && hasErrors;
   if (isInvalid && stale) return strings.status.invalid;
-  if (!run.mesh) return isInvalid ? strings.status.invalid : strings.status.ready;
+  if (!run.mesh) return isInvalid ? strings.status.invalid : (front ?? strings.status.ready);
   if (stale) return strings.status.stale;
   switch (run.mesh.report.status) {
     case "done":
@@ -48,10 +48,15 @@ function outcomeText(run: RunState, stale: boolean, hasErrors: boolean): string 
     case "stalled":
       return strings.status.stalled;
     case "cancelled":
-      return strings.status.cancelled;
+      return cancelledText(run) ?? strings.status.cancelled;
     case "invalid-input":
       return strings.status.invalid;
   }
+}
+
+/** Returns where the front that is shown is. */
+function frontText({ stepCount }: Trace, step: number): string {
+  return strings.status.frontAt(formatCount(step), formatCount(stepCount));
 }
 
 function phaseText(
@@ -140,7 +145,8 @@ function Outcome() {
   const hasErrors = useStore(app.problems.state, ({ problems }) =>
     problems.some(({ severity }) => severity === "error"),
   );
-  return <span role="status">{outcomeText(run, stale, hasErrors)}</span>;
+  const front = useStore(app.player.state, ({ trace, step }) => trace && frontText(trace, step));
+  return <span role="status">{outcomeText(run, stale, hasErrors, front)}</span>;
 }
 
 function RunProgress() {
@@ -198,6 +204,8 @@ function MeshNumbers() {
   const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
   // Without elements, the statistics of the report are zeros without a meaning.
   const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
+  // The worst angle of an unfinished mesh says nothing about the one that was asked for.
+  const isFinished = report?.status !== "cancelled";
   // The statistics of the old mesh keep their space in the bar while a run replaces the mesh.
   const hasProgress = progress !== null || undefined;
   const points = progress?.nodes ?? report?.nodes;
@@ -212,7 +220,7 @@ function MeshNumbers() {
       {tetrahedra !== undefined && (
         <span data-testid="count-tetrahedra">{strings.status.tetrahedra(formatCount(tetrahedra))}</span>
       )}
-      {report && (
+      {report && isFinished && (
         <>
           <span className={styles["wide"]} data-testid="min-dihedral" data-hidden={hasProgress}>
             <MinDihedral report={report} />

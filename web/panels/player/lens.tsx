@@ -4,7 +4,7 @@ import type { AdvanceStep } from "tetrafront";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { lensSceneOf, type LensScene } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
-import { recordedScore } from "../../player/recorded-score";
+import { recordedScores } from "../../player/recorded-score";
 import { recoveryCounts } from "../../player/recovery-counts";
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
@@ -137,12 +137,14 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
   );
 });
 
-const rowsOf = ({ candidates }: AdvanceStep): readonly CandidateRow[] =>
-  candidates.map(({ node, isNew, score, verdict, culprit }) => ({
+function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
+  const scores = recordedScores(candidates.map(({ score }) => score));
+  return candidates.map(({ node, isNew, verdict, culprit }, i) => ({
     name: isNew ? null : node,
-    score: recordedScore(score),
+    score: scores[i] ?? "",
     verdict: texts.verdictAt(texts.verdicts[verdict], culprit),
   }));
+}
 
 function Sentence({ step, examined }: { readonly step: AdvanceStep; readonly examined: LensCandidate }) {
   const whatIf = whatIfOf(examined);

@@ -4,7 +4,7 @@ import type { PatchQuality, Project } from "tetrafront";
 import { showEntities } from "../../commands/selection-actions";
 import { entityKey, entityOfKey, patchAt, type Entity } from "../../document/entities";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatAngle, formatCount, formatShort } from "../../ui/format";
+import { formatAngle, formatCount, formatMeasure } from "../../ui/format";
 import { TableHead } from "../../ui/table-head";
 import { strings } from "../../strings";
 import { useApp, useProject, useRun, useStale, useView } from "../shared/app-context";
@@ -16,8 +16,8 @@ import table from "../../ui/table.module.css";
 
 const texts = strings.patches;
 
-const deviationText = ({ chordDeviation }: PatchQuality): string =>
-  chordDeviation === undefined ? texts.unknown : formatShort(chordDeviation);
+const deviationText = ({ chordDeviation }: PatchQuality, units?: string): string =>
+  chordDeviation === undefined ? texts.unknown : formatMeasure(chordDeviation, units);
 
 const noPatches: readonly PatchQuality[] = [];
 
@@ -40,6 +40,7 @@ const useMeanEdgeName = (): string =>
 /** The quality of the triangulation of one patch. */
 export function PatchFacts({ patch }: { readonly patch: number }) {
   const meanEdge = useMeanEdgeName();
+  const { units } = useProject();
   const found = usePatchQuality().find(({ entity }) => entity.id === patch);
   if (!found) return null;
   const { quality } = found;
@@ -56,7 +57,7 @@ export function PatchFacts({ patch }: { readonly patch: number }) {
         <dt>{meanEdge}</dt>
         <dd>{quality.meanEdge.toFixed(3)}</dd>
         <dt>{texts.deviation}</dt>
-        <dd>{deviationText(quality)}</dd>
+        <dd>{deviationText(quality, units)}</dd>
       </Facts>
     </section>
   );
@@ -132,7 +133,7 @@ function PatchRow({ entity, quality, project, isSelected, onChoose }: PatchRowPr
       <td>{formatAngle(quality.minAngle)}</td>
       <td>{quality.meanRadiusRatio.toFixed(3)}</td>
       <td>{quality.meanEdge.toFixed(3)}</td>
-      <td>{deviationText(quality)}</td>
+      <td>{deviationText(quality, project.units)}</td>
     </tr>
   );
 }

@@ -1,12 +1,13 @@
 import { Button, CopyButton, Group, Text, UnstyledButton } from "@mantine/core";
 import type { MeshReport, MeshResult } from "tetrafront";
 import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
+import { cancelledText } from "../../session/run";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatAngle, formatCount, formatSeconds, formatShort } from "../../ui/format";
+import { formatAngle, formatCount, formatMeasure, formatSeconds } from "../../ui/format";
 import { HistogramChart } from "../../ui/histogram-chart";
 import { measuredIn, measureNames, strings } from "../../strings";
 import { viridisAt } from "../../ui/theme/viridis";
-import { useApp, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
+import { useApp, useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { useHistogram } from "./use-histogram";
 import { ImproveButton } from "./improvement";
 import { Facts } from "../../ui/facts";
@@ -25,6 +26,7 @@ export function QualityPanel() {
   const app = useApp();
   const mesh = useRun((state) => state.mesh);
   const stale = useStale();
+  const cancelled = useRun(cancelledText);
   if (!mesh) {
     return (
       <>
@@ -37,12 +39,19 @@ export function QualityPanel() {
   }
   // Without elements, the statistics of the report are zeros without a meaning.
   const measured = mesh.report.tetrahedra > 0;
+  const isUnfinished = measured && mesh.report.status === "cancelled";
   return (
     <section data-stale={stale || undefined}>
       <SectionTitle>
         {strings.quality.title}
         {stale && <span className={styles["note"]}>{strings.viewport.stale.toLowerCase()}</span>}
+        {isUnfinished && <span className={styles["note"]}>{strings.quality.unfinished}</span>}
       </SectionTitle>
+      {cancelled !== null && (
+        <Text size="sm" mb={8} data-testid="cancelled-at">
+          {`${cancelled}.`}
+        </Text>
+      )}
       {measured && <MeasureHistogram mesh={mesh} />}
       <ReportFacts report={mesh.report} measured={measured} />
       {measured && (
@@ -104,6 +113,7 @@ interface ReportFactsProps {
 
 function ReportFacts({ report, measured }: ReportFactsProps) {
   const texts = strings.quality;
+  const { units } = useProject();
   const ifMeasured = (text: string): string => (measured ? text : texts.unmeasured);
   const space = useQualitySpace();
   const origin = useRun((state) => state.origin);
@@ -119,7 +129,7 @@ function ReportFacts({ report, measured }: ReportFactsProps) {
       <dt>{measuredIn(texts.dihedral, space)}</dt>
       <dd>{ifMeasured(`${formatAngle(min)} – ${formatAngle(max)}`)}</dd>
       <dt>{texts.volume}</dt>
-      <dd>{ifMeasured(formatShort(report.volume))}</dd>
+      <dd>{ifMeasured(formatMeasure(report.volume, units, 3))}</dd>
       {origin ? (
         <>
           <dt>{texts.file}</dt>

@@ -4,11 +4,11 @@ import type { MeshResult, QualityReport as Quality } from "tetrafront";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { RegionChoice } from "../../document/quality-counts";
 import { Facts } from "../../ui/facts";
-import { formatCount, formatShort } from "../../ui/format";
+import { formatCount, formatMeasure, formatShort } from "../../ui/format";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { strings } from "../../strings";
-import { useApp, useQualitySpace, useRun, useStale } from "../shared/app-context";
+import { useApp, useProject, useQualitySpace, useRun, useStale } from "../shared/app-context";
 import { ElementButton, ElementTable } from "./element-table";
 import { AngleChart, EdgeChart, RatioChart } from "./quality-charts";
 import { ImprovementSection } from "./improvement";
@@ -104,6 +104,7 @@ function Statistics({ statistics }: { readonly statistics: QualityStatistics }) 
 }
 
 function ElementCounts({ quality }: { readonly quality: Quality }) {
+  const { units } = useProject();
   return (
     <Facts>
       <dt>{texts.volumeRatio}</dt>
@@ -112,7 +113,10 @@ function ElementCounts({ quality }: { readonly quality: Quality }) {
         <>
           <dt>{texts.smallest}</dt>
           <dd>
-            <ElementButton element={quality.smallest} text={formatShort(quality.smallest.volume)} />
+            <ElementButton
+              element={quality.smallest}
+              text={formatMeasure(quality.smallest.volume, units, 3)}
+            />
           </dd>
         </>
       )}

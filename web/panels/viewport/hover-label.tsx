@@ -1,5 +1,5 @@
 import { bodyOfPatch, findRecord } from "../../document/entities";
-import { formatPosition, formatShort } from "../../ui/format";
+import { formatPosition, formatMeasure } from "../../ui/format";
 import { lineTypeNames, patchTypeNames } from "../../strings";
 import type { Hover } from "../../tools/select-tool";
 import { useProject } from "../shared/app-context";
@@ -27,7 +27,7 @@ export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover })
       }
       case "background-node":
       case "source":
-        return `δ ${formatShort(findRecord(project, kind, id)?.size ?? 0)}`;
+        return `δ ${formatMeasure(findRecord(project, kind, id)?.size ?? 0, project.units)}`;
     }
   };
   return (

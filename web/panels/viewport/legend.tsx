@@ -87,6 +87,7 @@ const sizeTicks = [1, 0.75, 0.5, 0.25, 0];
 /** The colour scale of the target sizes. */
 function SizeLegend({ range: [low, high] }: { readonly range: readonly [number, number] }) {
   const name = strings.background.sizeLegend;
+  const { units } = useProject();
   const isOneSize = low === high;
   const values = isOneSize ? [low] : sizeTicks.map((share) => low * (high / low) ** share);
   // As many digits as tell neighbouring ticks apart.
@@ -109,7 +110,7 @@ function SizeLegend({ range: [low, high] }: { readonly range: readonly [number, 
           <span key={value}>{formatShort(Number(value.toPrecision(digits)))}</span>
         ))}
       </div>
-      <figcaption>{name}</figcaption>
+      <figcaption>{units === undefined ? name : `${name} (${units})`}</figcaption>
     </figure>
   );
 }

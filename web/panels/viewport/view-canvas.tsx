@@ -15,13 +15,14 @@ interface ViewCanvasProps {
 export function ViewCanvas({ canvas, viewer }: ViewCanvasProps) {
   const project = useProject();
   const mesh = useRun((state) => state.mesh);
+  const outcome = useRun((state) => state.outcome);
   const space = useQualitySpace();
   const cut = useView((state) => state.cut.enabled);
   const stale = useStale();
   const summary = [
     strings.viewport.label,
     ": ",
-    describeMesh(project, mesh, space),
+    describeMesh(project, { mesh, outcome }, space),
     cut ? strings.viewport.summaryCut : "",
     stale ? strings.viewport.summaryStale : "",
     ` ${strings.viewport.keys}`,

@@ -2,6 +2,7 @@ import { Button, Kbd, Switch, Text } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
 import { generateMesh } from "../../commands/mesh-actions";
+import { cancelledText } from "../../session/run";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useProblems, useRun, useStale, useView } from "../shared/app-context";
@@ -47,13 +48,14 @@ function badgeTexts(
   failure: string | null,
   stale: boolean,
   status: MeshStatus | undefined,
-  hasFront: boolean,
+  cancelled: string | null,
 ): readonly [title: string, hint: string] {
   const { viewport } = strings;
   if (failure !== null) return [strings.messages.engineFailed, failure];
   if (stale) return [viewport.stale, viewport.staleHint];
   if (status === "stalled") return [viewport.incomplete, viewport.incompleteStalled];
-  return [viewport.incomplete, hasFront ? viewport.incompleteCancelled : viewport.incompleteUnverified];
+  if (cancelled !== null) return [cancelled, viewport.incompleteCancelled];
+  return [viewport.incomplete, viewport.incompleteUnverified];
 }
 
 /** A notice that the mesh is out of date or incomplete, with a button that meshes again. */
@@ -63,14 +65,14 @@ export function MeshBadge() {
   const busy = useRun((state) => state.busy);
   const failure = useRun((state) => state.failure);
   const status = useRun((state) => state.mesh?.report.status);
-  const hasFront = useRun((state) => (state.mesh?.volume.front.length ?? 0) > 0);
+  const cancelled = useRun(cancelledText);
   const isToolActive = useView(({ tool }) => tool !== "select");
   const showsTrace = usePlayer(({ trace, recording }) => trace !== null || recording !== null);
   if (busy) return null;
   // A trace is drawn in place of the mesh, and a link to one has stopped the run.
   const incomplete = !showsTrace && (status === "stalled" || status === "cancelled");
   if (!stale && !incomplete && failure === null) return null;
-  const [title, hint] = badgeTexts(failure, stale, status, hasFront);
+  const [title, hint] = badgeTexts(failure, stale, status, cancelled);
   return (
     <div
       className={styles["badge"]}

@@ -1,5 +1,6 @@
 import { Modal } from "@mantine/core";
 import type { ReactNode } from "react";
+import { useFocusReturn } from "../use-focus-return";
 import styles from "./framed.module.css";
 import { strings } from "../../strings";
 
@@ -13,8 +14,9 @@ export interface FramedDialogProps {
 
 /** A dialog in the middle of the page. Its head is a `div`, because the page already has a `header` element. */
 export function FramedDialog({ title, opened, size = "md", onClose, children }: FramedDialogProps) {
+  useFocusReturn(opened);
   return (
-    <Modal.Root opened={opened} size={size} onClose={onClose}>
+    <Modal.Root opened={opened} size={size} returnFocus={false} onClose={onClose}>
       <Modal.Overlay backgroundOpacity={0.5} />
       <Modal.Content>
         <div className={styles["head"]}>

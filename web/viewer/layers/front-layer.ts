@@ -8,34 +8,44 @@ import type { Layer } from "./layer";
 
 /** The buffer grows by this factor when it is too small. */
 const growth = 1.5;
+/** How strongly the front of an incomplete mesh shows through the elements that enclose it. */
+const throughOpacity = 0.4;
 
-/** The front of the current run as it advances, or the front that an incomplete mesh ends at. */
+/** The front of the current run as it advances, or the front that an incomplete mesh ends at, also behind its elements. */
 export class FrontLayer implements Layer {
   readonly #material = createFacetMaterial({ opacity: 1, depthWrite: true, edges: true });
   readonly #geometry = new BufferGeometry();
+  readonly #through = createFacetMaterial({ opacity: throughOpacity, depthTest: false, edges: true });
+  readonly #behind = new Mesh(this.#geometry, this.#through);
   readonly root = new Mesh(this.#geometry, this.#material);
   #position = new BufferAttribute(new Float32Array(), 3);
 
   constructor() {
-    this.root.frustumCulled = false;
+    for (const mesh of [this.root, this.#behind]) mesh.frustumCulled = false;
+    this.root.add(this.#behind);
   }
 
   update(changes: SceneChanges): void {
     const { state } = changes;
     if (changes.has("colors")) {
-      setColor(this.#material, "color", state.colors.front);
-      setColor(this.#material, "edgeColor", state.colors.meshEdge);
+      for (const material of [this.#material, this.#through]) {
+        setColor(material, "color", state.colors.front);
+        setColor(material, "edgeColor", state.colors.meshEdge);
+      }
     }
     if (changes.has("front", "mesh", "unoptimized", "isMeshOfOthers", "origin")) {
       const isMeshHidden = state.unoptimized !== null || state.isMeshOfOthers;
       this.#write(state.front ?? remainingFront(isMeshHidden ? null : state.mesh), state.origin);
     }
+    // While a run advances its front, no elements enclose it.
+    this.#behind.visible = state.front === null;
     this.root.visible = state.layers.mesh && this.#geometry.drawRange.count > 0;
   }
 
   dispose(): void {
     this.#geometry.dispose();
     this.#material.dispose();
+    this.#through.dispose();
   }
 
   /** @param corners x y z of three corners per face, in model coordinates. */
