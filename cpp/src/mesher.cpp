@@ -228,7 +228,10 @@ bool MeshRun::Impl::limitElements() {
 
 Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
   front_.emplace(surface_, *field_, options_, *frontMaker_);
+  work.beginPart(1.0);
   const MeshStatus status = co_await front_->run(work);
+  // The progress stays where it is: the rest was for recovery.
+  work.beginPart(0.0);
   std::vector<Diagnostic> found = front_->diagnostics();
   for (Diagnostic& diagnostic : found) {
     if (diagnostic.code != DiagnosticCode::kTooManyElements) continue;

@@ -58,6 +58,34 @@ TEST(GridLocatorTest, FindsPositionsInsideFromAnyStart) {
   }
 }
 
+/// On faces, edges and nodes, several tetrahedra contain a position; the last bits of a size depend on which one is taken.
+TEST(GridLocatorTest, OnASharedFaceTheLowestTetrahedronDecides) {
+  const BackgroundGrid grid = cubeGrid(4);
+  const GridLocator locator(grid);
+  const auto count = static_cast<int>(grid.tetrahedra.size());
+  Random random(402);
+  std::size_t shared = 0;
+  for (int i = 0; i < 600; ++i) {
+    const auto& nodes = grid.tetrahedra[static_cast<std::size_t>(random.integer(0, count - 1))];
+    // A position on a face, an edge or at a node.
+    Vec3 position(0.0);
+    const int corners = 1 + i % 3;
+    for (int k = 0; k < corners; ++k)
+      position +=
+          grid.nodes[nodes[static_cast<std::size_t>(k)]].position / static_cast<double>(corners);
+    const GridLocator::Location first = locator.locate(position, GridTetId(0U));
+    ASSERT_TRUE(first.inside);
+    for (int start = 0; start < 10; ++start) {
+      const GridTetId from(static_cast<std::uint32_t>(random.integer(0, count - 1)));
+      const GridLocator::Location again = locator.locate(position, from);
+      EXPECT_EQ(again.tetrahedron, first.tetrahedron);
+      EXPECT_EQ(again.weights, first.weights);
+    }
+    shared += std::ranges::count(first.weights, 0.0) > 0 ? 1 : 0;
+  }
+  EXPECT_GT(shared, 100U);
+}
+
 TEST(GridLocatorTest, NodesAndBorderCountAsInside) {
   const GridLocator locator(cubeGrid(5));
   for (const BackgroundNode& node : locator.grid().nodes) {

@@ -119,6 +119,7 @@ TEST(SurfaceCurvedHoles, NodesOfTheHoleStayOnItsLine) {
   const SurfaceMesh mesh = meshOf(model, 0.2);
   const std::uint32_t meeting = 3;
   const ResolvedModel resolved(model);
+  EXPECT_GT(std::ranges::count(mesh.sideLine, meeting), 8) << "the line where the tubes meet";
   for (std::size_t side = 0; side < mesh.sideLine.size(); ++side) {
     if (mesh.sideLine[side] != meeting) continue;
     const Vec3 node = pointOf(mesh, mesh.sides[2 * side]);

@@ -83,7 +83,13 @@ GridLocator::Location GridLocator::locate(const Vec3& position, GridTetId start)
     for (std::size_t i = 1; i < 4; ++i) {
       if (weights[i] < weights[exit]) exit = i;
     }
-    if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true, step};
+    if (weights[exit] >= -kWeightRounding) {
+      Location found = weights[exit] > kWeightRounding
+                           ? Location{at, clampedWeights(weights), true, 0}
+                           : lowestAround(at, position, weights);
+      found.steps = step;
+      return found;
+    }
     const GridTetId next = frames_[at.index()].neighbours[exit];
     if (next.isNone()) {
       Location found = nearest(position, at);
@@ -95,6 +101,26 @@ GridLocator::Location GridLocator::locate(const Vec3& position, GridTetId start)
   Location found = nearest(position, at);
   found.steps = maxSteps_;
   return found;
+}
+
+/// Returns the lowest of the tetrahedra that contain the position on a face, an edge or a node of `tet`. They are connected over
+/// faces that contain it.
+GridLocator::Location GridLocator::lowestAround(GridTetId tet, const Vec3& position,
+                                                const std::array<double, 4>& weights) const {
+  Location lowest{tet, clampedWeights(weights), true, 0};
+  std::vector<GridTetId> around{tet};
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const std::array<double, 4> own = weightsAt(around[i], position);
+    if (around[i] < lowest.tetrahedron) lowest = {around[i], clampedWeights(own), true, 0};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const GridTetId next = frames_[around[i].index()].neighbours[k];
+      if (own[k] > kWeightRounding || next.isNone()) continue;
+      const std::array<double, 4> beyond = weightsAt(next, position);
+      if (*std::ranges::min_element(beyond) < -kWeightRounding) continue;
+      if (std::ranges::find(around, next) == around.end()) around.push_back(next);
+    }
+  }
+  return lowest;
 }
 
 /// Returns the largest distance outside the grid that still counts as covered, if this tetrahedron

@@ -29,8 +29,8 @@ class GridLocator {
   /// the sizes of its nodes (grid_gradation.h). Builds the locator in one call; O(n log n).
   explicit GridLocator(const BackgroundGrid& grid, double growth = 0.0);
 
-  /// Returns the tetrahedron that contains `position`, or the nearest one, with the weights of its
-  /// nearest point. A few steps from a near start, O(n^(1/3)) from a far one, O(log n) after a
+  /// Returns the tetrahedron that contains `position`, the lowest one on a face of several, or the nearest one, with the weights of
+  /// its nearest point. Only the number of steps depends on the start. A few steps from a near start, O(n^(1/3)) from a far one, O(log n) after a
   /// failed walk.
   [[nodiscard]] Location locate(const Vec3& position, GridTetId start) const;
 
@@ -59,6 +59,8 @@ class GridLocator {
   GridLocator() = default;
 
   [[nodiscard]] std::array<double, 4> weightsAt(GridTetId tet, const Vec3& position) const;
+  [[nodiscard]] Location lowestAround(GridTetId tet, const Vec3& position,
+                                      const std::array<double, 4>& weights) const;
   [[nodiscard]] Location nearest(const Vec3& position, GridTetId guess) const;
   [[nodiscard]] double allowanceAt(GridTetId tet) const;
 

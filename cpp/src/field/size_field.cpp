@@ -91,11 +91,9 @@ bool SizeField::covers(const Vec3& position, FieldHint& hint) const {
 }
 
 GridLocator::Location SizeField::locate(const GridLocator& grid, const Vec3& position,
-                                        FieldHint& hint) const {
+                                        FieldHint& hint) {
   const GridLocator::Location location = grid.locate(position, hint.tetrahedron);
   hint.tetrahedron = location.tetrahedron;
-  ++walked_.queries;
-  walked_.steps += location.steps;
   return location;
 }
 

@@ -30,12 +30,7 @@ struct FieldHint {
   std::uint32_t region = kAnyRegion;  ///< region whose sizes are queried
 };
 
-/// Cost of the queries of a background grid.
-struct WalkCount {
-  std::uint64_t queries = 0;
-  std::uint64_t steps = 0;  ///< steps from one tetrahedron to the next
-};
-
+/// Queries change nothing but their hint, which is where a search begins: no result depends on it.
 class SizeField {
  public:
   static SizeField uniform(double size);
@@ -88,16 +83,13 @@ class SizeField {
   /// margin; always true without a background grid.
   [[nodiscard]] bool covers(const Vec3& position, FieldHint& hint) const;
 
-  /// Returns the cost of all queries so far.
-  [[nodiscard]] WalkCount walkCount() const { return walked_; }
-
  private:
   using Base = std::variant<double, GridLocator, SizeOctree>;
   template <class Kind>
   SizeField(std::in_place_type_t<Kind> kind, Kind base) : base_(kind, std::move(base)) {}
   [[nodiscard]] double baseSizeAt(const Vec3& position, FieldHint& hint) const;
-  GridLocator::Location locate(const GridLocator& grid, const Vec3& position,
-                               FieldHint& hint) const;
+  static GridLocator::Location locate(const GridLocator& grid, const Vec3& position,
+                                      FieldHint& hint);
 
   Base base_;
   SizeSources sources_;
@@ -105,7 +97,6 @@ class SizeField {
   std::optional<SizeOctree> floor_;
   double cap_ = std::numeric_limits<double>::infinity();
   std::vector<double> regionCaps_;
-  mutable WalkCount walked_;  ///< a measurement; no result depends on it
 };
 
 }  // namespace tetrafront

@@ -90,6 +90,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     hasNeighbours_ = true;
     if (complex_.elementCount() > 0) {
       if (observer_ != nullptr && !schedule_.empty()) observer_->begun(complex_);
+      work.beginPart(1.0);
       co_await runSteps(work);
     }
     isDone_ = true;
@@ -117,14 +118,13 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     for (const Step& step : schedule_) all += step.work;
     double before = 0.0;
     for (const Step& step : schedule_) {
-      const double begin = kBuildShare + (1.0 - kBuildShare) * before / all;
+      work.beginPart(before / all);
       before += step.work;
       if (isLeftOut(step)) continue;
-      work.beginPart(begin);
       co_await measureBy(work, step);
       wasWorthwhile_ = isWorthwhile(step);
       if (!wasWorthwhile_) continue;
-      work.beginPart(kBuildShare + (1.0 - kBuildShare) * before / all);
+      work.beginPart(before / all);
       co_await runSweeps(work, step);
       if (isHopeless_) co_return;
     }

@@ -59,14 +59,16 @@ RegionMesher::RegionMesher(const SurfaceMesh& boundary, const SizeField& field,
       halvesOf_(halvesOfRegions(boundary)) {}
 
 Task<MeshStatus> RegionMesher::run(Work& work) {
-  const auto all = static_cast<double>(std::max<std::size_t>(boundary_.triangleRegions.size(), 1));
+  std::size_t all = 0;
+  for (const auto& halves : halvesOf_) all += halves.size();
   double shareOfFronts = 0.0;  // of the regions begun, by their triangles
   double openShare = 0.0;      // faces left to recovery, per triangle
   for (std::uint32_t region = 0; region < halvesOf_.size(); ++region) {
     begin(region);
     // The end of a slice shows that the progress of the exact fill begins again.
     co_await work.yield();
-    const double share = static_cast<double>(halvesOf_[region].size()) / all;
+    const double share = static_cast<double>(halvesOf_[region].size()) /
+                         static_cast<double>(std::max<std::size_t>(all, 1));
     shareOfFronts += share;
     work.beginPart(kFrontShare * shareOfFronts + (1.0 - kFrontShare) * openShare);
     const bool isGood = co_await current_->advanceFront(work);
