@@ -22,11 +22,11 @@
 #include <string_view>
 #include <vector>
 
-#include "field/grid_locator.h"
+#include "boundary/boundary.h"
 #include "field/check_background_grid.h"
+#include "field/grid_locator.h"
 #include "field/size_field.h"
 #include "field/size_octree.h"
-#include "boundary/boundary.h"
 #include "volume/volume_mesher.h"
 
 namespace {

@@ -10,7 +10,6 @@
 
 #include "base/diagnostics.h"
 #include "boundary/boundary.h"
-#include "topology/surface_access.h"
 #include "optimize/locality.h"
 #include "preview/check_input.h"
 #include "quality/metrics.h"
@@ -24,6 +23,7 @@
 #include "sizing/volume_sizes.h"
 #include "surface/patch_summary.h"
 #include "surface/surface_mesher.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -46,7 +46,7 @@ export function suitesFor(files) {
   if (generates) suites.set("types", undefined);
   const engine = touches(/^cpp\/(src|include|CMakeLists)/);
   if (engine || touches(/^tests\/(cpp|support)\/.*\.(cpp|h)$/)) suites.set("cpp", undefined);
-  if (engine) suites.set("tidy", undefined);
+  if (engine) suites.set("tidy", undefined).set("alone", undefined);
 
   const unit = new Set(pick(/^tests\/unit\/.*\.test\.tsx?$/));
   if (generates || touches(/^wasm\//)) unit.add("tests/unit/package");

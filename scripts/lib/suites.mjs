@@ -8,6 +8,7 @@ import { fuzzSurfaces } from "./fuzzer.mjs";
 import { untestedOracles } from "./oracles.mjs";
 import { buildFolders, inRoot, reports } from "./paths.mjs";
 import { inParallel, jobs, run } from "./run.mjs";
+import { sourcesThatNeedOthers } from "./single-sources.mjs";
 import { tidy } from "./tidy.mjs";
 import { findFuzzer, typescriptCompiler } from "./tools.mjs";
 
@@ -122,6 +123,14 @@ export const suites = {
       return check(bad.length === 0, `clang-tidy finds problems in ${bad.join(", ")}`);
     },
   },
+  alone: {
+    title: "C++ sources, each alone",
+    needs: [],
+    async run({ compiler }) {
+      const bad = await sourcesThatNeedOthers(compiler);
+      return check(bad.length === 0, `cannot be compiled alone: ${bad.join(", ")}`);
+    },
+  },
   "cpp-asan": {
     title: "C++ tests (ASan + UBSan)",
     needs: ["database", "asan"],
@@ -180,7 +189,7 @@ export const suites = {
  * Both take about the same processor time. What needs the package comes late in the lane that does not build it.
  */
 export const lanes = [
-  ["format", "cpp", "types", "lint", "tidy", "cpp-asan", "fuzz"],
+  ["format", "cpp", "types", "lint", "tidy", "alone", "cpp-asan", "fuzz"],
   ["e2e", "unit"],
 ];
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "topology/surface_access.h"
 #include "boundary/triangle_pairs.h"
 #include "geom/intersect.h"
 #include "support/random.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront::testing {
 namespace {

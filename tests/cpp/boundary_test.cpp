@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "topology/edge_table.h"
-#include "topology/half_faces.h"
 #include "support/random.h"
 #include "support/shapes.h"
+#include "topology/edge_table.h"
+#include "topology/half_faces.h"
 
 namespace tetrafront::testing {
 namespace {

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "boundary/boundary.h"
 #include "field/size_field.h"
 #include "quality/metrics.h"
 #include "support/mesh_validator.h"
 #include "support/models.h"
-#include "boundary/boundary.h"
 #include "tetrafront/mesher.h"
 #include "volume/volume_mesher.h"
 

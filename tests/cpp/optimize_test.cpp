@@ -9,16 +9,17 @@
 #include <string>
 
 #include "base/fingerprint.h"
+#include "boundary/boundary.h"
 #include "field/size_tensor.h"
 #include "optimize/density.h"
 #include "optimize/edge_removal.h"
 #include "optimize/element_cost.h"
+#include "optimize/element_improver.h"
+#include "optimize/last_resort_improver.h"
 #include "optimize/locality.h"
 #include "optimize/mesh_score.h"
 #include "optimize/node_moves.h"
 #include "optimize/optimizer.h"
-#include "optimize/element_improver.h"
-#include "optimize/last_resort_improver.h"
 #include "optimize/tet_complex.h"
 #include "quality/metrics.h"
 #include "support/hard_shapes.h"
@@ -26,7 +27,6 @@
 #include "support/models.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "boundary/boundary.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront {

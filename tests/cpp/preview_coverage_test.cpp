@@ -13,9 +13,9 @@
 #include "support/models.h"
 #include "support/slices.h"
 #include "tetrafront/covering_grid.h"
-#include "tetrafront/size_proposals.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/preview.h"
+#include "tetrafront/size_proposals.h"
 
 namespace tetrafront::testing {
 namespace {

@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "topology/mesh_access.h"
 #include "boundary/boundary.h"
-#include "topology/surface_access.h"
 #include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/part_shapes.h"
@@ -24,6 +22,8 @@
 #include "support/surface_measures.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/remesh.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront::testing {
 namespace {

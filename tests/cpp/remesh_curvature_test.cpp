@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include "topology/mesh_access.h"
 #include "base/task.h"
 #include "remesh/curvature.h"
 #include "remesh/mean_curvature.h"
@@ -15,6 +14,7 @@
 #include "remesh/reference_surface.h"
 #include "support/hard_shapes.h"
 #include "support/shapes.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront::testing {
 namespace {

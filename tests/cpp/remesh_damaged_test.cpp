@@ -14,9 +14,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "topology/mesh_access.h"
 #include "boundary/boundary.h"
-#include "topology/surface_access.h"
 #include "geom/intersect.h"
 #include "support/damage.h"
 #include "support/hard_shapes.h"
@@ -24,6 +22,8 @@
 #include "support/surface_measures.h"
 #include "tetrafront/diagnostic_values.h"
 #include "tetrafront/remesh.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront::testing {
 namespace {

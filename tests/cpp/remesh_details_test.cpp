@@ -7,13 +7,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "topology/mesh_access.h"
 #include "support/hard_shapes.h"
 #include "support/part_shapes.h"
 #include "support/remeshed.h"
 #include "support/shapes.h"
 #include "support/surface_measures.h"
 #include "tetrafront/remesh.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront::testing {
 namespace {

@@ -11,13 +11,13 @@
 #include <random>
 
 #include "base/task.h"
-#include "topology/surface_access.h"
 #include "remesh/envelope.h"
 #include "remesh/guarded_surface.h"
 #include "remesh/surface_editor.h"
 #include "support/hard_shapes.h"
 #include "support/part_shapes.h"
 #include "support/surface_measures.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront::testing {
 namespace {

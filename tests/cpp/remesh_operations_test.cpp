@@ -10,9 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "topology/mesh_access.h"
 #include "base/task.h"
-#include "topology/surface_access.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
 #include "remesh/envelope.h"
@@ -27,6 +25,8 @@
 #include "support/shapes.h"
 #include "support/surface_measures.h"
 #include "tetrafront/remesh.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront::testing {
 namespace {

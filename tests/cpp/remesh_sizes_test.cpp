@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "topology/mesh_access.h"
 #include "base/task.h"
 #include "geom/measure.h"
 #include "quality/metrics.h"
@@ -23,6 +22,7 @@
 #include "support/shapes.h"
 #include "support/surface_measures.h"
 #include "tetrafront/remesh.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront::testing {
 namespace {

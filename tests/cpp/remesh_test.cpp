@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "topology/mesh_access.h"
 #include "geom/measure.h"
 #include "support/hard_shapes.h"
 #include "support/part_shapes.h"
@@ -22,6 +21,7 @@
 #include "support/slices.h"
 #include "support/surface_measures.h"
 #include "tetrafront/remesh.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront::testing {
 namespace {

@@ -9,12 +9,12 @@
 #include <numbers>
 #include <vector>
 
-#include "topology/mesh_access.h"
 #include "support/hard_shapes.h"
 #include "support/remeshed.h"
 #include "support/shapes.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/remesh.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront::testing {
 namespace {

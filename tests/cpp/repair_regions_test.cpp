@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/mesh_access.h"
 #include "geom/measure.h"
 #include "support/random.h"
 #include "support/shape_building.h"
 #include "support/shapes.h"
 #include "tetrafront/surface_tools.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront::testing {
 namespace {

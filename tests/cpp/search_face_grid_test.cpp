@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "topology/node_lists.h"
 #include "support/random.h"
+#include "topology/node_lists.h"
 
 namespace tetrafront {
 namespace {

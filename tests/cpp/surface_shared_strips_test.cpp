@@ -11,13 +11,13 @@
 #include <numbers>
 #include <set>
 
+#include "boundary/boundary.h"
 #include "model/check_model.h"
+#include "sizing/expected_count.h"
 #include "support/meshed_surface.h"
 #include "support/models.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "boundary/boundary.h"
-#include "sizing/expected_count.h"
 
 namespace tetrafront::testing {
 namespace {

@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "topology/mesh_access.h"
 #include "boundary/boundary.h"
-#include "topology/surface_access.h"
 #include "remesh/surface_complex.h"
 #include "support/part_shapes.h"
 #include "support/shapes.h"
 #include "support/surface_measures.h"
 #include "tetrafront/remesh.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront::testing {
 

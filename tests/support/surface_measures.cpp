@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "topology/mesh_access.h"
-#include "topology/surface_access.h"
 #include "geom/measure.h"
 #include "support/shapes.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront::testing {
 

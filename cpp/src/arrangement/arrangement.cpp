@@ -6,10 +6,10 @@
 #include "arrangement/cut_graph.h"
 #include "arrangement/planar_triangulation.h"
 #include "arrangement/triangle_cuts.h"
-#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "boundary/self_intersection.h"
 #include "search/box_tree.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {

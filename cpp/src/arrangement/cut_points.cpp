@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {

@@ -11,10 +11,10 @@
 #include "arrangement/low_triangles.h"
 #include "arrangement/part_shells.h"
 #include "arrangement/region_nesting.h"
-#include "topology/mesh_access.h"
+#include "boundary/weld.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
-#include "boundary/weld.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "topology/mesh_access.h"
 #include "topology/edge_table.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {

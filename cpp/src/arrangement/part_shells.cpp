@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "arrangement/cell_regions.h"
-#include "topology/mesh_access.h"
 #include "base/sort.h"
+#include "topology/disjoint_sets.h"
 #include "topology/edge_table.h"
 #include "topology/half_faces.h"
+#include "topology/mesh_access.h"
 #include "topology/surface_access.h"
-#include "topology/disjoint_sets.h"
 
 namespace tetrafront {
 namespace {

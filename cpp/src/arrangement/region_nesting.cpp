@@ -6,12 +6,12 @@
 #include <set>
 #include <utility>
 
-#include "topology/mesh_access.h"
 #include "boundary/ray_crossing.h"
 #include "boundary/self_intersection.h"
-#include "topology/surface_access.h"
 #include "search/box_tree.h"
 #include "topology/disjoint_sets.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "geom/predicates.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 

@@ -9,8 +9,8 @@
 #include "arrangement/cut_graph.h"
 #include "arrangement/cut_points.h"
 #include "base/ids.h"
-#include "topology/disjoint_sets.h"
 #include "tetrafront/mesh.h"
+#include "topology/disjoint_sets.h"
 
 namespace tetrafront {
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "boundary/centred_surface.h"
+#include "boundary/self_intersection.h"
+#include "search/box_tree.h"
 #include "topology/corner_fans.h"
 #include "topology/edge_table.h"
 #include "topology/half_faces.h"
-#include "boundary/self_intersection.h"
 #include "topology/surface_access.h"
-#include "search/box_tree.h"
 
 namespace tetrafront {
 namespace {

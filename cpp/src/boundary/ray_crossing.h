@@ -5,10 +5,10 @@
 
 #include <array>
 
-#include "topology/surface_access.h"
 #include "geom/box.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "boundary/boundary_report.h"
-#include "topology/edge_table.h"
-#include "topology/half_faces.h"
 #include "boundary/shell_nesting.h"
 #include "search/box_tree.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
+#include "topology/edge_table.h"
+#include "topology/half_faces.h"
 
 namespace tetrafront {
 

@@ -10,11 +10,11 @@
 #include "base/budget.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
-#include "topology/surface_access.h"
 #include "boundary/triangle_pairs.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
 #include "topology/node_lists.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "base/sort.h"
 #include "boundary/ray_crossing.h"
-#include "topology/surface_access.h"
 #include "geom/predicates.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

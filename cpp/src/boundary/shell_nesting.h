@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "topology/half_faces.h"
 #include "search/box_tree.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/half_faces.h"
 
 namespace tetrafront {
 

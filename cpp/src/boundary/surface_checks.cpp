@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "base/sort.h"
-#include "topology/face_table.h"
-#include "topology/surface_access.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
+#include "topology/face_table.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -15,8 +15,8 @@
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
-#include "topology/node_lists.h"
 #include "tetrafront/options.h"
+#include "topology/node_lists.h"
 
 namespace tetrafront {
 namespace {

@@ -14,9 +14,9 @@
 #include "base/sort.h"
 #include "field/grid_access.h"
 #include "field/size_tensor.h"
-#include "topology/node_lists.h"
 #include "search/indexed_heap.h"
 #include "tetrafront/background_grid.h"
+#include "topology/node_lists.h"
 
 namespace tetrafront {
 

@@ -11,8 +11,8 @@
 #include "field/grid_access.h"
 #include "field/grid_gradation.h"
 #include "field/tensor_limits.h"
-#include "topology/tetrahedron.h"
 #include "topology/face_table.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

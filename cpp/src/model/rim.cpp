@@ -9,7 +9,7 @@ namespace tetrafront {
 namespace {
 
 /// Cosine of 2 degrees: lines at a larger angle form a corner.
-constexpr double kLeastSmoothCosine = 0.99939082701909573;
+constexpr double kMinSmoothCosine = 0.99939082701909573;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ bool Rim::hasCornerAt(std::size_t index) const {
   const Vec3 incoming = before.sample(1.0).derivative;
   const Vec3 outgoing = curves_[index].sample(0.0).derivative;
   const double lengths = glm::length(incoming) * glm::length(outgoing);
-  return glm::dot(incoming, outgoing) < kLeastSmoothCosine * lengths;
+  return glm::dot(incoming, outgoing) < kMinSmoothCosine * lengths;
 }
 
 double Rim::partAt(std::size_t index, double t) const {

@@ -9,18 +9,18 @@
 
 #include "base/diagnostics.h"
 #include "base/ids.h"
-#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "boundary/boundary_report.h"
-#include "topology/edge_table.h"
-#include "topology/half_faces.h"
 #include "boundary/self_intersection.h"
 #include "boundary/shell_nesting.h"
 #include "geom/predicates.h"
-#include "topology/tetrahedron.h"
 #include "search/box_tree.h"
 #include "topology/disjoint_sets.h"
+#include "topology/edge_table.h"
 #include "topology/face_table.h"
+#include "topology/half_faces.h"
+#include "topology/mesh_access.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

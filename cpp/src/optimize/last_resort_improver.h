@@ -11,8 +11,8 @@
 #include "optimize/density.h"
 #include "optimize/edge_removal.h"
 #include "optimize/element_cost.h"
-#include "optimize/node_moves.h"
 #include "optimize/element_improver.h"
+#include "optimize/node_moves.h"
 #include "optimize/tet_complex.h"
 
 namespace tetrafront {

@@ -7,7 +7,6 @@
 
 #include "base/diagnostics.h"
 #include "base/ids.h"
-#include "topology/mesh_access.h"
 #include "base/tool_job.h"
 #include "field/grid_locator_builder.h"
 #include "field/size_field.h"
@@ -18,6 +17,7 @@
 #include "quality/quality_analysis.h"
 #include "quality/verify_mesh.h"
 #include "tetrafront/grid_from_mesh.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {
@@ -75,7 +75,7 @@ Task<SizeField> fieldOfOwnEdges(Work& work, const VolumeMesh& mesh) {
 /// Dihedral angles up to this one, in degrees, are good.
 constexpr double kLargestGoodAngle = 135.0;
 /// Smallest difference that counts: above the rounding of a measure.
-constexpr double kLeastDifference = 1e-9;
+constexpr double kMinDifference = 1e-9;
 
 /// Returns how much better `after` is: the least gain of all measures, and the largest.
 struct Gains {
@@ -98,7 +98,7 @@ Gains gainsBetween(const MeshShapes& before, const MeshShapes& after) {
 
 bool isBetter(const MeshShapes& before, const MeshShapes& after) {
   const Gains gains = gainsBetween(before, after);
-  return gains.least > -kLeastDifference && gains.largest > kLeastDifference;
+  return gains.least > -kMinDifference && gains.largest > kMinDifference;
 }
 
 /// Proves that the mesh is valid and has the kept faces. A defect is a mistake of the engine.

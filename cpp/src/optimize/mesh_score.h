@@ -55,14 +55,14 @@ class MeshScore {
   /// elements are outside 30 to 135 degrees, as with a boundary of needles, and they have become more, or the mean has
   /// fallen by more than later rounds regain.
   [[nodiscard]] bool isHopelessBeside(const MeshScore& other) const {
-    constexpr double kFew = 1000.0;     // elements: their rounds take little time
-    constexpr double kMany = 0.01;      // of all elements
-    constexpr double kMostMore = 1.02;  // times as many elements
-    constexpr double kMostLost =
+    constexpr double kFew = 1000.0;    // elements: their rounds take little time
+    constexpr double kMany = 0.01;     // of all elements
+    constexpr double kMaxMore = 1.02;  // times as many elements
+    constexpr double kMaxLost =
         0.004;  // of the mean radius ratio; later rounds regain up to 0.0035
     if (count_ < kFew || outOfRangeCount_ <= kMany * count_) return false;
-    return outOfRangeCount_ > kMostMore * other.outOfRangeCount_ ||
-           radiusRatios_ / count_ < other.radiusRatios_ / other.count_ - kMostLost;
+    return outOfRangeCount_ > kMaxMore * other.outOfRangeCount_ ||
+           radiusRatios_ / count_ < other.radiusRatios_ / other.count_ - kMaxLost;
   }
 
  private:

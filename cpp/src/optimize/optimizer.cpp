@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "optimize/mesh_score.h"
 #include "optimize/mesh_costs.h"
+#include "optimize/mesh_score.h"
 #include "optimize/schedule.h"
 #include "optimize/sweep_observer.h"
 #include "optimize/sweeps.h"

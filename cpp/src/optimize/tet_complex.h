@@ -13,10 +13,10 @@
 
 #include "base/ids.h"
 #include "base/task.h"
-#include "topology/tetrahedron.h"
 #include "optimize/element_cost.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 

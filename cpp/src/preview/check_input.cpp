@@ -14,10 +14,10 @@
 #include "preview/model_sampler.h"
 #include "preview/sampled_volume.h"
 #include "preview/surface_sampler.h"
-#include "sizing/volume_sizes.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/most_demanding.h"
+#include "sizing/volume_sizes.h"
 
 namespace tetrafront {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "base/task.h"
-#include "topology/surface_access.h"
 #include "model/check_model.h"
 #include "tetrafront/preview.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

@@ -7,8 +7,8 @@
 
 #include "base/sort.h"
 #include "geom/measure.h"
-#include "topology/tetrahedron.h"
 #include "quality/metrics.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

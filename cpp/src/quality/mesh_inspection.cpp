@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/mesh_access.h"
 #include "base/resumable.h"
 #include "base/sort.h"
 #include "base/task.h"
@@ -16,10 +15,11 @@
 #include "field/size_field.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
-#include "topology/tetrahedron.h"
 #include "quality/mesh_boundary.h"
 #include "quality/quality_analysis.h"
 #include "quality/verify_mesh.h"
+#include "topology/mesh_access.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

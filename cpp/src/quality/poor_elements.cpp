@@ -6,13 +6,13 @@
 #include <numbers>
 #include <tuple>
 
-#include "topology/mesh_access.h"
 #include "base/sort.h"
 #include "geom/box.h"
 #include "geom/measure.h"
-#include "topology/tetrahedron.h"
 #include "quality/boundary_limits.h"
 #include "quality/metrics.h"
+#include "topology/mesh_access.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {
@@ -25,8 +25,8 @@ constexpr double kNeedlePerElement = 10.0;
 /// Largest smallest angle of a needle, in degrees.
 constexpr double kNeedleAngle = 10.0;
 /// Width of a gap / distance from an edge times the tangent of its angle, between which the gap belongs to the wedge.
-constexpr double kLeastWedgeShare = 0.35;
-constexpr double kMostWedgeShare = 2.0;
+constexpr double kMinWedgeShare = 0.35;
+constexpr double kMaxWedgeShare = 2.0;
 /// Width of a gap / longest edge above which the gap is not the reason.
 constexpr double kWidthPerEdge = 0.6;
 /// Cosine of the largest turn of the straight part of an edge, about 3 degrees.
@@ -269,8 +269,8 @@ std::optional<PoorElementAnalysis::Reason> PoorElementAnalysis::wedgeNear(const 
   if (!found) return {};
   const double cosine = wedges_[*found].cosine;
   const double expected = std::sqrt(nearest) * tangentOf(cosine);
-  if (expected > kWidthPerEdge * longest || width < kLeastWedgeShare * expected) return {};
-  if (std::isfinite(width) && width > kMostWedgeShare * expected) return {};
+  if (expected > kWidthPerEdge * longest || width < kMinWedgeShare * expected) return {};
+  if (std::isfinite(width) && width > kMaxWedgeShare * expected) return {};
   return Reason{PoorReason::kWedge, degreesOf(cosine), *found};
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "topology/mesh_access.h"
-#include "topology/tetrahedron.h"
 #include "quality/poor_elements.h"
+#include "topology/mesh_access.h"
 #include "topology/node_lists.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

@@ -7,13 +7,13 @@
 #include <limits>
 #include <span>
 
-#include "topology/mesh_access.h"
 #include "base/resumable.h"
 #include "base/sort.h"
 #include "geom/predicates.h"
-#include "topology/tetrahedron.h"
-#include "topology/node_lists.h"
 #include "tetrafront/vec3.h"
+#include "topology/mesh_access.h"
+#include "topology/node_lists.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 namespace {

@@ -9,9 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "topology/mesh_access.h"
 #include "base/tolerance.h"
-#include "topology/surface_access.h"
 #include "geom/measure.h"
 #include "remesh/curvature.h"
 #include "remesh/mean_curvature.h"
@@ -19,6 +17,8 @@
 #include "remesh/thickness.h"
 #include "remesh/wedges.h"
 #include "search/box_tree.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {
@@ -59,7 +59,7 @@ constexpr double kCircumradius = 0.88;
 /// Deviation / thickness of edges on curved thin walls, whose two sides must not come near each other.
 constexpr double kDeviationPerThickness = 0.2;
 /// Curvature x diagonal below which a patch is as good as flat: its sizes would exceed any body.
-constexpr double kLeastCurvature = 1e-6;
+constexpr double kMinCurvature = 1e-6;
 /// Sizes measured per unit of budget.
 constexpr std::size_t kPiecesPerUnit = 8;
 
@@ -179,7 +179,7 @@ void ShapeMeasure::measure(const Sample& sample) {
   const ReferenceSurface::Piece& piece = reference_.pieces()[sample.piece];
   double size = rules_.maxSize;
   Vec3 axis(0.0);
-  if (sample.curvature.largest > kLeastCurvature / reference_.diagonal()) {
+  if (sample.curvature.largest > kMinCurvature / reference_.diagonal()) {
     size = curvatureRule_.sizeFor(sample.curvature);
     axis = bendAxisOf(reference_, piece.triangle);
   }
@@ -219,7 +219,7 @@ void ShapeMeasure::addThinPlace(const Sample& sample, double thickness) {
   const double deviation = kDeviationPerThickness * thickness * rules_.layers;
   const CurvatureRule rule{rules_.anglePerEdge, std::min(rules_.tolerance, deviation)};
   double coarse = rules_.maxSize;
-  if (sample.curvature.largest > kLeastCurvature / reference_.diagonal()) {
+  if (sample.curvature.largest > kMinCurvature / reference_.diagonal()) {
     coarse = std::clamp(rule.sizeFor(sample.curvature), rules_.minSize, rules_.maxSize);
   }
   const double size =

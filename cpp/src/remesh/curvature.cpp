@@ -6,16 +6,16 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geom/angles.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
-#include "geom/angles.h"
 
 namespace tetrafront {
 namespace {
 
 /// Angle in radians below which all angles at the edges of a triangle count as rounding. chordOfCosine() takes the root of the
 /// rounding of a cosine, about 1e-16, so its own error is about 1e-8. The limit is a hundred times that.
-constexpr double kLeastAngle = 1e-6;
+constexpr double kMinAngle = 1e-6;
 /// Angle at an edge / largest angle at an edge of the triangle below which the surface does not bend there.
 constexpr double kFlatPerLargest = 0.1;
 /// Cosine of the largest angle between parallel bends, 2.5 degrees.
@@ -73,7 +73,7 @@ Vec3 bendAxisOf(const ReferenceSurface& reference, TriangleId triangle) {
         chordOfCosine(glm::dot(reference.normalOf(triangle), reference.normalOf(neighbour)));
   }
   const double largest = *std::ranges::max_element(angles);
-  if (largest < kLeastAngle) return Vec3(0.0);
+  if (largest < kMinAngle) return Vec3(0.0);
   const double flat = std::min(kFlatBend, kFlatPerLargest * largest);
   Vec3 axis(0.0);
   for (std::size_t k = 0; k < 3; ++k) {

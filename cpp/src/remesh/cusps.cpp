@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
-#include "topology/mesh_access.h"
 #include "geom/box.h"
 #include "remesh/feature_line.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {
@@ -19,7 +19,7 @@ constexpr double kCuspSlope = 0.47;
 constexpr double kFirstDistance = 0.5;
 constexpr double kDistanceFactor = 1.1;
 /// Two straight lines have the same angle at any distance. This is the least gain of the angle that justifies long edges.
-constexpr double kLeastOpening = 1.3;
+constexpr double kMinOpening = 1.3;
 /// Fall of the least size per distance, beyond the reach: steep, because sizes there follow the gap again.
 constexpr double kFall = 1.5;
 
@@ -57,7 +57,7 @@ double reachOf(const LineEnd& a, const LineEnd& b, const CuspRules& rules) {
     if (reach == 0.0) firstSlope = slope;
     reach = distance;
   }
-  return slope > kLeastOpening * firstSlope ? reach : 0.0;
+  return slope > kMinOpening * firstSlope ? reach : 0.0;
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include <limits>
 #include <optional>
 
-#include "topology/mesh_access.h"
 #include "base/sort.h"
-#include "topology/surface_access.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {
@@ -21,9 +21,9 @@ constexpr double kArcPerWidth = 3.0;
 /// Passes of merges and splits. Merges bring other lines closer.
 constexpr int kMaxMergePasses = 8;
 /// A triangle that is thicker than the distance may be turned by at most 60 degrees from the given surface.
-constexpr double kLeastTurnCosine = 0.5;
+constexpr double kMinTurnCosine = 0.5;
 /// An edge is not split within this fraction of its length from its ends: rounding could make the parts degenerate.
-constexpr double kLeastPart = 1e-3;
+constexpr double kMinPart = 1e-3;
 /// A merge may remove at most this fraction of the thickness of a wall.
 constexpr double kRemovedWall = 0.501;
 /// Least cosine between the normal of a wall's other side and the direction through the wall.
@@ -245,7 +245,7 @@ bool DetailMerger::isAdmitted() {
     const Vec3& facing = reference_.normalOf(added.origin);
     // Thin triangles may turn as they like.
     const bool isThick = glm::length(normal) > distance_ * longestEdgeLengthOf(corners);
-    if (isThick && glm::dot(normal, facing) < kLeastTurnCosine * glm::length(normal)) return false;
+    if (isThick && glm::dot(normal, facing) < kMinTurnCosine * glm::length(normal)) return false;
     numbered_.push_back(numbered(added.nodes, corners));
   }
   grid_.setHidden(removed_, true);
@@ -305,7 +305,7 @@ bool DetailMerger::splitUnderApex(TriangleId triangle) {
     const Vec3 edge = complex_.pointOf(b) - from;
     const Vec3 offset = complex_.pointOf(apex) - from;
     const double part = glm::dot(offset, edge) / glm::dot(edge, edge);
-    if (!(part > kLeastPart && part < 1.0 - kLeastPart)) continue;
+    if (!(part > kMinPart && part < 1.0 - kMinPart)) continue;
     const double height = glm::length(offset - edge * part);
     // An end that is as near is merged without a new node.
     if (height >= distance_ || std::min(part, 1.0 - part) * glm::length(edge) < height) continue;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <span>
 
-#include "topology/mesh_access.h"
 #include "geom/measure.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {
@@ -17,10 +17,10 @@ constexpr int kMaxDepth = 48;
 constexpr double kSharpness = 1.02;
 /// A part is cut only if it extends to both sides of the edge by more than this, relative to the bound.
 /// The bound is about 1e-3 of the diagonal, so this is 1e-12 of it, a few thousand roundings.
-constexpr double kLeastCutPerBound = 1e-9;
+constexpr double kMinCutPerBound = 1e-9;
 /// Sampled distance / tolerance below which the nearest point found by a walk counts as nearest of all: the samples are for
 /// colours, in which a fiftieth of the tolerance cannot be seen.
-constexpr double kLeastSampled = 0.02;
+constexpr double kMinSampled = 0.02;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxWalk = 24;
 
@@ -29,7 +29,7 @@ float distanceFrom(const ReferenceSurface& reference, const Vec3& position, Smoo
                    TriangleId hint, double tolerance) {
   // The walk from the hint ends near the nearest point, and so makes the search short.
   const double near = reference.nearest(position, patch, tolerance, hint).squaredDistance;
-  const double least = kLeastSampled * tolerance;
+  const double least = kMinSampled * tolerance;
   if (near <= least * least) return static_cast<float>(std::sqrt(near));
   return static_cast<float>(
       std::sqrt(reference.nearest(position, patch, std::sqrt(near), {}).squaredDistance));
@@ -164,12 +164,12 @@ std::optional<Cut> DeviationBound::findCut(const Corners& corners, TriangleId tr
     if (std::fabs(glm::dot(corner - over[0], normal)) > bound_) return {};
   }
   std::optional<Cut> best;
-  double farthest = kLeastCutPerBound * bound_;
+  double farthest = kMinCutPerBound * bound_;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 edge = over[(k + 1) % 3] - over[k];
     const Cut cut{over[k], glm::cross(edge, normal) / glm::length(edge)};
     const auto [least, most] = std::ranges::minmax(cut.depthsOf(corners));
-    if (most <= farthest || least >= -kLeastCutPerBound * bound_) continue;
+    if (most <= farthest || least >= -kMinCutPerBound * bound_) continue;
     farthest = most;
     best = cut;
   }

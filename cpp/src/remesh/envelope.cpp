@@ -28,7 +28,7 @@ constexpr std::size_t kMaxCorners = 8;
 constexpr double kReach = 1e-6;
 /// A part is cut only if it extends to both sides of the edge by more than this, relative to the
 /// tolerance; less is rounding.
-constexpr double kLeastCut = 1e-9;
+constexpr double kMinCut = 1e-9;
 
 /// Area / area of the triangle from which a facet is tried before its triangles: only a facet can say that the triangle
 /// lies over it as a whole.
@@ -138,7 +138,7 @@ bool FacetProof::staysNear(const Facet& facet, const Vec3& centroid, const Vec3&
   // If the centroid is beyond the line, paths from it through the edge enter the facet.
   if (inside <= 0.0) return true;
   if (isNear_ && squared <= tolerance_ * tolerance_) return true;
-  if (std::min(inside, deepest) > kLeastCut * tolerance_ && deepest > deepestCut_) {
+  if (std::min(inside, deepest) > kMinCut * tolerance_ && deepest > deepestCut_) {
     cut_ = Cut{from, outward};
     deepestCut_ = deepest;
   }

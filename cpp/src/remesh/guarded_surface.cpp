@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "topology/mesh_access.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
 #include "remesh/envelope.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <tuple>
 
-#include "topology/mesh_access.h"
 #include "base/sort.h"
+#include "topology/mesh_access.h"
 #include "topology/surface_access.h"
 
 namespace tetrafront {

@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
+#include "geom/measure.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
-#include "geom/measure.h"
 
 namespace tetrafront {
 namespace {
@@ -22,7 +22,7 @@ constexpr double kWavyBend = 8.0;
 constexpr double kCellArea = 0.1;
 /// Area / squared diagonal below which the curvature of a triangle is rounding: coordinates are rounded by about 1e-16 of the
 /// diagonal, so the normal of a needle as long as the diagonal and 1e-12 as wide is known to 1e-4.
-constexpr double kLeastArea = 1e-12;
+constexpr double kMinArea = 1e-12;
 /// Slots per unit of budget: to measure bends, and to sum them up in cells.
 constexpr std::size_t kSlotsPerUnit = 8;
 constexpr std::size_t kCellSlotsPerUnit = 64;
@@ -118,7 +118,7 @@ Curvature CellCurvatures::curvatureOf(const Slot& slot) const {
   const TriangleId triangle = reference_.pieces()[slot.piece].triangle;
   const double area = areaOf(cornersOf(reference_.mesh(), triangle));
   const double diagonal = reference_.diagonal();
-  if (!(area > kLeastArea * diagonal * diagonal)) return {};
+  if (!(area > kMinArea * diagonal * diagonal)) return {};
   return BendTensor(reference_, triangle, kFlatBend).over(area);
 }
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::uint32_t kInnerLevels = PieceCells::kLevels - 1;
 /// Least width of a cell / diagonal of the surface: numbers of cells have 32 bits.
-constexpr double kLeastWidth = 0x1p-31;
+constexpr double kMinWidth = 0x1p-31;
 static_assert(3 * kInnerLevels <= std::numeric_limits<std::uint32_t>::digits);
 
 }  // namespace
 
 PieceCells::PieceCells(const ReferenceSurface& reference, double width)
-    : reference_(reference), width_(std::max(width, kLeastWidth * reference.diagonal())) {
+    : reference_(reference), width_(std::max(width, kMinWidth * reference.diagonal())) {
   lowest_.fill(std::numeric_limits<std::int64_t>::max());
   for (const ReferenceSurface::Piece& piece : reference_.pieces()) {
     const Cell cell = cellOf(piece);

@@ -5,11 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "topology/mesh_access.h"
 #include "base/sort.h"
+#include "geom/measure.h"
+#include "topology/mesh_access.h"
 #include "topology/smooth_triangles.h"
 #include "topology/surface_access.h"
-#include "geom/measure.h"
 
 namespace tetrafront {
 namespace {

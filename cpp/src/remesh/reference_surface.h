@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/mesh_access.h"
 #include "base/task.h"
-#include "topology/edge_table.h"
 #include "geom/coordinates.h"
 #include "geom/triangle_frame.h"
 #include "remesh/feature_line.h"
 #include "search/box_tree.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/edge_table.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 

@@ -10,8 +10,6 @@
 #include <span>
 #include <utility>
 
-#include "topology/mesh_access.h"
-#include "topology/surface_access.h"
 #include "geom/angles.h"
 #include "quality/metrics.h"
 #include "remesh/deviation.h"
@@ -23,6 +21,8 @@
 #include "remesh/triangle_parts.h"
 #include "remesh/volume_correction.h"
 #include "sizing/target_sizes.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -37,7 +37,7 @@ constexpr int kMaxFlipPasses = 20;
 /// A node nearer to an edge, in target lengths, is the apex of a cap ...
 constexpr double kCapHeight = 0.25;
 /// ... if its foot is this far from the ends of the edge, relative to its length.
-constexpr double kLeastFoot = 0.1;
+constexpr double kMinFoot = 0.1;
 /// Flips around a new node.
 constexpr int kFlipsAround = 60;
 /// Squared sines of 38 and 32 degrees. Triangles with a smaller angle are improved one by one.
@@ -174,7 +174,7 @@ bool RemeshSchedule::splitAndFlip(const Edge& edge) {
   for (const HalfEdgeId halfEdge : edge_) {
     const NodeId apex = complex_.nodesOf(halfEdge).apex;
     const double foot = footOf(edge.a, edge.b, apex);
-    if (foot > kLeastFoot && foot < 1.0 - kLeastFoot && heightOf(edge.a, edge.b, apex) < kCapHeight)
+    if (foot > kMinFoot && foot < 1.0 - kMinFoot && heightOf(edge.a, edge.b, apex) < kCapHeight)
       part = foot;
   }
   if (!editor_.split(edge.a, edge.b, part)) return editor_.absorb(edge.a, edge.b);

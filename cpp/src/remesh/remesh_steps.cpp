@@ -8,12 +8,13 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "topology/mesh_access.h"
 #include "boundary/boundary.h"
-#include "topology/surface_access.h"
 #include "geom/angles.h"
 #include "remesh/detail_merger.h"
 #include "remesh/reference_surface.h"
+#include "remesh/triangle_parts.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

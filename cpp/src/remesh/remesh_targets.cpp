@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "topology/mesh_access.h"
 #include "field/size_sites.h"
 #include "geom/angles.h"
 #include "remesh/automatic_sizes.h"
@@ -17,6 +16,7 @@
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
 #include "sizing/volume_sizes.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/edge_table.h"
 #include "remesh/feature_line.h"
 #include "remesh/reference_surface.h"
 #include "tetrafront/vec3.h"
+#include "topology/edge_table.h"
 
 namespace tetrafront {
 

@@ -23,11 +23,11 @@ constexpr double kAbsorbedHeight = 0.05;
 constexpr double kTinyEdge = 1e-3;
 constexpr double kFarTooShort = 0.03;
 /// Smallest relative gain of a squared sine that justifies a flip; with any gain, rounding could flip an edge for ever.
-constexpr double kLeastFlipGain = 1e-3;
+constexpr double kMinFlipGain = 1e-3;
 /// Squared sine of an angle below which the gain of a flip is rounding.
-constexpr double kLeastSquaredSine = 1e-12;
+constexpr double kMinSquaredSine = 1e-12;
 /// Squared sine of half a degree. A cap with a smaller angle could stay for ever.
-constexpr double kLeastCapSquaredSine = 7.6e-5;
+constexpr double kMinCapSquaredSine = 7.6e-5;
 /// Cosine of an angle opposite an edge, 75 degrees. In a plane, a flip raises the smallest angle only if the two angles
 /// opposite the edge exceed 180 degrees together; the margin is for bends.
 constexpr double kNarrowApex = 0.26;
@@ -373,7 +373,7 @@ bool SurfaceEditor::allowsShapes(const CollapseRule& rule) const {
   if (rule.mustImprove) return after > before;
   if (after >= std::min(rule.poorest, before)) return true;
   const double smallest = smallestAdded();
-  return smallest >= smallestRemoved() && smallest > kLeastCapSquaredSine;
+  return smallest >= smallestRemoved() && smallest > kMinCapSquaredSine;
 }
 
 bool SurfaceEditor::collapse(NodeId a, NodeId b, const CollapseRule& rule) {
@@ -458,7 +458,7 @@ bool SurfaceEditor::flip(NodeId a, NodeId b) {
       std::min(squaredSineOf(complex_.nodesOf(t)), squaredSineOf(complex_.nodesOf(u)));
   const double after =
       std::min(squaredSineOf(change_.added[0].nodes), squaredSineOf(change_.added[1].nodes));
-  if (after <= before * (1.0 + kLeastFlipGain) + kLeastSquaredSine) return false;
+  if (after <= before * (1.0 + kMinFlipGain) + kMinSquaredSine) return false;
   if (c == d || complex_.areJoined(c, d)) return false;
   const Vec3 first = crossOf(cornersOf(change_.added[0].nodes));
   const Vec3 second = crossOf(cornersOf(change_.added[1].nodes));

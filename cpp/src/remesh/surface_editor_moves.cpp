@@ -12,9 +12,9 @@ namespace {
 /// Smallest gains of a radius ratio, which is at most 1, that justify a move; with any gain, rounding could move a node for
 /// ever. With a gain of .001 and all parts of the way, smoothing would raise the mean ratio by .004 and remeshing would take
 /// a quarter longer; the poorest triangles would not profit.
-constexpr double kLeastSmoothingGain = 5e-3;
+constexpr double kMinSmoothingGain = 5e-3;
 /// The few poorest triangles also profit from small steps.
-constexpr double kLeastImprovement = 1e-3;
+constexpr double kMinImprovement = 1e-3;
 /// Fractions of the way that are tried one after the other. Smoothing comes back to a node soon.
 constexpr std::array<double, 1> kSmoothingParts{1.0};
 constexpr std::array<double, 3> kImprovingParts{1.0, 0.5, 0.25};
@@ -59,7 +59,7 @@ bool SurfaceEditor::endMove(bool wasMade) {
 
 bool SurfaceEditor::isBetter(const Ratios& before, MovePurpose purpose) const {
   const bool forMean = purpose == MovePurpose::kSmooth;
-  const double least = forMean ? kLeastSmoothingGain : kLeastImprovement;
+  const double least = forMean ? kMinSmoothingGain : kMinImprovement;
   const Ratios after = ratiosAdded();
   if (after.poorest > before.poorest + least) return true;
   return forMean && after.poorest > kGoodRatio && after.mean > before.mean + least;

@@ -10,11 +10,9 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "topology/mesh_access.h"
 #include "base/tool_job.h"
 #include "boundary/boundary.h"
 #include "boundary/centred_surface.h"
-#include "topology/surface_access.h"
 #include "field/size_octree_builder.h"
 #include "geom/angles.h"
 #include "geom/coordinates.h"
@@ -30,6 +28,8 @@
 #include "sizing/expected_count.h"
 #include "sizing/region_sizes.h"
 #include "sizing/target_sizes.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -6,10 +6,10 @@
 #include "base/ids.h"
 #include "base/sort.h"
 #include "boundary/ray_crossing.h"
-#include "topology/surface_access.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
 #include "topology/disjoint_sets.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

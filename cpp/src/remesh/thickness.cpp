@@ -9,15 +9,15 @@
 #include <span>
 #include <utility>
 
-#include "topology/surface_access.h"
 #include "search/box_tree.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {
 
 /// In place of a smaller component of a ray's unit direction, so that its inverse is finite: far below the rounding of a component,
 /// about 1e-16, and its inverse times any coordinate is far below the largest double.
-constexpr double kLeastComponent = 1e-30;
+constexpr double kMinComponent = 1e-30;
 /// Distance / diagonal from the start of a ray within which the surface is that at the start itself: above the rounding of
 /// coordinates in single precision, 6e-8 of the largest one, and far below any thickness that could be meshed.
 constexpr double kRayStart = 1e-7;
@@ -28,8 +28,7 @@ class BoxRay {
   BoxRay(const Vec3& from, const Vec3& direction, double first) : from_(from), first_(first) {
     // A direction along an axis must not give 0 x infinity.
     for (int k = 0; k < 3; ++k) {
-      inverse_[k] =
-          1.0 / (std::fabs(direction[k]) < kLeastComponent ? kLeastComponent : direction[k]);
+      inverse_[k] = 1.0 / (std::fabs(direction[k]) < kMinComponent ? kMinComponent : direction[k]);
     }
   }
   /// Returns the distance at which the ray is first in the box, if it is below `last`; otherwise infinity.

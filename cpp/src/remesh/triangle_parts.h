@@ -6,8 +6,8 @@
 #include <array>
 #include <cstddef>
 
-#include "topology/surface_access.h"
 #include "tetrafront/vec3.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

@@ -6,27 +6,27 @@
 #include <cstddef>
 #include <numeric>
 
+#include "quality/metrics.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
-#include "quality/metrics.h"
 
 namespace tetrafront {
 namespace {
 
 /// Change of a volume, relative to it, that is left.
-constexpr double kLeastChange = 2e-3;
+constexpr double kMinChange = 2e-3;
 /// The same for parts if the whole volume has changed by more.
-constexpr double kLeastChangeOfPart = 2e-4;
+constexpr double kMinChangeOfPart = 2e-4;
 constexpr int kMaxCorrections = 3;
 /// Mean distance of a triangle from a smooth patch / distance of its centroid. Over an equilateral triangle, a quadratic
 /// function differs from the linear one by 3 / 4 of the largest difference on average.
 constexpr double kMeanPerCentroid = 0.75;
 /// Length / tolerance of moves that are not worth their time.
-constexpr double kLeastMove = 0.01;
+constexpr double kMinMove = 0.01;
 /// Distances measured per unit of budget.
 constexpr std::size_t kGapsPerUnit = 16;
 /// A move may reduce the radius ratio of a triangle by this factor.
-constexpr double kLeastRatioKept = 0.98;
+constexpr double kMinRatioKept = 0.98;
 
 }  // namespace
 
@@ -75,8 +75,8 @@ bool VolumeCorrection::findChanged() {
   // A thin wall has the difference of two volumes.
   const double whole = std::accumulate(given_.begin(), given_.end(), 0.0);
   const double wholeMade = std::accumulate(made.begin(), made.end(), 0.0);
-  const bool hasChanged = std::fabs(wholeMade - whole) > kLeastChange * std::fabs(whole);
-  const double least = hasChanged ? kLeastChangeOfPart : kLeastChange;
+  const bool hasChanged = std::fabs(wholeMade - whole) > kMinChange * std::fabs(whole);
+  const double least = hasChanged ? kMinChangeOfPart : kMinChange;
   for (std::size_t i = 0; i < given_.size(); ++i) {
     const double missing = given_[i] - made[i];
     if (std::fabs(missing) > least * std::fabs(given_[i])) isChanged_[i] = 1;
@@ -173,7 +173,7 @@ void VolumeCorrection::move(NodeId node) {
   const auto& [sum, weight] = gaps_[node.index()];
   if (!(weight > 0.0)) return;
   const Vec3 step = sum / weight;
-  if (glm::length(step) < kLeastMove * surface_.tolerance()) return;
+  if (glm::length(step) < kMinMove * surface_.tolerance()) return;
   const Vec3 here = complex_.pointOf(node);
   for (const double part : {1.0, 0.5, 0.25}) {
     if (tryMove(node, here + step * part)) break;
@@ -193,7 +193,7 @@ bool VolumeCorrection::tryMove(NodeId node, const Vec3& to) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (nodes[k] == node) corners[k] = change_.position;
     }
-    if (triangleRadiusRatio(corners[0], corners[1], corners[2]) < kLeastRatioKept * before)
+    if (triangleRadiusRatio(corners[0], corners[1], corners[2]) < kMinRatioKept * before)
       return false;
     change_.added.push_back({nodes, complex_.patchOf(t)});
   }

@@ -6,10 +6,10 @@
 #include <optional>
 #include <span>
 
-#include "topology/mesh_access.h"
-#include "topology/edge_table.h"
 #include "geom/box.h"
 #include "geom/measure.h"
+#include "topology/edge_table.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kWedgeCosine = 0.8660254037844387;
 constexpr double kFlatShare = 0.8;
 constexpr double kBentShare = 0.35;
 /// Smallest tangent of the angle between bent faces / tangent of the edge's angle.
-constexpr double kLeastTangent = 0.3;
+constexpr double kMinTangent = 0.3;
 
 /// Returns the unit vector in the plane of a triangle that leaves the half-edge at a right angle.
 Vec3 inwardOf(const ReferenceSurface& reference, HalfEdgeId halfEdge, const Vec3& along) {
@@ -108,7 +108,7 @@ bool Wedges::contain(const OppositeFaces& faces) const {
   });
   if (wedge == nullptr) return false;
   const double expected = std::sqrt(nearest) * wedge->tangent;
-  const bool isBent = faces.tangent < kLeastTangent * wedge->tangent;
+  const bool isBent = faces.tangent < kMinTangent * wedge->tangent;
   return faces.distance >= (isBent ? kFlatShare : kBentShare) * expected;
 }
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
+#include "boundary/weld.h"
 #include "topology/edge_table.h"
 #include "topology/surface_access.h"
-#include "boundary/weld.h"
 
 namespace tetrafront {
 namespace {

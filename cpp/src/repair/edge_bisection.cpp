@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "topology/surface_access.h"
 #include "sizing/target_sizes.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "topology/edge_table.h"
 #include "field/size_field.h"
 #include "search/indexed_heap.h"
 #include "sizing/region_sizes.h"
 #include "tetrafront/mesh.h"
+#include "topology/edge_table.h"
 
 namespace tetrafront {
 

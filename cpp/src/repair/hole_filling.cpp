@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "topology/edge_table.h"
 #include "boundary/self_intersection.h"
-#include "topology/surface_access.h"
 #include "geom/intersect.h"
 #include "repair/open_rims.h"
 #include "repair/rim_triangulation.h"
 #include "repair/sliver_splitting.h"
 #include "search/box_tree.h"
+#include "topology/edge_table.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

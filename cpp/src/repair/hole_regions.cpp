@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/mesh_access.h"
 #include "topology/edge_table.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/edge_table.h"
 #include "tetrafront/mesh.h"
+#include "topology/edge_table.h"
 
 namespace tetrafront {
 

@@ -10,12 +10,12 @@
 
 #include "base/sort.h"
 #include "boundary/boundary_report.h"
-#include "topology/edge_table.h"
-#include "topology/smooth_triangles.h"
-#include "topology/surface_access.h"
 #include "boundary/surface_checks.h"
 #include "geom/angles.h"
 #include "sizing/check_options.h"
+#include "topology/edge_table.h"
+#include "topology/smooth_triangles.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

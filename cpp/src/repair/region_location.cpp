@@ -8,8 +8,8 @@
 #include "boundary/boundary.h"
 #include "boundary/ray_crossing.h"
 #include "boundary/self_intersection.h"
-#include "topology/surface_access.h"
 #include "search/box_tree.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

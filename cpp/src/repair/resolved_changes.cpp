@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/sort.h"
+#include "geom/measure.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
-#include "geom/measure.h"
 
 namespace tetrafront {
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "topology/surface_access.h"
 #include "geom/predicates.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "geom/predicates.h"
 #include "topology/edge_table.h"
 #include "topology/surface_access.h"
-#include "geom/predicates.h"
 
 namespace tetrafront {
 namespace {

@@ -5,15 +5,15 @@
 #include <span>
 #include <utility>
 
-#include "topology/edge_table.h"
-#include "topology/half_faces.h"
 #include "boundary/self_intersection.h"
 #include "boundary/shell_nesting.h"
-#include "topology/surface_access.h"
 #include "repair/open_rims.h"
 #include "repair/rim_triangulation.h"
 #include "search/box_tree.h"
 #include "topology/disjoint_sets.h"
+#include "topology/edge_table.h"
+#include "topology/half_faces.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

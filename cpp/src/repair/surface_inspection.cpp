@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "boundary/boundary.h"
+#include "quality/metrics.h"
 #include "topology/corner_fans.h"
 #include "topology/edge_table.h"
 #include "topology/surface_access.h"
-#include "quality/metrics.h"
 
 namespace tetrafront {
 namespace {

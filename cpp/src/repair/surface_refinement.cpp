@@ -7,12 +7,12 @@
 
 #include "base/diagnostics.h"
 #include "boundary/boundary_report.h"
-#include "topology/surface_access.h"
 #include "boundary/surface_checks.h"
 #include "repair/edge_bisection.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -3,10 +3,10 @@
 /// @file Refines a given surface until its triangles fit the target sizes.
 
 #include "base/task.h"
+#include "sizing/region_sizes.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
-#include "sizing/region_sizes.h"
 #include "tetrafront/surface_tools.h"
 
 namespace tetrafront {

@@ -8,9 +8,6 @@
 #include "arrangement/enclosed_surface.h"
 #include "base/sort.h"
 #include "boundary/boundary.h"
-#include "topology/edge_table.h"
-#include "topology/half_faces.h"
-#include "topology/surface_access.h"
 #include "boundary/surface_checks.h"
 #include "boundary/weld.h"
 #include "repair/crack_welding.h"
@@ -21,6 +18,9 @@
 #include "repair/shared_volumes.h"
 #include "repair/sliver_splitting.h"
 #include "repair/surface_closing.h"
+#include "topology/edge_table.h"
+#include "topology/half_faces.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <limits>
 
-#include "topology/surface_access.h"
 #include "field/size_octree_builder.h"
 #include "field/size_sites.h"
 #include "sizing/target_sizes.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

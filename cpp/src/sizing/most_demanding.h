@@ -2,10 +2,10 @@
 
 /// @file Finds what to change if the sizes require too many elements.
 
-#include "topology/surface_access.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "topology/surface_access.h"
 #include "field/check_background_grid.h"
 #include "field/grid_locator_builder.h"
 #include "field/size_octree_builder.h"
 #include "sizing/surface_coverage.h"
 #include "sizing/volume_sizes.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

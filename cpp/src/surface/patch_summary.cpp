@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "topology/surface_access.h"
 #include "quality/metrics.h"
 #include "sizing/target_sizes.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

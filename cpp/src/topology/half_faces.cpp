@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "topology/surface_access.h"
 #include "geom/predicates.h"
 #include "topology/disjoint_sets.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {

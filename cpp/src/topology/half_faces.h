@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/edge_table.h"
 #include "tetrafront/mesh.h"
+#include "topology/edge_table.h"
 
 namespace tetrafront {
 

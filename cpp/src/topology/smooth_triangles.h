@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/edge_table.h"
-#include "topology/surface_access.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/edge_table.h"
+#include "topology/surface_access.h"
 
 namespace tetrafront {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/ids.h"
-#include "topology/mesh_access.h"
 #include "geom/intersect.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 
