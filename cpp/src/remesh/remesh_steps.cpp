@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -12,39 +13,13 @@
 #include "geom/angles.h"
 #include "remesh/detail_merger.h"
 #include "remesh/reference_surface.h"
+#include "remesh/rules.h"
 #include "remesh/triangle_parts.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
 
 namespace tetrafront {
 namespace {
-
-/// Smallest angle, in degrees, below which poor details are dropped.
-constexpr double kPoorAngle = 10.0;
-/// Width of a detail / size below which triangles across it have a smaller angle: the sine of it.
-constexpr double kPoorWidth = 0.1736;
-/// Mean radius ratio below which triangles are poor everywhere, not across a few details: dropping those is of no use.
-constexpr double kPoorRatio = 0.8;
-/// Mean radius ratio that a larger smallest angle may cost.
-constexpr double kRatioCost = 0.015;
-/// Merges of poor details, each followed by a remeshing around them: a merge brings other lines closer. A remeshing may make
-/// triangles better even if nothing is merged.
-constexpr int kMaxPoorMerges = 3;
-/// Smallest angle, in degrees, below which a triangle of a remeshed surface changes in the next remeshing, too; and the number
-/// of layers of triangles around it that change with it.
-constexpr double kUnsettledAngle = 20.0;
-constexpr int kUnsettledDepth = 2;
-/// Share of the given triangles at which poor details to drop are strips of needles, whose merged lines would be ragged.
-constexpr double kNeedleShare = 0.05;
-/// Details that are dropped at any share: surfaces of a few triangles have steps, too.
-constexpr double kFewDetails = 50.0;
-/// Shares of the tolerance: of the merges of details of the given surface, and of the first remeshing after them, or without
-/// them; of the merges of poor details of a remeshed surface, at most, and of the remeshing around them.
-constexpr double kGivenMergeShare = 0.2;
-constexpr double kFirstShareAfterMerges = 0.5;
-constexpr double kFirstShare = 0.6;
-constexpr double kMergeShare = 0.3;
-constexpr double kNextShare = 0.06;
 
 /// Returns what is beside the triangles; nothing if that is not given.
 std::vector<std::uint32_t> regionsOf(const PassSurface& surface,
@@ -225,25 +200,6 @@ Task<SimplifiedSurface> remeshInSteps(Work& work, const Remeshing& remeshing) {
   co_return surface;
 }
 
-/// Remeshes a surface in steps if the best result so far has poor triangles. Keeps the better of both.
-Task<> improveInSteps(Work& work, const Remeshing& remeshing, SimplifiedSurface& best) {
-  if (!isWorthSteps(remeshing, best.pass.remesh)) co_return;
-  work.beginPart(1.0);
-  SimplifiedSurface other = co_await remeshInSteps(work, remeshing);
-  const bool keepsChosen = remeshing.options.dropDetails > 0.0 && other.merged.empty();
-  if (isBetter(other.pass.remesh, best.pass.remesh) && !keepsChosen) best = std::move(other);
-}
-
-/// Remeshes a surface without details of the given one if the best result so far has poor triangles. Keeps the better of both.
-Task<> improveWithoutGiven(Work& work, const Remeshing& remeshing, SimplifiedSurface& best) {
-  if (!isWorthSteps(remeshing, best.pass.remesh)) co_return;
-  work.beginPart(1.0);
-  SimplifiedSurface other;
-  const Dropped dropped = co_await remeshWithoutGiven(work, remeshing, other);
-  const bool isMade = dropped == Dropped::kMade;
-  if (isMade && isBetter(other.pass.remesh, best.pass.remesh)) best = std::move(other);
-}
-
 /// Remeshes a surface with all details.
 Task<> remeshPlain(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
   work.beginPart(1.0);
@@ -253,19 +209,45 @@ Task<> remeshPlain(Work& work, const Remeshing& remeshing, SimplifiedSurface& su
 }
 
 /// Remeshes a surface without the chosen details.
-Task<> remeshWithoutChosen(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+Task<Dropped> remeshWithoutChosen(Work& work, const Remeshing& remeshing,
+                                  SimplifiedSurface& surface) {
   const DetailRule rule{.distance = remeshing.options.dropDetails,
                         .choice = DetailChoice::kAll,
                         .remeshing = rulesOfShare(1.0, 1.0)};
-  work.beginPart(0.6);
-  const Dropped dropped = co_await simplify(work, remeshing, remeshing.given, rule, surface);
   work.beginPart(1.0);
-  if (dropped == Dropped::kMade) {
-    co_await improveInSteps(work, remeshing, surface);
-  } else {
-    co_await remeshPlain(work, remeshing, surface);
-  }
+  const Dropped dropped = co_await simplify(work, remeshing, remeshing.given, rule, surface);
+  co_return dropped;
 }
+
+/// A way to remesh the given surface.
+enum class Way : std::uint8_t { kPlain, kWithoutGiven, kWithoutChosen, kInSteps };
+
+/// When a way is tried, after the ones before it.
+enum class When : std::uint8_t {
+  kAlways,
+  kIfNone,      ///< if there is no surface yet
+  kIfUnusable,  ///< if there is none, or it has problems
+  kIfTooMany,   ///< if the way before has found too many details
+  kIfPoor,      ///< if the best surface has poor triangles that are worth it
+};
+
+struct Attempt {
+  Way way;
+  When when;
+};
+
+// Attempts in their order, each way at most once. The better one of two surfaces is kept.
+constexpr std::array kKeepDetails{Attempt{Way::kPlain, When::kAlways}};
+constexpr std::array kDropChosen{Attempt{Way::kWithoutChosen, When::kAlways},
+                                 Attempt{Way::kInSteps, When::kIfPoor},
+                                 Attempt{Way::kPlain, When::kIfNone}};
+/// If triangles of the smallest size would be poor across details of the given surface.
+constexpr std::array kDropGivenFirst{
+    Attempt{Way::kWithoutGiven, When::kAlways}, Attempt{Way::kInSteps, When::kIfTooMany},
+    Attempt{Way::kPlain, When::kIfUnusable}, Attempt{Way::kInSteps, When::kIfPoor}};
+constexpr std::array kDropGivenIfPoor{Attempt{Way::kPlain, When::kAlways},
+                                      Attempt{Way::kWithoutGiven, When::kIfPoor},
+                                      Attempt{Way::kInSteps, When::kIfPoor}};
 
 /// Returns true if triangles of the smallest size are poor across the details that may be dropped. Automatic sizes
 /// are smaller in narrow gaps, but would only fill these details with many small triangles.
@@ -277,24 +259,64 @@ bool areGivenDetailsPoor(const Remeshing& remeshing) {
   return kGivenMergeShare * lengths.tolerance < kPoorWidth * smallest;
 }
 
-/// Remeshes a surface without the details of the given one across which triangles would be poor; otherwise with all details. If
-/// triangles are poor all the same, drops details of the remeshed surface.
-Task<> remeshWithoutPoor(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
-  const bool areDroppedFirst = areGivenDetailsPoor(remeshing);
-  Dropped dropped = Dropped::kNone;
-  work.beginPart(0.5);
-  if (areDroppedFirst) dropped = co_await remeshWithoutGiven(work, remeshing, surface);
-  work.beginPart(0.7);
-  const bool hasStrips = dropped == Dropped::kTooMany;
-  if (hasStrips) surface = co_await remeshInSteps(work, remeshing);
-  if (dropped == Dropped::kNone || !surface.pass.remesh.diagnostics.empty()) {
-    surface = {};
-    co_await remeshPlain(work, remeshing, surface);
-  }
-  work.beginPart(0.8);
-  if (!areDroppedFirst) co_await improveWithoutGiven(work, remeshing, surface);
+std::span<const Attempt> attemptsFor(const Remeshing& remeshing) {
+  if (remeshing.options.dropDetails > 0.0) return kDropChosen;
+  if (!remeshing.options.dropPoorDetails) return kKeepDetails;
+  if (areGivenDetailsPoor(remeshing)) return kDropGivenFirst;
+  return kDropGivenIfPoor;
+}
+
+Task<Dropped> remeshBy(Work& work, Way way, const Remeshing& remeshing,
+                       SimplifiedSurface& surface) {
+  Dropped dropped = Dropped::kMade;
   work.beginPart(1.0);
-  if (!hasStrips) co_await improveInSteps(work, remeshing, surface);
+  switch (way) {
+    case Way::kPlain:
+      co_await remeshPlain(work, remeshing, surface);
+      break;
+    case Way::kWithoutGiven:
+      dropped = co_await remeshWithoutGiven(work, remeshing, surface);
+      break;
+    case Way::kWithoutChosen:
+      dropped = co_await remeshWithoutChosen(work, remeshing, surface);
+      break;
+    case Way::kInSteps:
+      surface = co_await remeshInSteps(work, remeshing);
+      break;
+  }
+  co_return dropped;
+}
+
+/// What the attempts so far have made.
+struct Attempts {
+  std::optional<SimplifiedSurface> best;
+  Dropped last = Dropped::kNone;
+  std::array<bool, 4> areTried{};  ///< by Way
+};
+
+bool isDue(const Attempt& attempt, const Attempts& made, const Remeshing& remeshing) {
+  if (made.areTried.at(static_cast<std::size_t>(attempt.way))) return false;
+  switch (attempt.when) {
+    case When::kAlways:
+      return true;
+    case When::kIfNone:
+      return !made.best;
+    case When::kIfUnusable:
+      return !made.best || !made.best->pass.remesh.diagnostics.empty();
+    case When::kIfTooMany:
+      return made.last == Dropped::kTooMany;
+    case When::kIfPoor:
+      return made.best && isWorthSteps(remeshing, made.best->pass.remesh);
+  }
+  return false;
+}
+
+/// Returns true if a surface replaces the best one. One that keeps chosen details does not.
+bool replacesBest(const Attempt& attempt, const SimplifiedSurface& surface, const Attempts& made,
+                  const Remeshing& remeshing) {
+  if (!made.best || attempt.when == When::kIfUnusable) return true;
+  const bool keepsChosen = remeshing.options.dropDetails > 0.0 && surface.merged.empty();
+  return isBetter(surface.pass.remesh, made.best->pass.remesh) && !keepsChosen;
 }
 
 }  // namespace
@@ -304,16 +326,20 @@ bool isComplete(const SurfaceRemesh& result) {
 }
 
 Task<SimplifiedSurface> remeshAndDrop(Work& work, const Remeshing& remeshing) {
-  SimplifiedSurface surface;
-  work.beginPart(1.0);
-  if (remeshing.options.dropDetails > 0.0) {
-    co_await remeshWithoutChosen(work, remeshing, surface);
-  } else if (remeshing.options.dropPoorDetails) {
-    co_await remeshWithoutPoor(work, remeshing, surface);
-  } else {
-    co_await remeshPlain(work, remeshing, surface);
+  const std::span<const Attempt> attempts = attemptsFor(remeshing);
+  Attempts made;
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    const Attempt& attempt = attempts[i];
+    if (!isDue(attempt, made, remeshing)) continue;
+    work.beginPart(static_cast<double>(i + 1) / static_cast<double>(attempts.size()));
+    SimplifiedSurface surface;
+    made.last = co_await remeshBy(work, attempt.way, remeshing, surface);
+    made.areTried.at(static_cast<std::size_t>(attempt.way)) = true;
+    if (made.last != Dropped::kMade) continue;
+    if (replacesBest(attempt, surface, made, remeshing)) made.best = std::move(surface);
   }
-  co_return surface;
+  SimplifiedSurface best = made.best ? std::move(*made.best) : SimplifiedSurface{};
+  co_return best;
 }
 
 }  // namespace tetrafront
