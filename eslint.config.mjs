@@ -10,8 +10,8 @@ import tseslint from "typescript-eslint";
  */
 const noApp = { group: ["**/web/**", "@tetrafront/app"], message: "The package must not know the app." };
 const onlyPublicEntry = {
-  group: ["**/wasm/**", "tetrafront/*"],
-  message: 'Import the package by its name, "tetrafront".',
+  group: ["**/wasm/**", "tetrafront/*", "!tetrafront/trace", "!tetrafront/project", "!tetrafront/internal"],
+  message: 'Import the package by the names of its entries, such as "tetrafront".',
 };
 const noThree = {
   group: ["three", "three/**", "three-*", "camera-controls"],

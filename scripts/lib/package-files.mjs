@@ -99,7 +99,7 @@ export async function bundlePages() {
     write: false,
     metafile: true,
     entryPoints: {
-      tetrafront: `${dist}/index.js`,
+      tetrafront: `${dist}/page.js`,
       worker: `${dist}/engine/worker.js`,
       "cad-worker": `${dist}/cad/cad-worker.js`,
     },

@@ -3,7 +3,8 @@
 import { arch, cpus } from "node:os";
 import { BODIES, DAMAGES, sphereSoup } from "./support/damages.mjs";
 import { diagonalOf } from "./support/diagonal.mjs";
-import { createMesher, hasWelded, remeshedBest, STEP_HEIGHT } from "../../wasm/dist/index.js";
+import { createMesher } from "../../wasm/dist/index.js";
+import { hasWelded, remeshedBest, STEP_HEIGHT } from "../../wasm/dist/internal.js";
 
 const COUNT = Number(process.env.TETRAFRONT_DAMAGES ?? 10);
 const mesher = await createMesher();

@@ -5,7 +5,8 @@
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { chromium } from "@playwright/test";
-import { createMesher, readProject, writeProject } from "tetrafront";
+import { createMesher } from "tetrafront";
+import { readProject, writeProject } from "tetrafront/project";
 import config from "../../playwright.config.mjs";
 import { inRoot } from "../../scripts/lib/paths.mjs";
 

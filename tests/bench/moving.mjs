@@ -5,7 +5,7 @@
 // the one of Playwright is used. The site must be built.
 import { readdirSync, readFileSync } from "node:fs";
 import { chromium } from "@playwright/test";
-import { readProject } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { preview } from "vite";
 import config from "../../playwright.config.mjs";
 import { inRoot } from "../../scripts/lib/paths.mjs";

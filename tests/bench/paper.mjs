@@ -2,7 +2,8 @@
 // docs/PAPER.md. Counts and element volumes come from the whole run with default options. The rates and the share
 // of the crossing test are measured on the front alone, natively, in both orders. Seconds are processor time.
 import { readFileSync } from "node:fs";
-import { createMesher, readProject } from "tetrafront";
+import { createMesher } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { volumeRange } from "./support/element-volumes.mjs";
 import { clockFront } from "./support/engines.mjs";
 

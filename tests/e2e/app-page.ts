@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, type Locator, type Page } from "@playwright/test";
 import { inflateSync } from "node:zlib";
-import { readProject, type Project } from "tetrafront";
+import { readProject, type Project } from "tetrafront/project";
 
 /** Number of tetrahedra and fingerprint of the app's mesh, as stored in attributes of the page. */
 export interface MeshState {

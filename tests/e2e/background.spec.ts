@@ -1,6 +1,6 @@
 import { expect, test, type Page } from "@playwright/test";
 import { readFile } from "node:fs/promises";
-import { readProject } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
 
 async function command(page: Page, name: string): Promise<void> {

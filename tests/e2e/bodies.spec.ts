@@ -1,6 +1,7 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
-import { readMesh, readProject } from "tetrafront";
+import { readMesh } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { measured } from "../support/mesh-measures";
 import { plateSurface, plateVolume } from "../support/plate";

@@ -1,5 +1,5 @@
 import { expect, test, type Page } from "@playwright/test";
-import { readProject } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { measured } from "../support/mesh-measures";
 import { plateSurface } from "../support/plate";

@@ -1,7 +1,7 @@
 import { expect } from "@playwright/test";
 import { defectsOf } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
-import { readProject } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { countActions, expectActions } from "./actions";
 import { AppPage, type Position } from "./app-page";
 import { downloaded } from "./downloads";

@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { expect, test, type Page } from "@playwright/test";
-import { readProject } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { polyMeshDefects, readPolyMesh } from "../support/poly-mesh";
 import { AppPage, sampleProject } from "./app-page";

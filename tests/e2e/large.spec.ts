@@ -1,6 +1,6 @@
 import { expect, test, type Route } from "@playwright/test";
 import { readFileSync } from "node:fs";
-import { writeProject, type Project } from "tetrafront";
+import { writeProject, type Project } from "tetrafront/project";
 import { gridMesh } from "../unit/web/grid-mesh";
 import { AppPage, sampleProject } from "./app-page";
 import { chooseFormat } from "./downloads";

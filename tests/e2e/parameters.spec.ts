@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { createBody, readProject, writeProject } from "tetrafront";
+import { createBody, readProject, writeProject } from "tetrafront/project";
 import { AppPage } from "./app-page";
 import { cubeProject } from "../support/projects";
 import { boxSurface } from "../support/surfaces";

@@ -1,7 +1,7 @@
 /** The player of the front: recording, playing, scrubbing, and the lens. */
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
-import { readTrace } from "tetrafront";
+import { readTrace } from "tetrafront/trace";
 import { boxSurface } from "../support/surfaces";
 import { starSurface, starTrace } from "../support/traces";
 import { AppPage, sampleProject } from "./app-page";

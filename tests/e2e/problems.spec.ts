@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
 
 test("a problem of a model is shown in the inspector, in the view and in the list", async ({ page }) => {

@@ -1,6 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { readFile } from "node:fs/promises";
-import { readProject, type MeshReport } from "tetrafront";
+import type { MeshReport } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { AppPage, nextFrame } from "./app-page";
 
 /** Downloads the report from the app and returns it. */

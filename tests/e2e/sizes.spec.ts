@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { readProject, writeProject, type Project } from "tetrafront";
+import { readProject, writeProject, type Project } from "tetrafront/project";
 import { NO_DEFECTS, defectsOf, meshVolume } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { stlBinary } from "../support/surface-files";

@@ -3,7 +3,7 @@
  * a look at all others. Each face is in one cell, that of its middle, of the finest grid whose cells are at least as large as
  * the face; so it reaches into the cells beside its own at most.
  */
-import type { AdvanceStep, Trace } from "tetrafront";
+import type { AdvanceStep, Trace } from "tetrafront/trace";
 import type { Position } from "../../web/document/position";
 import { cross, dot, subtract } from "../../web/document/vectors";
 import { boxOf, cornersOf, crossesFace, nodesOf, touching, type NewElement } from "../../web/player/judge";

@@ -1,5 +1,5 @@
 /** Projects made of shapes of the app, for tests. */
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { emptyProject } from "../../web/document/create";
 import { insertInto, insertion } from "../../web/document/insert-shape";
 import type { Shape } from "../../web/document/shape";

@@ -1,5 +1,5 @@
 /** Small projects for tests. */
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 
 /** Returns a project with one point moved. */
 export function movePoint(project: Project, id: number, offset: readonly [number, number, number]): Project {

@@ -1,16 +1,8 @@
 /** Recorded runs of the models of the gallery. */
 import { readdirSync, readFileSync } from "node:fs";
-import {
-  createMesher,
-  type Mesher,
-  type MeshResult,
-  type Project,
-  readProject,
-  readTrace,
-  recordTrace,
-  type RecordingOptions,
-  type Trace,
-} from "tetrafront";
+import { createMesher, type Mesher, type MeshResult } from "tetrafront";
+import { type Project, readProject } from "tetrafront/project";
+import { readTrace, recordTrace, type RecordingOptions, type Trace } from "tetrafront/trace";
 
 const models = new URL("../../public/models/", import.meta.url);
 

@@ -1,4 +1,5 @@
-import { createMesher, type Project } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { emptyProject } from "../document/create";
 import { isEmptyProject } from "../document/entities";
 import { DocumentLibrary, type LockedDocument } from "../session/document-library";

@@ -1,4 +1,5 @@
-import type { CoverOptions, ProjectBackground, ProjectSource, SizeProposal } from "tetrafront";
+import type { CoverOptions, SizeProposal } from "tetrafront";
+import type { ProjectBackground, ProjectSource } from "tetrafront/project";
 import type { App } from "../app/app";
 import { replaceBackground, replaceSources, setMeshing } from "../document/size-edits";
 import { documentGrid } from "../document/large-grid";

@@ -1,4 +1,5 @@
-import { REMESH_DEFAULTS, type ProjectBody } from "tetrafront";
+import { REMESH_DEFAULTS } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import type { App } from "../app/app";
 import { newBrush } from "../document/brush";
 import { bodiesOf, bodyOfEntity } from "../document/entities";

@@ -1,4 +1,5 @@
-import type { LineType, PatchType, Project, SourceType } from "tetrafront";
+import type { LineType, PatchType, SourceType } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { create, takeOffer } from "./creation-actions";
 import type { App } from "../app/app";
 import { commandLabels } from "../strings";

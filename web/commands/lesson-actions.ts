@@ -1,5 +1,6 @@
 /** Opens lessons, shows their models, and runs them by other rules. Loaded with the lessons. */
-import type { FrontOrder, MeshReport, Trace } from "tetrafront";
+import type { FrontOrder, MeshReport } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { App } from "../app/app";
 import { meshKey } from "../document/content-keys";

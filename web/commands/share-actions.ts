@@ -1,5 +1,6 @@
 /** Links to a state of a recorded front, and code that embeds it in another page. Loaded when they are used. */
-import type { FrontOrder, Project } from "tetrafront";
+import type { FrontOrder } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { App } from "../app/app";
 import { meshKey } from "../document/content-keys";
 import { knownCandidate, queryOf, type SharedFront } from "../player/shared-front";

@@ -1,4 +1,4 @@
-import type { Project, ProjectBody } from "tetrafront";
+import type { Project, ProjectBody } from "tetrafront/project";
 import type { App } from "../app/app";
 import { addBodies, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
 import { withRepairs } from "../document/body-repair";

@@ -5,7 +5,7 @@ import type {
   Project,
   ProjectBody,
   ProjectBodyPatch,
-} from "tetrafront";
+} from "tetrafront/project";
 import { bodyStepNames, stepNames } from "../strings";
 import { nounOf, recordOf, type ProjectDraft } from "./draft-records";
 import type { DraftEdit, ProjectEdit } from "./edit";

@@ -1,13 +1,6 @@
-import {
-  type BodyRepair,
-  type Diagnostic,
-  type ProjectBody,
-  type RepairChange,
-  type RepairOptions,
-  STEP_HEIGHT,
-  type SurfaceInput,
-  type SurfaceInspection,
-} from "tetrafront";
+import type { Diagnostic, RepairChange, RepairOptions, SurfaceInput, SurfaceInspection } from "tetrafront";
+import { STEP_HEIGHT } from "tetrafront/internal";
+import type { BodyRepair, ProjectBody } from "tetrafront/project";
 import type { DrawnSurface } from "./drawn-surface";
 import { placed } from "./placement";
 import type { Position } from "./position";

@@ -1,4 +1,5 @@
-import type { ProjectBody, ProjectSource, SurfaceInspection } from "tetrafront";
+import type { SurfaceInspection } from "tetrafront";
+import type { ProjectBody, ProjectSource } from "tetrafront/project";
 import { stepNames } from "../strings";
 import type { Change, DocumentContent } from "./edit";
 import type { Position } from "./position";

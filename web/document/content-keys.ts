@@ -13,7 +13,7 @@ import type {
   ProjectPatch,
   ProjectPoint,
   ProjectSource,
-} from "tetrafront";
+} from "tetrafront/project";
 import type { DocumentContent } from "./edit";
 import { bodiesOf } from "./entities";
 import { addReal, Hash, hashText } from "./hash";

@@ -1,4 +1,4 @@
-import type { ProjectBackground } from "tetrafront";
+import type { ProjectBackground } from "tetrafront/project";
 import { numbersPerNode, packedNodes, packedTetrahedra } from "./packed-grid";
 import type { Position } from "./position";
 import { forEachInSlices } from "./slices";

@@ -1,4 +1,5 @@
-import type { LineType, PatchType, Project, SourceType } from "tetrafront";
+import type { LineType, PatchType, SourceType } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { type Entity, entityName, findRecord, recordsOf, type DrawnKind } from "./entities";
 import { keepCoordinates } from "./expression-edits";
 import { rangeAlong, smallestSize } from "./extent";

@@ -1,4 +1,5 @@
-import type { LineType, Project, ProjectLine, ProjectPoint } from "tetrafront";
+import type { LineType } from "tetrafront";
+import type { Project, ProjectLine, ProjectPoint } from "tetrafront/project";
 import { entityNouns, stepNames } from "../strings";
 import { addPoint, nextId, type Creation } from "./create";
 import { findRecord, type Entity } from "./entities";

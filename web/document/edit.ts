@@ -1,5 +1,5 @@
 import type { Draft } from "mutative";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 
 /** A change described by what it does to a draft of the state. */
 export interface DraftChange<State> {

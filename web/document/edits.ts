@@ -1,4 +1,4 @@
-import type { Project, ProjectLine, ProjectPatch } from "tetrafront";
+import type { Project, ProjectLine, ProjectPatch } from "tetrafront/project";
 import { stepNames } from "../strings";
 import { finderIn, listOf, nounOf, recordOf, type Axis, type ProjectDraft } from "./draft-records";
 import type { DraftEdit, ProjectEdit } from "./edit";

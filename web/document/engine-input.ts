@@ -1,4 +1,5 @@
-import type { BackgroundArrays, Project } from "tetrafront";
+import type { BackgroundArrays } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { engineGrid } from "./packed-grid";
 
 /** Above this many tetrahedra a background grid goes to the engine as flat arrays. */

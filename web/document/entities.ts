@@ -7,7 +7,7 @@ import type {
   ProjectPatch,
   ProjectPoint,
   ProjectSource,
-} from "tetrafront";
+} from "tetrafront/project";
 
 /** Kinds of entities that the user draws or imports, and selects in tree, view and inspector. */
 export type DrawnKind = "point" | "line" | "patch" | "body" | "body-patch" | "background-node" | "source";

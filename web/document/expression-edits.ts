@@ -1,5 +1,5 @@
 import { current, isDraft } from "mutative";
-import type { Project, ProjectExpression } from "tetrafront";
+import type { Project, ProjectExpression } from "tetrafront/project";
 import { isPlainNumber, readNumber } from "../expressions/expression";
 import { draftFinder, type ProjectDraft } from "./draft-records";
 import type { DocumentContent, DraftChange, DraftEdit } from "./edit";

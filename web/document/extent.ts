@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 
 /** Extrema of lists of any length. No list is spread into arguments: long ones would overflow the stack. */
 

@@ -1,4 +1,4 @@
-import type { Project, ProjectBackgroundNode, ProjectSource } from "tetrafront";
+import type { Project, ProjectBackgroundNode, ProjectSource } from "tetrafront/project";
 import { selectionHints, stepNames } from "../strings";
 import { idsOf, nextId, type Offer } from "./create";
 import type { ProjectEdit } from "./edit";

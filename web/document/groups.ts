@@ -1,4 +1,4 @@
-import { GROUP_KINDS, type Project, type ProjectGroup } from "tetrafront";
+import { GROUP_KINDS, type Project, type ProjectGroup } from "tetrafront/project";
 import { groupName, stepNames } from "../strings";
 import type { ProjectEdit } from "./edit";
 import { entityKey, patchEntity, type Entity } from "./entities";

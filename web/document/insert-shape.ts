@@ -1,4 +1,4 @@
-import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
+import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront/project";
 import { nextId } from "./create";
 import type { Entity } from "./entities";
 import { closedDirection, isClosed, lineKey, loopsKey, sameCourse } from "./line-courses";

@@ -1,4 +1,4 @@
-import type { ProjectBackground } from "tetrafront";
+import type { ProjectBackground } from "tetrafront/project";
 import { prepareKeys } from "./content-keys";
 import { unpackGrid, type PackedGrid } from "./packed-grid";
 

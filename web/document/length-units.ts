@@ -1,4 +1,5 @@
-import { LIMITS, UNITS, type BodyPlacement, type Project, type ProjectBody, type Unit } from "tetrafront";
+import { LIMITS, UNITS, type Unit } from "tetrafront";
+import type { BodyPlacement, Project, ProjectBody } from "tetrafront/project";
 import { namesIn, readNumber, unitsIn, type NamedNumbers } from "../expressions/expression";
 import { dependentParameters, parameterValues } from "../expressions/parameters";
 import { bodyStepNames, stepNames } from "../strings";

@@ -1,4 +1,4 @@
-import type { Project, ProjectLine, ProjectPreview } from "tetrafront";
+import type { Project, ProjectLine, ProjectPreview } from "tetrafront/project";
 import type { Position } from "./position";
 import { distance } from "./vectors";
 

@@ -1,4 +1,5 @@
-import type { LineType, Project, ProjectLine } from "tetrafront";
+import type { LineType } from "tetrafront";
+import type { Project, ProjectLine } from "tetrafront/project";
 import { arcThrough, circleThrough, onArc } from "./arcs";
 import { findRecord } from "./entities";
 import type { Position } from "./position";

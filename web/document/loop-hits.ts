@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { DrawnLoop } from "./drawn-loop";
 import { fanOf, keyOf } from "./loop-search";
 import { isInside, type Flat } from "./planar-loops";

@@ -1,4 +1,4 @@
-import type { Project, ProjectLine } from "tetrafront";
+import type { Project, ProjectLine } from "tetrafront/project";
 import { findRecord } from "./entities";
 import { loopDefects, selectionHints } from "../strings";
 import { rangeAlong } from "./extent";

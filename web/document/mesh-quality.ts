@@ -1,4 +1,5 @@
-import type { MetricShapes, Project, VolumeMesh } from "tetrafront";
+import type { MetricShapes, VolumeMesh } from "tetrafront";
+import type { Project } from "tetrafront/project";
 
 /** The measures a mesh can be shaded by. Both are per tetrahedron, higher is better. */
 export type QualityMeasure = "radius-ratio" | "dihedral";

@@ -1,4 +1,5 @@
-import { LIMITS, type Project, type ProjectExpression } from "tetrafront";
+import { LIMITS } from "tetrafront";
+import type { Project, ProjectExpression } from "tetrafront/project";
 import { recordsOf, type Entity } from "./entities";
 
 type WithoutExpression<Expression> = Expression extends unknown ? Omit<Expression, "expression"> : never;

@@ -1,4 +1,5 @@
-import type { BackgroundArrays, Project, ProjectBackground, ProjectBackgroundNode } from "tetrafront";
+import type { BackgroundArrays } from "tetrafront";
+import type { Project, ProjectBackground, ProjectBackgroundNode } from "tetrafront/project";
 import { forEachInSlices, nextTurn } from "./slices";
 
 type Nodes = Project["background"]["nodes"];

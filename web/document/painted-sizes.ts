@@ -1,4 +1,4 @@
-import type { BodyPlacement, Project, ProjectBody, ProjectSource } from "tetrafront";
+import type { BodyPlacement, Project, ProjectBody, ProjectSource } from "tetrafront/project";
 import type { Replacement } from "./edit";
 import { bodiesOf } from "./entities";
 import { carried } from "./placement";

@@ -1,4 +1,5 @@
-import { LIMITS, type Project, type ProjectExpression } from "tetrafront";
+import { LIMITS } from "tetrafront";
+import type { Project, ProjectExpression } from "tetrafront/project";
 import {
   isReservedName,
   type NamedNumbers,

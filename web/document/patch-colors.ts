@@ -1,4 +1,4 @@
-import type { ProjectBodyPatch } from "tetrafront";
+import type { ProjectBodyPatch } from "tetrafront/project";
 
 /** Returns whether a patch has a colour, as in its file. */
 const hasColors = (patches: readonly ProjectBodyPatch[]): boolean =>

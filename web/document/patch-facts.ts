@@ -1,4 +1,4 @@
-import type { BodyPlacement } from "tetrafront";
+import type { BodyPlacement } from "tetrafront/project";
 import type { PatchArrays } from "./patch-arrays";
 import { placed } from "./placement";
 import type { Position } from "./position";

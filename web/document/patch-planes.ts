@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { findRecord } from "./entities";
 import { loopPolygon } from "./line-samples";
 import type { Position } from "./position";

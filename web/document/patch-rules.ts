@@ -1,4 +1,5 @@
-import type { LineType, PatchType, Project } from "tetrafront";
+import type { LineType, PatchType } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { entityNouns, patchMisfits } from "../strings";
 import { entityName, findRecord } from "./entities";
 import { cross, dot, subtract } from "./vectors";

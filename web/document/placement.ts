@@ -1,4 +1,4 @@
-import type { BodyPlacement } from "tetrafront";
+import type { BodyPlacement } from "tetrafront/project";
 import type { Position } from "./position";
 
 /** Placements of bodies: points are scaled, then rotated by a unit quaternion x y z w, then moved. */

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { entityNouns, stepNames } from "../strings";
 import { nextId, type Creation } from "./create";
 import type { Position } from "./position";

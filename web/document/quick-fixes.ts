@@ -1,4 +1,4 @@
-import type { Project, ProjectLine } from "tetrafront";
+import type { Project, ProjectLine } from "tetrafront/project";
 import { fixStrings } from "../strings";
 import { offerPatch } from "./create";
 import type { DrawnLoop } from "./drawn-loop";

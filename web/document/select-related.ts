@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { linePaths } from "./line-paths";
 import { drawnLoops, keyOf } from "./loop-search";
 import type { ViewState } from "./selection";

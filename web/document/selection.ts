@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { LineType, SourceType } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Brush } from "./brush";

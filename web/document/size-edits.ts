@@ -1,4 +1,4 @@
-import type { Project, ProjectBackground, ProjectMeshing } from "tetrafront";
+import type { Project, ProjectBackground, ProjectMeshing } from "tetrafront/project";
 import { stepNames } from "../strings";
 import { nounOf, recordOf, type Axis, type ProjectDraft } from "./draft-records";
 import type { DraftEdit, ProjectEdit } from "./edit";

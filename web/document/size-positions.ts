@@ -1,4 +1,5 @@
-import type { PreparedBody, Project, ProjectPreview } from "tetrafront";
+import type { PreparedBody } from "tetrafront";
+import type { Project, ProjectPreview } from "tetrafront/project";
 import { rangeAlong } from "./extent";
 import type { Position } from "./position";
 import type { SizePlane } from "./selection";

@@ -1,4 +1,4 @@
-import type { Project, ProjectSource } from "tetrafront";
+import type { Project, ProjectSource } from "tetrafront/project";
 import { templateStrings } from "../strings";
 import { emptyProject } from "./create";
 import { insertion, withInsertion } from "./insert-shape";

@@ -1,4 +1,4 @@
-import type { BodyRemeshing, Project, ProjectBody, ProjectBodyPatch } from "tetrafront";
+import type { BodyRemeshing, Project, ProjectBody, ProjectBodyPatch } from "tetrafront/project";
 import type { PatchArrays } from "./patch-arrays";
 import { nextBodyIds } from "./body-edits";
 import type { ProjectEdit } from "./edit";

@@ -1,4 +1,5 @@
-import type { Diagnostic, EntityRef, Project, ProjectBody, SurfaceInspection } from "tetrafront";
+import type { Diagnostic, EntityRef, SurfaceInspection } from "tetrafront";
+import type { Project, ProjectBody } from "tetrafront/project";
 import {
   bodyLabel,
   drawnKinds,

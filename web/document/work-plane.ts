@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { findRecord, type Entity } from "./entities";
 import { planeOfPatch } from "./patch-planes";
 import type { Position } from "./position";

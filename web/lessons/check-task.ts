@@ -1,5 +1,5 @@
 /** Checks whether a task is done: by the state of the player, or by an answer. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { FrontColoring } from "../player/front-values";
 import { firstState } from "../player/phases";
 import { nextStop } from "../player/stops";

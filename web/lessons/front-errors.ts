@@ -1,5 +1,5 @@
 /** What of a lesson its front does not have. Only a recorded front can tell. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { firstState } from "../player/phases";
 import { stopKindsOf } from "../player/stops";
 import type { Lesson } from "./lesson";

@@ -3,7 +3,7 @@
  * it goes through the steps of a trace. The engine's heap has four children per node and keys with more parts; here there
  * are two, and among faces of equal rank the one that the trace takes first comes first.
  */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { faceSize } from "../player/front-values";
 
 /** What a face is ordered by: lower numbers first, from left to right. */

@@ -1,5 +1,5 @@
 /** The files of the lessons in public/lessons: a list, a markdown file per lesson, and their own models. */
-import { parseProject, type Project } from "tetrafront";
+import { parseProject, type Project } from "tetrafront/project";
 import { loadModel, type Gallery } from "../session/gallery";
 import { parseLesson, type Lesson, type ParsedLesson } from "./lesson";
 

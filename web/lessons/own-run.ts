@@ -1,4 +1,4 @@
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { Player } from "../player/player";
 
 /** What is needed of a run of a lesson to show it. */

@@ -1,5 +1,5 @@
 /** What one front is compared by with another. */
-import { REFUSALS, type Trace } from "tetrafront";
+import { REFUSALS, type Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { cross, dot, subtract } from "../document/vectors";
 import { faceSize } from "../player/front-values";

@@ -1,5 +1,6 @@
 /** The rules of a run that is compared with others, and their names in addresses: `first-in`, `strict+linear`. */
-import { FRONT_ORDERS, type FrontOrder, type FrontSearch } from "tetrafront";
+import { FRONT_ORDERS, type FrontOrder } from "tetrafront";
+import type { FrontSearch } from "tetrafront/trace";
 
 export interface RunRules {
   /** Null for the order of the lesson. */

@@ -2,7 +2,7 @@
  * How many faces a search looks at while a front advances (section 6 of the paper, data structures): a linear search, which
  * compares every face of the front in each step, against the faces near the base face, which a search in space returns.
  */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 
 export interface SearchCost {
   /** Elements made until each point of the curves; ascending from 0. */

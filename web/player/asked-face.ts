@@ -1,5 +1,5 @@
 /** Brings what "Be the mesher" asks for into view: a question about a face that is hidden cannot be answered. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { addScaled, areaVector, distance, dot, mean, subtract, unit } from "../document/vectors";
 import type { Viewer } from "../viewer/viewer";

@@ -1,5 +1,5 @@
 /** Tests conditions on the steps of a trace, without decoding the steps. */
-import { REFUSALS, type PlanarFront, type SurfaceTrace, type Trace } from "tetrafront";
+import { REFUSALS, type PlanarFront, type SurfaceTrace, type Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { distance } from "../document/vectors";
 import type { Condition } from "./condition";

@@ -1,5 +1,5 @@
 /** Conditions on steps, written as text, such as `size < 0.02 and refused: crosses`: where playing pauses, and jumps lead. */
-import { EDGE_REFUSALS, type EdgeRefusal } from "tetrafront";
+import { EDGE_REFUSALS, type EdgeRefusal } from "tetrafront/trace";
 
 /** What a condition can name by its number: as the app shows it, so that patches and lines count from 1. */
 const things = ["face", "edge", "node", "element", "patch", "line"] as const;

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 
 /** What lines and patches of a recorded model are called after their noun: their name in quotes, or their id. By index. */
 export interface EntityLabels {

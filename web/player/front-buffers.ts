@@ -1,4 +1,4 @@
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 
 const noSlot = -1;

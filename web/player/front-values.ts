@@ -1,4 +1,4 @@
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 
 /** What the colours of the front's faces mean. */
 export const frontColorings = ["age", "size", "layer"] as const;

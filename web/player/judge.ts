@@ -2,7 +2,7 @@
  * What would happen if a candidate were accepted: an independent check in doubles of the engine's verdicts. It follows the
  * paper's observation: two triangles cross only if a side of one crosses the other. What they share is left out.
  */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { cross, dot, subtract } from "../document/vectors";
 import { alphasOf, excessOf, pointAt, type SideAndFace, type Segment, type Triangle } from "./crossing";

@@ -1,5 +1,5 @@
 /** What the lens examines in a state of the player: for the view, the panel and drawings. */
-import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront";
+import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront/trace";
 import type { FrontChange } from "./judge";
 import { decisive, examine, type LensCandidate } from "./lens";
 import type { PlayerState } from "./player";

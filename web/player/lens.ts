@@ -1,4 +1,4 @@
-import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront";
+import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront/trace";
 import type { SideAndFace } from "./crossing";
 import {
   crossedFaces,

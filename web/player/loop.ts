@@ -1,5 +1,5 @@
 /** The steps that the player repeats: a range within one phase, numbered as the counter of the player does. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { phaseAt } from "./phases";
 
 /** First and last state that are repeated. */

@@ -1,5 +1,5 @@
 /** "Be the mesher": the reader chooses the third node of the next triangle of a patch, and the choice is judged. */
-import type { EdgeRefusal, EdgeStep, PlanarFront, PlanePosition, SurfaceTrace } from "tetrafront";
+import type { EdgeRefusal, EdgeStep, PlanarFront, PlanePosition, SurfaceTrace } from "tetrafront/trace";
 import {
   clearance,
   crossedEdges,

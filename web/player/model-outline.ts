@@ -1,5 +1,5 @@
 /** The outline of a recorded model: its lines, or the sharp edges of a given boundary. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { cross, dot, subtract, unit } from "../document/vectors";
 import { cornersOf, nodesOf, positionOf } from "./judge";

@@ -2,7 +2,7 @@
  * The phases of a trace on one scale: steps of lines and patches have negative numbers, so that those of the volume do not
  * depend on them. State 0 is the first front of the volume; the state before it is that after all patches.
  */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 
 export type Phase = "lines" | "patches" | "volume";
 

@@ -2,7 +2,7 @@
  * What would happen if a candidate for a triangle were accepted: an independent check in doubles of the engine's verdicts
  * in the plane of a patch. The part of an edge that lies in the triangle is found by clipping, not by signs.
  */
-import type { EdgeCandidate, EdgeStep, PlanarFront, PlanePosition } from "tetrafront";
+import type { EdgeCandidate, EdgeStep, PlanarFront, PlanePosition } from "tetrafront/trace";
 
 /** How near to the border of a triangle an edge counts as touching it, as a share of the triangle's size. */
 export const touching = 1e-9;

@@ -1,4 +1,4 @@
-import type { EdgeCandidate, EdgeStep, PlanarFront, SurfaceStep } from "tetrafront";
+import type { EdgeCandidate, EdgeStep, PlanarFront, SurfaceStep } from "tetrafront/trace";
 import {
   clearance,
   crossedEdges,

@@ -1,5 +1,5 @@
 /** Paths of the plane of a patch, in its own coordinates, for SVG. */
-import type { EdgeStep, PlanarFront, PlanePosition } from "tetrafront";
+import type { EdgeStep, PlanarFront, PlanePosition } from "tetrafront/trace";
 import { edgesAt, endsOf, planeOf, targetLength } from "./planar-judge";
 import { trianglesMadeAt } from "./surface-scene";
 

@@ -1,4 +1,5 @@
-import { loadTrace, type Mesher, type Progress, type Trace } from "tetrafront";
+import type { Mesher, Progress } from "tetrafront";
+import { loadTrace, type Trace } from "tetrafront/trace";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../session/document-store";
 import { failureText } from "../session/failure-text";

@@ -2,7 +2,8 @@
  * A project with what the view shows of it, in the fragment of an address: JSON, compressed by the browser. Browsers do not send
  * fragments to the server, so the project stays with those who have the link.
  */
-import { FRONT_ORDERS, parseProject, type FrontOrder, type Project } from "tetrafront";
+import { FRONT_ORDERS, type FrontOrder } from "tetrafront";
+import { parseProject, type Project } from "tetrafront/project";
 import type { Cut, CutAxis } from "../document/selection";
 import type { Position } from "../document/position";
 import type { CameraPose } from "../viewer/camera";

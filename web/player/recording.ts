@@ -1,14 +1,6 @@
-import {
-  recordTrace,
-  type FrontExperiment,
-  type FrontOrder,
-  type Mesher,
-  type MeshReport,
-  type PreparedBody,
-  type Project,
-  type RunControl,
-  type Trace,
-} from "tetrafront";
+import type { FrontOrder, Mesher, MeshReport, PreparedBody, RunControl } from "tetrafront";
+import type { Project } from "tetrafront/project";
+import { recordTrace, type FrontExperiment, type Trace } from "tetrafront/trace";
 import { engineInput } from "../document/engine-input";
 import { failureText } from "../session/failure-text";
 import { remedyInApp } from "../strings";

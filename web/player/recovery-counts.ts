@@ -1,4 +1,4 @@
-import type { RecoveryStep, Trace } from "tetrafront";
+import type { RecoveryStep, Trace } from "tetrafront/trace";
 import type { RecoveryCounts } from "../strings/recovery";
 import { frontSizeAt } from "./phases";
 

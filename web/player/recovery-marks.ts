@@ -1,5 +1,5 @@
 /** What a step of recovery is about, in the view and in drawings: the faces of the front that it changes, and its new nodes. */
-import type { RecoveryStep, Trace } from "tetrafront";
+import type { RecoveryStep, Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { mean } from "../document/vectors";
 import { strings } from "../strings";

@@ -3,7 +3,7 @@
  * space where the target element is regular. Without stretching this is a ball, else an ellipsoid. Apexes of narrow gaps
  * between the base face and a neighbour are candidates also outside of it.
  */
-import type { AdvanceStep, Trace } from "tetrafront";
+import type { AdvanceStep, Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { add, addScaled, scale } from "../document/vectors";
 import { idealNumbers, unitAxes, type Axes } from "./unit-space";

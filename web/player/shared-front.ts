@@ -1,5 +1,6 @@
 /** A state of the front of a model of the gallery, as an address names it. */
-import { FRONT_ORDERS, type FrontOrder, type Trace } from "tetrafront";
+import { FRONT_ORDERS, type FrontOrder } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { CameraPose } from "../viewer/camera";
 import { frontColorings, type FrontColoring } from "./front-values";
 import { frontFaces, shownElements, type FrontFaces, type ShownElements } from "./player";

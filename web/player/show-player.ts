@@ -1,4 +1,4 @@
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { StoreApi } from "zustand/vanilla";
 import type { Position } from "../document/position";
 import { showAskedEdge, showAskedFace } from "./asked-face";

@@ -1,4 +1,4 @@
-import { REFUSALS, type EdgeRefusal, type Refusal, type SurfaceTrace, type Trace } from "tetrafront";
+import { REFUSALS, type EdgeRefusal, type Refusal, type SurfaceTrace, type Trace } from "tetrafront/trace";
 import type { Condition } from "./condition";
 import { holds } from "./condition-test";
 import { firstState, surfaceState } from "./phases";

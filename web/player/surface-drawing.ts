@@ -1,5 +1,5 @@
 /** The lines and patches of a trace as a drawing of lines and areas (SVG), for slides and papers. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { cross, subtract } from "../document/vectors";
 import { viewerColors } from "../ui/theme/theme";

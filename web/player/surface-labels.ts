@@ -1,5 +1,5 @@
 /** Labels of what a step of a patch is about, in space: the same names as in the drawing of its plane. */
-import type { EdgeStep, PlanarFront, SurfaceTrace } from "tetrafront";
+import type { EdgeStep, PlanarFront, SurfaceTrace } from "tetrafront/trace";
 import { mean } from "../document/vectors";
 import { strings } from "../strings";
 import type { LensLabel } from "./lens-marks";

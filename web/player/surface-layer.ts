@@ -1,4 +1,4 @@
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { BufferAttribute, BufferGeometry, Group, Mesh, Sphere } from "three";
 import type { Position } from "../document/position";
 import type { Layer } from "../viewer/layers/layer";

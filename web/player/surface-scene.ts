@@ -1,5 +1,5 @@
 /** What a state of the lines and patches looks like in space. */
-import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace, Trace } from "tetrafront";
+import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace, Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { edgesAt, endsOf } from "./planar-judge";
 import { examinedCandidate, supposedCandidate } from "./planar-lens";

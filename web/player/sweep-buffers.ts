@@ -1,4 +1,4 @@
-import type { SweptMesh } from "tetrafront";
+import type { SweptMesh } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { qualityOf } from "../document/mesh-quality";
 import { cornersPerElement, writeElement } from "./element-buffers";

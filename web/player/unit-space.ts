@@ -3,7 +3,7 @@
  * tensor; without stretching, space itself. The numbers of the ideal point and of distances in it, with the constants of
  * cpp/src/volume/rules.h.
  */
-import type { AdvanceStep, Trace } from "tetrafront";
+import type { AdvanceStep, Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 import { cross, dot, subtract } from "../document/vectors";
 import type { Triangle } from "./crossing";

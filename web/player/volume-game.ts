@@ -1,5 +1,5 @@
 /** "Be the mesher" in the volume: the reader chooses the fourth node of the next element, and the choice is judged. */
-import { REFUSALS, type AdvanceStep, type Refusal, type Trace, type TracedCandidate } from "tetrafront";
+import { REFUSALS, type AdvanceStep, type Refusal, type Trace, type TracedCandidate } from "tetrafront/trace";
 import { distance } from "../document/vectors";
 import { crossedFaces, isBehind, newElement, nodesOf, positionOf, touching } from "./judge";
 import { bestPoints, maxChoices, possiblePoints, type GameLevel } from "./mesher-game";

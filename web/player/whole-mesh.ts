@@ -1,5 +1,5 @@
 /** All elements of a state of a trace, or those behind a plane: the triangles of what they fill, for the graphics card. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { Position } from "../document/position";
 
 /** Corners of the faces of a tetrahedron, counter-clockwise seen from outside. */

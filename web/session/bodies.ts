@@ -1,14 +1,12 @@
 import {
-  bodyPatchGroups,
   MesherError,
   type Diagnostic,
   type Mesher,
   type PreparedBody,
-  type Project,
-  type ProjectBody,
   type SplitSurface,
   type SurfaceInspection,
 } from "tetrafront";
+import { bodyPatchGroups, type Project, type ProjectBody } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
 import { preparedKey } from "../document/content-keys";

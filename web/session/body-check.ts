@@ -1,4 +1,5 @@
-import type { Diagnostic, Mesher, PreparedBody, Project } from "tetrafront";
+import type { Diagnostic, Mesher, PreparedBody } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, namesKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";

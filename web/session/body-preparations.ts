@@ -1,4 +1,5 @@
-import type { Mesher, PreparedBody, Project, ProjectBody } from "tetrafront";
+import type { Mesher, PreparedBody } from "tetrafront";
+import type { Project, ProjectBody } from "tetrafront/project";
 import { preparedKey } from "../document/content-keys";
 import type { DrawnSurface } from "../document/drawn-surface";
 import { engineInput } from "../document/engine-input";

@@ -1,11 +1,6 @@
-import {
-  hasWelded,
-  remeshedBest,
-  repairedSurface,
-  type Mesher,
-  type ProjectBody,
-  type RemeshShapes,
-} from "tetrafront";
+import { repairedSurface, type Mesher } from "tetrafront";
+import { hasWelded, remeshedBest, type RemeshShapes } from "tetrafront/internal";
+import type { ProjectBody } from "tetrafront/project";
 import {
   placedLength,
   sharedVolume,

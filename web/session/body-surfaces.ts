@@ -1,4 +1,4 @@
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import type { LoadedSurface, NewBody, SurfaceClient } from "../workers/surface-files";
 
 /** Number of surfaces kept beyond those of the open document, so that undo restores them at once. */

@@ -1,5 +1,5 @@
 import type { Draft } from "mutative";
-import { liveNotes, type Project } from "tetrafront";
+import { liveNotes, type Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { documentKey, shownMeshKey } from "../document/content-keys";
 import type { Change, DocumentContent, ProjectEdit } from "../document/edit";

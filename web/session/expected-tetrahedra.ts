@@ -1,4 +1,5 @@
-import type { Mesher, Project, SizeProposal } from "tetrafront";
+import type { Mesher, SizeProposal } from "tetrafront";
+import type { Project } from "tetrafront/project";
 
 /**
  * Returns how many tetrahedra the engine expects if a project is meshed with proposed sizes; null if it cannot be

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { readProjectBlob, writeProjectBlob } from "../workers/project-files";
 import { readSurfaceFile, type FileContent, type OpenedMesh } from "../workers/surface-files";
 import { strings } from "../strings";

@@ -1,4 +1,4 @@
-import { parseProject, type Project } from "tetrafront";
+import { parseProject, type Project } from "tetrafront/project";
 
 /** One bundled sample project, as listed in public/index.json. */
 export interface GalleryModel {

@@ -1,4 +1,4 @@
-import { parseProject, type Project } from "tetrafront";
+import { parseProject, type Project } from "tetrafront/project";
 import type { DocumentContent } from "../document/edit";
 import { manyTetrahedra } from "../document/engine-input";
 import { documentGrid } from "../document/large-grid";

@@ -1,4 +1,4 @@
-import type { Project, ProjectPreview } from "tetrafront";
+import type { Project, ProjectPreview } from "tetrafront/project";
 import { emptyProject } from "../document/create";
 import type { Position } from "../document/position";
 import { length, subtract } from "../document/vectors";

@@ -1,4 +1,5 @@
-import type { Mesher, Project, ProjectPreview } from "tetrafront";
+import type { Mesher } from "tetrafront";
+import type { Project, ProjectPreview } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
 import type { DocumentStore } from "./document-store";

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { BodyFeed } from "./bodies";
 import type { BodyCheck } from "./body-check";

@@ -1,4 +1,5 @@
-import type { Mesher, MeshResult, PreparedBody, Progress, Project, UnoptimizedMesh } from "tetrafront";
+import type { Mesher, MeshResult, PreparedBody, Progress, UnoptimizedMesh } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, placedSurfacesKey, shownMeshKey, versionedKey } from "../document/content-keys";
 import type { DocumentContent } from "../document/edit";

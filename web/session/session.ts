@@ -1,4 +1,5 @@
-import type { Mesher, Project } from "tetrafront";
+import type { Mesher } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { ViewStore } from "../document/selection";
 import { Autosave } from "./autosave";
 import { BodyFeed } from "./bodies";

@@ -1,6 +1,4 @@
 import {
-  improvedResult,
-  inspectedResult,
   MesherError,
   type FileGroup,
   type Mesher,
@@ -10,6 +8,7 @@ import {
   type Optimization,
   type PartialControl,
 } from "tetrafront";
+import { improvedResult, inspectedResult } from "tetrafront/internal";
 import type { OpenedMesh } from "../workers/surface-files";
 
 /** What is known of the file that a mesh was opened from. */

@@ -1,4 +1,5 @@
-import { liveNotes, type Mesher, type PreparedBody, type Project, type ProjectBody } from "tetrafront";
+import type { Mesher, PreparedBody } from "tetrafront";
+import { liveNotes, type Project, type ProjectBody } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, isEmptyProject } from "../document/entities";

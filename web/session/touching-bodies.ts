@@ -3,11 +3,10 @@ import {
   type LocatedSurface,
   type Mesher,
   NO_REGION,
-  type Project,
-  type ProjectBody,
   repairedSurface,
   type SurfaceFile,
 } from "tetrafront";
+import type { Project, ProjectBody } from "tetrafront/project";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
 import { joinedRepairs, sharedAbove, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
 import { placedSurfaceKey } from "../document/content-keys";

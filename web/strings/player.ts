@@ -1,5 +1,6 @@
 /** Texts about the recorded fronts. */
-import type { FrontOrder, Refusal } from "tetrafront";
+import type { FrontOrder } from "tetrafront";
+import type { Refusal } from "tetrafront/trace";
 import { conditionStrings } from "./condition";
 import { crossingTestStrings } from "./crossing-test";
 import { mesherGameStrings, volumeGameStrings } from "./mesher-game";

@@ -1,5 +1,5 @@
 /** Texts about the steps of recovery, with their numbers. */
-import type { FrontChange } from "tetrafront";
+import type { FrontChange } from "tetrafront/trace";
 
 const number = (value: number): string => value.toLocaleString("en-US");
 const counted = (count: number, one: string): string => `${number(count)} ${count === 1 ? one : `${one}s`}`;

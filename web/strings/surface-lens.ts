@@ -1,5 +1,5 @@
 /** Texts about the lines and patches of a recording, which are called by name or number: `label`s of player/entity-labels.ts. */
-import type { EdgeRefusal } from "tetrafront";
+import type { EdgeRefusal } from "tetrafront/trace";
 
 const number = (value: number): string => value.toLocaleString("en-US");
 const short = (value: number): string => Number(value.toPrecision(3)).toString();

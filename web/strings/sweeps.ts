@@ -1,5 +1,5 @@
 /** Texts about the sweeps of the optimizer after a recorded front. */
-import type { SweepKind } from "tetrafront";
+import type { SweepKind } from "tetrafront/trace";
 
 const number = (value: number): string => value.toLocaleString("en-US");
 const counted = (count: number, one: string, many: string): string =>

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { bodyOfPatch, findRecord, sameEntity, type Entity } from "../document/entities";
 import { linePaths } from "../document/line-paths";
 import type { Position } from "../document/position";

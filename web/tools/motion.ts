@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { Offer } from "../document/create";
 import type { Entity } from "../document/entities";
 import { coordinatesOf } from "../document/expression-edits";

@@ -1,4 +1,4 @@
-import type { BodyPlacement, Project } from "tetrafront";
+import type { BodyPlacement, Project } from "tetrafront/project";
 import type { DrawnSurface } from "../document/drawn-surface";
 import { entityKey, type Entity } from "../document/entities";
 import type { LinePath } from "../document/line-paths";

@@ -1,4 +1,4 @@
-import type { Project, ProjectBody } from "tetrafront";
+import type { Project, ProjectBody } from "tetrafront/project";
 import { Group } from "three";
 import { findRecord, type Entity } from "../document/entities";
 import type { Moving, ViewState, ViewStore } from "../document/selection";

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { Entity } from "../document/entities";
 import { findRecord, indexById } from "../document/entities";
 import type { Position } from "../document/position";

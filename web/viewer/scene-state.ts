@@ -1,4 +1,5 @@
-import type { MeshResult, Project, ProjectPreview, SurfaceMesh, UnoptimizedMesh } from "tetrafront";
+import type { MeshResult, SurfaceMesh, UnoptimizedMesh } from "tetrafront";
+import type { Project, ProjectPreview } from "tetrafront/project";
 import type { ViewState } from "../document/selection";
 import type { Defects } from "../document/validate";
 import type { ViewerColors } from "./colors";

@@ -1,4 +1,4 @@
-import type { BodyPlacement, Project, ProjectBodyPatch } from "tetrafront";
+import type { BodyPlacement, Project, ProjectBodyPatch } from "tetrafront/project";
 import type { DrawnSurface } from "../document/drawn-surface";
 import { bodiesOf } from "../document/entities";
 import { meaningOf, type PatchMeaning } from "../document/patch-colors";

@@ -1,4 +1,5 @@
-import type { ElementOrder, FileGroup, MeshResult, Project, Unit } from "tetrafront";
+import type { ElementOrder, FileGroup, MeshResult, Unit } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { copyForTransfer } from "./transfer";
 import { callOnce } from "./worker-client";
 

@@ -1,4 +1,4 @@
-import type { Project, ProjectBody } from "tetrafront";
+import type { Project, ProjectBody } from "tetrafront/project";
 import { minLongText, rememberText, textKey } from "../document/long-texts";
 import { nextTurn } from "../document/slices";
 

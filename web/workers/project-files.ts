@@ -1,4 +1,5 @@
-import { readProject, writeProject, type Project, type ReadResult } from "tetrafront";
+import type { ReadResult } from "tetrafront";
+import { readProject, writeProject, type Project } from "tetrafront/project";
 import { bodiesOf } from "../document/entities";
 import { manyTetrahedra } from "../document/engine-input";
 import { documentGrid } from "../document/large-grid";

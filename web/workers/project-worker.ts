@@ -1,5 +1,5 @@
 /** Reads and writes large project files. The page starts one worker per file and ends it afterwards. */
-import { readProject } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { packedGrid, unpackGrid } from "../document/packed-grid";
 import { bodiesOf } from "../document/entities";
 import { buffersOfPacked, packedBody } from "./packed-bodies";

@@ -1,4 +1,4 @@
-import { createBody, type ProjectBody } from "tetrafront";
+import { createBody, type ProjectBody } from "tetrafront/project";
 import type { ReplacedSurface } from "./surface-files";
 
 /**

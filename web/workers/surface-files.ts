@@ -1,4 +1,6 @@
-import type { FileGroup, MeshWithBoundary, PatchedSurface, ProjectBody, SplitSurface } from "tetrafront";
+import type { FileGroup, PatchedSurface, SplitSurface } from "tetrafront";
+import type { MeshWithBoundary } from "tetrafront/internal";
+import type { ProjectBody } from "tetrafront/project";
 import type { DrawnSurface } from "../document/drawn-surface";
 import type { PatchArrays } from "../document/patch-arrays";
 import { unpackedBody, type PackedBody } from "./packed-bodies";

@@ -1,22 +1,24 @@
 /** Reads surface files and converts the surfaces of bodies, so that no step of it blocks the page. */
 import {
-  bodySurface,
-  bodyWithPatches,
-  createBodies,
-  createBody,
   formatOf,
   measureTriangles,
-  mergePatches,
-  meshWithBoundary,
   readMesh,
   readSurface,
   type FileMesh,
   type PatchedSurface,
-  type ProjectBody,
   type ReadError,
   type SurfaceFile,
   type SurfaceInput,
 } from "tetrafront";
+import { meshWithBoundary } from "tetrafront/internal";
+import {
+  bodyWithPatches,
+  mergePatches,
+  bodySurface,
+  createBodies,
+  createBody,
+  type ProjectBody,
+} from "tetrafront/project";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
 import { hasInnerSolid } from "../document/inner-solids";
 import { meaningOf, patchValues, type PatchMeaning } from "../document/patch-colors";

@@ -270,19 +270,14 @@ Task<Dropped> remeshBy(Work& work, Way way, const Remeshing& remeshing,
                        SimplifiedSurface& surface) {
   Dropped dropped = Dropped::kMade;
   work.beginPart(1.0);
-  switch (way) {
-    case Way::kPlain:
-      co_await remeshPlain(work, remeshing, surface);
-      break;
-    case Way::kWithoutGiven:
-      dropped = co_await remeshWithoutGiven(work, remeshing, surface);
-      break;
-    case Way::kWithoutChosen:
-      dropped = co_await remeshWithoutChosen(work, remeshing, surface);
-      break;
-    case Way::kInSteps:
-      surface = co_await remeshInSteps(work, remeshing);
-      break;
+  if (way == Way::kPlain) {
+    co_await remeshPlain(work, remeshing, surface);
+  } else if (way == Way::kWithoutGiven) {
+    dropped = co_await remeshWithoutGiven(work, remeshing, surface);
+  } else if (way == Way::kWithoutChosen) {
+    dropped = co_await remeshWithoutChosen(work, remeshing, surface);
+  } else {
+    surface = co_await remeshInSteps(work, remeshing);
   }
   co_return dropped;
 }

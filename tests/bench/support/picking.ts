@@ -1,5 +1,5 @@
 /** What the picking benchmark measures: the hit test of the view, without a browser. */
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { FrontSide } from "three";
 import { emptyProject } from "../../../web/document/create";
 import { hitTest } from "../../../web/viewer/hit-test";

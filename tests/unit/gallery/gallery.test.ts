@@ -1,14 +1,9 @@
 /** The bundled models: each is valid, and together they use everything that can be drawn. */
 import { readdirSync, readFileSync } from "node:fs";
 
-import {
-  createMesher,
-  isInterface,
-  readProject,
-  type Mesher,
-  type MeshResult,
-  type Project,
-} from "tetrafront";
+import { createMesher, type Mesher, type MeshResult } from "tetrafront";
+import { isInterface } from "tetrafront/internal";
+import { readProject, type Project } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import type { Gallery } from "../../../web/session/gallery";

@@ -4,16 +4,9 @@
  */
 import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import {
-  createMesher,
-  readProject,
-  readTrace,
-  recordTrace,
-  type FrontOrder,
-  type Mesher,
-  type MeshReport,
-  type Trace,
-} from "tetrafront";
+import { createMesher, type FrontOrder, type Mesher, type MeshReport } from "tetrafront";
+import { readProject } from "tetrafront/project";
+import { readTrace, recordTrace, type Trace } from "tetrafront/trace";
 import { isShown } from "../../../web/lessons/check-task";
 import { parseLesson, type Lesson } from "../../../web/lessons/lesson";
 import { listOf } from "../../../web/lessons/lesson-files";

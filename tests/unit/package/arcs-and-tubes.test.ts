@@ -1,13 +1,6 @@
 /** Projects with arcs, circles and tubes, through the package. */
-import {
-  createMesher,
-  parseProject,
-  readProject,
-  writeProject,
-  type Diagnostic,
-  type Mesher,
-  type Project,
-} from "tetrafront";
+import { createMesher, type Diagnostic, type Mesher } from "tetrafront";
+import { parseProject, readProject, writeProject, type Project } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { expectValid } from "../../support/expect-valid.js";

@@ -1,19 +1,21 @@
 /** Sources of element sizes: size sources, covering grids, background grids made from meshes, proposals. */
+import type { BackgroundArrays } from "tetrafront";
 import {
-  backgroundArrays,
   createMesher,
-  projectBackground,
-  readProject,
-  writeProject,
-  type BackgroundArrays,
   type Mesher,
   type MeshOptions,
   type MeshResult,
   type SurfaceInput,
-  type Project,
-  type ProjectSource,
   type VolumeMesh,
 } from "tetrafront";
+import {
+  backgroundArrays,
+  projectBackground,
+  readProject,
+  writeProject,
+  type Project,
+  type ProjectSource,
+} from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { enclosedVolume, defectsOf, meshVolume, NO_DEFECTS } from "../../support/check-mesh.js";

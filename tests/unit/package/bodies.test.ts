@@ -1,25 +1,27 @@
 /** Bodies of projects: their texts, the schema, placement, and their prepared surfaces. */
 import {
-  type BodyPlacement,
-  bodySurface,
-  createBody,
   createMesher,
   fileMeshOf,
   type Mesher,
   type MeshResult,
   type PreparedBody,
-  parseProject,
   patchNames,
   type Progress,
+  readMesh,
+  type SurfaceInput,
+  writeMesh,
+} from "tetrafront";
+import {
+  type BodyPlacement,
+  bodySurface,
+  createBody,
+  parseProject,
   type Project,
   type ProjectBackground,
   type ProjectBody,
-  readMesh,
   readProject,
-  type SurfaceInput,
-  writeMesh,
   writeProject,
-} from "tetrafront";
+} from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { base64Of, bytesOfBase64 } from "../../../wasm/src/base/base64.js";

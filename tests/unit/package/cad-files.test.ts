@@ -4,16 +4,8 @@ import { readFileSync } from "node:fs";
 import { createRequire, syncBuiltinESMExports } from "node:module";
 import type { Worker } from "node:worker_threads";
 
-import {
-  bodySurface,
-  createBodies,
-  createMesher,
-  readMesh,
-  readProject,
-  readSurface,
-  type Mesher,
-  type SurfaceFile,
-} from "tetrafront";
+import { createMesher, readMesh, readSurface, type Mesher, type SurfaceFile } from "tetrafront";
+import { bodySurface, createBodies, readProject } from "tetrafront/project";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 
 import { withoutPause } from "../../../wasm/dist/base/steps.js";

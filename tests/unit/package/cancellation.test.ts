@@ -1,6 +1,5 @@
 /** One rule for cancelling: every call with a signal rejects with a `MesherError` of code `cancelled`. */
 import {
-  createBody,
   createMesher,
   MesherError,
   readMesh,
@@ -12,6 +11,7 @@ import {
   type MesherErrorCode,
   type SurfaceFile,
 } from "tetrafront";
+import { createBody } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, expectTypeOf, test, vi } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";

@@ -1,7 +1,8 @@
 /** The command line with projects that have bodies: convert, info, check and mesh. */
 import { readFileSync } from "node:fs";
 
-import { readMesh, readProject, writeProject, type MeshReport, type Project } from "tetrafront";
+import { readMesh, type MeshReport } from "tetrafront";
+import { readProject, writeProject, type Project } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
 
 import { tetrafront } from "../../support/command-line.js";

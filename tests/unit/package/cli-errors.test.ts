@@ -4,7 +4,8 @@
  */
 import { existsSync, readFileSync } from "node:fs";
 
-import { writeMesh, writeProject, type FileMesh } from "tetrafront";
+import { writeMesh, type FileMesh } from "tetrafront";
+import { writeProject } from "tetrafront/project";
 import { beforeEach, describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";

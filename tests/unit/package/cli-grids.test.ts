@@ -4,7 +4,8 @@
 import { mkdirSync, readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 
-import { readProject, writeProject, type Diagnostic, type MeshReport, type Project } from "tetrafront";
+import type { Diagnostic, MeshReport } from "tetrafront";
+import { readProject, writeProject, type Project } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";

@@ -5,7 +5,8 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 
-import { createMesher, writeProject } from "tetrafront";
+import { createMesher } from "tetrafront";
+import { writeProject } from "tetrafront/project";
 import { beforeAll, describe, expect, test } from "vitest";
 
 import { tetrafront } from "../../support/command-line.js";

@@ -8,12 +8,12 @@ import path from "node:path";
 import {
   readMesh,
   writeMesh,
-  writeProject,
   type Diagnostic,
   type FileMesh,
   type MeshReport,
   type SurfaceInput,
 } from "tetrafront";
+import { writeProject } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
 
 import { expandInputs, splitPattern } from "../../../wasm/src/cli/batch.js";

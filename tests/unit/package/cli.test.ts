@@ -1,6 +1,7 @@
 import { mkdirSync, readdirSync, readFileSync } from "node:fs";
 
-import { writeProject, type MeshReport, type SurfaceInput, type VolumeMesh } from "tetrafront";
+import type { MeshReport, SurfaceInput, VolumeMesh } from "tetrafront";
+import { writeProject } from "tetrafront/project";
 import { beforeEach, describe, expect, test } from "vitest";
 
 import { enclosedVolume, defectsOf, meshVolume, NO_DEFECTS } from "../../support/check-mesh.js";

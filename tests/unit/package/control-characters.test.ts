@@ -1,14 +1,6 @@
 /** Names from files and callers can contain any character; messages show control characters as escapes. */
-import {
-  createMesher,
-  MesherError,
-  parseProject,
-  readMesh,
-  readProject,
-  writeMesh,
-  writeProject,
-  type ReadResult,
-} from "tetrafront";
+import { createMesher, MesherError, readMesh, writeMesh, type ReadResult } from "tetrafront";
+import { parseProject, readProject, writeProject } from "tetrafront/project";
 import { expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";

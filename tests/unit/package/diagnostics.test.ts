@@ -1,10 +1,5 @@
-import {
-  ENGINE_CODES,
-  type Diagnostic,
-  type DiagnosticCode,
-  type DiagnosticOf,
-  type NoData,
-} from "tetrafront";
+import type { Diagnostic, DiagnosticCode, DiagnosticOf, NoData } from "tetrafront";
+import { ENGINE_CODES } from "tetrafront/internal";
 import { describe, expect, expectTypeOf, test } from "vitest";
 
 import {

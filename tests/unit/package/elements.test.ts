@@ -1,7 +1,8 @@
 /** Meshes with a wanted number of elements: `elements` of the calls, and `--elements` of the command line. */
 import { readFileSync } from "node:fs";
 
-import { createMesher, type MeshReport, type MeshResult, type Project, writeProject } from "tetrafront";
+import { createMesher, type MeshReport, type MeshResult } from "tetrafront";
+import { type Project, writeProject } from "tetrafront/project";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { expectValid } from "../../support/expect-valid.js";

@@ -4,9 +4,7 @@
 import {
   createMesher,
   MesherError,
-  parseProject,
   readMesh,
-  readProject,
   readSurface,
   readVolume,
   volumeBackground,
@@ -15,6 +13,7 @@ import {
   type Mesher,
   type ReadError,
 } from "tetrafront";
+import { parseProject, readProject } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";

@@ -1,6 +1,7 @@
 /** The progress of runs: it never moves back, and no stage holds it for most of the run. */
 import { readFileSync } from "node:fs";
-import { createMesher, readProject, type Progress } from "tetrafront";
+import { createMesher, type Progress } from "tetrafront";
+import { readProject } from "tetrafront/project";
 import { expect, test } from "vitest";
 
 const models = new URL("../../../public/models/", import.meta.url);

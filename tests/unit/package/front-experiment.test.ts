@@ -1,5 +1,6 @@
 /** Recorded fronts with changed rules. */
-import { createMesher, type FrontExperiment, type Mesher, recordTrace } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import { type FrontExperiment, recordTrace } from "tetrafront/trace";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { galleryProject, tracedIn } from "../../support/recorded-models.js";
 

@@ -1,15 +1,6 @@
 /** Meshes from files and improved meshes in the form of results: boundary, interfaces, patches, statistics. */
-import {
-  createMesher,
-  fileMeshOf,
-  improvedResult,
-  inspectedResult,
-  isInterface,
-  meshWithBoundary,
-  NO_REGION,
-  type FileMesh,
-  type Mesher,
-} from "tetrafront";
+import { createMesher, fileMeshOf, NO_REGION, type FileMesh, type Mesher } from "tetrafront";
+import { improvedResult, inspectedResult, isInterface, meshWithBoundary } from "tetrafront/internal";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { sphereSurface } from "../../support/surfaces.js";

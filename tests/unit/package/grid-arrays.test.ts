@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 
-import type { BackgroundArrays } from "../../../wasm/src/index.js";
+import type { BackgroundArrays } from "tetrafront";
 import { emptyGrid, withNodes } from "../../../wasm/src/project/grid-arrays.js";
 
 const NO_NODES = {

@@ -2,7 +2,12 @@
  * Calls every function of the package with invalid values in place of each argument and each nested value:
  * the call succeeds, or reports a code of the closed union and the name of the argument.
  */
-import * as api from "tetrafront";
+import * as root from "tetrafront";
+import type { BackgroundArrays, Diagnostic, Mesher, MeshReport } from "tetrafront";
+import * as internal from "tetrafront/internal";
+import * as projects from "tetrafront/project";
+import type { ProjectBody } from "tetrafront/project";
+import * as traces from "tetrafront/trace";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
@@ -14,7 +19,10 @@ type AnyFunction = (...given: never[]) => unknown;
 /** Arguments by name, in the order of the parameters. */
 type Arguments = Readonly<Record<string, unknown>>;
 
-let mesher: api.Mesher;
+/** Everything that the package exports. */
+const api = { ...root, ...projects, ...traces, ...internal };
+
+let mesher: Mesher;
 beforeAll(async () => {
   mesher = await api.createMesher();
 });
@@ -24,7 +32,7 @@ const box = boxSurface(1);
 const block = blockMesh(1);
 const project = cubeProject();
 /** A grid that contains everything. */
-const background: api.BackgroundArrays = {
+const background: BackgroundArrays = {
   points: Float64Array.from(block.points, (_, i) => ((Math.floor(i / 3) >> (i % 3)) & 1 ? 3 : -2)),
   sizes: new Float64Array(8).fill(1),
   stretchings: new Float64Array(8).fill(1),
@@ -41,7 +49,7 @@ const sourcesOnly = {
   directions: undefined,
   tetrahedra: new Uint32Array(),
 };
-const body: api.ProjectBody = {
+const body: ProjectBody = {
   ...api.createBody(box, { id: 1, firstPatchId: 10, name: "a" }),
   placement: { position: [1.5, 0, 0], rotation: [0, 0, 0, 1], scale: 1 },
   remeshing: { layers: 1 },
@@ -206,7 +214,7 @@ const functions: Readonly<Record<string, Arguments>> = {
   isInterface: { surface: meshed.surface, triangle: 0 },
 };
 
-const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>> = {
+const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   meshProject: {
     project: { ...project, bodies: [body] },
     options: { gradation: 1.3, background, preparedBodies: [prepared] },
@@ -326,9 +334,9 @@ interface ReportedError {
 /** The properties in which results report errors. */
 interface Answer {
   readonly errors?: readonly ReportedError[];
-  readonly diagnostics?: readonly api.Diagnostic[];
-  readonly report?: api.MeshReport;
-  readonly result?: { readonly report: api.MeshReport };
+  readonly diagnostics?: readonly Diagnostic[];
+  readonly report?: MeshReport;
+  readonly result?: { readonly report: MeshReport };
 }
 
 /** Returns the errors of a call; undefined if it succeeded. */

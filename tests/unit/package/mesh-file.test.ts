@@ -14,8 +14,8 @@ import {
   readSurface,
   type SurfaceInput,
   writeMesh,
-  writeProject,
 } from "tetrafront";
+import { writeProject } from "tetrafront/project";
 import { meshFile as meshPath } from "tetrafront/node";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 

@@ -6,13 +6,12 @@ import {
   createMesher,
   MesherError,
   NO_REGION,
-  readProject,
   type Mesher,
   type MeshResult,
   type Progress,
-  type Project,
   type SurfaceInput,
 } from "tetrafront";
+import { readProject, type Project } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { expectValid } from "../../support/expect-valid.js";

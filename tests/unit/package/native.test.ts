@@ -4,7 +4,8 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-import { createMesher, type Project, readProject, type SurfaceInput, writeProject } from "tetrafront";
+import { createMesher, type SurfaceInput } from "tetrafront";
+import { type Project, readProject, writeProject } from "tetrafront/project";
 import { expect, test } from "vitest";
 
 import { cone } from "../../../web/document/pieces/cone.js";

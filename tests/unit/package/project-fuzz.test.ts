@@ -6,15 +6,8 @@ import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-import {
-  createMesher,
-  parseProject,
-  readProject,
-  type Diagnostic,
-  type Mesher,
-  type Project,
-  type ReadResult,
-} from "tetrafront";
+import { createMesher, type Diagnostic, type Mesher, type ReadResult } from "tetrafront";
+import { parseProject, readProject, type Project } from "tetrafront/project";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 /** Number of damaged files; `npm run fuzz COUNT` reads more. */

@@ -1,5 +1,6 @@
 /** Groups, parameters and expressions of projects. */
-import { liveNotes, parseProject, readProject, writeProject, type Project, type ReadError } from "tetrafront";
+import type { ReadError } from "tetrafront";
+import { liveNotes, parseProject, readProject, writeProject, type Project } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";

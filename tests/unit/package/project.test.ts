@@ -1,13 +1,13 @@
 import { readFileSync } from "node:fs";
 
+import { LIMITS } from "tetrafront";
 import {
-  LIMITS,
   parseProject,
   readProject,
   writeProject,
   type Project,
   type ProjectSource,
-} from "tetrafront";
+} from "tetrafront/project";
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";

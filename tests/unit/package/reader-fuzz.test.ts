@@ -3,13 +3,12 @@ import {
   FILE_FORMATS,
   formatOf,
   readMesh,
-  readProject,
   readSurface,
   writeMesh,
-  writeProject,
   type ByteSource,
   type FileMesh,
 } from "tetrafront";
+import { readProject, writeProject } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";

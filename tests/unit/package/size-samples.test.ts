@@ -1,5 +1,6 @@
 /** Target sizes at positions and the expected number of elements, before a project is meshed. */
-import { createBody, createMesher, type Mesher, type Project, type ProjectSource } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import { createBody, type Project, type ProjectSource } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";

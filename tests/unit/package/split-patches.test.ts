@@ -2,24 +2,26 @@
 import { readFileSync } from "node:fs";
 
 import {
-  bodyPatchGroups,
-  bodySurface,
-  bodyWithPatches,
-  createBody,
   createMesher,
   fileMeshOf,
-  mergePatches,
   type FileGroup,
   type Mesher,
-  type ProjectBody,
   readMesh,
-  readProject,
   readSurface,
   repairedSurface,
   type SplitOptions,
   type SurfaceInput,
   writeMesh,
 } from "tetrafront";
+import {
+  bodyPatchGroups,
+  bodyWithPatches,
+  mergePatches,
+  bodySurface,
+  createBody,
+  type ProjectBody,
+  readProject,
+} from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { splitGroups } from "../../../wasm/src/api/patch-names.js";

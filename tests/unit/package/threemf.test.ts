@@ -1,14 +1,7 @@
 /** 3MF files: units, objects at their positions, components, colours, materials, errors. */
 import { zipSync } from "fflate";
-import {
-  bodySurface,
-  createBodies,
-  createMesher,
-  NO_REGION,
-  readSurface,
-  type SurfaceFile,
-  type SurfaceInput,
-} from "tetrafront";
+import { createMesher, NO_REGION, readSurface, type SurfaceFile, type SurfaceInput } from "tetrafront";
+import { bodySurface, createBodies } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
 
 import { boxSurface, joined, turned } from "../../support/surfaces.js";

@@ -1,12 +1,6 @@
 /** The sweeps of the optimizer in a trace: they lead from the mesh of the front to the result. */
-import {
-  createMesher,
-  type Mesher,
-  readTrace,
-  recordTrace,
-  type SweptMesh,
-  type VolumeMesh,
-} from "tetrafront";
+import { createMesher, type Mesher, type VolumeMesh } from "tetrafront";
+import { readTrace, recordTrace, type SweptMesh } from "tetrafront/trace";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { randomSource } from "../../support/random.js";
 import { galleryProject, tracedIn } from "../../support/recorded-models.js";

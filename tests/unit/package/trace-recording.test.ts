@@ -1,7 +1,8 @@
 /** Recorded runs: the mesh stays the same, and the trace replays to it. */
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { createMesher, recordTrace } from "tetrafront";
+import { createMesher } from "tetrafront";
+import { recordTrace } from "tetrafront/trace";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { tetrafront } from "../../support/command-line.js";
 import { galleryProject as gallery, tracedIn as read } from "../../support/recorded-models.js";

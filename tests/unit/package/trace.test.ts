@@ -1,5 +1,6 @@
 /** Traces of the front: states, steps, summary, final mesh, and damaged files. */
-import { loadTrace, MesherError, readTrace, type Trace, type TraceStep } from "tetrafront";
+import { MesherError } from "tetrafront";
+import { loadTrace, readTrace, type Trace, type TraceStep } from "tetrafront/trace";
 import { describe, expect, test } from "vitest";
 import { mutated, randomSource } from "../../support/random.js";
 import { boxSurface } from "../../support/surfaces.js";

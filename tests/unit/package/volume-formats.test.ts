@@ -6,13 +6,13 @@ import {
   readMesh,
   readSurface,
   readVolume,
-  unusedData,
   volumeBackground,
   writeMesh,
   type MeshResult,
   type VolumeFile,
   type VolumeMesh,
 } from "tetrafront";
+import { unusedData } from "tetrafront/internal";
 import { describe, expect, test } from "vitest";
 
 /** Two tetrahedra that share a face; the first node is unused. */

@@ -1,5 +1,5 @@
 /** "Be the mesher" brings the face that it asks about into view. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import type { Position } from "../../../web/document/position";
 import { areaVector, cross, distance, dot, mean, subtract, unit } from "../../../web/document/vectors";

@@ -1,5 +1,6 @@
 import { Raycaster, Vector2, type BufferGeometry, type Mesh, type ShaderMaterial } from "three";
-import { createBody, type MeshResult } from "tetrafront";
+import type { MeshResult } from "tetrafront";
+import { createBody } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { drawnSurface } from "../../../web/document/drawn-surface";
 import { BodiesLayer } from "../../../web/viewer/layers/bodies-layer";

@@ -1,4 +1,4 @@
-import { bodySurface, createBody, type Project, type ProjectBody } from "tetrafront";
+import { bodySurface, createBody, type Project, type ProjectBody } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { addBodies, nextBodyIds, setPlacement, usedPatches } from "../../../web/document/body-edits";
 import { documentKey, meshKey, preparedKey } from "../../../web/document/content-keys";

@@ -1,11 +1,5 @@
-import {
-  createBody,
-  createMesher,
-  type Mesher,
-  type PreparedBody,
-  type Project,
-  type RunControl,
-} from "tetrafront";
+import { createMesher, type Mesher, type PreparedBody, type RunControl } from "tetrafront";
+import { createBody, type Project } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 import type { BodyFeed } from "../../../web/session/bodies";
 import { BodyCheck } from "../../../web/session/body-check";

@@ -1,11 +1,11 @@
+import { createMesher } from "tetrafront";
 import {
   bodyWithPatches,
-  createMesher,
   mergePatches,
   readProject,
   writeProject,
   type ProjectBody,
-} from "tetrafront";
+} from "tetrafront/project";
 import { expect, it } from "vitest";
 import { setPlacement } from "../../../web/document/body-edits";
 import { ownLength, placedLength, sharedVolume, withRepairs } from "../../../web/document/body-repair";

@@ -1,6 +1,7 @@
 /** Boolean commands wait for a library and for samples; what the user does meanwhile takes precedence. */
 import Module, { type ManifoldToplevel } from "manifold-3d";
-import { createMesher, type Mesher, type Project } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import { booleanCommands } from "../../../web/commands/boolean-commands";

@@ -1,5 +1,6 @@
 import Module, { type ManifoldToplevel } from "manifold-3d";
-import { bodySurface, createBody, createMesher, type Project, type ProjectPreview } from "tetrafront";
+import { createMesher } from "tetrafront";
+import { bodySurface, createBody, type Project, type ProjectPreview } from "tetrafront/project";
 import { beforeAll, describe, expect, it } from "vitest";
 import { booleanKinds, type BooleanKind } from "../../../web/document/booleans/kinds";
 import { offerBoolean } from "../../../web/document/booleans/offer";

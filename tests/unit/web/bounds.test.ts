@@ -1,4 +1,4 @@
-import type { ProjectPreview } from "tetrafront";
+import type { ProjectPreview } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { areAlike, Bounds, boundsOf, shownBounds } from "../../../web/viewer/bounds";

@@ -1,4 +1,4 @@
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { setCommonSurface, setPlacement, setRemeshing } from "../../../web/document/body-edits";
 import {

@@ -1,5 +1,6 @@
 /** Conditions at which the player pauses: their text, and the steps that meet them. */
-import { createMesher, EDGE_REFUSALS, readTrace, type Trace, type TraceStep } from "tetrafront";
+import { createMesher } from "tetrafront";
+import { EDGE_REFUSALS, readTrace, type Trace, type TraceStep } from "tetrafront/trace";
 import { beforeAll, describe, expect, it } from "vitest";
 import { type Condition, parseCondition } from "../../../web/player/condition";
 import { holds } from "../../../web/player/condition-test";

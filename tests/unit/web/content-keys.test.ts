@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { createMesher, type Project } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { documentKey, meshKey } from "../../../web/document/content-keys";
 import { addPoint } from "../../../web/document/create";
 import type { ProjectEdit } from "../../../web/document/edit";

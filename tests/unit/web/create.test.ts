@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { parseProject, type Project } from "tetrafront";
+import { parseProject, type Project } from "tetrafront/project";
 import {
   addPoint,
   addSource,

@@ -1,4 +1,4 @@
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { beforeEach, expect, it } from "vitest";
 import { moveEntity } from "../../../web/document/edits";
 import { ViewStore } from "../../../web/document/selection";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { parseProject } from "tetrafront";
+import { parseProject } from "tetrafront/project";
 import { deleteEntities, moveEntity, renameEntity } from "../../../web/document/edits";
 import {
   replaceBackground,

@@ -2,7 +2,8 @@
 /** The page that shows a front in other pages, without WebGL: its player, its keys and its link. */
 import { MantineProvider } from "@mantine/core";
 import { createRoot, type Root } from "react-dom/client";
-import { writeProject, type Mesher, type Project } from "tetrafront";
+import type { Mesher } from "tetrafront";
+import { writeProject, type Project } from "tetrafront/project";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import {

@@ -1,5 +1,5 @@
 /** The labels of lines and patches belong to those that the recorded front shows in space. */
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { expect, test } from "vitest";
 import { entityLabels, labelAt } from "../../../web/player/entity-labels";
 import { inSpace } from "../../../web/player/surface-scene";

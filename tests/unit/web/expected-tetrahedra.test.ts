@@ -1,5 +1,6 @@
 import { afterAll, describe, expect, it } from "vitest";
-import { createMesher, type ProjectSource } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { ProjectSource } from "tetrafront/project";
 import { expectedTetrahedra } from "../../../web/session/expected-tetrahedra";
 import { cubeProject } from "../../support/projects";
 

@@ -1,6 +1,6 @@
 /** Drawings of the front: which faces they show, and in which order. */
 import { expect, it } from "vitest";
-import { readTrace, type Trace } from "tetrafront";
+import { readTrace, type Trace } from "tetrafront/trace";
 import { frontDrawing, type DrawingView } from "../../../web/player/front-drawing";
 import { cornersOf } from "../../../web/player/judge";
 import { sceneOf } from "../../../web/player/lens-scene";

@@ -1,5 +1,6 @@
 /** The heap of the front that a lesson draws, checked against the recorded steps. */
-import type { FrontOrder, Trace } from "tetrafront";
+import type { FrontOrder } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { describe, expect, it } from "vitest";
 import { FrontQueue } from "../../../web/lessons/front-queue";
 import { randomSource } from "../../support/random";

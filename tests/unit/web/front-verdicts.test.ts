@@ -1,6 +1,7 @@
 /** The engine's verdicts on real models, against an independent check: the paper's test in doubles. */
 import { readFileSync } from "node:fs";
-import { readProject, type AdvanceStep, type Trace } from "tetrafront";
+import { readProject } from "tetrafront/project";
+import type { AdvanceStep, Trace } from "tetrafront/trace";
 import { describe, expect, test } from "vitest";
 import {
   crossedFaces,

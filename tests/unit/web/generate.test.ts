@@ -1,5 +1,6 @@
 /** What "Generate mesh" does to bodies before the run. */
-import { createBody, type Mesher, type MeshResult, type ProjectBody } from "tetrafront";
+import type { Mesher, MeshResult } from "tetrafront";
+import { createBody, type ProjectBody } from "tetrafront/project";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import { generateMesh } from "../../../web/commands/mesh-actions";

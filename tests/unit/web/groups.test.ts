@@ -1,4 +1,4 @@
-import { liveNotes, parseProject, type Project } from "tetrafront";
+import { liveNotes, parseProject, type Project } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { deleteEntities } from "../../../web/document/edits";
 import {

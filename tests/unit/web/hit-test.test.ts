@@ -1,6 +1,6 @@
 import { DoubleSide, FrontSide, Ray, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { entitiesUnder, hitTest } from "../../../web/viewer/hit-test";
 import { DotsLayer } from "../../../web/viewer/layers/dots-layer";

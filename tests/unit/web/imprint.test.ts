@@ -1,4 +1,5 @@
-import { createMesher, type Mesher, type Project } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { imprinted, type Imprint } from "../../../web/document/imprint/imprint";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { renameProject } from "../../../web/document/edits";
 import { scaleSizes } from "../../../web/document/size-edits";
 import { DocumentStore, hasUnsavedChanges, newDocument } from "../../../web/session/document-store";

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { expect, it } from "vitest";
 import {
   commonNumbers,

@@ -1,6 +1,7 @@
 import { Ray, Vector3, type BufferAttribute, type Mesh, type Points, type ShaderMaterial } from "three";
 import { describe, expect, it, vi } from "vitest";
-import type { MeshResult, Project, ProjectSource } from "tetrafront";
+import type { MeshResult } from "tetrafront";
+import type { Project, ProjectSource } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { stateCodes } from "../../../web/viewer/draw-state";
 import { DotsLayer } from "../../../web/viewer/layers/dots-layer";

@@ -1,4 +1,5 @@
-import { createBody, UNITS, type Project } from "tetrafront";
+import { UNITS } from "tetrafront";
+import { createBody, type Project } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { formatMeasure } from "../../../web/ui/format";
 import { emptyProject } from "../../../web/document/create";

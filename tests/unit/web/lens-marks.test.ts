@@ -1,7 +1,7 @@
 /** What the lens marks in the view: the part of a face in a new element, and the labels. */
 import type { Mesh } from "three";
 import { beforeAll, describe, expect, it } from "vitest";
-import { readTrace, type AdvanceStep, type Trace } from "tetrafront";
+import { readTrace, type AdvanceStep, type Trace } from "tetrafront/trace";
 import type { Position } from "../../../web/document/position";
 import { areaVector, distance } from "../../../web/document/vectors";
 import type { Triangle } from "../../../web/player/crossing";

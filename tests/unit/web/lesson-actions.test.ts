@@ -1,5 +1,7 @@
 /** The runs of a lesson: always of its own model. */
-import { readTrace, writeProject, type MeshReport, type Mesher, type Project } from "tetrafront";
+import type { MeshReport, Mesher } from "tetrafront";
+import { writeProject, type Project } from "tetrafront/project";
+import { readTrace } from "tetrafront/trace";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import {

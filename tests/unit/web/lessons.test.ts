@@ -1,7 +1,7 @@
 /** Lessons: what a file may contain, when a task is done, and how the cost of a search is counted. */
 import { readFileSync } from "node:fs";
 import { describe, expect, it, vi } from "vitest";
-import { readTrace, type Trace } from "tetrafront";
+import { readTrace, type Trace } from "tetrafront/trace";
 import { isRight, isShown, numberIn } from "../../../web/lessons/check-task";
 import { finishTask, isFinished, progress, progressIn, restart } from "../../../web/lessons/course";
 import { parseLesson, type Lesson, type LessonTask, type TaskOf } from "../../../web/lessons/lesson";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { ProjectLine } from "tetrafront";
+import type { ProjectLine } from "tetrafront/project";
 import type { LinePath } from "../../../web/document/line-paths";
 import { firstLoop, freeLoops } from "../../../web/document/loop-hits";
 import { drawnLoops, keyOf } from "../../../web/document/loop-search";

@@ -1,5 +1,6 @@
 /** "Be the mesher": questions and verdicts of recorded patches. */
-import { createMesher, type Trace } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import {
   checkChoice,

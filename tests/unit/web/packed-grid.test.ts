@@ -1,4 +1,4 @@
-import { backgroundArrays, projectBackground, type ProjectBackground } from "tetrafront";
+import { backgroundArrays, projectBackground, type ProjectBackground } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { documentKey } from "../../../web/document/content-keys";
 import { documentGrid } from "../../../web/document/large-grid";

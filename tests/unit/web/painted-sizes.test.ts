@@ -1,4 +1,4 @@
-import { createBody, type Project, type ProjectSource } from "tetrafront";
+import { createBody, type Project, type ProjectSource } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { setPlacement } from "../../../web/document/body-edits";
 import { deleteEntities } from "../../../web/document/edits";

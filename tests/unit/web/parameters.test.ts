@@ -1,4 +1,4 @@
-import { readProject, writeProject, type Project } from "tetrafront";
+import { readProject, writeProject, type Project } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { keepingExpression } from "../../../web/document/expression-edits";
 import { deleteEntities, moveEntity } from "../../../web/document/edits";

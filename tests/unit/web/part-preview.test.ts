@@ -1,4 +1,5 @@
-import { createMesher, readProject, type Mesher, type Project, type ProjectPreview } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import { readProject, type Project, type ProjectPreview } from "tetrafront/project";
 import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";

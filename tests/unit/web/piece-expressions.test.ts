@@ -1,4 +1,5 @@
-import { LIMITS, readProject, writeProject, type Project } from "tetrafront";
+import { LIMITS } from "tetrafront";
+import { readProject, writeProject, type Project } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { middleOfArc, quantityMiddleOfArc } from "../../../web/document/arcs";
 import { documentKey } from "../../../web/document/content-keys";

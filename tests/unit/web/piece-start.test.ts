@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { startOf } from "../../../web/document/operations/start";
 import type { Position } from "../../../web/document/position";

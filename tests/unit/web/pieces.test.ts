@@ -1,4 +1,5 @@
-import { createMesher, type Mesher, type Project } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { box } from "../../../web/document/pieces/box";
 import { cone } from "../../../web/document/pieces/cone";

@@ -1,5 +1,6 @@
 /** The corners A to D of the mapping to the plane, in recorded patches of the gallery. */
-import { createMesher, type Mesher, type PlanarFront } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import type { PlanarFront } from "tetrafront/trace";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { cornersOfPlane } from "../../../web/player/plane-drawing";
 import { recordSurface } from "../../support/recorded-models";

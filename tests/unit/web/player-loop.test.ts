@@ -1,5 +1,6 @@
 /** The range of steps that the player repeats. */
-import { createMesher, type Trace } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import { loopAround, loopLimits, shownLoop, withLoopEnd } from "../../../web/player/loop";
 import { phasesOf } from "../../../web/player/phases";

@@ -1,5 +1,6 @@
 /** Lines, patches and the volume on one scale, and the jumps between their steps. */
-import { createMesher, type Trace } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, test } from "vitest";
 import { recordSurface } from "../../support/recorded-models";
 import {

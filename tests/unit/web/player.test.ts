@@ -1,6 +1,7 @@
 /** The player of the front: states, buffers, jumps, and the independent check of the decisions. */
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { readTrace, type Mesher, type Trace } from "tetrafront";
+import type { Mesher } from "tetrafront";
+import { readTrace, type Trace } from "tetrafront/trace";
 import { App } from "../../../web/app/app";
 import { alphasOf, excessOf } from "../../../web/player/crossing";
 import { ElementBuffers } from "../../../web/player/element-buffers";

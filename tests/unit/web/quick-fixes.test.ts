@@ -1,4 +1,5 @@
-import { createMesher, type Mesher, type Project } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { fixEdit, quickFixOf, type QuickFix } from "../../../web/document/quick-fixes";
 import { marginToCover } from "../../../web/document/coverage-margin";

@@ -1,4 +1,4 @@
-import { parseProject } from "tetrafront";
+import { parseProject } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { documentKey } from "../../../web/document/content-keys";
 import { Autosave } from "../../../web/session/autosave";

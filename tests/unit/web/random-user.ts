@@ -1,4 +1,4 @@
-import { type Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { makers, sourceMakers } from "../../../web/commands/create-menu";
 import { setCommonNumber } from "../../../web/document/common-edits";
 import { addBackgroundNode, addPoint, emptyProject } from "../../../web/document/create";

@@ -1,6 +1,7 @@
 /** What the lens says about steps of recovery. */
 import { readFileSync } from "node:fs";
-import { readProject, type Trace } from "tetrafront";
+import { readProject } from "tetrafront/project";
+import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import { recoveryCounts } from "../../../web/player/recovery-counts";
 import { recoverySentence } from "../../../web/strings/recovery";

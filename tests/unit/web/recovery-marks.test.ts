@@ -1,6 +1,6 @@
 /** What the view marks of a step of recovery. */
 import { expect, it } from "vitest";
-import { readTrace, type Trace } from "tetrafront";
+import { readTrace, type Trace } from "tetrafront/trace";
 import { cornersOf } from "../../../web/player/judge";
 import { initialPlayerState } from "../../../web/player/player";
 import { recoveryMarks, recoveryMarksOf } from "../../../web/player/recovery-marks";

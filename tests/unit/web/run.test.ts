@@ -1,6 +1,5 @@
 import { describe, expect, it, vi } from "vitest";
 import {
-  createBody,
   createMesher,
   type Mesher,
   type Phase,
@@ -8,6 +7,7 @@ import {
   type Progress,
   type RunControl,
 } from "tetrafront";
+import { createBody } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { meshKey, versionedKey } from "../../../web/document/content-keys";
 import { DocumentStore, newDocument } from "../../../web/session/document-store";

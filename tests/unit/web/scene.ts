@@ -1,5 +1,5 @@
 import { PerspectiveCamera, Vector3 } from "three";
-import type { ProjectPreview } from "tetrafront";
+import type { ProjectPreview } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { ViewStore } from "../../../web/document/selection";
 import { viewerColors } from "../../../web/ui/theme/theme";

@@ -1,6 +1,6 @@
 /** The search region of the lens against the candidates that the engine has found, with and without stretching. */
 import { readFileSync } from "node:fs";
-import type { AdvanceStep, Trace } from "tetrafront";
+import type { AdvanceStep, Trace } from "tetrafront/trace";
 import { expect, test } from "vitest";
 import { nodesOf } from "../../../web/player/judge";
 import { outlineOf, searchRegionOf, type SearchRegion } from "../../../web/player/search-region";

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { invertedSelection, loopAround, shownAmong } from "../../../web/document/select-related";
 import type { Entity } from "../../../web/document/entities";
-import { createBody } from "tetrafront";
+import { createBody } from "tetrafront/project";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 import { ViewStore } from "../../../web/document/selection";

@@ -1,5 +1,6 @@
 /** The view of a player: when it follows what a step is about. */
-import { createMesher, type Trace } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { beforeAll, beforeEach, expect, it, vi } from "vitest";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { firstState, phasesOf } from "../../../web/player/phases";

@@ -1,4 +1,5 @@
-import type { Mesher, ProjectPreview } from "tetrafront";
+import type { Mesher } from "tetrafront";
+import type { ProjectPreview } from "tetrafront/project";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { createStore } from "zustand/vanilla";
 import { ViewStore } from "../../../web/document/selection";

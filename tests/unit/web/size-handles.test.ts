@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { addSourceAt, emptyProject, offerTetrahedron } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
 import { offerSplit } from "../../../web/document/grid-edits";

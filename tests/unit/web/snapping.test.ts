@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { ProjectLine } from "tetrafront";
+import type { ProjectLine } from "tetrafront/project";
 import type { LinePath } from "../../../web/document/line-paths";
 import type { Position } from "../../../web/document/position";
 import { crossingOf, middleOf, nearestToRay, snapToModel } from "../../../web/tools/drawing/snapping";

@@ -1,4 +1,5 @@
-import { bodyPatchGroups, bodySurface, createBody, createMesher, type ProjectBody } from "tetrafront";
+import { createMesher } from "tetrafront";
+import { bodyPatchGroups, bodySurface, createBody, type ProjectBody } from "tetrafront/project";
 import { expect, it, vi } from "vitest";
 import { drawnOf, type ShownBody } from "../../../web/viewer/shown-bodies";
 import { unpackedBody } from "../../../web/workers/packed-bodies";

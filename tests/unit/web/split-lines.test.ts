@@ -1,4 +1,5 @@
-import { createMesher, LIMITS, parseProject, type LineType, type Mesher, type Project } from "tetrafront";
+import { createMesher, LIMITS, type LineType, type Mesher } from "tetrafront";
+import { parseProject, type Project } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { drawLine, placeAt, placeOnLines } from "../../../web/document/draw";

@@ -1,5 +1,6 @@
 /** Drawings of lines and patches: what they show of a state. */
-import { createMesher, type Trace } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import type { DrawingView } from "../../../web/player/front-drawing";
 import { firstState } from "../../../web/player/phases";

@@ -1,5 +1,6 @@
 /** The labels of a patch in space: its corners, the base edge and a candidate, at the positions that they name. */
-import { createMesher, type SurfaceTrace } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { SurfaceTrace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import { judgeChoice, nextQuestion } from "../../../web/player/mesher-game";
 import { cornersOfPlane } from "../../../web/player/plane-drawing";

@@ -1,5 +1,6 @@
 /** The triangles of lines and patches in space, made when they are first looked at. */
-import { createMesher, type Trace } from "tetrafront";
+import { createMesher } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { Mesh, type BufferGeometry } from "three";
 import { beforeAll, expect, it, vi } from "vitest";
 import { SurfaceLayer } from "../../../web/player/surface-layer";

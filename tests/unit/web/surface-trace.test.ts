@@ -1,5 +1,6 @@
 /** The lines and patches of all models of the gallery, as recorded: replays, and the engine's verdicts in the plane. */
-import { createMesher, type EdgeStep, type Mesher, type PlanarFront, type SurfaceTrace } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import type { EdgeStep, PlanarFront, SurfaceTrace } from "tetrafront/trace";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { modelIds, recordSurface, type RecordedModel } from "../../support/recorded-models";
 import {

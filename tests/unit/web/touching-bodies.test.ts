@@ -1,4 +1,5 @@
-import { createBody, createMesher, type Mesher, type Project, type ProjectBody } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
+import { createBody, type Project, type ProjectBody } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 import {
   connectedGroups,

@@ -1,6 +1,6 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { moveEntity } from "../../../web/document/edits";
 import { ViewStore } from "../../../web/document/selection";
 import type { HandleMode } from "../../../web/document/tools";

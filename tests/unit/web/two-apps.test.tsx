@@ -1,7 +1,8 @@
 // @vitest-environment happy-dom
 import { MantineProvider } from "@mantine/core";
 import { createRoot, type Root } from "react-dom/client";
-import { writeProject, type Mesher } from "tetrafront";
+import type { Mesher } from "tetrafront";
+import { writeProject } from "tetrafront/project";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import { commandNamed } from "../../../web/commands/registry";

@@ -1,5 +1,5 @@
 /** The numbers of the ideal point and of distances under the lens, against what the engine has recorded. */
-import type { AdvanceStep, Trace } from "tetrafront";
+import type { AdvanceStep, Trace } from "tetrafront/trace";
 import { describe, expect, it } from "vitest";
 import { cornersOf } from "../../../web/player/judge";
 import { distanceToFace, idealNumbers, unitAxes } from "../../../web/player/unit-space";

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 /** The view without WebGL: what it is fitted to when its size changes, and how states are drawn out of sight. */
 import { Scene } from "three";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { beforeEach, expect, it, vi } from "vitest";
 import { viewerColors } from "../../../web/ui/theme/theme";
 import type { CameraPose } from "../../../web/viewer/camera";

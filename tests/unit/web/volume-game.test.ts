@@ -1,5 +1,5 @@
 /** "Be the mesher" in the volume: questions and verdicts of a recorded front. */
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import { nodesOf } from "../../../web/player/judge";
 import { levels, type GameLevel } from "../../../web/player/mesher-game";

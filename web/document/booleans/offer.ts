@@ -1,5 +1,6 @@
 import type { ManifoldToplevel } from "manifold-3d";
-import { createBody, MESH_DEFAULTS, type Project } from "tetrafront";
+import { MESH_DEFAULTS } from "tetrafront";
+import { createBody, type Project } from "tetrafront/project";
 import { operationStrings } from "../../strings";
 import { nextBodyIds } from "../body-edits";
 import type { Offer } from "../create";

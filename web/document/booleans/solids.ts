@@ -1,4 +1,4 @@
-import { bodySurface, type Project, type ProjectBody, type ProjectPreview } from "tetrafront";
+import { bodySurface, type Project, type ProjectBody, type ProjectPreview } from "tetrafront/project";
 import { bodiesOf, entityKey, type Entity } from "../entities";
 import { coincidenceLength } from "../insert-shape";
 import { PointIndex } from "../point-index";

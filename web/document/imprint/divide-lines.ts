@@ -1,4 +1,4 @@
-import type { Project, ProjectLine } from "tetrafront";
+import type { Project, ProjectLine } from "tetrafront/project";
 import { samplesAlong } from "../line-samples";
 import type { Flat } from "../planar-loops";
 import { cutsAtCrossings, sampledPath } from "../splits/line-crossings";

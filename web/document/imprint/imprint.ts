@@ -1,4 +1,4 @@
-import type { Project, ProjectPatch } from "tetrafront";
+import type { Project, ProjectPatch } from "tetrafront/project";
 import { coincidenceLength, freeName } from "../insert-shape";
 import type { LinePath } from "../line-paths";
 import { changedLists } from "../splits/split-line";

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { Offer } from "../create";
 import type { Entity } from "../entities";
 import { quantity, type Quantity } from "../../expressions/quantity";

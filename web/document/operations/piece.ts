@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { negative, quantity, valueOf, type Quantities, type Quantity } from "../../expressions/quantity";
 import { operationStrings, stepNames } from "../../strings";
 import type { Offer } from "../create";

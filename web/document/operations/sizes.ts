@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { Offer } from "../create";
 import type { DocumentContent } from "../edit";
 import type { DraftChange } from "../edit";

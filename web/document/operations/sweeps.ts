@@ -1,5 +1,5 @@
 import { operationStrings } from "../../strings";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { Entity } from "../entities";
 import { planeOfLoop } from "../patch-planes";
 import { findRecord } from "../entities";

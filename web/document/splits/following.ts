@@ -1,4 +1,4 @@
-import type { Project, ProjectLine } from "tetrafront";
+import type { Project, ProjectLine } from "tetrafront/project";
 import { coordinatesOf } from "../expression-edits";
 import type { Position } from "../position";
 import {

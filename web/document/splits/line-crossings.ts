@@ -1,4 +1,4 @@
-import type { Project, ProjectLine } from "tetrafront";
+import type { Project, ProjectLine } from "tetrafront/project";
 import { coincidenceLength } from "../insert-shape";
 import type { LinePath } from "../line-paths";
 import { linePositions } from "../line-samples";

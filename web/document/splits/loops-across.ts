@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { offerHole, offerPatch, type Offer } from "../create";
 import { findRecord, type Entity } from "../entities";
 import { coincidenceLength } from "../insert-shape";

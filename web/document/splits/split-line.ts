@@ -1,4 +1,4 @@
-import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
+import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront/project";
 import { lineSplitStrings, stepNames } from "../../strings";
 import type { Offer } from "../create";
 import { nextId } from "../create";

@@ -1,4 +1,4 @@
-import type { Project, ProjectBody, ProjectSource } from "tetrafront";
+import type { Project, ProjectBody, ProjectSource } from "tetrafront/project";
 import { operationStrings } from "../../strings";
 import { emptyProject, nextId, type Offer } from "../create";
 import { bodiesOf, entityKey, type Entity } from "../entities";

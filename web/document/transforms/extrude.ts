@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { operationStrings } from "../../strings";
 import type { Offer } from "../create";
 import type { Entity } from "../entities";

@@ -1,4 +1,4 @@
-import { readProject, type Project, type ProjectExpression } from "tetrafront";
+import { readProject, type Project, type ProjectExpression } from "tetrafront/project";
 import { namesIn, readNumber } from "../../expressions/expression";
 import { operationStrings } from "../../strings";
 import { emptyProject } from "../create";

@@ -1,4 +1,4 @@
-import type { Project, ProjectPatch } from "tetrafront";
+import type { Project, ProjectPatch } from "tetrafront/project";
 import { formulaText, over, valueOf, type Quantity } from "../../expressions/quantity";
 import { operationStrings } from "../../strings";
 import type { Offer } from "../create";

@@ -1,4 +1,4 @@
-import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
+import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront/project";
 import { coincidenceLength } from "../insert-shape";
 import { closedDirection, isClosed, lineKey, loopsKey, sameCourse } from "../line-courses";
 import { PointIndex } from "../point-index";

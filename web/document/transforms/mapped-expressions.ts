@@ -1,4 +1,4 @@
-import type { Project, ProjectExpression } from "tetrafront";
+import type { Project, ProjectExpression } from "tetrafront/project";
 import { formulaText, quantity, times, type Quantity } from "../../expressions/quantity";
 import { expressionFinder, withKept, type KeptExpression } from "../expression-edits";
 import { numberAt, recordFinder, type EntityNumber } from "../number-paths";

@@ -1,4 +1,4 @@
-import type { Project, ProjectBody } from "tetrafront";
+import type { Project, ProjectBody } from "tetrafront/project";
 import type { Entity } from "../entities";
 import { rangeAlong } from "../extent";
 import type { Position } from "../position";

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { Entity } from "../entities";
 import { orderLoops } from "../loops";
 import { patchMisfit, likelyPatchType, liesInPlane } from "../patch-rules";

@@ -1,4 +1,4 @@
-import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
+import type { Project, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront/project";
 import type { DrawnKind, Entity } from "../entities";
 import type { Shape } from "../shape";
 

@@ -1,4 +1,4 @@
-import type { BodyPlacement, Project } from "tetrafront";
+import type { BodyPlacement, Project } from "tetrafront/project";
 import type { Offer } from "../create";
 import { nounOf } from "../draft-records";
 import type { Entity } from "../entities";

@@ -1,6 +1,6 @@
 import { Alert, Button, Checkbox, Text } from "@mantine/core";
 import { useState } from "react";
-import { PROPOSAL_DEFAULTS } from "tetrafront";
+import { PROPOSAL_DEFAULTS } from "tetrafront/internal";
 import { applyProposal } from "../../commands/background-actions";
 import { DialogButtons } from "../../ui/frames/dialog-buttons";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";

@@ -1,7 +1,7 @@
 import { Button, Text } from "@mantine/core";
 import { IconBrush } from "@tabler/icons-react";
 import { useState } from "react";
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { newBrush } from "../../document/brush";
 import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";

@@ -1,6 +1,7 @@
 import { Button, Text } from "@mantine/core";
 import { IconPlayerPlayFilled } from "@tabler/icons-react";
-import type { ProjectBody, SurfaceInspection } from "tetrafront";
+import type { SurfaceInspection } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { canBeFilled } from "../../session/bodies";
 import { Facts } from "../../ui/facts";

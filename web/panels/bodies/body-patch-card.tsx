@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { bodyOfPatch } from "../../document/entities";
 import { patchFacts } from "../../document/patch-facts";
 import { Facts } from "../../ui/facts";

@@ -1,6 +1,7 @@
 import { Button, Group, Text } from "@mantine/core";
 import { useState } from "react";
-import { REMESH_DEFAULTS, type ProjectBody } from "tetrafront";
+import { REMESH_DEFAULTS } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { previewSplit, splitPatches } from "../../commands/surface-actions";
 import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";

@@ -1,5 +1,5 @@
 import { Button, SegmentedControl, Text } from "@mantine/core";
-import type { BodyPlacement, ProjectBody } from "tetrafront";
+import type { BodyPlacement, ProjectBody } from "tetrafront/project";
 import { setPlacement } from "../../document/body-edits";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { anglesOf, noRotation, rotationOf } from "../../document/placement";

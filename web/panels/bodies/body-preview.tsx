@@ -1,6 +1,7 @@
 import { Button, Progress, SegmentedControl, Text } from "@mantine/core";
 import { IconEye, IconX } from "@tabler/icons-react";
-import type { PreparedBody, ProjectBody } from "tetrafront";
+import type { PreparedBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { previewBody, showBodySurface } from "../../commands/surface-actions";
 import { Facts } from "../../ui/facts";
 import { FieldRow } from "../../ui/fields/field-row";

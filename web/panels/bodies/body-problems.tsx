@@ -1,6 +1,7 @@
 import { Button, Text } from "@mantine/core";
 import { IconTool } from "@tabler/icons-react";
-import type { ProjectBody, RepairChange, SurfaceInspection } from "tetrafront";
+import type { RepairChange, SurfaceInspection } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { repairBody } from "../../commands/surface-actions";
 import {
   ownLength,

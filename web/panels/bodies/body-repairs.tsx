@@ -1,5 +1,5 @@
 import { Text } from "@mantine/core";
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { placedLength } from "../../document/body-repair";
 import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";

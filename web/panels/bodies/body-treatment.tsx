@@ -1,6 +1,7 @@
 import { SegmentedControl, Text } from "@mantine/core";
 import { IconRotate } from "@tabler/icons-react";
-import { BODY_SURFACES, REMESH_DEFAULTS, type BodyRemeshing, type ProjectBody } from "tetrafront";
+import { REMESH_DEFAULTS } from "tetrafront";
+import { BODY_SURFACES, type BodyRemeshing, type ProjectBody } from "tetrafront/project";
 import { setBodySurface, setRemeshing } from "../../document/body-edits";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { FieldRow } from "../../ui/fields/field-row";

@@ -1,4 +1,4 @@
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { setBodyUnit, setProjectUnit, unitOf, unitOfBody } from "../../document/length-units";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";

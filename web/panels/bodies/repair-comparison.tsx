@@ -1,6 +1,6 @@
 import { Button, Progress, Text } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import type { RepairProposal } from "../../document/body-repair";
 import { canCompare } from "../../session/body-repairs";
 import { formatAngle } from "../../ui/format";

@@ -1,4 +1,4 @@
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { useStore } from "zustand";
 import type { BodyState } from "../../session/bodies";
 import type { Preparation } from "../../session/body-preparations";

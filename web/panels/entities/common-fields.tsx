@@ -1,11 +1,5 @@
-import {
-  BODY_SURFACES,
-  LIMITS,
-  type BodySurface,
-  type LineType,
-  type PatchType,
-  type Project,
-} from "tetrafront";
+import { LIMITS, type LineType, type PatchType } from "tetrafront";
+import { BODY_SURFACES, type BodySurface, type Project } from "tetrafront/project";
 import { SegmentedControl } from "@mantine/core";
 import { setCommonSurface } from "../../document/body-edits";
 import {

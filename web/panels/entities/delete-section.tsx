@@ -1,6 +1,6 @@
 import { Button, Text } from "@mantine/core";
 import { useMemo } from "react";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { deleteSelection } from "../../commands/selection-actions";
 import { withDependents } from "../../document/edits";
 import { entityKey, type Entity } from "../../document/entities";

@@ -1,6 +1,6 @@
 import { Badge, Text } from "@mantine/core";
 import { useMemo } from "react";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { renameEntity } from "../../document/edits";
 import { dependentsOf, entityKey, entityName, findRecord, type Entity } from "../../document/entities";
 import { FieldRow } from "../../ui/fields/field-row";

@@ -1,6 +1,6 @@
 import { Button } from "@mantine/core";
 import { IconEye, IconEyeOff, IconFocusCentered, IconPointer, IconTrash } from "@tabler/icons-react";
-import type { ProjectGroup } from "tetrafront";
+import type { ProjectGroup } from "tetrafront/project";
 import { groupSelection } from "../../commands/group-actions";
 import { isolate } from "../../commands/selection-actions";
 import { entityKey, type Entity } from "../../document/entities";

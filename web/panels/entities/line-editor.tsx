@@ -1,5 +1,5 @@
 import { Switch } from "@mantine/core";
-import type { Project, ProjectLine } from "tetrafront";
+import type { Project, ProjectLine } from "tetrafront/project";
 import { setLinePoints, setLineType } from "../../document/edits";
 import { lineTypes } from "../../document/line-types";
 import { FieldRow } from "../../ui/fields/field-row";

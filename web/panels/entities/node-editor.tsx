@@ -1,4 +1,5 @@
-import { LIMITS, type Project, type ProjectBackgroundNode } from "tetrafront";
+import { LIMITS } from "tetrafront";
+import type { Project, ProjectBackgroundNode } from "tetrafront/project";
 import { moveEntity } from "../../document/edits";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { setNodeDirection, setNodeSize, setNodeStretching } from "../../document/size-edits";

@@ -1,6 +1,6 @@
 import { Text, UnstyledButton } from "@mantine/core";
 import { IconArrowBackUp } from "@tabler/icons-react";
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import type { Entity } from "../../document/entities";
 import { Chip } from "../../ui/chip";
 import { strings } from "../../strings";

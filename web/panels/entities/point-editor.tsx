@@ -1,4 +1,4 @@
-import type { Project, ProjectPoint } from "tetrafront";
+import type { Project, ProjectPoint } from "tetrafront/project";
 import { moveEntity } from "../../document/edits";
 import { keepingExpression } from "../../document/expression-edits";
 import { PositionRow } from "../../ui/fields/position-row";

@@ -1,5 +1,7 @@
 import { Text } from "@mantine/core";
-import { LIMITS, SOURCE_GROWTH, type Project, type ProjectSource } from "tetrafront";
+import { LIMITS } from "tetrafront";
+import { SOURCE_GROWTH } from "tetrafront/internal";
+import type { Project, ProjectSource } from "tetrafront/project";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { moveSource, setSourceField } from "../../document/size-edits";
 import { NumberRow } from "../../ui/fields/number-row";

@@ -7,8 +7,8 @@ import {
   type FrontOrder,
   type InnerShells,
   type Optimization,
-  type ProjectMeshing,
 } from "tetrafront";
+import type { ProjectMeshing } from "tetrafront/project";
 import { setMeshing } from "../../document/size-edits";
 import { NumberRow } from "../../ui/fields/number-row";
 import { strings } from "../../strings";

@@ -1,7 +1,7 @@
 import { IconPlus, IconTrash } from "@tabler/icons-react";
 import { useContext, useRef, useState, type KeyboardEvent } from "react";
 import { TextInput } from "@mantine/core";
-import type { ProjectParameter } from "tetrafront";
+import type { ProjectParameter } from "tetrafront/project";
 import {
   addParameter,
   expressionProblem,

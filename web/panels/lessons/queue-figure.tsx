@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useState } from "react";
-import type { FrontOrder, Trace } from "tetrafront";
+import type { FrontOrder } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { FrontQueue, type QueueRank, type QueueWork } from "../../lessons/front-queue";
 import { lessonStrings } from "../../strings/lessons";
 import { usePlayer } from "../player/use-player";

@@ -1,6 +1,6 @@
 import { IconChevronDown, IconChevronRight } from "@tabler/icons-react";
 import { useMemo, type ComponentPropsWithoutRef } from "react";
-import type { ProjectGroup } from "tetrafront";
+import type { ProjectGroup } from "tetrafront/project";
 import { groupedColor, cssColor, groupEntities } from "../../document/groups";
 import { strings } from "../../strings";
 import { formatCount } from "../../ui/format";

@@ -1,4 +1,4 @@
-import type { Project, ProjectGroup } from "tetrafront";
+import type { Project, ProjectGroup } from "tetrafront/project";
 import {
   bodiesOf,
   bodyOfPatch,

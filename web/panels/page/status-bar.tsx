@@ -1,6 +1,7 @@
 import { Progress, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
-import type { MeshReport, Progress as RunProgressReport, Trace } from "tetrafront";
+import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { useStore } from "zustand";
 import { useMemo } from "react";
 import { unitOf } from "../../document/length-units";

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { PlanePosition } from "tetrafront";
+import type { PlanePosition } from "tetrafront/trace";
 import type { GameQuestion, GameVerdict } from "../../player/mesher-game";
 import { planePaths, windowAround } from "../../player/plane-drawing";
 import { endsOf, planeOf } from "../../player/planar-judge";

@@ -1,4 +1,4 @@
-import type { AdvanceStep, EdgeCandidate } from "tetrafront";
+import type { AdvanceStep, EdgeCandidate } from "tetrafront/trace";
 import type { LensCandidate } from "../../player/lens";
 import type { LensScene } from "../../player/lens-scene";
 import { strings } from "../../strings";

@@ -1,6 +1,6 @@
 import { Button, Text } from "@mantine/core";
 import { lazy, memo, Suspense, useDeferredValue, useMemo } from "react";
-import type { AdvanceStep } from "tetrafront";
+import type { AdvanceStep } from "tetrafront/trace";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { lensSceneOf, type LensScene } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";

@@ -1,6 +1,6 @@
 import { Button, SegmentedControl } from "@mantine/core";
 import { useEffect, useMemo, useState } from "react";
-import type { SurfaceTrace } from "tetrafront";
+import type { SurfaceTrace } from "tetrafront/trace";
 import { firstState } from "../../player/phases";
 import {
   judgeChoice,

@@ -1,4 +1,4 @@
-import type { EdgeStep, PlanarFront } from "tetrafront";
+import type { EdgeStep, PlanarFront } from "tetrafront/trace";
 import type { PlanarLensCandidate } from "../../player/planar-lens";
 import { metricLength, planeOf, targetLength } from "../../player/planar-judge";
 import { strings } from "../../strings";

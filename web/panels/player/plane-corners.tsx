@@ -1,4 +1,4 @@
-import type { PlanarFront } from "tetrafront";
+import type { PlanarFront } from "tetrafront/trace";
 import { useMemo } from "react";
 import { cornersOfPlane } from "../../player/plane-drawing";
 import styles from "./plane-view.module.css";

@@ -1,6 +1,6 @@
 import { Button, SegmentedControl } from "@mantine/core";
 import { lazy, Suspense, useMemo, useState } from "react";
-import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace } from "tetrafront";
+import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace } from "tetrafront/trace";
 import { labelAt } from "../../player/entity-labels";
 import { ellipseOf, planePaths, windowAround, windowOf, type PlaneWindow } from "../../player/plane-drawing";
 import { decisiveCandidate, supposedCandidate } from "../../player/planar-lens";

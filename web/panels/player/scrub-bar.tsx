@@ -1,5 +1,5 @@
 import { useMemo, type KeyboardEvent, type PointerEvent } from "react";
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { firstState, frontSizeAt, phaseAt, phasesOf, type Phase } from "../../player/phases";
 import { jump } from "../../player/player";
 import { strings } from "../../strings";

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { AdvanceStep, TracedCandidate } from "tetrafront";
+import type { AdvanceStep, TracedCandidate } from "tetrafront/trace";
 import { newElement, sixVolumes } from "../../player/judge";
 import { distanceToFace, idealNumbers } from "../../player/unit-space";
 import { strings } from "../../strings";

@@ -1,6 +1,6 @@
 import { Text } from "@mantine/core";
 import { lazy, Suspense, useMemo } from "react";
-import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront";
+import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront/trace";
 import { labelAt, type EntityLabels } from "../../player/entity-labels";
 import { scoreOf } from "../../player/planar-judge";
 import {

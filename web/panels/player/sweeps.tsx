@@ -1,5 +1,5 @@
 import { useEffect, useMemo } from "react";
-import type { SweepMeasures, TracedOptimization, TracedSweep } from "tetrafront";
+import type { SweepMeasures, TracedOptimization, TracedSweep } from "tetrafront/trace";
 import { poorElements } from "../../player/sweep-buffers";
 import { sweepStrings as texts } from "../../strings/sweeps";
 import tables from "../../ui/table.module.css";

@@ -11,7 +11,7 @@ import {
   IconX,
 } from "@tabler/icons-react";
 import { NativeSelect, Toolbar } from "@mantine/core";
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { loopAround, loopLimits, shownLoop, withLoopEnd, type Loop } from "../../player/loop";
 import { frontSizeAt, phaseAt } from "../../player/phases";
 import { speeds } from "../../player/player";

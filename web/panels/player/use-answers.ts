@@ -1,5 +1,5 @@
 import { useCallback } from "react";
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { useKeptState } from "./use-kept-state";
 
 /** Returns the answers by step of a trace, and a function that adds one. Another trace begins without answers. */

@@ -1,5 +1,5 @@
 import { useCallback, useState } from "react";
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 
 const kept = new WeakMap<Trace, Map<string, unknown>>();
 

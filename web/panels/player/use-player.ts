@@ -1,7 +1,7 @@
 import { useThrottledValue } from "@mantine/hooks";
 import { useEffect, useState } from "react";
 import { useStore } from "zustand";
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import { phaseAt } from "../../player/phases";
 import type { PlayerState } from "../../player/player";
 import { useApp } from "../shared/app-context";

@@ -1,6 +1,7 @@
 import type { MouseEvent } from "react";
 import { Text, UnstyledButton } from "@mantine/core";
-import type { PatchQuality, Project } from "tetrafront";
+import type { PatchQuality } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { showEntities } from "../../commands/selection-actions";
 import { entityKey, entityOfKey, patchAt, type Entity } from "../../document/entities";
 import { SectionTitle } from "../../ui/frames/section-title";

@@ -8,7 +8,8 @@ import { isOfOtherBodies, isStale, type RunState } from "../../session/run";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { ViewState } from "../../document/selection";
 import type { ShellState } from "../../session/shell";
-import type { Project, RegionQuality } from "tetrafront";
+import type { RegionQuality } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { calmDocuments } from "./calm-documents";
 
 export const AppContext = createContext<App | null>(null);

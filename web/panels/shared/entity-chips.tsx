@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { entityKey, entityName, type Entity } from "../../document/entities";
 import { Chip } from "../../ui/chip";
 import { defaultName, strings } from "../../strings";

@@ -10,7 +10,8 @@ import {
   IconVectorBezier,
   IconVectorSpline,
 } from "@tabler/icons-react";
-import type { LineType, Project } from "tetrafront";
+import type { LineType } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { findRecord, type Entity } from "../../document/entities";
 
 const size = 15;

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { expressionOf } from "../../document/expression-edits";
 import type { EntityNumber } from "../../document/number-paths";
 

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { smallestSize } from "../../document/extent";
 import { strings } from "../../strings";
 import { Unit } from "../../ui/fields/unit";

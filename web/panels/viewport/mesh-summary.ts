@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { cancelledText, type RunState } from "../../session/run";
 import type { QualitySpace } from "../../document/mesh-quality";
 import { formatCount } from "../../ui/format";

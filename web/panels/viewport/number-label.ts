@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront";
+import type { Project } from "tetrafront/project";
 import { entityKey } from "../../document/entities";
 import type { Label } from "../../viewer/apart";
 import type { ScreenPoint } from "../../viewer/screen";

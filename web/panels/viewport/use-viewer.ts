@@ -24,7 +24,7 @@ import { SelectTool, type Hover } from "../../tools/select-tool";
 import type { Tool } from "../../tools/tool";
 import { ToolController } from "../../tools/tool-controller";
 import { viewerColors } from "../../ui/theme/theme";
-import type { ProjectBody } from "tetrafront";
+import type { ProjectBody } from "tetrafront/project";
 import { placed } from "../../document/placement";
 import type { Position } from "../../document/position";
 import { strings } from "../../strings";

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { Trace } from "tetrafront";
+import type { Trace } from "tetrafront/trace";
 import type { Position } from "../../document/position";
 import { positionOf } from "../../player/judge";
 import type { VolumeTask } from "../../player/volume-game";

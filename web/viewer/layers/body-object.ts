@@ -1,4 +1,4 @@
-import type { BodyPlacement } from "tetrafront";
+import type { BodyPlacement } from "tetrafront/project";
 import { DoubleSide, Group, Matrix4, type Ray } from "three";
 import type { DrawnSurface } from "../../document/drawn-surface";
 import { noRotation, placed } from "../../document/placement";

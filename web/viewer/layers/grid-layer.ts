@@ -1,4 +1,4 @@
-import type { Project, ProjectBackgroundNode } from "tetrafront";
+import type { Project, ProjectBackgroundNode } from "tetrafront/project";
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, type Ray } from "three";
 import { engineGrid } from "../../document/packed-grid";
 import type { Position } from "../../document/position";

@@ -1,4 +1,4 @@
-import type { ProjectSource } from "tetrafront";
+import type { ProjectSource } from "tetrafront/project";
 import type { Position } from "../../document/position";
 
 /** Number of straight pieces of a circle. */

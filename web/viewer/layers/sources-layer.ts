@@ -1,4 +1,4 @@
-import type { ProjectSource } from "tetrafront";
+import type { ProjectSource } from "tetrafront/project";
 import { Group, type Ray } from "three";
 import { setStateColors, setStateScale } from "../draw-state";
 import { createSegmentMaterial } from "../materials/segment-material";

@@ -1,0 +1,28 @@
+/**
+ * What the application shares with the package. No part of the package's promise: it may change in any version.
+ */
+export {
+  ENGINE_CODES,
+  type EngineCode,
+  type EngineNumbers,
+  type EngineStatus,
+  PROPOSAL_DEFAULTS,
+  SOURCE_GROWTH,
+} from "./generated/constants.js";
+export { unusedData } from "./api/volume-background.js";
+export {
+  type BestRepair,
+  type BestRepairOptions,
+  hasWelded,
+  remeshedBest,
+  type RemeshShapes,
+} from "./api/best-repair.js";
+export { STEP_HEIGHT } from "./base/limits.js";
+export { projectSchema } from "./project/schema.js";
+export {
+  improvedResult,
+  inspectedResult,
+  meshWithBoundary,
+  type MeshWithBoundary,
+} from "./api/given-mesh.js";
+export { isInterface } from "./mesh/interfaces.js";
