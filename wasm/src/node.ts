@@ -26,7 +26,7 @@ import type { SurfaceFile } from "./formats/surface-file.js";
 import type { VolumeFile } from "./formats/volume-file.js";
 import type { FileMesh } from "./mesh/file-mesh.js";
 import { readProject, writeProject } from "./project/project.js";
-import type { Project } from "./project/schema.js";
+import type { Project } from "./project/project-types.js";
 
 /** Options for reading a file by path. */
 export type ReadPathOptions = Omit<ReadFileOptions, "fileName" | "openOther">;

@@ -33,8 +33,8 @@ export {
   type ProjectPoint,
   type ProjectSource,
   type SourceId,
-} from "./project/schema.js";
+} from "./project/project-types.js";
 export { liveNotes } from "./project/live-notes.js";
-export { EXPRESSION_KINDS, GROUP_KINDS } from "./project/notes.js";
+export { EXPRESSION_KINDS, GROUP_KINDS } from "./project/project-types.js";
 export { PROJECT_VERSION } from "./project/versions.js";
 export type { ProjectPreview } from "./project/preview.js";

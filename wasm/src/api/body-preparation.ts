@@ -15,7 +15,7 @@ import { bodyArrays } from "../project/body-arrays.js";
 import { bodySurface, type PlacedSurface } from "../project/bodies.js";
 import { backgroundArrays, backgroundOf } from "../project/grid-arrays.js";
 import { withPatchOfTriangle } from "../project/names.js";
-import type { BodyId, Project, ProjectBody } from "../project/schema.js";
+import type { BodyId, Project, ProjectBody } from "../project/project-types.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { InspectionOptions, MeshOptions, RemeshOptions } from "./option-types.js";
 import { checkRemeshOptions } from "./options.js";

@@ -14,7 +14,7 @@ import { withPatches } from "../mesh/mesh-checks.js";
 import type { MeshResult } from "../mesh/report.js";
 import { NO_REGION } from "../generated/constants.js";
 import { type PatchedRegions, withInterfacePatches } from "./interface-patches.js";
-import { type Project, patchesOf } from "../project/schema.js";
+import { type Project, patchesOf } from "../project/project-types.js";
 
 /** Source of the names of a generated mesh. */
 export interface NameSource {

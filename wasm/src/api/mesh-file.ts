@@ -16,7 +16,7 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { readProject } from "../project/project.js";
-import type { Project } from "../project/schema.js";
+import type { Project } from "../project/project-types.js";
 import { fileMeshOf, type NameSource, regionSummaries, type RegionSummary } from "./generated-mesh.js";
 import { checkControl } from "./input-checks.js";
 import { readSurface } from "./mesh-files.js";

@@ -15,7 +15,7 @@ import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
-import type { BodyId, Project, ProjectBackground, ProjectSource } from "../project/schema.js";
+import type { BodyId, Project, ProjectBackground, ProjectSource } from "../project/project-types.js";
 import type {
   CoverOptions,
   ImproveOptions,

@@ -32,7 +32,7 @@ import {
 } from "../project/grid-arrays.js";
 import { projectNamer, withMissingId, withPatchOfTriangle } from "../project/names.js";
 import type { ProjectPreview } from "../project/preview.js";
-import type { BodyId, Project, ProjectBackground } from "../project/schema.js";
+import type { BodyId, Project, ProjectBackground } from "../project/project-types.js";
 import {
   type BodyOptions,
   bodyProblems,

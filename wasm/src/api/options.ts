@@ -37,7 +37,7 @@ import {
 } from "../generated/constants.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import { type BackgroundArrays, checkBackground, hasSourcesOnly } from "../project/background-arrays.js";
-import type { Project } from "../project/schema.js";
+import type { Project } from "../project/project-types.js";
 import type {
   CoverOptions,
   ImproveOptions,

@@ -13,7 +13,7 @@ import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { PatchQuality } from "../mesh/quality.js";
-import type { Project } from "../project/schema.js";
+import type { Project } from "../project/project-types.js";
 import type { ProjectPreview } from "../project/preview.js";
 
 /** Returns the engine's result; its diagnostics use the names given by the user. */

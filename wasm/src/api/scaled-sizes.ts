@@ -3,7 +3,7 @@ import { LIMITS } from "../base/limits.js";
 import { MESH_DEFAULTS, REMESH_DEFAULTS, SOURCE_GROWTH } from "../generated/constants.js";
 import { modelWithBodyBoxes } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
-import type { Project, ProjectBody, ProjectSource } from "../project/schema.js";
+import type { Project, ProjectBody, ProjectSource } from "../project/project-types.js";
 import type { MeshOptions, RemeshOptions } from "./option-types.js";
 
 /** Sizes grow faster inside if there are to be fewer elements: with this power of the factor, up to a limit. */

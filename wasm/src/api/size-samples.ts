@@ -4,7 +4,7 @@ import type { RunControl } from "../engine/control.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { projectArrays } from "../project/arrays.js";
 import { withNodes } from "../project/grid-arrays.js";
-import type { Project } from "../project/schema.js";
+import type { Project } from "../project/project-types.js";
 import { joinedBodies } from "./body-preparation.js";
 import { checkPositions, checkProject } from "./input-checks.js";
 import type { SizeSamples } from "./mesher-interface.js";

@@ -4,7 +4,7 @@ import type { RunControl } from "../engine/control.js";
 import { type FrontOrder, MESH_DEFAULTS } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import type { MeshResult, MeshStatus } from "../mesh/report.js";
-import type { Project } from "../project/schema.js";
+import type { Project } from "../project/project-types.js";
 import { experimentSchema, type FrontExperiment } from "../trace/experiment.js";
 import type { TraceStatus } from "../trace/layout.js";
 import { traceFile } from "../trace/trace-file.js";

@@ -19,7 +19,7 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "../mesh/inspection.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import { bodySurface } from "../project/bodies.js";
-import type { Project } from "../project/schema.js";
+import type { Project } from "../project/project-types.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import {

@@ -21,7 +21,7 @@ import { findDefects, tetFaces } from "../formats/tet-faces.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import { createBodies } from "../project/solid-bodies.js";
 import { writeProject } from "../project/project.js";
-import { PROJECT_FORMAT, type Project, type ProjectBody } from "../project/schema.js";
+import { PROJECT_FORMAT, type Project, type ProjectBody } from "../project/project-types.js";
 import { PROJECT_VERSION } from "../project/versions.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";

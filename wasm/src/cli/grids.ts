@@ -7,7 +7,7 @@ import { plural } from "../base/plural.js";
 import { extensionOf } from "../formats/file-formats.js";
 import type { CoverShape } from "../generated/constants.js";
 import { writeProject } from "../project/project.js";
-import type { Project, ProjectBackground, ProjectSource } from "../project/schema.js";
+import type { Project, ProjectBackground, ProjectSource } from "../project/project-types.js";
 import { checkOutput, FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
 import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./input.js";
 import { ExitCode, print, reportFailure } from "./messages.js";

@@ -11,7 +11,7 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import { backgroundArrays } from "../project/grid-arrays.js";
 import { readProject } from "../project/project.js";
-import type { Project } from "../project/schema.js";
+import type { Project } from "../project/project-types.js";
 import { checkInput, FileError, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
 import { InvalidInput, unreadable } from "./messages.js";
 import { enterStage } from "./stages.js";

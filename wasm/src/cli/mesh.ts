@@ -19,7 +19,7 @@ import type { FrontOrder, Optimization } from "../generated/constants.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
-import type { Project } from "../project/schema.js";
+import type { Project } from "../project/project-types.js";
 import { asTypedDiagnostic, inCommandLineWords } from "./command-line-words.js";
 import { writableName, writeAll } from "./convert.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";

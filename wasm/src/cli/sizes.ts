@@ -3,7 +3,7 @@ import type { Mesher } from "../api/mesher-interface.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { type BackgroundArrays, checkBackground } from "../project/background-arrays.js";
-import type { ProjectSource } from "../project/schema.js";
+import type { ProjectSource } from "../project/project-types.js";
 import { gridArrays, type GridInput, numberIn, readGrid } from "./input.js";
 import { InvalidInput, print, printDiagnostics } from "./messages.js";
 import { inputFiles, type NamedFile } from "./paths.js";

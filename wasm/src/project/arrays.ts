@@ -3,7 +3,7 @@ import { numbersOf } from "../base/enums.js";
 import { type GridArrays, LINE_TYPES, type ModelArrays, PATCH_TYPES } from "../generated/constants.js";
 import { bodyBox } from "./bodies.js";
 import { backgroundOf, NOWHERE, projectGrid } from "./grid-arrays.js";
-import type { Project } from "./schema.js";
+import type { Project } from "./project-types.js";
 
 /** A project as it crosses into the engine. */
 export interface ProjectArrays {

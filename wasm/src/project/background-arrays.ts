@@ -5,7 +5,8 @@ import { asObject } from "../base/values.js";
 import { doubles, integers, problemIn } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidArrays } from "../diagnostics/package-diagnostic.js";
-import { type ProjectSource, sourceProblem } from "./schema.js";
+import { sourceProblem } from "./schema.js";
+import { type ProjectSource } from "./project-types.js";
 
 const backgroundSchema = v.pipe(
   v.object({

@@ -6,7 +6,8 @@ import { type FileGroup, isColorName } from "../mesh/file-mesh.js";
 import type { Position } from "../mesh/inspection.js";
 import type { PatchedSurface } from "../mesh/mesh.js";
 import { bodyArrays, textOfArray } from "./body-arrays.js";
-import { bodySchema, type BodyId, type BodyPlacement, type PatchId, type ProjectBody } from "./schema.js";
+import { bodySchema } from "./schema.js";
+import { type BodyId, type BodyPlacement, type PatchId, type ProjectBody } from "./project-types.js";
 
 /** Ids and name of a new body. */
 export interface NewBody {

@@ -5,7 +5,7 @@ import { checkArgument } from "../calls/argument-checks.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { type GridArrays, SOURCE_GROWTH, SOURCE_TYPES } from "../generated/constants.js";
 import { type BackgroundArrays, checkBackground } from "./background-arrays.js";
-import type { ProjectBackground, ProjectBackgroundNode, ProjectSource } from "./schema.js";
+import type { ProjectBackground, ProjectBackgroundNode, ProjectSource } from "./project-types.js";
 
 type SourceArrays = GridArrays["sources"];
 

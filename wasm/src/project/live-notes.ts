@@ -1,6 +1,6 @@
 /** The notes of a project after entities were removed. */
 import { Subjects } from "./notes.js";
-import type { Project } from "./schema.js";
+import type { Project } from "./project-types.js";
 
 /**
  * Returns the groups and expressions of a project without references to entities that do not exist: after entities were

@@ -3,7 +3,7 @@ import type { Diagnostic, EntityRef } from "../diagnostics/diagnostic.js";
 import { entityLabel, type EntityNamer, KIND_WORDS, nameByIndex } from "../diagnostics/entity-names.js";
 import type { EntityKind } from "../generated/constants.js";
 import { backgroundOf } from "./grid-arrays.js";
-import { patchesOf, type Project, type ProjectBackground } from "./schema.js";
+import { patchesOf, type Project, type ProjectBackground } from "./project-types.js";
 
 /** The parts of a project that refer to ids. A background grid given as arrays has no ids. */
 type Referring = Pick<Project, "points" | "lines" | "patches"> & {

@@ -6,6 +6,7 @@ import * as v from "valibot";
 import { LIMITS } from "../base/limits.js";
 import { shown } from "../base/values.js";
 import { objectWith } from "../calls/schemas.js";
+import { EXPRESSION_KINDS, GROUP_KINDS } from "./project-types.js";
 import {
   color,
   described,
@@ -17,12 +18,6 @@ import {
   uniqueIds,
 } from "./schema-parts.js";
 import { WORDS } from "./words.js";
-
-/** Kinds of entities that a group may hold. A patch may be drawn or belong to a body. */
-export const GROUP_KINDS = ["point", "line", "patch", "body", "source"] as const;
-
-/** Kinds of entities whose numbers may have expressions. */
-export const EXPRESSION_KINDS = ["point", "body", "background-node", "source"] as const;
 
 type GroupKind = (typeof GROUP_KINDS)[number];
 type ExpressionKind = (typeof EXPRESSION_KINDS)[number];

@@ -5,7 +5,8 @@ import type { SchemaProblem } from "../calls/schemas.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import type { ReadError, ReadResult } from "../diagnostics/read-error.js";
-import { parsedProject, type Project, PROJECT_FORMAT, type ProjectBackground } from "./schema.js";
+import { parsedProject } from "./schema.js";
+import { type Project, PROJECT_FORMAT, type ProjectBackground } from "./project-types.js";
 import { PROJECT_VERSION, upgraded } from "./versions.js";
 
 /** Largest number of reported errors; the first ones usually cause the rest. */

@@ -1,5 +1,5 @@
 /**
- * The project file (docs/FORMAT.md): one schema, and the types inferred from it. The schema checks the structure:
+ * The schema of the project file (docs/FORMAT.md), whose types are in project-types.ts. It checks the structure:
  * known keys, finite numbers that the engine accepts, unique ids, valid references. The engine checks the geometry
  * (sizes above zero, closed loops, planar patches that are plane), because an unfinished project must be loadable.
  */
@@ -36,11 +36,16 @@ import {
   uniqueIds,
   upTo,
 } from "./schema-parts.js";
+import {
+  BODY_SURFACES,
+  type Project,
+  PROJECT_FORMAT,
+  type ProjectBody,
+  type ProjectSource,
+} from "./project-types.js";
 import { PROJECT_VERSION } from "./versions.js";
 import { WORDS } from "./words.js";
 
-/** In the field `format` of every project file. */
-export const PROJECT_FORMAT = "tetrafront-project";
 const triple = described(WORDS.position, threeNumbers);
 
 const pointSchema = v.pipe(objectWith({ id, name, position: triple }), v.readonly());
@@ -71,9 +76,6 @@ const bodyPatchSchema = v.pipe(
   objectWith({ id, name, color: v.optional(described(WORDS.patchColor, color)) }),
   v.readonly(),
 );
-
-/** What is done to the triangles of a body before it is filled. */
-export const BODY_SURFACES = ["remesh", "refine", "keep"] as const;
 
 const remeshingSchema = v.pipe(
   objectWith({
@@ -124,7 +126,7 @@ const repairSchema = v.pipe(
 );
 
 /** The schema of a body, with checks of its arrays. */
-export const bodySchema = v.pipe(
+export const bodySchema: v.GenericSchema<unknown, ProjectBody> = v.pipe(
   objectWith({
     id,
     name,
@@ -224,10 +226,12 @@ const documentSchema = v.pipe(
   v.readonly(),
 );
 
-type Document = v.InferOutput<typeof documentSchema>;
+/** Both types are one: what the schema lets pass is a project, and each project passes it. */
+type Same<A, B> = [A] extends [B] ? ([B] extends [A] ? A : never) : never;
+type Document = Same<Project, v.InferOutput<typeof documentSchema>>;
 
 /** Number of positions of a source of each type. */
-const POSITIONS: Readonly<Record<v.InferOutput<typeof sourceSchema>["type"], number>> = {
+const POSITIONS: Readonly<Record<ProjectSource["type"], number>> = {
   point: 1,
   segment: 2,
   triangle: 3,
@@ -276,7 +280,7 @@ export function sourceProblem(sources: unknown): string | undefined {
   return problems[0];
 }
 
-function checkSources(sources: readonly v.InferOutput<typeof sourceSchema>[], report: Report): void {
+function checkSources(sources: readonly ProjectSource[], report: Report): void {
   uniqueIds(sources, ["background", "sources"], "source", report);
   sources.forEach(({ type, positions }, s) => {
     const expected = POSITIONS[type];
@@ -289,8 +293,8 @@ function checkSources(sources: readonly v.InferOutput<typeof sourceSchema>[], re
   });
 }
 
-/** The schema of project files (of the library Valibot), for programs that check them themselves. */
-export const projectSchema = v.pipe(
+/** The schema of project files. */
+export const projectSchema: v.GenericSchema<unknown, Project> = v.pipe(
   documentSchema,
   v.rawCheck(({ dataset, addIssue }) => {
     if (!dataset.typed) return;
@@ -314,61 +318,3 @@ function pathItems(input: unknown, keys: Path): [v.IssuePathItem, ...v.IssuePath
 
 /** Returns the project that a value holds, or its problems. */
 export const parsedProject = (value: unknown) => parsedBy(projectSchema, value);
-
-/** A model as the app edits and saves it: points, lines, patches, bodies, sizes. */
-export type Project = v.InferOutput<typeof projectSchema>;
-/** A point and its position in model units. */
-export type ProjectPoint = Project["points"][number];
-/** A line and its points. */
-export type ProjectLine = Project["lines"][number];
-/** A patch and the loops of lines that bound it. */
-export type ProjectPatch = Project["patches"][number];
-/** A closed triangulated surface beside what is drawn; see `createBody` and `bodySurface`. */
-export type ProjectBody = NonNullable<Project["bodies"]>[number];
-/** A patch of a body; its id differs from those of drawn patches. */
-export type ProjectBodyPatch = ProjectBody["patches"][number];
-/** How the triangles of a body are remeshed, as in `RemeshOptions`. */
-export type BodyRemeshing = NonNullable<ProjectBody["remeshing"]>;
-/** Changes of one kind that were made to the given surface of a body. */
-export type BodyRepair = NonNullable<ProjectBody["repairs"]>[number];
-/** Where a body is: its points are scaled, then rotated, then moved. */
-export type BodyPlacement = NonNullable<ProjectBody["placement"]>;
-/** What is done to the triangles of a body before it is filled. */
-export type BodySurface = (typeof BODY_SURFACES)[number];
-/** The default mesh settings of a project; options of the caller take precedence. */
-export type ProjectMeshing = NonNullable<Project["meshing"]>;
-/** The background grid of a project, with its sources. */
-export type ProjectBackground = Project["background"];
-/** A node of the background grid, with the target size there. */
-export type ProjectBackgroundNode = ProjectBackground["nodes"][number];
-/** A source: at distance r from it, the target size is at most size + growth · max(0, r - distance). */
-export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
-
-/** A named set of entities; see `GROUP_KINDS`. */
-export type ProjectGroup = NonNullable<Project["groups"]>[number];
-/** A named number that expressions use. */
-export type ProjectParameter = NonNullable<Project["parameters"]>[number];
-/**
- * What a number of an entity or of the mesh settings is computed from. The value is there, so that only editors evaluate
- * expressions.
- */
-export type ProjectExpression = NonNullable<Project["expressions"]>[number];
-
-/** The id of a point; positive, unique among points. */
-export type PointId = number;
-/** The id of a line; positive, unique among lines. */
-export type LineId = number;
-/** Returns all patches in the order of `trianglePatch`: first those drawn, then those of the bodies. */
-export function patchesOf({
-  patches,
-  bodies = [],
-}: Pick<Project, "patches" | "bodies">): readonly ProjectBodyPatch[] {
-  return bodies.length === 0 ? patches : [...patches, ...bodies.flatMap((body) => body.patches)];
-}
-
-/** The id of a body; positive, unique among bodies. */
-export type BodyId = number;
-/** The id of a patch; positive, unique among drawn patches and those of bodies. */
-export type PatchId = number;
-/** The id of a source; positive, unique among sources. */
-export type SourceId = number;

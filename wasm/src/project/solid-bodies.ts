@@ -6,7 +6,7 @@ import { NO_REGION } from "../generated/constants.js";
 import { type FileGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/file-mesh.js";
 import type { PatchedSurface } from "../mesh/mesh.js";
 import { createBody, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
-import type { ProjectBody } from "./schema.js";
+import type { ProjectBody } from "./project-types.js";
 
 /** A surface with patches, and with regions if its file defines them. */
 export interface SolidSurface extends PatchedSurface {
