@@ -1,6 +1,7 @@
 import react from "@vitejs/plugin-react";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { startGroups } from "../scripts/lib/site-chunks.mjs";
 import { compressedAnswers } from "../scripts/lib/compressed-answers.mjs";
 import { embindWithoutText } from "../scripts/lib/site-embind.mjs";
 import { thirdPartyNotices } from "../scripts/lib/site-notices.mjs";
@@ -74,7 +75,16 @@ export default defineConfig({
     // The policy of the page permits no fonts and scripts in data: addresses.
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 1500,
+    // All browsers of the target know the links.
+    modulePreload: { polyfill: false },
     sourcemap: true,
-    rolldownOptions: { input: pages },
+    rolldownOptions: {
+      input: pages,
+      output: {
+        codeSplitting: {
+          groups: startGroups(inRoot("./main.tsx"), inRoot("./panels/embed/start-embed.tsx")),
+        },
+      },
+    },
   },
 });

@@ -1,0 +1,50 @@
+// The scripts that every visit needs, in few files: each file is a request, and small ones compress badly.
+
+/** Adds modules and all that they import statically. */
+function addClosure(ids, ctx, found = new Set()) {
+  for (const id of ids) {
+    if (found.has(id)) continue;
+    found.add(id);
+    addClosure(ctx.getModuleInfo(id)?.importedIds ?? [], ctx, found);
+  }
+  return found;
+}
+
+const THREE = /[\\/]node_modules[\\/](three|camera-controls|three-)/;
+const LIBRARY = /[\\/]node_modules[\\/]/;
+
+/**
+ * Sorts what the app imports statically: libraries, which change seldom, with the modules of ours that replace parts of them; what
+ * the embedded front imports too; the rest. No group imports one after it, because scripts that import each other would begin
+ * in the wrong order.
+ */
+function sortedStart(app, embed, ctx) {
+  const all = addClosure([app], ctx);
+  const matching = (pattern) =>
+    addClosure(
+      [...all].filter((id) => pattern.test(id)),
+      ctx,
+    );
+  return {
+    all,
+    groups: {
+      three: matching(THREE),
+      libraries: matching(LIBRARY),
+      shared: addClosure([embed], ctx),
+      app: all,
+    },
+  };
+}
+
+/** Returns the groups of the bundler. `app` and `embed`: the first modules of the app and of the embedded front. */
+export function startGroups(app, embed) {
+  let start;
+  const name = (id, ctx) => {
+    start ??= sortedStart(app, embed, ctx);
+    // The boot script needs helpers of the bundler, and nothing else.
+    if (!start.all.has(id) || id.includes("preload-helper")) return null;
+    if (/\.css(\?|$)/.test(id)) return "styles";
+    return Object.keys(start.groups).find((group) => start.groups[group].has(id)) ?? null;
+  };
+  return [{ debugName: "start", name, includeDependenciesRecursively: false }];
+}
