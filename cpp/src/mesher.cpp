@@ -35,8 +35,8 @@ struct StageEnds {
   double boundary;
   double sizes;
 };
-constexpr StageEnds kModelEnds{.input = 0.02, .surface = 0.14, .boundary = 0.15, .sizes = 0.15};
-constexpr StageEnds kBodyEnds{.input = 0.02, .surface = 0.14, .boundary = 0.155, .sizes = 0.16};
+constexpr StageEnds kModelEnds{.input = 0.01, .surface = 0.09, .boundary = 0.1, .sizes = 0.1};
+constexpr StageEnds kBodyEnds{.input = 0.01, .surface = 0.09, .boundary = 0.11, .sizes = 0.12};
 constexpr StageEnds kSurfaceEnds{
     .input = 0.004, .surface = 0.004, .boundary = 0.015, .sizes = 0.02};
 

@@ -32,7 +32,7 @@ constexpr double kFewMissing = 500.0;
 constexpr double kMuchChanged = 0.02;
 /// For the estimate of the progress: share of the time before the first step, and the part of a step that a repetition leaves.
 constexpr double kBuildShare = 0.05;
-constexpr double kLeftByRepeat = 0.5;
+constexpr double kLeftByRepeat = 0.55;
 
 /// Returns per node the region with the smallest cap among those of its elements; empty if no region has a cap.
 std::vector<std::uint32_t> regionsOfNodes(const VolumeMesh& mesh, const SizeField& field) {

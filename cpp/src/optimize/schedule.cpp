@@ -91,9 +91,9 @@ constexpr Step ease(Entry entry) {
 }
 
 /// Typical shares of the time of the steps that visit all elements, in percent of the shape steps.
-constexpr double kFirstWork = 35.0;
-constexpr double kRoundsWork = 55.0;
-constexpr double kFinishWork = 10.0;
+constexpr double kFirstWork = 20.0;
+constexpr double kRoundsWork = 65.0;
+constexpr double kFinishWork = 15.0;
 constexpr double kFastWork = 50.0;
 constexpr double kThoroughRoundWork = 15.0;
 constexpr double kLaterRoundsWork = 25.0;

@@ -13,7 +13,7 @@ namespace tetrafront {
 namespace {
 
 /// Share of the fronts in the progress, if they leave everything to recovery.
-constexpr double kFrontShare = 0.45;
+constexpr double kFrontShare = 0.28;
 
 /// Returns per region the sides of triangles that face it.
 std::vector<std::vector<std::uint32_t>> halvesOfRegions(const SurfaceMesh& boundary) {
