@@ -1,3 +1,4 @@
+import { useEffect, useRef } from "react";
 import { strings } from "../../strings";
 import tables from "../../ui/table.module.css";
 import { useApp } from "../shared/app-context";
@@ -13,6 +14,9 @@ export interface CandidateRow {
   readonly verdict: string;
 }
 
+/** As in the style: more rows scroll, and leave their hint to the head of the column, so that formulas are in view. */
+const ROWS_IN_VIEW = 5;
+
 interface CandidateTableProps {
   readonly label: string;
   readonly rows: readonly CandidateRow[];
@@ -21,44 +25,57 @@ interface CandidateTableProps {
   readonly scoreHint: string;
 }
 
-/** The candidates in the order in which they were tried; a click examines one. */
+/** The candidates in the order in which they were tried; a click examines one. A long list scrolls: formulas follow it. */
 export function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTableProps) {
   const { player } = useApp();
+  const list = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const shown = list.current;
+    const row = shown?.querySelector<HTMLElement>("tr[data-highlighted]");
+    if (!shown || !row) return;
+    // The head of the table stays above the rows.
+    const head = shown.querySelector("thead")?.offsetHeight ?? 0;
+    const above = row.offsetTop - head;
+    const below = row.offsetTop + row.offsetHeight - shown.clientHeight;
+    shown.scrollTop = Math.max(below, Math.min(shown.scrollTop, above));
+  }, [chosen, rows]);
   if (rows.length === 0) return null;
   return (
     <>
-      <table className={`${tables["table"]} ${tables["compact"]}`} aria-label={label}>
-        <thead>
-          <tr>
-            <th scope="col">{texts.candidate}</th>
-            <th scope="col" title={scoreHint}>
-              {texts.score}
-            </th>
-            <th scope="col">{texts.verdict}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map(({ name, score, verdict }, i) => (
-            // Candidates have no identity beside their rank.
-            <tr key={i} data-highlighted={i === chosen || undefined}>
-              <th scope="row">
-                <button
-                  type="button"
-                  className={styles["candidate"]}
-                  data-testid={`lens-candidate-${i}`}
-                  aria-pressed={i === chosen}
-                  onClick={() => player.state.setState({ candidate: i })}
-                >
-                  {texts.candidateName(i + 1, name)}
-                </button>
+      <div ref={list} className={styles["candidates"]}>
+        <table className={`${tables["table"]} ${tables["compact"]}`} aria-label={label}>
+          <thead>
+            <tr>
+              <th scope="col">{texts.candidate}</th>
+              <th scope="col" title={scoreHint}>
+                {texts.score}
               </th>
-              <td>{score}</td>
-              <td>{verdict}</td>
+              <th scope="col">{texts.verdict}</th>
             </tr>
-          ))}
-        </tbody>
-      </table>
-      {rows.length > 1 && <p className={styles["hint"]}>{scoreHint}</p>}
+          </thead>
+          <tbody>
+            {rows.map(({ name, score, verdict }, i) => (
+              // Candidates have no identity beside their rank.
+              <tr key={i} data-highlighted={i === chosen || undefined}>
+                <th scope="row">
+                  <button
+                    type="button"
+                    className={styles["candidate"]}
+                    data-testid={`lens-candidate-${i}`}
+                    aria-pressed={i === chosen}
+                    onClick={() => player.state.setState({ candidate: i })}
+                  >
+                    {texts.candidateName(i + 1, name)}
+                  </button>
+                </th>
+                <td>{score}</td>
+                <td>{verdict}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      {rows.length > 1 && rows.length <= ROWS_IN_VIEW && <p className={styles["hint"]}>{scoreHint}</p>}
     </>
   );
 }
