@@ -49,9 +49,10 @@ function Presentation() {
   });
   return (
     <>
-      <section className={styles["bar"]} aria-label={texts.title} data-testid="presenter">
+      <section className={styles["bar"]} aria-label={texts.title} data-testid="presenter" data-presented>
         <Button
           size="compact-md"
+          className={styles["laserButton"]}
           variant={hasLaser ? "filled" : "default"}
           aria-pressed={hasLaser}
           data-testid="presenter-laser"

@@ -73,7 +73,7 @@ export function StatusBar() {
   const busy = useRun((state) => state.busy);
   const reading = useShell((state) => state.reading);
   return (
-    <footer className={styles["bar"]} data-testid="status">
+    <footer className={styles["bar"]} data-testid="status" data-presented>
       {reading ? <Reading {...reading} /> : busy ? <RunProgress /> : <Outcome />}
       <PointerPlace />
       <MeshNumbers />

@@ -14,7 +14,13 @@ export function SizeBar() {
   const app = useApp();
   const { enabled, plane } = useView((state) => state.sizes);
   return (
-    <div className={styles["cutBar"]} role="group" aria-label={texts.showSizes} data-testid="size-bar">
+    <div
+      className={styles["cutBar"]}
+      role="group"
+      aria-label={texts.showSizes}
+      data-testid="size-bar"
+      data-presented
+    >
       <Switch
         size="xs"
         label={texts.showSizes}

@@ -17,7 +17,7 @@ export function CutBar() {
   const app = useApp();
   const cut = useView((state) => state.cut);
   return (
-    <div className={styles["cutBar"]} role="group" aria-label={strings.display.cut}>
+    <div className={styles["cutBar"]} role="group" aria-label={strings.display.cut} data-presented>
       <Switch
         size="xs"
         label={strings.display.cut}
@@ -138,7 +138,7 @@ function OpenEdges() {
 /** The mouse actions of the view. */
 export function MouseHint() {
   return (
-    <div className={styles["hint"]}>
+    <div className={styles["hint"]} data-presented>
       {strings.viewport.hints.map(([key, effect]) => (
         <span key={key}>
           <Kbd size="xs">{key}</Kbd> {effect}
