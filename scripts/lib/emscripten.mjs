@@ -92,8 +92,3 @@ export function glmBesideEmscripten(folder) {
   const include = path.resolve(folder, "..", "..", "include");
   return existsSync(path.join(include, "glm", "glm.hpp")) ? include : undefined;
 }
-
-/** Returns CMake's toolchain file of the Emscripten in `folder`. */
-export function emscriptenToolchainFile(folder) {
-  return path.join(folder, "cmake", "Modules", "Platform", "Emscripten.cmake");
-}

@@ -98,6 +98,8 @@ export const suites = {
     async run(_tools, only = ["."]) {
       const args = [...only, "--max-warnings", "0", "--no-warn-ignored"];
       const status = await run(bin("eslint"), args, { quietOut: true });
+      // Finds exports and files that nobody uses; of the whole workspace, or not at all.
+      const unused = only[0] === "." ? await run(bin("knip"), ["--no-progress"], { quietOut: true }) : 0;
       // Reads TypeScript with a package that the setup installs.
       const { engineLayers, layeredFolders, wrongImports, wrongIncludes } =
         await import("./dependencies.mjs");
@@ -112,7 +114,11 @@ export const suites = {
         ...check(failures.length === 0, name),
         failures,
       }));
-      return sum([check(status === 0, "eslint finds problems"), ...rules]);
+      return sum([
+        check(status === 0, "eslint finds problems"),
+        check(unused === 0, "knip finds exports or files that nobody uses"),
+        ...rules,
+      ]);
     },
   },
   tidy: {

@@ -1,8 +1,8 @@
 import type { LineType } from "tetrafront";
 import type { Project, ProjectLine, ProjectPoint } from "tetrafront/project";
 import { entityNouns, stepNames } from "../strings";
-import { addPoint, nextId, type Creation } from "./create";
-import { findRecord, type Entity } from "./entities";
+import { nextId, type Creation } from "./create";
+import { findRecord } from "./entities";
 import { coordinatesOf, keepCoordinates } from "./expression-edits";
 import { diagonalOf } from "./extent";
 import { coincidenceLength } from "./insert-shape";
@@ -70,12 +70,6 @@ export function placeOnLines(project: Project, lines: readonly number[], positio
     expressionsOnLine(project, line, points, [exact]),
   );
   return { ...placeAt(project, exact, expressions), lines: through.map(({ line }) => line.id) };
-}
-
-/** Returns the point at a place, which is created if it does not exist. */
-export function drawPoint(project: Project, place: Place): Creation | Entity {
-  if (place.point !== null) return { kind: "point", id: place.point };
-  return addPoint(project, place.position, place.expressions);
 }
 
 /** Ids of the points at places; those of new points count up. Equal places share one point. */

@@ -387,8 +387,3 @@ export class BodyFeed {
 function hasSameSurface(a: ProjectBody, b: ProjectBody): boolean {
   return a.trianglePatch === b.trianglePatch && a.triangles === b.triangles && a.points === b.points;
 }
-
-/** Returns whether the preview shows what a run would mesh. */
-export function isCurrent(preparations: BodyPreparations, project: Project, state: BodyState): boolean {
-  return state.preparation !== null && preparations.find(project, state.body) === state.preparation;
-}
