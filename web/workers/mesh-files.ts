@@ -35,14 +35,14 @@ const startWorker = (): Worker =>
   });
 
 /** Returns the files of a mesh in the format of the file name, written in a worker. Rejects if writing fails. */
-export function writeMeshFiles(
+export async function writeMeshFiles(
   mesh: MeshResult,
   project: Project,
   regions: readonly FileGroup[] | null,
   choice: FileChoice,
 ): Promise<readonly MeshFile[]> {
-  const surface = copyForTransfer(mesh.surface);
-  const volume = copyForTransfer(mesh.volume);
+  const surface = await copyForTransfer(mesh.surface);
+  const volume = await copyForTransfer(mesh.volume);
   const argument = {
     surface: surface.copy,
     volume: volume.copy,

@@ -157,7 +157,7 @@ export class SurfaceClient {
 
   /** Returns a body with another surface and other patches. */
   async replace({ body, surface, patches }: ReplacedSurface): Promise<NewBody> {
-    const { copy, buffers } = copyForTransfer(surface);
+    const { copy, buffers } = await copyForTransfer(surface);
     const { points: _points, triangles: _triangles, trianglePatch: _patch, ...rest } = body;
     const head: ProjectBody = { ...rest, points: "", triangles: "" };
     return unpacked(await this.#worker.call("replace", { body: head, surface: copy, patches }, buffers));
@@ -181,12 +181,12 @@ export class SurfaceClient {
   }
 
   /** Returns the triangles to draw of a surface. */
-  draw(
+  async draw(
     surface: PatchedSurface,
     patchCount: number,
     values: Float32Array | Float64Array | null,
   ): Promise<DrawnSurface> {
-    const { copy, buffers } = copyForTransfer(surface);
+    const { copy, buffers } = await copyForTransfer(surface);
     const copied = values?.slice() ?? null;
     return this.#worker.call("draw", { surface: copy, patchCount, values: copied }, [
       ...buffers,

@@ -6,7 +6,7 @@ import { gridMesh } from "./grid-mesh";
 
 afterEach(() => vi.unstubAllGlobals());
 
-test("a mesh that could not be copied for lack of memory is sent again with the next query", async () => {
+function recordCalls(): Call[] {
   const posted: Call[] = [];
   vi.stubGlobal(
     "Worker",
@@ -19,13 +19,45 @@ test("a mesh that could not be copied for lack of memory is sent again with the 
       }
     },
   );
+  return posted;
+}
+
+test("a mesh that could not be copied for lack of memory is sent again with the next query", async () => {
+  const posted = recordCalls();
   const queries = new MeshQueryClient();
   const mesh = { volume: gridMesh(1) };
-  const slice = vi.spyOn(mesh.volume.points, "slice").mockImplementationOnce(() => {
+  const part = vi.spyOn(mesh.volume.points, "subarray").mockImplementationOnce(() => {
     throw new RangeError("no memory");
   });
   await expect(queries.histogram(mesh, "dihedral", "space", 5)).rejects.toThrow("no memory");
-  slice.mockRestore();
+  part.mockRestore();
   void queries.histogram(mesh, "dihedral", "space", 5);
+  await vi.waitFor(() => expect(posted).toHaveLength(2));
   expect(posted.map(({ name }) => name)).toEqual(["setMesh", "histogram"]);
+});
+
+test("meshes are sent one after the other, and each query follows its own", async () => {
+  const posted = recordCalls();
+  const queries = new MeshQueryClient();
+  const [large, small] = [{ volume: gridMesh(12) }, { volume: gridMesh(1) }];
+  void queries.histogram(large, "dihedral", "space", 5);
+  void queries.histogram(large, "dihedral", "space", 6);
+  void queries.histogram(small, "dihedral", "space", 7);
+  await vi.waitFor(() => expect(posted).toHaveLength(5));
+  const told = posted.map(({ name, argument }) =>
+    name === "setMesh"
+      ? (argument as typeof small).volume.tetrahedra.length
+      : (argument as { readonly barCount: number }).barCount,
+  );
+  const count = ({ volume }: typeof small): number => volume.tetrahedra.length;
+  expect(told).toEqual([count(large), 5, 6, count(small), 7]);
+});
+
+test("a mesh that is released while it is copied does not stay in the worker", async () => {
+  const posted = recordCalls();
+  const queries = new MeshQueryClient();
+  void queries.histogram({ volume: gridMesh(2) }, "dihedral", "space", 5);
+  queries.release();
+  await vi.waitFor(() => expect(posted).toHaveLength(3));
+  expect(posted.filter(({ name }) => name === "setMesh").at(-1)?.argument).toBeNull();
 });

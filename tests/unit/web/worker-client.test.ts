@@ -108,7 +108,7 @@ describe("WorkerClient", () => {
 it("typed arrays are copied for transfer, whatever part of a buffer they are, so that the caller keeps its own", async () => {
   const all = Float64Array.from({ length: 100 }, (_, i) => i / 7);
   const holder = { points: all.subarray(10, 40), tetrahedra: Uint32Array.from([3, 1, 4, 1, 5]), name: "π" };
-  const { copy, buffers } = copyForTransfer(holder);
+  const { copy, buffers } = await copyForTransfer(holder);
   expect(copy).toEqual(holder);
   expect(buffers.map(({ byteLength }) => byteLength)).toEqual([30 * 8, 5 * 4]);
 
@@ -120,4 +120,18 @@ it("typed arrays are copied for transfer, whatever part of a buffer they are, so
   expect(copy.points).toHaveLength(0);
   expect(holder.points).toHaveLength(30);
   expect(holder.tetrahedra).toHaveLength(5);
+});
+
+it("a large copy for transfer leaves the page time for other tasks", async () => {
+  const clock = vi.spyOn(performance, "now");
+  let milliseconds = 0;
+  clock.mockImplementation(() => (milliseconds += 5));
+  const points = Float64Array.from({ length: 500_000 }, (_, i) => i);
+  let tasks = 0;
+  const timer = setInterval(() => ++tasks, 0);
+  const { copy } = await copyForTransfer({ points });
+  clearInterval(timer);
+  clock.mockRestore();
+  expect(tasks).toBeGreaterThan(2);
+  expect(copy.points).toEqual(points);
 });

@@ -1,5 +1,5 @@
 import type { MeshResult } from "tetrafront";
-import { BufferAttribute, BufferGeometry, Mesh } from "three";
+import { BufferAttribute, BufferGeometry, Mesh, Sphere } from "three";
 import { createFacetMaterial } from "../materials/facet-material";
 import { setColor } from "../materials/uniforms";
 import type { Position } from "../../document/position";
@@ -53,7 +53,12 @@ export class FrontLayer implements Layer {
     if (corners.length > this.#position.array.length)
       this.#allocate(Math.ceil((growth * corners.length) / 3));
     const local = this.#position.array;
-    for (let i = 0; i < corners.length; ++i) local[i] = (corners[i] ?? 0) - (origin[i % 3] ?? 0);
+    const [x, y, z] = origin;
+    for (let i = 0; i < corners.length; i += 3) {
+      local[i] = (corners[i] ?? 0) - x;
+      local[i + 1] = (corners[i + 1] ?? 0) - y;
+      local[i + 2] = (corners[i + 2] ?? 0) - z;
+    }
     this.#geometry.setDrawRange(0, corners.length / 3);
     this.#position.clearUpdateRanges();
     this.#position.addUpdateRange(0, corners.length);
@@ -64,6 +69,8 @@ export class FrontLayer implements Layer {
     this.#geometry.dispose();
     this.#position = new BufferAttribute(new Float32Array(3 * corners), 3);
     this.#geometry.setAttribute("position", this.#position);
+    // Nothing is culled; without a sphere, the renderer would compute one from all corners.
+    this.#geometry.boundingSphere = new Sphere();
   }
 }
 

@@ -11,15 +11,23 @@ const startWorker = (): Worker =>
     name: "tetrafront-mesh-queries",
   });
 
+interface SentMesh {
+  readonly mesh: QueriedMesh;
+  /** Resolves when its copy has been posted. */
+  readonly posted: Promise<void>;
+}
+
 /**
  * Runs queries over a whole mesh in a worker, so that the page stays responsive. The worker keeps a copy of the
  * mesh queried last. If a query fails, for example out of memory, pending queries reject and the next query starts
  * a new worker.
  */
 export class MeshQueryClient {
-  readonly #worker = new WorkerClient<MeshQueryProtocol>(startWorker, () => (this.#sentMesh = null));
-  /** The mesh that the worker has a copy of. */
-  #sentMesh: QueriedMesh | null = null;
+  readonly #worker = new WorkerClient<MeshQueryProtocol>(startWorker, () => (this.#sent = null));
+  /** The mesh that the worker has a copy of, or will have. */
+  #sent: SentMesh | null = null;
+  /** Settles when nothing is copied any more: meshes are sent one after the other. */
+  #copying: Promise<void> = Promise.resolve();
 
   constructor() {
     // Load the worker while the first mesh is being made.
@@ -48,28 +56,38 @@ export class MeshQueryClient {
 
   /** Frees the worker's copy of the mesh. */
   release(): void {
-    if (this.#sentMesh) this.#worker.call("setMesh", null).catch(() => undefined);
-    this.#sentMesh = null;
+    if (!this.#sent) return;
+    this.#sent = null;
+    const free = (): void => {
+      if (!this.#sent) this.#worker.call("setMesh", null).catch(() => undefined);
+    };
+    void this.#copying.then(free, free);
   }
 
   async #query<T>(mesh: QueriedMesh, query: () => Promise<T>): Promise<T> {
     try {
-      if (this.#sentMesh !== mesh) this.#send(mesh);
+      if (this.#sent?.mesh !== mesh) {
+        this.#copying = this.#send(mesh, this.#copying);
+        this.#sent = { mesh, posted: this.#copying };
+      }
+      await this.#sent.posted;
       return await query();
     } catch (error) {
+      if (this.#sent?.mesh === mesh) this.#sent = null;
       this.#worker.dispose();
       throw error;
     }
   }
 
-  #send(mesh: QueriedMesh): void {
+  /** Copies a mesh in slices and posts it, after the one before. */
+  async #send(mesh: QueriedMesh, before: Promise<void>): Promise<void> {
+    await before.catch(() => undefined);
     const { points, tetrahedra, regions } = mesh.volume;
-    const volume = copyForTransfer({ points, tetrahedra, regions });
-    const shapes = mesh.metricShapes && copyForTransfer(mesh.metricShapes);
+    const volume = await copyForTransfer({ points, tetrahedra, regions });
+    const shapes = mesh.metricShapes && (await copyForTransfer(mesh.metricShapes));
     const copy = { volume: volume.copy, metricShapes: shapes?.copy };
     const buffers = [...volume.buffers, ...(shapes?.buffers ?? [])];
     // If this call fails, the query after it fails too.
     this.#worker.call("setMesh", copy, buffers).catch(() => undefined);
-    this.#sentMesh = mesh;
   }
 }
