@@ -24,6 +24,8 @@ export {
   REMESH_DEFAULTS,
   type Severity,
   type SourceType,
+  type EngineCode,
+  type EngineStatus,
 } from "./generated/constants.js";
 export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadLocation } from "./diagnostics/data.js";
 export type { DiagnosticCode, PackageCode } from "./diagnostics/codes.js";

@@ -1,14 +1,7 @@
 /**
  * What the application shares with the package. No part of the package's promise: it may change in any version.
  */
-export {
-  ENGINE_CODES,
-  type EngineCode,
-  type EngineNumbers,
-  type EngineStatus,
-  PROPOSAL_DEFAULTS,
-  SOURCE_GROWTH,
-} from "./generated/constants.js";
+export { ENGINE_CODES, type EngineNumbers, PROPOSAL_DEFAULTS, SOURCE_GROWTH } from "./generated/constants.js";
 export { unusedData } from "./api/volume-background.js";
 export {
   type BestRepair,

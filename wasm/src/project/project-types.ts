@@ -31,13 +31,11 @@ export type BodyId = number;
 /** The id of a source; positive, unique among sources. */
 export type SourceId = number;
 
-type Triple = readonly [number, number, number];
-
 /** A point and its position in model units. */
 export interface ProjectPoint {
   readonly id: PointId;
   readonly name?: string | undefined;
-  readonly position: Triple;
+  readonly position: readonly [number, number, number];
 }
 
 /** A line and its points. */
@@ -70,7 +68,7 @@ export interface ProjectBodyPatch {
   readonly id: PatchId;
   readonly name?: string | undefined;
   /** Red, green and blue from 0 to 1, in sRGB, as in the file of the body. */
-  readonly color?: Triple | undefined;
+  readonly color?: readonly [number, number, number] | undefined;
 }
 
 /** What is done to the triangles of a body before it is filled. */
@@ -92,7 +90,7 @@ export interface BodyRemeshing {
 /** Where a body is: its points are scaled, then rotated, then moved. */
 export interface BodyPlacement {
   /** Position of the origin of the given points, in model units. Default 0 0 0. */
-  readonly position?: Triple | undefined;
+  readonly position?: readonly [number, number, number] | undefined;
   /** Unit quaternion x y z w. Default 0 0 0 1. */
   readonly rotation?: readonly [number, number, number, number] | undefined;
   /** Factor above 0. Default 1. */
@@ -104,7 +102,7 @@ export interface BodyRepair {
   readonly kind: (typeof REPAIR_KINDS)[number];
   readonly count: number;
   /** Positions of the first changes, in the coordinates of the given points. */
-  readonly positions: readonly Triple[];
+  readonly positions: readonly (readonly [number, number, number])[];
 }
 
 /** A closed triangulated surface beside what is drawn; see `createBody` and `bodySurface`. */
@@ -131,13 +129,13 @@ export interface ProjectBody {
 /** A node of the background grid, with the target size there. */
 export interface ProjectBackgroundNode {
   readonly id: number;
-  readonly position: Triple;
+  readonly position: readonly [number, number, number];
   /** Target edge length in model units. */
   readonly size: number;
   /** Target edge length along `direction`, divided by `size`. */
   readonly stretching?: number | undefined;
   /** Direction of stretching; any length except 0. */
-  readonly direction?: Triple | undefined;
+  readonly direction?: readonly [number, number, number] | undefined;
 }
 
 /** A source: at distance r from it, the target size is at most size + growth · max(0, r - distance). */
@@ -146,7 +144,7 @@ export interface ProjectSource {
   readonly name?: string | undefined;
   readonly type: SourceType;
   /** One for a point, two for a segment, three for a triangle. */
-  readonly positions: readonly Triple[];
+  readonly positions: readonly (readonly [number, number, number])[];
   /** Target edge length at the source, in model units. */
   readonly size: number;
   /** Default 0. */
@@ -181,7 +179,7 @@ export interface ProjectGroup {
   readonly id: number;
   readonly name: string;
   /** Red, green and blue from 0 to 1, in sRGB. */
-  readonly color?: Triple | undefined;
+  readonly color?: readonly [number, number, number] | undefined;
   readonly members: readonly { readonly kind: (typeof GROUP_KINDS)[number]; readonly id: number }[];
 }
 
