@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file Fingerprints of meshes, stored in tests/fingerprints/bodies.txt, so that no change of a mesh goes unnoticed.
-/// `npm run fingerprints` stores them anew.
+/// `npm run fingerprints` replaces them.
 
 #include <cstdint>
 #include <string>

@@ -459,7 +459,7 @@ function summary({ result, expectedTetrahedra }: Omit<RunOutcome, "key">): strin
   }
 }
 
-/** Returns an expected number of tetrahedra as it is told; null for none. */
+/** Returns the expected number of tetrahedra as it is shown; null if none is known. */
 const aboutCount = (expected: number): string | null =>
   expected > 0 ? count(Number(expected.toPrecision(2))) : null;
 

@@ -242,8 +242,8 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     servePurpose(step);
   }
 
-  /// Estimated part of the step that is made after so many sweeps of a run. How often it repeats is not known: each run takes
-  /// the same part of what is left, because later ones visit less.
+  /// Returns the estimated part of the step that is done after this many sweeps of a run. The number of runs is not known
+  /// beforehand; each counts as the same part of what is left, because later ones visit less.
   [[nodiscard]] static double fractionAfter(const Step& step, int run, std::size_t sweeps) {
     const double ofRun = static_cast<double>(sweeps) / static_cast<double>(step.sweeps.size());
     if (step.maxRepeats == 1) return ofRun;

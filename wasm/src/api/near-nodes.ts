@@ -18,7 +18,7 @@ const PER_DIAGONAL = 1e-3;
 const MARGIN = 1.01;
 /** The limits of a class differ by at most this power of two. */
 const PER_CLASS = 2;
-/** Largest number of nodes with which one is compared: more are a heap of triangles, whose pairs tell nothing. */
+/** Largest number of nodes with which one is compared: more are a heap of triangles, whose pairs mean nothing. */
 const MAX_VISITS = 1024;
 /** Number of pairs that the message names. */
 const NAMED_PAIRS = 3;
