@@ -41,8 +41,9 @@ export function startGroups(app, embed) {
   let start;
   const name = (id, ctx) => {
     start ??= sortedStart(app, embed, ctx);
-    // The boot script needs helpers of the bundler, and nothing else.
-    if (!start.all.has(id) || id.includes("preload-helper")) return null;
+    // The boot script needs helpers of the bundler, and nothing else. The first module of the app starts it: what other pages load
+    // must not bring it along.
+    if (!start.all.has(id) || id === app || id.includes("preload-helper")) return null;
     if (/\.css(\?|$)/.test(id)) return "styles";
     return Object.keys(start.groups).find((group) => start.groups[group].has(id)) ?? null;
   };
