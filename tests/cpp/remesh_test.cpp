@@ -399,6 +399,24 @@ std::size_t stopInBetween(const SurfaceMesh& given, const RemeshOptions& options
   return between;
 }
 
+TEST(Remesh, MeasuresWhatAllRegionsEncloseTogether) {
+  const SurfaceRemesh result = remesh(dividedBox({3, 2, 1}, 2), {});
+  ASSERT_TRUE(result.diagnostics.empty());
+  EXPECT_NEAR(result.givenVolume, 6.0, 1e-12);
+  EXPECT_NEAR(result.volume, 6.0, 1e-12);
+}
+
+/// The tolerance follows the smallest region, whether regions are given or found.
+TEST(Remesh, HasTheSameToleranceForRegionsThatAreFound) {
+  RegionedSurface cubes = twoRegions(0.0);
+  SurfaceRemesher stated(cubes.mesh.points, cubes.mesh.triangles, {}, {}, {}, cubes.regions);
+  while (!stated.advance(1U << 20U)) {
+  }
+  const SurfaceRemesh found = remesh(cubes.mesh, {});
+  EXPECT_NEAR(found.tolerance, std::sqrt(3.0) / 250.0, 1e-12);
+  EXPECT_DOUBLE_EQ(found.tolerance, stated.result().tolerance);
+}
+
 TEST(Remesh, ReturnsAValidSurfaceWheneverItIsStopped) {
   RemeshOptions options;
   options.size = 0.4;

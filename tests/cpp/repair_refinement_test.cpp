@@ -166,9 +166,28 @@ TEST(SurfaceRefiner, ReturnsTheLongestGivenEdgeInTargetLengths) {
   const double diagonal = std::sqrt(2.0);
   EXPECT_NEAR(refine(cube, {}, sized(0.1)).lengthRatio, diagonal / 0.1, 1e-9);
   EXPECT_NEAR(refine(cube, {}, sized(1.0)).lengthRatio, diagonal, 1e-9);
-  EXPECT_EQ(refine(cube, {}).lengthRatio, 0.0);
+  // Without sizes, the mean edge at a node is the target length there.
+  EXPECT_GT(refine(cube, {}).lengthRatio, 1.0);
+  EXPECT_LT(refine(cube, {}).lengthRatio, diagonal);
   // A source at a corner.
   EXPECT_GT(refine(cube, sourceAt(Vec3(0.0), 0.05, 0.1)).lengthRatio, 2.0);
+}
+
+/// A ball of fine triangles in a box of twelve: the faces near the ball are split, and a ball alone stays as it is.
+TEST(SurfaceRefiner, WithoutSizesSplitsWhatIsLargeBesideSmallTriangles) {
+  SurfaceMesh box = gridBox(Vec3(-2.0), Vec3(2.0), {1, 1, 1});
+  const SurfaceMesh ball = geodesicSphere(8);
+  EXPECT_LT(refine(ball, {}).lengthRatio, 2.0);
+  const auto first = static_cast<std::uint32_t>(box.points.size() / 3);
+  box.points.insert(box.points.end(), ball.points.begin(), ball.points.end());
+  for (const std::uint32_t node : ball.triangles) box.triangles.push_back(first + node);
+  const SurfaceRefinement refined = refine(box, {});
+  EXPECT_GT(refined.lengthRatio, 4.0);
+  expectSameShape(box, refined);
+  const auto ofBall =
+      std::ranges::count_if(refined.origin, [](std::uint32_t t) { return t >= 12; });
+  EXPECT_EQ(static_cast<std::size_t>(ofBall), ball.triangles.size() / 3);
+  EXPECT_GT(refined.origin.size() - static_cast<std::size_t>(ofBall), 100U);
 }
 
 TEST(SurfaceRefiner, KeepsAnglesAboveHalfOfTheGivenOnes) {

@@ -10,6 +10,7 @@ export {
   remeshedBest,
   type RemeshShapes,
 } from "./api/best-repair.js";
+export { withSolidsOfPatches } from "./api/touching-solids.js";
 export { STEP_HEIGHT } from "./base/limits.js";
 export { projectSchema } from "./project/schema.js";
 export {

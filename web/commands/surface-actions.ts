@@ -1,7 +1,7 @@
 import type { Project, ProjectBody } from "tetrafront/project";
 import type { App } from "../app/app";
 import { addBodies, nextBodyIds, replaceBody, usedPatches } from "../document/body-edits";
-import { withRepairs } from "../document/body-repair";
+import { withRepairs, withTreatmentAfter } from "../document/body-repair";
 import { replaceByJoined } from "../document/touching-bodies";
 import { inProjectUnit, unitOf } from "../document/length-units";
 import { bodiesOf, bodyLabel, bodyOfPatch, findRecord, type Entity } from "../document/entities";
@@ -89,7 +89,8 @@ export async function repairBody(app: App, id: number): Promise<void> {
   const patches = hasFilled ? [...body.patches, filled] : body.patches;
   const used = usedPatches(patches, surface.trianglePatch);
   const { trianglePatch } = used;
-  const repaired = { ...body, ...withRepairs(body, state.repair) };
+  const treated = withTreatmentAfter(state.repair.changes, body);
+  const repaired = { ...treated, ...withRepairs(treated, state.repair) };
   await changeBody(app, body, bodyStepNames.repair(bodyLabel(body)), () =>
     app.bodies.replaced(repaired, { ...surface, trianglePatch }, used.patches),
   );

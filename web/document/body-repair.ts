@@ -13,6 +13,17 @@ export type RepairWishes = Pick<RepairOptions, "weld" | "fillHoles">;
 /** Largest number of edges of a hole that is filled; the limit of the package. */
 const maxHoleEdges = 200;
 
+/**
+ * Returns a body after a repair: if triangles were cut, those that would be kept are replaced, as on the command line, because cuts
+ * leave needles.
+ */
+export function withTreatmentAfter(changes: readonly RepairChange[], body: ProjectBody): ProjectBody {
+  const isCut = changes.some(({ kind }) => kind === "resolved-intersection");
+  if (!isCut || body.surface !== "refine") return body;
+  const { surface: _, ...remeshed } = body;
+  return remeshed;
+}
+
 export const defaultRepair: RepairWishes = { weld: 0, fillHoles: maxHoleEdges };
 
 /** Returns the distance within which a repair welds nodes of intersecting triangles: 0 if the body keeps its triangles. */

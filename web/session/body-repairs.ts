@@ -5,6 +5,7 @@ import {
   placedLength,
   sharedVolume,
   weldBeforeRemeshing,
+  withTreatmentAfter,
   type RepairProposal,
   type RepairWishes,
 } from "../document/body-repair";
@@ -21,6 +22,9 @@ export async function proposedRepair(
   const patches = body.patches.map(({ id, name = "" }) => ({ name, tag: id }));
   const weldIntersections = isExact ? 0 : weldBeforeRemeshing(body, drawn);
   const repair = await mesher.repairSurface(surface, { ...wishes, weldIntersections }, { signal });
+  const treated = withTreatmentAfter(repair.changes, body);
+  if (treated !== body)
+    return proposedRepair(mesher, treated, { surface, drawn }, wishes, { isExact, signal });
   const repaired = repairedSurface({ ...surface, patches }, repair);
   const after = await mesher.inspectSurface(repaired, {}, { signal });
   const { points, triangles, trianglePatch } = repaired;

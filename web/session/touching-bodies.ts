@@ -5,10 +5,18 @@ import {
   NO_REGION,
   repairedSurface,
   type SurfaceFile,
+  type SurfaceInput,
+  type SurfaceRepair,
 } from "tetrafront";
 import type { Project, ProjectBody } from "tetrafront/project";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
-import { joinedRepairs, sharedAbove, weldBeforeRemeshing, withRepairs } from "../document/body-repair";
+import {
+  joinedRepairs,
+  sharedAbove,
+  weldBeforeRemeshing,
+  withRepairs,
+  withTreatmentAfter,
+} from "../document/body-repair";
 import { placedSurfaceKey } from "../document/content-keys";
 import { boxOf } from "../document/drawn-surface";
 import {
@@ -122,10 +130,9 @@ export async function joinedBody(
   const head = joinedHead(project, bodies);
   const own = joinedPatches(bodies);
   const empty = { ...head, ...joinedRepairs(bodies), points: "", triangles: "", patches: own };
-  const weldIntersections = weldBeforeRemeshing(empty, boxOf(given.points));
   const givenRegions = regionsOf(divided);
   const input = { ...given, ...(givenRegions && { givenRegions }) };
-  const repair = await mesher.repairSurface(input, { weldIntersections }, { signal });
+  const { body, repair } = await cut(mesher, empty, input, signal);
   const patches = own.map(({ id, name = "" }) => ({ name, tag: id }));
   const { points, triangles, trianglePatch } = repairedSurface({ ...given, patches }, repair);
   const after = await mesher.inspectSurface({ points, triangles }, {}, { signal });
@@ -134,11 +141,24 @@ export async function joinedBody(
   const used = usedPatches([...own, filled], trianglePatch);
   const volume = group.reduce((sum, one) => sum + one.volume, 0);
   return {
-    body: { ...empty, ...withRepairs(empty, repair), patches: used.patches },
+    body: { ...body, ...withRepairs(body, repair), patches: used.patches },
     surface: { points, triangles, trianglePatch: used.trianglePatch },
     regions: after.regions,
     shared: sharedAbove(volume - after.volume, after.volume),
   };
+}
+
+/** Cuts the triangles of bodies that became one, and decides what becomes of them. */
+async function cut(
+  mesher: Mesher,
+  body: ProjectBody,
+  input: SurfaceInput,
+  signal: AbortSignal,
+): Promise<{ readonly body: ProjectBody; readonly repair: SurfaceRepair }> {
+  const weldIntersections = weldBeforeRemeshing(body, boxOf(input.points));
+  const repair = await mesher.repairSurface(input, { weldIntersections }, { signal });
+  const treated = withTreatmentAfter(repair.changes, body);
+  return treated === body ? { body, repair } : cut(mesher, treated, input, signal);
 }
 
 /** Placed triangles of a body, and the regions beside them. */

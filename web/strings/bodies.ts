@@ -151,7 +151,8 @@ export const bodyStrings = {
     values: { remesh: "Remesh", refine: "Refine", keep: "Keep" },
     hints: {
       remesh: "Replaces the triangles by new ones of good shape, near the given surface.",
-      refine: "Keeps the triangles, and divides those that are larger than the target size.",
+      refine:
+        "Keeps the triangles, and divides those that are larger than the target size, or than small ones near them permit. With a number of elements, they are replaced.",
       keep: "Meshes the given triangles as they are. Needles and slivers spoil the elements beside them.",
     },
     options: "Remeshing options",

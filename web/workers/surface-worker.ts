@@ -10,7 +10,7 @@ import {
   type SurfaceFile,
   type SurfaceInput,
 } from "tetrafront";
-import { meshWithBoundary } from "tetrafront/internal";
+import { meshWithBoundary, withSolidsOfPatches } from "tetrafront/internal";
 import {
   bodyWithPatches,
   mergePatches,
@@ -45,9 +45,10 @@ serveCalls<SurfaceProtocol>({
     const { unit } = read.value;
     const { treatment, note } = await treatmentOf(read.value, fileName);
     const notes = [...notesOf(read.value), ...note];
-    const made = createBodies(read.value, head).map((body) => newBody({ ...body, ...treatment }));
+    const surface = await withSolidsOfPatches(read.value);
+    const made = createBodies(surface, head).map((body) => newBody({ ...body, ...treatment }));
     const solids = made.map(({ loaded }) => loaded.surface);
-    const isInner = hasInnerSolid(solids, read.value.surfaceRegions);
+    const isInner = hasInnerSolid(solids, surface.surfaceRegions);
     return {
       answer: { success: true, made, unit, hasInnerSolid: isInner, notes, mesh: null },
       transfer: made.flatMap(buffersOf),

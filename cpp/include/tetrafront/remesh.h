@@ -91,9 +91,11 @@ struct SurfaceRemesh {
   std::vector<MergedDetail> mergedDetails;  ///< what was dropped, in this order
   std::uint32_t patches = 0;                ///< smooth patches of the given surface
   std::uint32_t featureLines = 0;           ///< feature lines of the given surface
-  double smallestAngle = 0.0;               ///< of all triangles, in degrees
-  double meanRadiusRatio = 0.0;             ///< of all triangles
-  bool isPartial = false;  ///< stop() ended the work before all triangles were improved
+  double givenVolume = 0.0;      ///< enclosed by the given surface, by all of its regions together
+  double volume = 0.0;           ///< enclosed by the new surface, likewise
+  double smallestAngle = 0.0;    ///< of all triangles, in degrees
+  double meanRadiusRatio = 0.0;  ///< of all triangles
+  bool isPartial = false;        ///< stop() ended the work before all triangles were improved
   /// Errors if the surface was not remeshed, because it is not a valid boundary or an option is
   /// out of range. Otherwise notes about components that were given inside out.
   std::vector<Diagnostic> diagnostics;

@@ -42,6 +42,12 @@ constexpr double kTolerancePerThickness = 0.5;
 /// Smallest automatic tolerance / diagonal: six digits, as text files have. A smaller one would keep their rounding as shape.
 constexpr double kMinTolerancePerDiagonal = 1e-6;
 
+/// Returns whether there are several regions beside triangles.
+bool areSeveral(std::span<const std::uint32_t> regions) {
+  return std::ranges::any_of(
+      regions, [](std::uint32_t region) { return region != SurfaceMesh::kNoRegion && region > 0; });
+}
+
 /// Returns the diagonal of the smallest region beside the triangles, two regions each; at least the share above.
 double smallestDiagonal(const SurfaceMesh& mesh, std::span<const std::uint32_t> regions,
                         double diagonal) {
@@ -64,8 +70,7 @@ double smallestDiagonal(const SurfaceMesh& mesh, std::span<const std::uint32_t> 
   return std::max(smallest, kMinRegion * diagonal);
 }
 
-/// Returns 2 V / A of the thinnest region beside the triangles, two regions each, or of all if there are none: the thickness of a
-/// body that is thin everywhere. The triangles face outward.
+/// Returns 2 V / A of the thinnest region beside the triangles, two regions each: the thickness of a body that is thin everywhere.
 double meanThickness(const SurfaceMesh& mesh, std::span<const std::uint32_t> regions) {
   struct Measures {
     double sixfoldVolume = 0.0;
@@ -82,14 +87,30 @@ double meanThickness(const SurfaceMesh& mesh, std::span<const std::uint32_t> reg
     const auto [a, b, c] = cornersOf(mesh, TriangleId(t));
     const double sixfold = glm::dot(a, glm::cross(b, c));
     const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
-    add(regions.empty() ? 0 : regions[2 * t], sixfold, area);
-    if (!regions.empty()) add(regions[2 * t + 1], -sixfold, area);
+    add(regions[2 * t], sixfold, area);
+    add(regions[2 * t + 1], -sixfold, area);
   }
   double thinnest = std::numeric_limits<double>::infinity();
   for (const auto& [sixfold, area] : measures) {
     if (area > 0.0) thinnest = std::min(thinnest, std::fabs(sixfold) / (3.0 * area));
   }
   return thinnest;
+}
+
+/// Returns the volume that a new surface encloses. `regions`: two per given triangle.
+double volumeOf(const SurfaceRemesh& made, std::span<const std::uint32_t> regions) {
+  double sixfold = 0.0;
+  const auto pointAt = [&](std::size_t corner) {
+    const double* position = &made.points[3 * std::size_t{made.triangles[corner]}];
+    return Vec3(position[0], position[1], position[2]);
+  };
+  for (std::size_t t = 0; t < made.origin.size(); ++t) {
+    const std::size_t given = made.origin[t];
+    // Interfaces bound the volumes on both sides.
+    if (regions[2 * given + 1] != SurfaceMesh::kNoRegion) continue;
+    sixfold += glm::dot(pointAt(3 * t), glm::cross(pointAt(3 * t + 1), pointAt(3 * t + 2)));
+  }
+  return sixfold / 6.0;
 }
 
 SurfaceRemesh refused(std::vector<Diagnostic> diagnostics) {
@@ -178,7 +199,8 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, sizes.grid, options);
   if (anyError(problems)) co_return refused(std::move(problems));
   work.beginPart(1.0);
-  mesh.triangleRegions = {};
+  const double givenVolume = enclosedVolume(mesh);
+  const std::vector<std::uint32_t> found = std::exchange(mesh.triangleRegions, {});
   PassSurface given{std::move(mesh), std::move(groups), {}, {}, Vec3(0.0)};
   given.origin.resize(countTriangles(given.mesh));
   std::iota(given.origin.begin(), given.origin.end(), 0U);
@@ -190,11 +212,11 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   RemeshOptions settled = options;
   if (settled.tolerance <= 0.0) {
-    const double extent = smallestDiagonal(given.mesh, regions, diagonal);
+    const double extent = smallestDiagonal(given.mesh, found, diagonal);
     const double automatic = automaticTolerance(options, hasTargets, extent);
     const double smallest =
-        regions.empty() ? kMinTolerancePerDiagonal * diagonal : kMinRegion * automatic;
-    const double ofThickness = kTolerancePerThickness * meanThickness(given.mesh, regions);
+        areSeveral(found) ? kMinRegion * automatic : kMinTolerancePerDiagonal * diagonal;
+    const double ofThickness = kTolerancePerThickness * meanThickness(given.mesh, found);
     settled.tolerance = std::min(automatic, std::max(smallest, ofThickness));
   }
   const RemeshLengths lengths = remeshLengthsOf(settled, hasTargets, diagonal);
@@ -203,6 +225,8 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   SimplifiedSurface surface = co_await remeshAndDrop(work, remeshing);
   work.beginPart(1.0);
   SurfaceRemesh result = co_await finish(work, remeshing, surface);
+  result.givenVolume = givenVolume;
+  result.volume = volumeOf(result, found);
   moveBack(given.centre, result);
   if (result.diagnostics.empty()) result.diagnostics = std::move(problems);
   co_return result;

@@ -37,14 +37,6 @@ SurfaceRefinement tooManyElements(std::vector<Entity> entities, double expected,
   return refused({std::move(tooMany)});
 }
 
-SurfaceRefinement unchanged(SurfaceMesh& mesh) {
-  SurfaceRefinement result;
-  for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) result.origin.push_back(t);
-  result.points = std::move(mesh.points);
-  result.triangles = std::move(mesh.triangles);
-  return result;
-}
-
 /// Reports invalid numbers and triangles with a repeated node.
 std::vector<Diagnostic> checkSurface(const SurfaceMesh& mesh) {
   BoundaryReport report(mesh, BoundarySource::kGivenSurface);
@@ -77,7 +69,9 @@ struct FoundSizes {
 
 Task<FoundSizes> findSizes(Work& work, const SurfaceMesh& mesh, const BackgroundGrid& grid,
                            const MeshOptions& options, const RegionSizes& regions) {
-  TargetSizes sizes(mesh, grid, options, EdgeSizes::kIgnored);
+  // Without sizes, triangles follow those near them.
+  const bool isGiven = hasTargetSizes(grid, options) || regions.areGiven();
+  TargetSizes sizes(mesh, grid, options, isGiven ? EdgeSizes::kIgnored : EdgeSizes::kCount);
   co_await work.finish(sizes);
   FoundSizes found;
   found.diagnostics = sizes.diagnostics();
@@ -119,11 +113,6 @@ Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const Backg
   work.beginPart(0.05);
   std::vector<Diagnostic> problems = co_await check(work, mesh, grid, options);
   if (anyError(problems)) co_return refused(std::move(problems));
-  if (!hasTargetSizes(grid, options) && !regions.areGiven()) {
-    if (problems.empty()) co_return unchanged(mesh);
-    co_return refused(std::move(problems));
-  }
-
   work.beginPart(0.1);
   FoundSizes sizes = co_await findSizes(work, mesh, grid, options, regions);
   if (!sizes.field) co_return refused(std::move(sizes.diagnostics));

@@ -83,18 +83,16 @@ describe("--surface refine", () => {
     expect(stderr).not.toMatch(/refined:/);
   });
 
-  test("is rejected without sizes", async () => {
-    save("box.off", offFile(box));
-    const { code, stderr } = await tetrafront(folder.path, [
-      "mesh",
-      "box.off",
-      "-o",
-      "b.vtu",
-      "--surface",
-      "refine",
-    ]);
-    expect(code).toBe(2);
-    expect(stderr).toContain("No sizes are given for the refinement of the surface");
+  test("without sizes, splits what is large beside small triangles, as the default does", async () => {
+    save("inclusion.off", offFile(joined(boxSurface(1, [-2, -2, -2], [2, 2, 2]), sphereSurface(8))));
+    const args = ["mesh", "inclusion.off", "-o", "a.vtu", "--report", "a.json"];
+    const angleWith = async (...more: string[]): Promise<number> => {
+      expect((await run(...args, ...more)).code).toBe(0);
+      return (jsonIn("a.json") as MeshReport).quality?.shapes.dihedral.min ?? 0;
+    };
+    expect(await angleWith("--surface", "keep")).toBeLessThan(10);
+    expect(await angleWith("--surface", "refine")).toBeGreaterThan(25);
+    expect(await angleWith()).toBeGreaterThan(25);
   });
 });
 

@@ -74,6 +74,25 @@ test("a number that jumps past the wanted one ends with the nearest", async () =
   expect([162, 384]).toContain(count);
 });
 
+test("a steep part of the numbers is searched more narrowly where finer parts have no effect", async () => {
+  // As of a ball of given triangles that all get larger at nearly the same factor.
+  const law = (factor: number) =>
+    Math.round(5000 + 63_000 / (1 + Math.exp((Math.log(factor) + 0.7) / 0.008)));
+  let parts = 0;
+  const found = await meshedToCount({
+    wanted: 50_000,
+    first: 0.4,
+    hasFinerParts: true,
+    mesh: (factor, _, finer) => {
+      if (finer) ++parts;
+      return Promise.resolve({ factor, finer, count: finer ? 68_000 : law(factor), made: undefined });
+    },
+  });
+  expect(parts).toBeGreaterThan(0);
+  expect(found.end).toBe("reached");
+  expect(Math.abs((found.best.count ?? 0) / 50_000 - 1)).toBeLessThan(COUNT_TOLERANCE);
+});
+
 test("without any mesh, the first one is the result; a failed first guess is tried without a factor", async () => {
   const none = await search(100, () => undefined, 0.5);
   expect(none).toMatchObject({ end: "failed", runs: 2 });

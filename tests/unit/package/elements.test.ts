@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 
 import { createMesher, type MeshReport, type MeshResult } from "tetrafront";
-import { type Project, writeProject } from "tetrafront/project";
+import { createBody, type Project, writeProject } from "tetrafront/project";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { expectValid } from "../../support/expect-valid.js";
@@ -119,6 +119,19 @@ test("a kept surface limits the number, and the warning states the limit", async
   expect(told).toMatchObject({ severity: "warning" });
   expect(told?.message).toContain(`10 elements asked for, ${report.tetrahedra} reached`);
   expect(told?.message).toContain("the triangles of the surface are kept");
+});
+
+test("a body that would be refined is remeshed for a number, and a kept one limits it", async () => {
+  const bodyWith = (surface: "refine" | "keep"): Project => ({
+    ...cubeProject(1),
+    points: [],
+    lines: [],
+    patches: [],
+    bodies: [{ ...createBody(sphereSurface(6), { id: 1, firstPatchId: 1 }), surface }],
+  });
+  expectReached((await mesher.meshProject(bodyWith("refine"), { elements: 6000 })).report, 6000);
+  const kept = await mesher.meshProject(bodyWith("keep"), { elements: 60 });
+  expect(codes(kept.report)).toContain("element-count");
 });
 
 test("a number below what the shape permits ends with the fewest and exit code 0", async () => {

@@ -3,6 +3,8 @@ import { afterAll, expect, test } from "vitest";
 
 import { createMesher, type Diagnostic, type SurfaceInput } from "tetrafront";
 
+import { poorElementWarnings } from "../../../wasm/src/mesh/quality-warnings.js";
+
 const mesher = await createMesher();
 afterAll(() => {
   mesher.dispose();
@@ -74,6 +76,23 @@ test("one needle among good triangles is named with its angle", async () => {
   expect(warning?.data).toMatchObject({ reason: "triangle" });
   expect(warning?.message).toContain("(less than 1 %)");
   expect(warning?.message).toMatch(/a triangle of the surface has an angle of 0\.0\d+° there/);
+});
+
+test("an element with an angle near 180° is named, also if its smallest angle is above 5°", async () => {
+  const { surface } = await mesher.remeshSurface(box(1, 1, 1));
+  const { quality } = (await mesher.fillSurface(surface)).report;
+  if (quality === null) throw new Error("no quality");
+  const warningsWith = (max: number): Diagnostic[] => {
+    const dihedral = { min: 6, max };
+    const [first] = quality.worst;
+    if (first === undefined) throw new Error("no elements");
+    const worst = { ...first, tetrahedron: 7, dihedral };
+    const shapes = { ...quality.shapes, dihedral };
+    return poorElementWarnings({ ...quality, shapes, worst: [worst], poor: { ...quality.poor, worst } });
+  };
+  expect(warningsWith(160)).toEqual([]);
+  const [warning] = warningsWith(172);
+  expect(warning?.message).toMatch(/the worst is tetrahedron 7 .*\. The largest angle is 172°$/);
 });
 
 test.each([

@@ -89,6 +89,18 @@ describe("bodies that touch", () => {
     expect([isFillable, volume]).toEqual([true, 9]);
   });
 
+  it("keep their triangles if these are equal where they touch; cut ones are replaced", async () => {
+    const treatmentOf = async (others: GivenBody): Promise<string> => {
+      const group = [cube(1, 1, [0, 0, 0]), others].map((one) => ({
+        ...one,
+        body: { ...one.body, surface: "refine" as const },
+      }));
+      return (await joinedBody(mesher, projectOf(group), group, signal))?.body.surface ?? "remesh";
+    };
+    expect(await treatmentOf(cube(2, 1, [1, 0, 0]))).toBe("refine");
+    expect(await treatmentOf(cube(2, 0.5, [1, 0.25, 0.25]))).toBe("remesh");
+  });
+
   it("that share a volume keep a region each, and the first gets the volume", async () => {
     const group = [cube(1, 2, [0, 0, 0]), cube(2, 1, [1.5, 0.5, 0.5])];
     const joined = await joinedBody(mesher, projectOf(group), group, signal);

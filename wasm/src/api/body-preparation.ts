@@ -19,6 +19,7 @@ import type { BodyId, Project, ProjectBody } from "../project/project-types.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { InspectionOptions, MeshOptions, RemeshOptions } from "./option-types.js";
 import { checkRemeshOptions } from "./options.js";
+import { areTooLarge } from "./surface-treatment.js";
 
 type Named<Call extends (...given: never[]) => unknown> = (
   ...given: [...Required<Parameters<Call>>, EntityNamer]
@@ -95,7 +96,9 @@ async function treated(
   { sizeFactor, ...options }: BodyOptions,
   control: RunControl,
 ): Promise<Omit<PreparedBody, "body">> {
-  const { surface: treatment = "remesh", remeshing = {} } = body;
+  const { surface: chosen = "remesh", remeshing = {} } = body;
+  // The given triangles would limit a number of elements that is asked for.
+  const treatment = chosen === "refine" && sizeFactor !== undefined ? "remesh" : chosen;
   const sizes = bodySizes(project, body, options);
   const name = bodyNamer(body, given);
   const named = (found: readonly Diagnostic[]) => found.map((one) => ofBody(one, body, given.trianglePatch));
@@ -107,11 +110,13 @@ async function treated(
   }
   const { innerShells } = options;
   const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
-  const hasSizes = sizes.size !== undefined || sizes.background !== undefined;
-  if (treatment === "refine" && hasSizes) {
+  if (treatment === "refine") {
+    const hasSizes = sizes.size !== undefined || sizes.background !== undefined;
     const { elements: _, ...refineOptions } = options;
-    const { surface, origin } = await calls.refine(given, { ...refineOptions, ...sizes }, control, name);
-    return { ...withPatches(given, surface, origin), diagnostics };
+    const split = await calls.refine(given, { ...refineOptions, ...sizes }, control, name);
+    if (hasSizes || areTooLarge(split)) {
+      return { ...withPatches(given, split.surface, split.origin), diagnostics };
+    }
   }
   const origin = given.trianglePatch.map((_, triangle) => triangle);
   return { ...withPatches(given, given, origin), diagnostics };

@@ -87,8 +87,9 @@ const KNOWN = 0.05;
 /** Width of an interval below which the number jumps, without and with finer parts. */
 const NARROW = 0.004;
 const NARROW_FOR_PARTS = 0.015;
-/** Largest number of meshes with a finer part. */
+/** Largest number of meshes with a finer part, and of others if such parts have not sufficed. */
 const MAX_PARTS = 8;
+const MAX_FURTHER_RUNS = 6;
 /** Factors around the nearest mesh that are tried if the number jumps. */
 const SCAN_STEP = 0.012;
 
@@ -106,11 +107,16 @@ class Search<Made> {
   #scans = 0;
   #best: CountedMesh<Made> | undefined;
 
-  readonly #narrow: number;
+  #narrow: number;
 
   constructor(wanted: number, hasFinerParts: boolean) {
     this.#wanted = Math.log(wanted);
     this.#narrow = hasFinerParts ? NARROW_FOR_PARTS : NARROW;
+  }
+
+  /** Looks between the two nearest factors too, because finer parts have no effect. */
+  withoutParts(): void {
+    this.#narrow = NARROW;
   }
 
   get best(): CountedMesh<Made> | undefined {
@@ -222,14 +228,27 @@ class Search<Made> {
   }
 }
 
+/** Returns the mesh with the number nearest to the wanted one, the first of equal ones. */
+function nearest<Made>(
+  wanted: number,
+  ...meshes: readonly (CountedMesh<Made> | undefined)[]
+): CountedMesh<Made> | undefined {
+  return meshes.reduce((a, b) =>
+    b?.count !== undefined && (a?.count === undefined || errorOf(b.count, wanted) < errorOf(a.count, wanted))
+      ? b
+      : a,
+  );
+}
+
 const errorOf = (count: number, wanted: number): number => Math.abs(count / wanted - 1);
 
 /** Meshes until the number of elements is near the wanted one, or cannot be. Rejects as `mesh` does. */
 export async function meshedToCount<Made>(searched: CountSearch<Made>): Promise<CountResult<Made>> {
   const { wanted, isEnded = () => false } = searched;
-  const { hasFinerParts = false } = searched;
+  let { hasFinerParts = false } = searched;
   const search = new Search<Made>(wanted, hasFinerParts);
-  const most = wanted < FEW_ELEMENTS ? MAX_RUNS_OF_FEW : MAX_RUNS;
+  let most = wanted < FEW_ELEMENTS ? MAX_RUNS_OF_FEW : MAX_RUNS;
+  let withPart: CountedMesh<Made> | undefined;
   const limited = Math.min(MAX_FACTOR, Math.max(MIN_FACTOR, searched.first));
   let last = await searched.mesh(limited, FIRST_SHARE);
   let runs = 1;
@@ -240,7 +259,7 @@ export async function meshedToCount<Made>(searched: CountSearch<Made>): Promise<
     runs = 2;
   }
   for (;;) {
-    const best = search.best;
+    const best = nearest(wanted, search.best, withPart);
     if (best?.count === undefined || isEnded()) return { best: best ?? last, end: "failed", runs };
     const error = errorOf(best.count, wanted);
     if (error <= CLOSE || (error <= COUNT_TOLERANCE && runs >= GOOD_RUNS))
@@ -250,9 +269,14 @@ export async function meshedToCount<Made>(searched: CountSearch<Made>): Promise<
       if (error <= COUNT_TOLERANCE) return { best, end: "reached", runs };
       const { above, below } = search;
       const isBetween = next === "nearest" && hasFinerParts && above !== undefined && below !== undefined;
-      return isBetween
-        ? withFinerPart(searched, { best, end: next, runs }, above, below)
-        : { best, end: next, runs };
+      if (!isBetween) return { best, end: next, runs };
+      const found = await withFinerPart(searched, { best, end: next, runs }, above, below);
+      if (found.end !== "nearest") return found;
+      ({ best: withPart, runs } = found);
+      hasFinerParts = false;
+      search.withoutParts();
+      most = runs + MAX_FURTHER_RUNS;
+      continue;
     }
     last = await searched.mesh(Math.exp(next), shareOf(best.count, wanted));
     runs += 1;

@@ -159,7 +159,7 @@ function reasons(
           ];
     case "nearest":
       return [
-        "this is the nearest number found, because the number jumps where edges and faces get one element more",
+        "this is the nearest number found: the number changes in jumps with the sizes, for example where edges and faces get one element more",
         "Ask for another number, or accept this one.",
       ];
   }

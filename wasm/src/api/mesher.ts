@@ -461,7 +461,7 @@ class WorkerMesher implements Mesher {
 
   async refineSurface(
     surface: SurfaceInput,
-    options: RefineOptions,
+    options: RefineOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceRefinement> {
     return this.#surfaces.refine(surface, options, control);

@@ -270,7 +270,7 @@ export interface SurfaceMeshOptions extends MeshOptions, RemeshSettings {
    *   too many are needles, or an option of the remeshing is given, all are replaced, and the surface is repaired before if
    *   that changes nothing visible.
    * - `keep`: all are kept.
-   * - `refine`: those larger than the target size are split.
+   * - `refine`: those larger than the target size are split; without sizes, those larger than small ones near them permit.
    * - `remesh`: all are replaced by well-shaped ones; the surface is repaired before if it cannot be filled.
    */
   readonly surface?: SurfaceTreatment | undefined;

@@ -328,21 +328,8 @@ function twoSizes(options: MeshOptions): Diagnostic[] {
   return [excludedSize("size")];
 }
 
-/** Checks the options of `refineSurface`, which needs sizes. `hasSizes`: the surface has sizes of its own. */
-export function checkRefineOptions(options: RefineOptions, hasSizes: boolean): Diagnostic[] {
-  const wrong = checkWithBackground(options, refineSchema);
-  if (wrong.length > 0 || hasSizes) return wrong;
-  const { size, maxVolume, background } = options;
-  if ([size, maxVolume, background].some((given) => given !== undefined)) return wrong;
-  const message = "no sizes are given for the refinement of the surface";
-  return [
-    invalidOption(
-      "size",
-      message,
-      "Pass an element size, a largest volume, sources of size or a background grid.",
-    ),
-  ];
-}
+export const checkRefineOptions = (options: RefineOptions): Diagnostic[] =>
+  checkWithBackground(options, refineSchema);
 
 export function checkSurfaceProposalOptions(options: SurfaceProposalOptions): Diagnostic[] {
   const wrong = checkAgainst(options, surfaceProposalSchema);

@@ -6,6 +6,7 @@ import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { RunControl } from "../engine/control.js";
+import type { InnerShells } from "../generated/constants.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
@@ -29,7 +30,7 @@ import {
 import { type SurfaceMesher, withControl } from "./surface-mesher.js";
 import { hasSolids, withoutRegions } from "./solid-regions.js";
 import { preparedSurface, withoutCracks } from "./surface-preparation.js";
-import { touchingPairs, withTouchingSolids } from "./touching-solids.js";
+import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
 import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
 
@@ -93,11 +94,20 @@ async function decidedForSolids(
 ): Promise<Treatment> {
   const treatment = await decided(surface, wanted, options);
   const isAsked = treatment.kind !== "smaller" || repairPart(options) !== undefined;
-  if (isAsked || !hasSolids(surface)) return treatment;
-  const { innerShells } = options;
+  if (isAsked) return treatment;
+  const touching = await countTouching(mesher, surface, options.innerShells);
+  return touching > 0 ? { kind: "remesh", touching } : treatment;
+}
+
+/** Returns the number of pairs of solids that touch, of those that the surface states or of its shells. */
+async function countTouching(
+  mesher: SurfaceMesher,
+  surface: SurfaceFile,
+  innerShells: InnerShells | undefined,
+): Promise<number> {
+  if (!hasSolids(surface)) return touchingShells(mesher, surface, innerShells);
   const { diagnostics } = await mesher.inspectSurface(withoutRegions(surface), { innerShells });
-  const touching = touchingPairs(surface.surfaceRegions, diagnostics);
-  return touching.length > 0 ? { kind: "remesh", touching: touching.length } : treatment;
+  return touchingPairs(surface.surfaceRegions, diagnostics).length;
 }
 
 /** Decides what becomes of the triangles: needles, and those for which options of a remeshing are given, are replaced. */

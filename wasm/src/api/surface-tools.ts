@@ -19,7 +19,6 @@ import { afterPause, beginCall } from "./call-checks.js";
 import {
   checkGroups,
   checkLocatedSurface,
-  hasRegionVolumes,
   withInnerShells,
   checkPatchedSurface,
   checkSurface,
@@ -131,9 +130,7 @@ export class SurfaceTools {
     name?: EntityNamer,
   ): Promise<SurfaceRefinement> {
     beginCall(this.#client, control);
-    const wrong = checkSurface(surface);
-    const limitsSizes = wrong.length > 0 || hasRegionVolumes(surface);
-    refuse([...wrong, ...checkRefineOptions(options, limitsSizes)]);
+    refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
     const { volume = 0, ...withoutVolume } = options;
     const { background } = withoutVolume;
     const question = {
@@ -180,10 +177,7 @@ export class SurfaceTools {
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
-    // Components that were turned outward would count with the other sign.
-    const isTurned = found.some(({ code }) => code === "reoriented-patch");
-    const changed = isTurned ? [] : await inSteps(volumeWarnings(surface, remesh, remesh.origin));
-    return describedRemesh(remesh, [...found, ...coarse, ...changed]);
+    return describedRemesh(remesh, [...found, ...coarse, ...volumeWarnings(remesh)]);
   }
 
   /**

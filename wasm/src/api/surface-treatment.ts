@@ -5,9 +5,8 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
-import type { SurfaceInspection } from "../mesh/inspection.js";
+import type { SurfaceInspection, SurfaceRefinement } from "../mesh/inspection.js";
 import { type TriangleShapes } from "../mesh/triangle-shapes.js";
-import { hasRegionVolumes } from "./input-checks.js";
 import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type {
@@ -57,7 +56,7 @@ export async function treatedSurface(
   given: SurfaceFile,
   wanted: TreatmentOptions,
 ): Promise<TreatedSurface> {
-  const { treatment, options } = wanted;
+  const { treatment } = wanted;
   switch (treatment.kind) {
     case "keep":
       return { surface: given };
@@ -68,9 +67,7 @@ export async function treatedSurface(
       return found.isFillable ? refine() : { surface: given, invalid: found.diagnostics };
     }
     case "smaller":
-      return hasSizes(options) || hasRegionVolumes(given)
-        ? withSmallerTriangles(mesher, given, wanted)
-        : { surface: given };
+      return withSmallerTriangles(mesher, given, wanted);
   }
 }
 
@@ -110,10 +107,14 @@ async function inspected(
   return { found, refine: () => refined(mesher, given, { ...sizes, volume }, controlOf()) };
 }
 
-/** Longest edge / target length up to which triangles are kept by default; `coarse-surface` warns above it. */
+/** Longest edge / target length up to which triangles are kept by default; with given sizes, `coarse-surface` warns above it. */
 const MAX_LENGTH_RATIO = 2;
 
-/** If triangles are far larger than the sizes, splits them. The run reports what is wrong with a surface that cannot be filled. */
+/** Returns whether triangles are far larger than the sizes that are given, or than those near them ask for. */
+export const areTooLarge = ({ lengthRatio }: Pick<SurfaceRefinement, "lengthRatio">): boolean =>
+  lengthRatio > MAX_LENGTH_RATIO;
+
+/** Splits triangles that are too large. The run reports what is wrong with a surface that cannot be filled. */
 async function withSmallerTriangles(
   mesher: Mesher,
   given: SurfaceFile,
@@ -122,17 +123,17 @@ async function withSmallerTriangles(
   const { found, refine } = await inspected(mesher, given, treating);
   if (!found.isFillable) return { surface: given };
   const split = await refine();
-  const { lengthRatio } = split.refinement;
-  return lengthRatio <= MAX_LENGTH_RATIO
-    ? { surface: given }
-    : { ...split, diagnostics: [divided(lengthRatio)] };
+  return areTooLarge(split.refinement)
+    ? { ...split, diagnostics: [divided(split.refinement.lengthRatio, hasSizes(treating.options))] }
+    : { surface: given };
 }
 
 const KEEP = 'Use `surface: "keep"` to keep them.';
 
-function divided(lengthRatio: number): Diagnostic {
+function divided(lengthRatio: number, isGiven: boolean): Diagnostic {
   const ratio = short(lengthRatio, 2);
-  const message = `triangles had edges up to ${ratio} times the target length, so they were split, as by \`surface: "refine"\``;
+  const length = isGiven ? "the target length" : "the length that small triangles near them ask for";
+  const message = `triangles had edges up to ${ratio} times ${length}, so they were split, as by \`surface: "refine"\``;
   return packageDiagnostic("divided-surface", message, KEEP, "information");
 }
 

@@ -2,6 +2,7 @@
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { shellsOf } from "../formats/solid-names.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_REGION, type InnerShells } from "../generated/constants.js";
 import type { SurfaceRegions } from "../mesh/file-mesh.js";
@@ -41,18 +42,24 @@ export function touchingPairs(
 }
 
 /**
- * Returns a surface with regions if it states none, but consists of several solids that touch or intersect: patches that are closed
- * by themselves, as the solids of an STL file. Else returns the given surface.
+ * Returns a surface with a region per solid if it states none, but its patches are closed by themselves, as the solids of an STL
+ * file. Else returns the given surface.
  */
+export async function withSolidsOfPatches(given: SurfaceFile): Promise<SurfaceFile> {
+  if (given.patches.length < 2) return given;
+  const { solidsOfPatches } = await import("../formats/patch-solids.js");
+  return (await inSteps(solidsOfPatches(given))) ?? given;
+}
+
+/** As `withSolidsOfPatches`, if solids touch or intersect. */
 export async function withTouchingSolids(
   mesher: Pick<SurfaceMesher, "inspectSurface">,
   given: SurfaceFile,
   innerShells: InnerShells | undefined,
 ): Promise<SurfaceFile> {
-  if (innerShells === "cavities" || given.patches.length < 2) return given;
-  const { solidsOfPatches } = await import("../formats/patch-solids.js");
-  const solids = await inSteps(solidsOfPatches(given));
-  if (solids === undefined) return given;
+  if (innerShells === "cavities") return given;
+  const solids = await withSolidsOfPatches(given);
+  if (solids === given) return given;
   const { diagnostics } = await mesher.inspectSurface(given, { innerShells });
   const areTouching = diagnostics.some(
     ({ code, entities }) =>
@@ -60,6 +67,29 @@ export async function withTouchingSolids(
       new Set(entities.map(({ index }) => given.trianglePatch[index])).size > 1,
   );
   return areTouching ? solids : given;
+}
+
+/**
+ * Returns the number of pairs of closed shells that touch or intersect, if nothing else is wrong with a surface without solids.
+ * Shells that intersect themselves need a repair that is asked for.
+ */
+export async function touchingShells(
+  mesher: Pick<SurfaceMesher, "inspectSurface">,
+  given: SurfaceFile,
+  innerShells: InnerShells | undefined,
+): Promise<number> {
+  const shells = shellsOf(given.triangles, given.points.length / 3);
+  if (shells.every((shell) => shell === shells[0])) return 0;
+  const { openEdges, diagnostics } = await mesher.inspectSurface(given, { innerShells });
+  if (openEdges > 0) return 0;
+  const pairs = new Set<string>();
+  for (const { code, severity, entities } of diagnostics) {
+    if (severity !== "error") continue;
+    const [one, other] = entities.map(({ index }) => shells[index] ?? 0);
+    if (code !== "self-intersection" || one === undefined || other === undefined || one === other) return 0;
+    pairs.add([one, other].sort((a, b) => a - b).join(" "));
+  }
+  return pairs.size;
 }
 
 function sidesOf(triangleRegions: Uint32Array, triangle: number): number[] {

@@ -78,7 +78,8 @@ Surfaces
   --surface keep keeps all triangles. If a triangle is larger than the target size, so are the elements next
   to it; further inside, sizes decrease by --growth, at most 0.5 per unit of distance. Needle triangles lead to
   elements with small angles. Warnings report both.
-  --surface refine first splits triangles that are larger than the target size, and keeps the shape.
+  --surface refine first splits triangles that are larger than the target size, or than small ones near them
+  permit, and keeps the shape.
   --surface remesh first replaces all triangles by well-shaped ones near the given surface. Without sizes, it
   chooses them by the shape. \`tetrafront remesh --help\` explains its options.
   Bodies of a project have a treatment of their own.

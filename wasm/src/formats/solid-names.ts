@@ -25,7 +25,7 @@ export function namesOfSolids(
 }
 
 /** Returns per triangle the least node of the triangles that are connected to it. */
-function shellsOf(triangles: Uint32Array, nodes: number): Uint32Array {
+export function shellsOf(triangles: Uint32Array, nodes: number): Uint32Array {
   const parent = Uint32Array.from({ length: nodes }, (_, node) => node);
   const rootOf = (node: number): number => {
     let at = node;

@@ -142,7 +142,7 @@ export interface SurfaceRefinement {
   readonly origin: Uint32Array;
   /** Number of split edges, including halves that were split again; equals the number of new points. */
   readonly splitEdges: number;
-  /** Longest given edge / target length; 0 if no sizes are given. Above 2, `fillSurface` would warn with `coarse-surface`. */
+  /** Longest given edge / target length. Above 2, with sizes, `fillSurface` would warn with `coarse-surface`. */
   readonly lengthRatio: number;
 }
 
@@ -182,6 +182,10 @@ export interface SurfaceRemesh {
   readonly patches: number;
   /** Number of feature lines of the given surface, from corner to corner or closed. */
   readonly featureLines: number;
+  /** What the given surface encloses, by all of its regions together, in cubed model units. */
+  readonly givenVolume: number;
+  /** What the new surface encloses, likewise. */
+  readonly volume: number;
   /** Smallest angle of all new triangles, in degrees. */
   readonly smallestAngle: number;
   /** Mean of 2 × inradius / circumradius over all new triangles, 1 for equilateral ones. */

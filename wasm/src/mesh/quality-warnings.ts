@@ -11,8 +11,9 @@ import { triangleShapes } from "./triangle-shapes.js";
 
 /** Smallest dihedral angle, in degrees, that finite elements tolerate well. */
 const POOR_ANGLE = 10;
-/** Smallest dihedral angle, in degrees, below which a single element spoils a computation. */
+/** Dihedral angles, in degrees, beyond which a single element spoils a computation. */
 const HARMFUL_ANGLE = 5;
+const HARMFUL_OBTUSE_ANGLE = 170;
 /** Share of poor elements above which a mesh is of little use, however good the others are. */
 const MAX_POOR = 0.01;
 
@@ -40,17 +41,18 @@ export function* needleWarnings(surface: SurfaceInput): Steps<Diagnostic[]> {
 
 /**
  * Returns a warning that names the worst elements, with the reason of the worst one, if more than one in a hundred has a dihedral
- * angle below 10°, or one has an angle below 5°. `isGiven`: whether another program made the mesh.
+ * angle below 10°, or one has an angle below 5° or above 170°. `isGiven`: whether another program made the mesh.
  */
 export function poorElementWarnings(quality: QualityReport, isGiven = false): Diagnostic[] {
-  const { regions, binWidths, poor } = quality;
+  const { regions, binWidths, poor, shapes } = quality;
   const bins = POOR_ANGLE / binWidths.dihedral;
   const all = regions.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
   const count = regions.reduce(
     (sum, { smallestDihedral }) => sum + smallestDihedral.slice(0, bins).reduce((a, b) => a + b, 0),
     0,
   );
-  const isHarmful = poor.worst !== null && poor.worst.dihedral.min < HARMFUL_ANGLE;
+  const isObtuse = shapes.dihedral.max > HARMFUL_OBTUSE_ANGLE;
+  const isHarmful = poor.worst !== null && (isObtuse || poor.worst.dihedral.min < HARMFUL_ANGLE);
   if (count <= MAX_POOR * all && !isHarmful) return [];
   const worst = worstOf(quality);
   const entities = worst.map(({ tetrahedron }) => nameByIndex("tetrahedron", tetrahedron));
@@ -60,7 +62,7 @@ export function poorElementWarnings(quality: QualityReport, isGiven = false): Di
   const warning: DiagnosticOf<"poor-elements"> = {
     code: "poor-elements",
     severity: "warning",
-    message: `${withCounting(message, entities)}${reasonText(poor)}`,
+    message: `${withCounting(message, entities)}${reasonText(poor)}${isObtuse ? `. The largest angle is ${Math.round(shapes.dihedral.max)}°` : ""}`,
     remedy: remedyFor(quality, isGiven),
     entities,
     position: worst[0]?.centroid,

@@ -148,7 +148,7 @@ function useAutomaticValues(body: ProjectBody): { readonly [F in Field]: number 
   const prepared = preparation?.prepared;
   const given = body.remeshing?.size;
   const { minSize, tolerance, anglePerEdge } = defaults;
-  // Without a size, triangles that are refined stay as they are.
+  // Without a size, most triangles that are refined stay as they are.
   const kept = body.surface === "refine" ? edgeLengths : undefined;
   const size = kept ? scale * kept.longest : (prepared?.size ?? defaults.size * diagonal);
   return {
