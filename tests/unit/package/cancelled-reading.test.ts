@@ -4,12 +4,13 @@ import vm from "node:vm";
 import { createMesher, readSurface, readVolume, volumeBackground } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
-import { stlBinary } from "../../support/surface-files.js";
+import { stlBinary, stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
 const bytesOf = (text: string) => new TextEncoder().encode(text);
 const NODES = bytesOf("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
 const FACES = bytesOf("1 0\n1 1 2 3\n");
+const box = boxSurface(1);
 const never = () => new Promise<never>(() => undefined);
 
 /**
@@ -93,7 +94,6 @@ test("progress counts the bytes of all files", async () => {
 });
 
 test("arrays of another realm are accepted", async () => {
-  const box = boxSurface(1);
   const other = (type: string, values: ArrayLike<number>) =>
     vm.runInNewContext(`new ${type}(values)`, { values: [...Array.from(values)] }) as never;
   for (const source of [
@@ -107,6 +107,28 @@ test("arrays of another realm are accepted", async () => {
   const triangles = other("Uint32Array", box.triangles);
   expect((await mesher.fillSurface({ points, triangles }, { size: 1 })).report.status).toBe("done");
   mesher.dispose();
+});
+
+test("a text STL file without its last line is read if its triangles are closed", async () => {
+  const text = new TextDecoder().decode(stlText(box));
+  const withoutEnd = text.slice(0, text.lastIndexOf("endsolid"));
+  const read = await readSurface(bytesOf(withoutEnd), { fileName: "a.stl" });
+  expect(read.success && read.value.triangles.length).toBe(box.triangles.length);
+  expect(read.success && read.value.notes).toEqual([
+    'the file ends without "endsolid", but its surface is closed',
+  ]);
+  const facets = withoutEnd.slice(0, withoutEnd.lastIndexOf("  facet"));
+  const cut = await readSurface(bytesOf(facets), { fileName: "a.stl" });
+  expect(!cut.success && cut.errors[0].message).toMatch(/truncated/);
+});
+
+test("a number with a decimal comma is named", async () => {
+  const text = new TextDecoder().decode(stlText(box)).replace("vertex 1 ", "vertex 1,0 ");
+  const read = await readSurface(bytesOf(text), { fileName: "a.stl" });
+  expect(read.success ? {} : read.errors[0]).toMatchObject({
+    message: expect.stringContaining('found "1,0", which has a decimal comma') as string,
+    remedy: "Export it with decimal points.",
+  });
 });
 
 test("a text STL file that ends within its solid is reported as truncated", async () => {

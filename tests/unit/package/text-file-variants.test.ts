@@ -101,6 +101,23 @@ describe.each(Object.keys(TEXTS))("a %s text file", (extension) => {
     expect(await meshIn(extension, change)).toEqual(plain);
   });
 
+  test.each(["little", "big"])("in UTF-16, %s-endian, is read the same way", async (order) => {
+    const text = MARK + (TEXTS[extension] ?? "");
+    const units = Uint8Array.from({ length: 2 * text.length }, (_, i) => {
+      const unit = text.charCodeAt(i >> 1);
+      return (i % 2 === 0) === (order === "little") ? unit & 255 : unit >> 8;
+    });
+    const openOther = (name: string) =>
+      Promise.resolve(name === "a.node" ? new TextEncoder().encode(NODES) : undefined);
+    const options = { fileName: `a${extension}`, openOther };
+    // In pieces that end within a character.
+    const pieces = [units.subarray(0, 1), units.subarray(1, 3), units.subarray(3, 101), units.subarray(101)];
+    for (const source of [units, pieces]) {
+      const read = await readMesh(source, options);
+      expect(read.success && read.value).toEqual(await meshIn(extension, (plain) => plain));
+    }
+  });
+
   test("with carriage returns as line ends reports the same line for an error", async () => {
     const broken = (end: string) => async () => {
       await meshIn(extension, (text) => text.replace(/0 1 0(?=[^]*$)/, "0 x 0").replaceAll("\n", end));

@@ -12,6 +12,7 @@ import { type ByteSource, piecesOf } from "./byte-source.js";
 import { joined } from "./bytes.js";
 import { decimalIn, otherNumber } from "./decimal.js";
 import { failureAt, type FileLocation, ReadFailure } from "./read-result.js";
+import { inUtf8 } from "./utf16.js";
 import { indexOf, MARK_BYTES, startsWithMark, textOf } from "./text-bytes.js";
 
 const LINE_FEED = 10;
@@ -70,7 +71,7 @@ export class ByteReader {
   private constructor(source: ByteSource, options: ByteReaderOptions) {
     const { remedy, comment, continuation, onComment, signal } = options;
     this.#yielder = new Yielder(signal);
-    this.#pieces = piecesOf(source);
+    this.#pieces = inUtf8(piecesOf(source));
     this.#comment = comment?.charCodeAt(0) ?? NaN;
     this.#continuation = continuation?.charCodeAt(0) ?? NaN;
     this.#remedy = remedy;
@@ -228,10 +229,18 @@ export class ByteReader {
     if (end === this.#at) this.fail(`expected ${what}, found the end of the file`);
     let value: number | undefined = decimalIn(this.#bytes, this.#at, end);
     if (!Number.isFinite(value)) value = mayBeNone ? otherNumber(this.#bytes, this.#at, end) : undefined;
-    if (value === undefined)
-      return this.fail(`expected ${what}, found ${this.#shown()}, which is not a finite number`);
+    if (value === undefined) return this.#failAtNumber(what, end);
     this.#at = end;
     return value;
+  }
+
+  #failAtNumber(what: string, end: number): never {
+    const expected = `expected ${what}, found ${this.#shown()}`;
+    const points = textOf(this.#bytes.subarray(this.#at, end)).replace(",", ".");
+    if (points.includes(".") && Number.isFinite(Number(points))) {
+      this.fail(`${expected}, which has a decimal comma`, this.location, "Export it with decimal points.");
+    }
+    return this.fail(`${expected}, which is not a finite number`);
   }
 
   /** Reads the next word as a whole number from 0 to `limit` - 1. */

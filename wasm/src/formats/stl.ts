@@ -6,12 +6,14 @@
  * Normals are ignored.
  */
 import { plural } from "../base/plural.js";
+import { inSteps } from "../calls/yielder.js";
 import type { FileMesh } from "../mesh/file-mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { hexOf } from "./colors.js";
 import { type GroupList, MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, STL_NAMES } from "./name-lines.js";
+import { openEdges } from "./open-edges.js";
 import { failureAt, ReadFailure } from "./read-result.js";
 import { indexOf, textOf } from "./text-bytes.js";
 
@@ -225,12 +227,22 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
       reader.skipLine();
     } else {
       const word = reader.word();
-      if (word === "" && isOpen)
-        reader.fail('expected "facet" or "endsolid", found the end of the file: it is truncated');
-      if (word === "") return builder.mesh();
+      if (word === "") return isOpen ? withoutEnd(reader, builder.mesh()) : builder.mesh();
       reader.fail(`expected "facet" or "endsolid", found "${word.slice(0, 24)}"`);
     }
   }
+}
+
+/** Some programs leave out the last line. The triangles tell whether others are missing too: then edges are open. */
+async function withoutEnd(reader: ByteReader, mesh: FileMesh): Promise<FileMesh> {
+  const open = await inSteps(openEdges(mesh.triangles, mesh.points.length / 3));
+  if (open.length > 0 || mesh.triangles.length === 0) {
+    reader.fail('expected "facet" or "endsolid", found the end of the file: it is truncated');
+  }
+  return {
+    ...mesh,
+    notes: [...(mesh.notes ?? []), 'the file ends without "endsolid", but its surface is closed'],
+  };
 }
 
 /** Consumes "endsolid" and the like, which some programs write as two words. */

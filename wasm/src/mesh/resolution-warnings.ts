@@ -41,14 +41,17 @@ export function* resolutionWarnings({ points }: SurfaceInput): Steps<Diagnostic[
   if (!(largest > FAR * size) || !Number.isFinite(largest)) return [];
   const resolution = 2 ** (Math.floor(Math.log2(largest)) - (isSingle ? SINGLE_BITS : DOUBLE_BITS));
   if (resolution <= COARSE * size) return [];
-  // Numbers that need no more digits, such as integers, were not rounded; of a few different ones, nothing can be said.
+  // Numbers that need no more digits were not rounded; of a few different ones, nothing can be said.
   const isOdd = (x: number) => Math.abs(x) >= largest / 2 && Math.abs(x / resolution) % 2 === 1;
-  if (size > FEW * resolution && !points.some(isOdd)) return [];
+  const areFew = size <= FEW * resolution;
+  if (!areFew && !points.some(isOdd)) return [];
+  // Whole numbers may be exact.
+  const isCertain = !areFew || points.some((x) => !Number.isInteger(x));
   const text = (length: number) => String(Number(length.toPrecision(DIGITS)));
   const digits = isSingle
     ? "single precision, with about 7 digits"
     : "double precision, with about 16 digits";
-  const message = `the surface is ${text(size)} large and ${text(largest)} away from the origin, where coordinates in ${digits}, are multiples of ${text(resolution)}: its triangles are rounded to them`;
+  const message = `the surface is ${text(size)} large and ${text(largest)} away from the origin, where coordinates in ${digits}, are multiples of ${text(resolution)}: its triangles ${isCertain ? "are" : "may be"} rounded to them`;
   const remedy = `Export it nearer to the origin${isSingle ? ", or with more digits" : ""}.`;
   return [packageDiagnostic("coarse-coordinates", message, remedy, "warning")];
 }
