@@ -29,11 +29,8 @@ double VolumeLimits::at(std::uint32_t region) const {
   return limit;
 }
 
-VolumeLimiter::VolumeLimiter(VolumeMesh mesh, std::size_t boundaryNodes, VolumeLimits limits,
-                             std::size_t maxTetrahedra)
-    : limits_(std::move(limits)),
-      maxTetrahedra_(maxTetrahedra),
-      complex_(std::move(mesh), boundaryNodes) {}
+VolumeLimiter::VolumeLimiter(TetMesh mesh, VolumeLimits limits, std::size_t maxTetrahedra)
+    : limits_(std::move(limits)), maxTetrahedra_(maxTetrahedra), complex_(std::move(mesh)) {}
 
 Task<> VolumeLimiter::run(Work& work) {
   work.beginPart(kSetUpShare);
