@@ -188,7 +188,7 @@ TEST(EdgeRemoval, LowersTheCostAsReportedAndKeepsTheMeshValid) {
     EdgeRemoval removal(complex);
     int swaps = 0;
     for (std::size_t t = 0; t < complex.slotCount(); ++t) {
-      for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+      for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
         EdgeRing ring;
         if (!complex.isLive(TetId(t)) || !findRing(complex, TetId(t), e, 7, ring)) continue;
         const double before = totalCost(complex);
@@ -232,7 +232,7 @@ TEST(TetComplex, UndoesATrialExactly) {
   const double costBefore = totalCost(complex);
   int trials = 0;
   for (std::size_t t = 0; t < complex.slotCount(); t += 7) {
-    for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+    for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
       EdgeRing ring;
       if (!findRing(complex, TetId(t), e, 9, ring) || !ring.closed) continue;
       complex.beginTrial();

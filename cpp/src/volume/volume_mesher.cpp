@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "geom/measure.h"
 #include "volume/stall_diagnostic.h"
 
 namespace tetrafront {
@@ -114,8 +115,8 @@ Task<> VolumeMesher::setUp(Work& work) {
 
 void VolumeMesher::addTriangle(std::size_t triangle, const Vec3& origin) {
   const NodeTriple n = boundaryTriangle(boundary_, triangle);
-  enclosedVolume_ += glm::dot(front_.node(n[0]) - origin,
-                              glm::cross(front_.node(n[1]) - origin, front_.node(n[2]) - origin));
+  enclosedVolume_ +=
+      sixVolumesBelow(origin, front_.node(n[0]), front_.node(n[1]), front_.node(n[2]));
   // Query the size field in the order of the list: consecutive triangles are close to each other,
   // so the walks are short.
   static_cast<void>(field_.covers(front_.node(n[0]), coverHint_));
