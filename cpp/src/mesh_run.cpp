@@ -38,7 +38,7 @@ MeshStatus MeshRun::status() const { return impl_->status(); }
 Progress MeshRun::progress() const { return impl_->progress(); }
 const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
 const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
-VolumeMesh MeshRun::volume() const { return impl_->volume(); }
+const VolumeMesh& MeshRun::volume() const { return impl_->volume(); }
 std::vector<double> MeshRun::front() const { return impl_->front(); }
 const std::vector<PatchSummary>& MeshRun::patchSummaries() const { return impl_->patchSummaries(); }
 QualitySummary MeshRun::quality() const { return impl_->quality(); }

@@ -20,6 +20,8 @@
 #include "quality/metrics.h"
 #include "surface/surface_trace.h"
 #include "tetrafront/mesher.h"
+#include "topology/mesh_access.h"
+#include "topology/tet_mesh.h"
 #include "volume/region_mesher.h"
 
 namespace tetrafront {
@@ -49,11 +51,12 @@ class MeshRun::Impl {
 
   MeshStatus advance(std::uint32_t budget) {
     if (status_ != MeshStatus::kRunning) return status_;
+    snapshot_ = {};
     const bool isFinished = job_->advance(budget);
     if (isFinished) status_ = job_->take();
     // A run that fails keeps its progress.
     if (!isFinished || status_ == MeshStatus::kDone) fraction_ = job_->fraction();
-    if (isFinished) job_.reset();
+    if (isFinished) end();
     return status_;
   }
 
@@ -61,8 +64,7 @@ class MeshRun::Impl {
     if (status_ != MeshStatus::kRunning) return;
     status_ = MeshStatus::kCancelled;
     if (records_ && front_) recorder_.endPass();
-    job_.reset();
-    keepUnfinished();
+    end();
   }
 
   [[nodiscard]] MeshStatus status() const { return status_; }
@@ -70,11 +72,11 @@ class MeshRun::Impl {
   [[nodiscard]] const SurfaceMesh& surface() const { return surface_; }
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return patches_; }
 
-  [[nodiscard]] VolumeMesh volume() const {
-    if (front_) return front_->mesh();
-    if (optimizer_) return optimizer_->mesh();
-    if (limiter_) return limiter_->mesh();
-    return mesh_;
+  [[nodiscard]] const VolumeMesh& volume() const {
+    if (front_) return snapshotOf(front_->mesh());
+    if (optimizer_) return snapshotOf(optimizer_->mesh());
+    if (limiter_) return snapshotOf(limiter_->mesh());
+    return mesh_.points.empty() ? result_ : snapshotOf(mesh_);
   }
 
   [[nodiscard]] std::vector<double> front() const {
@@ -92,7 +94,7 @@ class MeshRun::Impl {
   [[nodiscard]] bool hasFoundNothingBetter() const { return hasFoundNothingBetter_; }
 
   [[nodiscard]] std::uint64_t fingerprint() const {
-    const VolumeMesh mesh = volume();
+    const VolumeMesh& mesh = volume();
     Fingerprint fingerprint;
     fingerprint.add(mesh.points);
     fingerprint.add(mesh.tetrahedra);
@@ -130,9 +132,13 @@ class MeshRun::Impl {
       progress.nodes = limiter_->nodeCount();
       progress.tetrahedra = limiter_->tetrahedronCount();
     } else if (!mesh_.points.empty()) {
-      progress.nodes = static_cast<std::uint32_t>(mesh_.points.size() / 3);
-      progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
-      progress.frontFaces = static_cast<std::uint32_t>(mesh_.front.size() / 3);
+      progress.nodes = static_cast<std::uint32_t>(mesh_.points.size());
+      progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size());
+      progress.frontFaces = static_cast<std::uint32_t>(mesh_.front.size());
+    } else if (!result_.points.empty()) {
+      progress.nodes = countNodes(result_);
+      progress.tetrahedra = countTetrahedra(result_);
+      progress.frontFaces = static_cast<std::uint32_t>(result_.front.size() / 3);
     }
     return progress;
   }
@@ -157,6 +163,12 @@ class MeshRun::Impl {
   Task<MeshStatus> verify(Work& work);
 
   void keepUnfinished();
+  void takeResult();
+  void end();
+
+  [[nodiscard]] const VolumeMesh& snapshotOf(TetMesh mesh) const {
+    return snapshot_ = toVolumeMesh(std::move(mesh));
+  }
 
   void report(const std::vector<Diagnostic>& found) {
     diagnostics_.insert(diagnostics_.end(), found.begin(), found.end());
@@ -192,7 +204,9 @@ class MeshRun::Impl {
   std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes
   std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements
   bool hasFoundNothingBetter_ = false;
-  VolumeMesh mesh_;  ///< at all other times
+  TetMesh mesh_;                 ///< between these stages
+  VolumeMesh result_;            ///< after the last of them
+  mutable VolumeMesh snapshot_;  ///< what volume() has returned while the run works
   RecoverySummary recovery_;
   FrontCounters counters_;
   QualitySummary quality_;

@@ -247,27 +247,36 @@ Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
 /// Keeps what the running stage has made so far, and frees its memory.
 void MeshRun::Impl::keepUnfinished() {
   if (front_) {
-    mesh_ = front_->take();
     recovery_ = front_->recovery();
     counters_ = front_->counters();
+    mesh_ = front_->take();
     front_.reset();
   } else if (optimizer_) {
-    mesh_ = optimizer_->mesh();
+    mesh_ = optimizer_->take();
     optimizer_.reset();
   } else if (limiter_) {
-    mesh_ = limiter_->mesh();
+    mesh_ = limiter_->take();
     limiter_.reset();
   }
 }
 
+/// Makes the mesh the result.
+void MeshRun::Impl::takeResult() {
+  if (!mesh_.points.empty()) result_ = toVolumeMesh(std::exchange(mesh_, {}));
+}
+
+void MeshRun::Impl::end() {
+  job_.reset();
+  snapshot_ = {};
+  keepUnfinished();
+  takeResult();
+}
+
 Task<> MeshRun::Impl::optimize(Work& work) {
   work.beginPart(0.01);
-  {
-    VolumeMesh ordered = co_await alongMortonCurve(work, mesh_, boundaryNodes());
-    mesh_ = std::move(ordered);
-  }
+  co_await orderAlongMortonCurve(work, mesh_);
   work.beginPart(1.0);
-  optimizer_.emplace(std::exchange(mesh_, {}), boundaryNodes(), *field_, options_.optimization);
+  optimizer_.emplace(std::exchange(mesh_, {}), *field_, options_.optimization);
   if (makeObserver_ != nullptr) {
     observer_ = makeObserver_(recorder_.bytes());
     optimizer_->observe(*observer_);
@@ -279,8 +288,7 @@ Task<> MeshRun::Impl::optimize(Work& work) {
 
 /// Splits the elements that are larger than permitted; false, with a diagnostic, if that makes too many.
 Task<bool> MeshRun::Impl::limitVolumes(Work& work, VolumeLimits limits) {
-  limiter_.emplace(std::exchange(mesh_, {}), boundaryNodes(), std::move(limits),
-                   options_.maxTetrahedra);
+  limiter_.emplace(std::exchange(mesh_, {}), std::move(limits), options_.maxTetrahedra);
   co_await limiter_->run(work);
   report(limiter_->diagnostics());
   keepUnfinished();
@@ -289,7 +297,8 @@ Task<bool> MeshRun::Impl::limitVolumes(Work& work, VolumeLimits limits) {
 }
 
 Task<> MeshRun::Impl::measure(Work& work) {
-  QualityAnalysis analysis(mesh_, surface_, *field_);
+  takeResult();
+  QualityAnalysis analysis(result_, surface_, *field_);
   co_await work.finish(analysis);
   quality_ = analysis.summary();
   statistics_ = analysis.statistics();
@@ -298,7 +307,7 @@ Task<> MeshRun::Impl::measure(Work& work) {
 
 /// Proves the result exactly. A defect is a mistake of the engine; the run then ends as stalled.
 Task<MeshStatus> MeshRun::Impl::verify(Work& work) {
-  MeshVerifier verifier(mesh_, surface_);
+  MeshVerifier verifier(result_, surface_);
   co_await work.finish(verifier);
   const MeshDefects& defects = verifier.defects();
   if (defects.count() == 0) co_return MeshStatus::kDone;

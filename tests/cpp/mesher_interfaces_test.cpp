@@ -147,7 +147,7 @@ VolumeMesh meshOfRegions(SurfaceMesh boundary) {
   RegionMesher mesher(boundary, field, {}, maker);
   Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
   EXPECT_EQ(job.finish(), MeshStatus::kDone);
-  return mesher.mesh();
+  return toVolumeMesh(mesher.take());
 }
 
 /// The second cube is far away and much coarser: a common front would have other buckets of sizes and another grid.

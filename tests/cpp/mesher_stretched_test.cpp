@@ -145,7 +145,7 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
   Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
   job.finish();
   ASSERT_EQ(mesher.status(), MeshStatus::kDone);
-  mesh.volume = mesher.mesh();
+  mesh.volume = toVolumeMesh(mesher.take());
   expectStretched(mesh);
 }
 

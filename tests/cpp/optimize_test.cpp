@@ -117,7 +117,7 @@ TEST(MeshScore, CountsTheElementsOutOfRange) {
   for (const Vec3& p : kRegular) mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
   for (const Vec3& p : kRegular) mesh.points.insert(mesh.points.end(), {p.x + 9.0, p.y, 0.1 * p.z});
   mesh.tetrahedra = {0, 1, 2, 3, 4, 5, 6, 7};
-  TetComplex complex(mesh, 8);
+  TetComplex complex(toTetMesh(mesh, 8));
   Job<> finding([&complex](Work& work) { return complex.findNeighbours(work); });
   finding.finish();
   /// Returns the score of a mesh with the given numbers of copies of the two elements.
@@ -139,6 +139,7 @@ TEST(MeshScore, CountsTheElementsOutOfRange) {
 struct Filled {
   VolumeMesh mesh;
   SurfaceMesh surface;
+  [[nodiscard]] TetMesh tetMesh() const { return toTetMesh(mesh, surface.points.size() / 3); }
 };
 
 Filled fill(const SurfaceMesh& surface, bool exactFillOnly = false) {
@@ -155,7 +156,7 @@ Filled fill(const SurfaceMesh& surface, bool exactFillOnly = false) {
 constexpr double kSize = 0.2;
 
 TetComplex complexOf(const Filled& filled, const ElementCost<>& cost) {
-  TetComplex complex(filled.mesh, filled.surface.points.size() / 3);
+  TetComplex complex(filled.tetMesh());
   Job<> finding([&complex](Work& work) { return complex.findNeighbours(work); });
   finding.finish();
   for (std::size_t i = 0; i < complex.nodeCount(); ++i)
@@ -187,7 +188,7 @@ TEST(EdgeRemoval, LowersTheCostAsReportedAndKeepsTheMeshValid) {
     EdgeRemoval removal(complex);
     int swaps = 0;
     for (std::size_t t = 0; t < complex.slotCount(); ++t) {
-      for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+      for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
         EdgeRing ring;
         if (!complex.isLive(TetId(t)) || !findRing(complex, TetId(t), e, 7, ring)) continue;
         const double before = totalCost(complex);
@@ -197,7 +198,7 @@ TEST(EdgeRemoval, LowersTheCostAsReportedAndKeepsTheMeshValid) {
       }
     }
     EXPECT_GT(swaps, 20);
-    EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+    EXPECT_EQ(testing::complaintAbout(toVolumeMesh(complex.toMesh()), filled.surface), "");
   }
 }
 
@@ -210,14 +211,14 @@ TEST(EdgeSplitter, AndNodeCollapserKeepTheMeshValid) {
   splitter.sortCollected();
   const std::size_t splits = splitter.splitSome(0, splitter.collected(), cost);
   EXPECT_GT(splits, 0U);
-  EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+  EXPECT_EQ(testing::complaintAbout(toVolumeMesh(complex.toMesh()), filled.surface), "");
   NodeCollapser collapser(complex);
   collapser.collect(0, complex.nodeCount(), 0);
   collapser.sortCollected();
   const double before = totalCost(complex);
   EXPECT_GT(collapser.collapseSome(0, collapser.collected(), cost), 0U);
   EXPECT_LT(totalCost(complex), before);
-  EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+  EXPECT_EQ(testing::complaintAbout(toVolumeMesh(complex.toMesh()), filled.surface), "");
 }
 
 TEST(TetComplex, UndoesATrialExactly) {
@@ -227,11 +228,11 @@ TEST(TetComplex, UndoesATrialExactly) {
   EdgeRemoval removal(complex);
   EdgeSplitter splitter(complex);
   NodeMover mover(complex);
-  const std::uint64_t before = fingerprintOf(complex.toMesh());
+  const std::uint64_t before = fingerprintOf(toVolumeMesh(complex.toMesh()));
   const double costBefore = totalCost(complex);
   int trials = 0;
   for (std::size_t t = 0; t < complex.slotCount(); t += 7) {
-    for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+    for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
       EdgeRing ring;
       if (!findRing(complex, TetId(t), e, 9, ring) || !ring.closed) continue;
       complex.beginTrial();
@@ -247,13 +248,13 @@ TEST(TetComplex, UndoesATrialExactly) {
     }
   }
   EXPECT_GT(trials, 100);
-  EXPECT_EQ(fingerprintOf(complex.toMesh()), before);
+  EXPECT_EQ(fingerprintOf(toVolumeMesh(complex.toMesh())), before);
   EXPECT_EQ(totalCost(complex), costBefore);
   // This fails if neighbours or elements at nodes were not restored.
   for (std::size_t node = complex.boundaryNodeCount(); node < complex.nodeCount(); ++node) {
     mover.improve(NodeId(node), MoveKind::kCircumcentres, cost);
   }
-  EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+  EXPECT_EQ(testing::complaintAbout(toVolumeMesh(complex.toMesh()), filled.surface), "");
 }
 
 /// Returns the total cost of the elements that miss the targets.
@@ -292,7 +293,7 @@ TEST(ElementImprover, NeverLeavesAWorseMesh) {
     before = now;
   }
   EXPECT_LT(before, 0.2 * atFirst);
-  EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+  EXPECT_EQ(testing::complaintAbout(toVolumeMesh(complex.toMesh()), filled.surface), "");
 }
 
 /// No element can meet the targets: every change is tried until one around the element is kept.
@@ -318,9 +319,9 @@ TEST(LastResortImprover, RetriesOnlyChangedElements) {
   std::uint64_t before = 0;
   for (std::uint64_t now = 1; now != before && turns < 50; ++turns) {
     ASSERT_TRUE(complex.isLive(tet));
-    before = fingerprintOf(complex.toMesh());
+    before = fingerprintOf(toVolumeMesh(complex.toMesh()));
     EXPECT_GT(attemptsOfAPass(), 0);
-    now = fingerprintOf(complex.toMesh());
+    now = fingerprintOf(toVolumeMesh(complex.toMesh()));
   }
   ASSERT_LT(turns, 50);
   EXPECT_EQ(attemptsOfAPass(), 0);
@@ -617,12 +618,11 @@ TEST(MeshOptimizer, DoesNotDependOnHowTheWorkIsSliced) {
     const Filled filled = fill(testing::geodesicSphere(6), exactFillOnly);
     const auto optimized = [&](std::uint32_t budget) {
       const SizeField field = SizeField::uniform(0.2);
-      MeshOptimizer optimizer(filled.mesh, filled.surface.points.size() / 3, field,
-                              Optimization::kThorough);
+      MeshOptimizer optimizer(filled.tetMesh(), field, Optimization::kThorough);
       Job<> optimizing([&optimizer](Work& work) { return optimizer.run(work); });
       while (!optimizing.advance(budget)) {
       }
-      return fingerprintOf(optimizer.mesh());
+      return fingerprintOf(toVolumeMesh(optimizer.take()));
     };
     const std::uint64_t whole = optimized(10'000'000);
     for (const std::uint32_t budget : {1U, 17U, 999U, 4999U}) {
@@ -698,12 +698,13 @@ double meanStride(const VolumeMesh& mesh) {
   return sum / static_cast<double>(count);
 }
 
-VolumeMesh orderedMesh(const VolumeMesh& mesh, std::size_t boundaryNodes) {
-  Job<VolumeMesh> ordering([&](Work& work) { return alongMortonCurve(work, mesh, boundaryNodes); });
-  return ordering.finish();
+VolumeMesh orderedMesh(TetMesh mesh) {
+  Job<> ordering([&mesh](Work& work) { return orderAlongMortonCurve(work, mesh); });
+  ordering.finish();
+  return toVolumeMesh(std::move(mesh));
 }
 
-TEST(AlongMortonCurve, KeepsTheMeshAndGroupsNeighbours) {
+TEST(OrderAlongMortonCurve, KeepsTheMeshAndGroupsNeighbours) {
   const Filled filled = fill(testing::cubeWithCubicCavity(8, 4));
   VolumeMesh shuffled = filled.mesh;
   testing::Random random(5);
@@ -713,31 +714,31 @@ TEST(AlongMortonCurve, KeepsTheMeshAndGroupsNeighbours) {
       std::swap(shuffled.tetrahedra[4 * t + k], shuffled.tetrahedra[4 * other + k]);
     }
   }
-  const VolumeMesh ordered = orderedMesh(shuffled, filled.surface.points.size() / 3);
+  const VolumeMesh ordered = orderedMesh(toTetMesh(shuffled, filled.surface.points.size() / 3));
   EXPECT_EQ(testing::complaintAbout(ordered, filled.surface), "");
   EXPECT_EQ(ordered.tetrahedra.size(), shuffled.tetrahedra.size());
   EXPECT_EQ(ordered.points.size(), shuffled.points.size());
   EXPECT_LT(meanStride(ordered), 0.4 * meanStride(shuffled));
 }
 
-TEST(AlongMortonCurve, DoesNotDependOnHowTheWorkIsSliced) {
+TEST(OrderAlongMortonCurve, DoesNotDependOnHowTheWorkIsSliced) {
   const Filled filled = fill(testing::gridCube(6));
-  const std::size_t nodes = filled.surface.points.size() / 3;
-  Job<VolumeMesh> ordering([&](Work& work) { return alongMortonCurve(work, filled.mesh, nodes); });
+  TetMesh mesh = filled.tetMesh();
+  Job<> ordering([&mesh](Work& work) { return orderAlongMortonCurve(work, mesh); });
   std::size_t slices = 1;
   while (!ordering.advance(1)) ++slices;
   EXPECT_GT(slices, filled.mesh.regions.size() / 10);
-  EXPECT_EQ(ordering.take().tetrahedra, orderedMesh(filled.mesh, nodes).tetrahedra);
+  EXPECT_EQ(toVolumeMesh(std::move(mesh)).tetrahedra, orderedMesh(filled.tetMesh()).tetrahedra);
 }
 
 TEST(MeshOptimizer, IsValidWheneverItIsStopped) {
   const Filled filled = fill(testing::gridCube(5));
   const SizeField field = SizeField::uniform(0.2);
-  MeshOptimizer optimizer(filled.mesh, filled.surface.points.size() / 3, field,
-                          Optimization::kDefault);
+  MeshOptimizer optimizer(filled.tetMesh(), field, Optimization::kDefault);
   Job<> optimizing([&optimizer](Work& work) { return optimizer.run(work); });
   for (int i = 0; i < 40 && !optimizing.advance(500); ++i) {
-    ASSERT_EQ(testing::complaintAbout(optimizer.mesh(), filled.surface), "") << "slice " << i;
+    ASSERT_EQ(testing::complaintAbout(toVolumeMesh(optimizer.mesh()), filled.surface), "")
+        << "slice " << i;
   }
 }
 

@@ -64,9 +64,9 @@ Outcome fill(SurfaceMesh surface, const SizeField& field, const MeshOptions& opt
   while (!job.advance(budget)) {
   }
   outcome.status = mesher.status();
-  outcome.mesh = mesher.mesh();
   outcome.recovery = mesher.recovery();
   outcome.counters = mesher.counters();
+  outcome.mesh = toVolumeMesh(mesher.take());
   return outcome;
 }
 

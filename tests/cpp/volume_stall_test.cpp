@@ -39,7 +39,7 @@ StallOutcome runToEnd(Mesher& mesher, std::uint32_t budget) {
   Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
   while (!job.advance(budget)) {
   }
-  return {job.take(), mesher.diagnostics(), mesher.mesh()};
+  return {job.take(), mesher.diagnostics(), toVolumeMesh(mesher.mesh())};
 }
 
 StallOutcome outcomeOf(const SurfaceMesh& boundary, const MeshOptions& options,

@@ -69,8 +69,9 @@ class MeshRun {
   /// given surface.
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const;
 
-  /// Returns a copy of the current mesh, complete or not. O(n) for n elements.
-  [[nodiscard]] VolumeMesh volume() const;
+  /// Returns the mesh, complete or not. While the run works, each call copies it, O(n) for n elements; the next call of
+  /// advance() or volume() replaces this copy.
+  [[nodiscard]] const VolumeMesh& volume() const;
 
   /// Returns a copy of the front: x y z of three corners per active face. Empty outside Phase::kVolume. O(n) for
   /// n faces.

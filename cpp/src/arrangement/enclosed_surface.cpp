@@ -13,6 +13,7 @@
 #include "arrangement/region_nesting.h"
 #include "boundary/weld.h"
 #include "geom/coordinates.h"
+#include "geom/measure.h"
 #include "geom/predicates.h"
 #include "topology/mesh_access.h"
 
@@ -46,9 +47,8 @@ double sixfoldVolumeOf(const SurfaceMesh& mesh, std::span<const std::uint8_t> is
   double sum = 0.0;
   for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
     if (isInterface[t] != 0) continue;
-    const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
-    const Vec3 p = pointOf(mesh, a) - origin;
-    sum += glm::dot(p, glm::cross(pointOf(mesh, b) - origin, pointOf(mesh, c) - origin));
+    const auto [a, b, c] = cornersOf(mesh, TriangleId(t));
+    sum += sixVolumesBelow(origin, a, b, c);
   }
   return sum;
 }
@@ -59,10 +59,8 @@ std::map<std::uint32_t, double> sixfoldRegionVolumes(const SurfaceMesh& mesh) {
   if (mesh.triangles.empty()) return volumes;
   const Vec3 origin = pointOf(mesh, NodeId(mesh.triangles[0]));
   for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
-    const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
-    const Vec3 p = pointOf(mesh, a) - origin;
-    const double sixfold =
-        glm::dot(p, glm::cross(pointOf(mesh, b) - origin, pointOf(mesh, c) - origin));
+    const auto [a, b, c] = cornersOf(mesh, TriangleId(t));
+    const double sixfold = sixVolumesBelow(origin, a, b, c);
     volumes[mesh.triangleRegions[2 * std::size_t{t}]] += sixfold;
     volumes[mesh.triangleRegions[2 * std::size_t{t} + 1]] -= sixfold;
   }

@@ -6,6 +6,7 @@
 
 #include "arrangement/cell_regions.h"
 #include "base/sort.h"
+#include "geom/measure.h"
 #include "topology/disjoint_sets.h"
 #include "topology/edge_table.h"
 #include "topology/half_faces.h"
@@ -207,8 +208,7 @@ class InsideFinder {
       if (hasOrigin[component] == 0) origins[component] = corners[0];
       hasOrigin[component] = 1;
       const double sixVolumes =
-          glm::dot(corners[0] - origins[component],
-                   glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+          sixVolumesByEdges(origins[component], corners[0], corners[1], corners[2]);
       shells_[shellAt(backOf(TriangleId(p)))].volume += sixVolumes / 6.0;
       shells_[shellAt(frontOf(TriangleId(p)))].volume -= sixVolumes / 6.0;
       for (const HalfFaceId side : {backOf(TriangleId(p)), frontOf(TriangleId(p))}) {

@@ -8,6 +8,7 @@
 
 #include "boundary/ray_crossing.h"
 #include "boundary/self_intersection.h"
+#include "geom/measure.h"
 #include "search/box_tree.h"
 #include "topology/disjoint_sets.h"
 #include "topology/mesh_access.h"
@@ -79,7 +80,7 @@ class RegionNesting {
     const Vec3 origin = cornersOf(mesh_, triangles[0])[0];
     for (const TriangleId triangle : triangles) {
       const auto [a, b, c] = cornersOf(mesh_, triangle);
-      const double volume = glm::dot(a - origin, glm::cross(b - origin, c - origin)) / 6.0;
+      const double volume = sixVolumesBelow(origin, a, b, c) / 6.0;
       for (const std::size_t side : {0U, 1U}) {
         const std::uint32_t region = sideOf(triangle, side);
         if (region == SurfaceMesh::kNoRegion || region == around) continue;

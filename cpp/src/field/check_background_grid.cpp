@@ -14,6 +14,7 @@
 #include "field/grid_access.h"
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
+#include "geom/measure.h"
 #include "geom/predicates.h"
 #include "tetrafront/options.h"
 #include "topology/node_lists.h"
@@ -83,7 +84,7 @@ bool isDegenerate(const std::array<Vec3, 4>& p) {
       longest = std::max(longest, glm::dot(p[j] - p[i], p[j] - p[i]));
     }
   }
-  const double sixVolumes = glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]);
+  const double sixVolumes = sixVolumesBelow(p[0], p[3], p[1], p[2]);
   return std::fabs(sixVolumes) < kFlatVolume * longest * std::sqrt(longest);
 }
 

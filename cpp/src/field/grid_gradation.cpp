@@ -3,6 +3,7 @@
 #include <bit>
 #include <limits>
 
+#include "base/free_memory.h"
 #include "field/tensor_limits.h"
 #include "topology/tetrahedron.h"
 
@@ -111,7 +112,7 @@ void SizeLimiter::endStage() {
   } else if (stage_ == Stage::kCount) {
     spokes_.endCounting();
   } else if (stage_ == Stage::kInsert) {
-    edges_ = {};
+    freeMemory(edges_);
     waiting_.reserveIds(grid_->nodes.size());
     end_ = grid_->nodes.size();
   }

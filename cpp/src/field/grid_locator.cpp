@@ -14,10 +14,6 @@ namespace {
 /// A weight above the negative of this counts as zero.
 constexpr double kWeightRounding = 1e-13;
 
-/// Nodes of the face opposite to node i.
-constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
-    {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
-
 /// Returns the weights of a, b, c at the point of the triangle that is nearest to `p`. Tests the
 /// Voronoi regions of its corners and edges in turn.
 std::array<double, 3> nearestInTriangle(const Vec3& p, const Vec3& a, const Vec3& b,
@@ -149,9 +145,11 @@ GridLocator::Location GridLocator::nearest(const Vec3& position, GridTetId guess
     }
     for (std::size_t i = 0; i < 4; ++i) {
       if (weights[i] >= 0.0) continue;  // `position` is on the inner side: another face is nearer
+      // The corners of the face opposite corner i, ascending.
+      const auto onFace = [i](std::size_t k) { return k < i ? k : k + 1; };
       std::array<Vec3, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = positionOf(grid_, nodesOf(grid_, tet)[kFaces[i][k]]);
+        corners[k] = positionOf(grid_, nodesOf(grid_, tet)[onFace(k)]);
       }
       const std::array<double, 3> w =
           nearestInTriangle(position, corners[0], corners[1], corners[2]);
@@ -160,7 +158,7 @@ GridLocator::Location GridLocator::nearest(const Vec3& position, GridTetId guess
       if (squared >= leastSquared) continue;
       leastSquared = squared;
       best = {tet, {}, false, 0};
-      for (std::size_t k = 0; k < 3; ++k) best.weights[kFaces[i][k]] = w[k];
+      for (std::size_t k = 0; k < 3; ++k) best.weights[onFace(k)] = w[k];
     }
   };
   consider(guess);

@@ -114,7 +114,7 @@ BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId 
     side[k] = towards;
     const int sign = points.orient(side[0], side[1], side[2], from);
     if (sign < 0) {
-      away = kInnerCorners[corner][k];
+      away = mesh_.cornerOf(tet, f[k]);
       return {};
     }
     if (sign > 0) ahead[count++] = f[k];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geom/insphere.h"
+#include "geom/measure.h"
 
 namespace tetrafront {
 
@@ -17,8 +18,8 @@ double shapeOf(const ExactPoints& points, const NodeQuad& n) {
   }
   if (!(squares > 0.0)) return 0.0;
   const Vec3& a = points.position(n[0]);
-  const double volume = glm::dot(glm::cross(points.position(n[1]) - a, points.position(n[2]) - a),
-                                 points.position(n[3]) - a);
+  const double volume =
+      sixVolumesBelow(a, points.position(n[3]), points.position(n[1]), points.position(n[2]));
   const double ratio = volume / (squares * std::sqrt(squares));
   return 432.0 * ratio * std::fabs(ratio);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/sort.h"
+#include "topology/tetrahedron.h"
 
 namespace tetrafront {
 void FillMesh::begin(const NodeQuad& nodes) {
@@ -16,8 +17,8 @@ void FillMesh::begin(const NodeQuad& nodes) {
 
 NodeTriple FillMesh::innerFace(TetId tet, std::uint32_t corner) const {
   const NodeQuad& n = tets_[tet.index()].nodes;
-  const auto& c = kInnerCorners[corner];
-  return {n[c[0]], n[c[1]], n[c[2]]};
+  const auto& [a, b, c] = kFaceCorners[corner];
+  return {n[a], n[c], n[b]};
 }
 
 std::uint32_t FillMesh::cornerOf(TetId tet, NodeId node) const {
@@ -68,11 +69,9 @@ void FillMesh::collectOuterFaces(std::span<const TetId> old, NodeId lost) {
 void FillMesh::collectFreshFaces(std::span<const NodeQuad> fresh) {
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     for (std::uint32_t k = 0; k < 4; ++k) {
-      const auto& c = kInnerCorners[k];
-      slots_.push_back({sorted(std::array{fresh[i][c[0]], fresh[i][c[1]], fresh[i][c[2]]}),
-                        {TetId(i), k},
-                        {},
-                        {}});
+      const auto& [a, b, c] = kFaceCorners[k];
+      slots_.push_back(
+          {sorted(std::array{fresh[i][a], fresh[i][b], fresh[i][c]}), {TetId(i), k}, {}, {}});
     }
   }
 }

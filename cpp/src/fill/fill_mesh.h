@@ -13,11 +13,6 @@
 
 namespace tetrafront {
 
-/// Corners of the face opposite corner i, counter-clockwise seen from inside. With corner i
-/// appended, they are the tetrahedron again.
-inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kInnerCorners{
-    {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-
 /// A face of a tetrahedron, given by its opposite corner.
 struct TetFace {
   TetId tet;

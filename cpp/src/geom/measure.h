@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Distances in plain doubles. They decide whether things are too close, never topology.
+/// @file Distances, angles and volumes in plain doubles. They decide whether things are too close, never topology.
 
 #include <algorithm>
 #include <array>
@@ -40,6 +40,25 @@ namespace tetrafront {
   }
   return std::min(squaredDistanceToSegment(p, a, b),
                   std::min(squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)));
+}
+
+/// Returns the cosine of the angle between two vectors; 1 if one of them is zero.
+[[nodiscard]] inline double cosineBetween(const Vec3& a, const Vec3& b) {
+  const double lengths = glm::length(a) * glm::length(b);
+  return lengths > 0.0 ? glm::dot(a, b) / lengths : 1.0;
+}
+
+/// Returns six times the volume of the tetrahedron between a point and the triangle a b c: positive if the triangle is
+/// counter-clockwise as seen from beyond it. A sum over the triangles of a closed surface is six times its volume.
+[[nodiscard]] inline double sixVolumesBelow(const Vec3& point, const Vec3& a, const Vec3& b,
+                                            const Vec3& c) {
+  return glm::dot(a - point, glm::cross(b - point, c - point));
+}
+
+/// The same by the edges of the triangle: a small one far from the point loses little to rounding.
+[[nodiscard]] inline double sixVolumesByEdges(const Vec3& point, const Vec3& a, const Vec3& b,
+                                              const Vec3& c) {
+  return glm::dot(a - point, glm::cross(b - a, c - a));
 }
 
 /// Returns the length of the longest edge.

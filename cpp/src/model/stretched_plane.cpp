@@ -11,7 +11,7 @@ namespace {
 /// more than the likeness gains.
 constexpr double kLargestCosine = 0.93969262078590838;
 
-double cosineBetween(const Vec3& a, const Vec3& b) {
+double limitedCosine(const Vec3& a, const Vec3& b) {
   const double product = glm::length(a) * glm::length(b);
   // A degenerate corner has no angle; use a right angle.
   if (!(product > 0.0)) return 0.0;
@@ -23,7 +23,7 @@ double cosineBetween(const Vec3& a, const Vec3& b) {
 StretchedPlane::StretchedPlane(double lengthAB, double lengthAD, double lengthDC,
                                const Vec3& tangentAlongAB, const Vec3& tangentAlongAD)
     : xB_(lengthAB), shear_(lengthDC - lengthAB) {
-  placeD(lengthAD, cosineBetween(tangentAlongAB, tangentAlongAD));
+  placeD(lengthAD, limitedCosine(tangentAlongAB, tangentAlongAD));
 }
 
 StretchedPlane StretchedPlane::ofTriangle(double lengthAB, double lengthAD, double lengthBD) {

@@ -29,9 +29,9 @@ void EdgeSplitter<Space>::collect(std::size_t first, std::size_t last, std::uint
     const TetId tet(t);
     if (!complex_.isLive(tet) || complex_.changedIn(tet) < since) continue;
     const Corners& nodes = complex_.element(tet).nodes;
-    for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
-      const NodeId a = nodes[kEdgeCorners[e][0]];
-      const NodeId b = nodes[kEdgeCorners[e][1]];
+    for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
+      const NodeId a = nodes[kTetEdges[e].from];
+      const NodeId b = nodes[kTetEdges[e].to];
       const double length = relativeLength<Space>(complex_, a, b);
       if (length <= kMaxEdge) continue;
       if (!findClosedRing(complex_, tet, e, kMaxSplitRing, since, ring)) continue;
@@ -54,7 +54,7 @@ std::size_t EdgeSplitter<Space>::splitSome(std::size_t next, std::size_t count,
     const LongEdge& edge = edges_[i];
     if (!complex_.isLive(edge.tet)) continue;
     const std::size_t at = edgeBetween(complex_.element(edge.tet), edge.a, edge.b);
-    if (at == kEdgeCorners.size()) continue;
+    if (at == kTetEdges.size()) continue;
     if (!findRing(complex_, edge.tet, at, kMaxSplitRing, ring) || !ring.closed) continue;
     done += split(ring, cost) ? 1 : 0;
   }

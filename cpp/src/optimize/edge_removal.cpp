@@ -27,12 +27,12 @@ int walkAround(const TetComplex& complex, TetId start, NodeId opposite, NodeId k
 }  // namespace
 
 std::size_t edgeBetween(const Element& element, NodeId a, NodeId b) {
-  for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
-    const NodeId one = element.nodes[kEdgeCorners[e][0]];
-    const NodeId other = element.nodes[kEdgeCorners[e][1]];
+  for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
+    const NodeId one = element.nodes[kTetEdges[e].from];
+    const NodeId other = element.nodes[kTetEdges[e].to];
     if ((one == a && other == b) || (one == b && other == a)) return e;
   }
-  return kEdgeCorners.size();
+  return kTetEdges.size();
 }
 
 namespace {
@@ -42,12 +42,12 @@ namespace {
 template <class IsWelcome>
 bool walkForth(const TetComplex& complex, TetId tet, std::size_t edge, std::size_t maxNodes,
                EdgeRing& ring, IsWelcome isWelcome) {
-  const auto& corners = kEdgeCorners[edge];
+  const TetEdge& ends = kTetEdges[edge];
   const Element& element = complex.element(tet);
-  const NodeId first = element.nodes[corners[2]];
-  const NodeId second = element.nodes[corners[3]];
-  ring.from = element.nodes[corners[0]];
-  ring.to = element.nodes[corners[1]];
+  const NodeId first = element.nodes[ends.left];
+  const NodeId second = element.nodes[ends.right];
+  ring.from = element.nodes[ends.from];
+  ring.to = element.nodes[ends.to];
   ring.nodes[0] = first;
   ring.nodes[1] = second;
   ring.elements[0] = tet;
@@ -105,8 +105,8 @@ bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_
 
 bool isBoundaryEdge(const TetComplex& complex, TetId tet, std::size_t edge) {
   const Corners& nodes = complex.element(tet).nodes;
-  const auto& corners = kEdgeCorners[edge];
-  return walkAround(complex, tet, nodes[corners[2]], nodes[corners[3]],
+  const TetEdge& ends = kTetEdges[edge];
+  return walkAround(complex, tet, nodes[ends.left], nodes[ends.right],
                     [](TetId, NodeId) { return true; }) == 0;
 }
 

@@ -13,11 +13,6 @@
 
 namespace tetrafront {
 
-/// Corners of an element's six edges, each followed by the two other corners, so that (edge,
-/// others) is positively oriented.
-inline constexpr std::array<std::array<std::uint8_t, 4>, 6> kEdgeCorners{
-    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
-
 inline constexpr std::size_t kMaxRing = 11;
 
 /// The elements around the edge from `from` to `to`, and the nodes between them, counter-clockwise
@@ -37,7 +32,7 @@ struct EdgeRing {
   }
 };
 
-/// Index in kEdgeCorners of the edge between two nodes of an element, or 6 if there is none.
+/// Index in kTetEdges of the edge between two nodes of an element, or 6 if there is none.
 [[nodiscard]] std::size_t edgeBetween(const Element& element, NodeId a, NodeId b);
 
 /// Collects the ring. Returns false if it has more than `maxNodes` nodes.

@@ -63,7 +63,7 @@ bool ElementImprover<Space>::improve(TetId tet, const ElementCost<Space>& cost) 
 template <class Space>
 bool ElementImprover<Space>::swapAround(TetId tet, const ElementCost<Space>& cost) {
   EdgeRing ring;
-  for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+  for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
     if (!findRing(complex_, tet, e, kRepairRing, ring)) continue;
     if (removal_.improve(ring, cost, kRepairOptions)) return true;
   }
@@ -93,9 +93,9 @@ template <class Space>
 Vec3 ElementImprover<Space>::besideShortestEdge(const Corners& nodes, const Vec3& centroid) const {
   double shortest = std::numeric_limits<double>::infinity();
   Vec3 middle = centroid;
-  for (const auto& corners : kEdgeCorners) {
-    const Vec3& a = complex_.position(nodes[corners[0]]);
-    const Vec3& b = complex_.position(nodes[corners[1]]);
+  for (const TetEdge& ends : kTetEdges) {
+    const Vec3& a = complex_.position(nodes[ends.from]);
+    const Vec3& b = complex_.position(nodes[ends.to]);
     const double length = glm::length(b - a);
     if (length >= shortest) continue;
     shortest = length;
@@ -115,7 +115,7 @@ bool ElementImprover<Space>::insertNode(TetId tet, const ElementCost<Space>& cos
                     complex_.target<Space>(nodes[2]), complex_.target<Space>(nodes[3]));
   if (insertAt(std::span(&tet, 1), centroid, target, cost)) return true;
   if (insertAt(std::span(&tet, 1), besideShortestEdge(nodes, centroid), target, cost)) return true;
-  for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+  for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
     EdgeRing ring;
     if (!findRing(complex_, tet, e, kRepairRing, ring) || !ring.closed) continue;
     const Vec3 middle = (complex_.position(ring.from) + complex_.position(ring.to)) * 0.5;
@@ -266,9 +266,9 @@ bool ElementImprover<Space>::fillCavity(const Vec3& position, const Target& targ
 template <class Space>
 bool ElementImprover<Space>::compound(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
-  for (const auto& corners : kEdgeCorners) {
+  for (const TetEdge& ends : kTetEdges) {
     for (const bool split : {false, true}) {
-      if (tryCompound(tet, nodes[corners[0]], nodes[corners[1]], split, cost)) return true;
+      if (tryCompound(tet, nodes[ends.from], nodes[ends.to], split, cost)) return true;
       if (!complex_.isLive(tet) || complex_.element(tet).nodes != nodes) return false;
     }
   }
@@ -282,9 +282,9 @@ bool ElementImprover<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
   for (const ElementFace across : sides) {
     if (across.isNone()) continue;
     const Corners nodes = complex_.element(across.tet()).nodes;
-    for (const auto& corners : kEdgeCorners) {
+    for (const TetEdge& ends : kTetEdges) {
       for (const bool split : {false, true}) {
-        if (tryCompound(across.tet(), nodes[corners[0]], nodes[corners[1]], split, cost)) {
+        if (tryCompound(across.tet(), nodes[ends.from], nodes[ends.to], split, cost)) {
           return true;
         }
       }
@@ -301,7 +301,7 @@ bool ElementImprover<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool spl
   if (compounds_ == 0) return false;
   EdgeRing ring;
   const std::size_t edge = edgeBetween(complex_.element(tet), a, b);
-  if (edge == kEdgeCorners.size() || !findRing(complex_, tet, edge, kRepairRing, ring)) {
+  if (edge == kTetEdges.size() || !findRing(complex_, tet, edge, kRepairRing, ring)) {
     return false;
   }
   if (!ring.closed) return false;

@@ -13,6 +13,7 @@
 #include "boundary/boundary_report.h"
 #include "boundary/self_intersection.h"
 #include "boundary/shell_nesting.h"
+#include "geom/measure.h"
 #include "geom/predicates.h"
 #include "search/box_tree.h"
 #include "topology/disjoint_sets.h"
@@ -271,7 +272,7 @@ class GivenMeshMaker {
       if (component == components.size()) components.push_back({t});
       const Vec3 origin = pointOf(surface, nodesOf(surface, components[component].first)[0]);
       const auto [a, b, c] = cornersOf(surface, t);
-      components[component].volume += glm::dot(a - origin, glm::cross(b - origin, c - origin));
+      components[component].volume += sixVolumesBelow(origin, a, b, c);
     }
     return components;
   }

@@ -65,8 +65,8 @@ void LastResortImprover<Space>::gather() {
     for (const NodeId node : corners) {
       if (!complex_.isFixed(node)) freeNodes_.push_back(node);
     }
-    for (const auto& at : kEdgeCorners) {
-      const auto [a, b] = std::minmax(corners[at[0]], corners[at[1]]);
+    for (const TetEdge& ends : kTetEdges) {
+      const auto [a, b] = std::minmax(corners[ends.from], corners[ends.to]);
       const Vec3 away = (complex_.position(a) + complex_.position(b)) * 0.5 - centroid;
       edges_.push_back({glm::dot(away, away), a, b});
     }
@@ -84,7 +84,7 @@ template <class Space>
 TetId LastResortImprover<Space>::elementAt(const NearEdge& edge) const {
   const auto found = std::ranges::find_if(near_, [&](TetId tet) {
     return complex_.isLive(tet) &&
-           edgeBetween(complex_.element(tet), edge.a, edge.b) < kEdgeCorners.size();
+           edgeBetween(complex_.element(tet), edge.a, edge.b) < kTetEdges.size();
   });
   return found == near_.end() ? TetId() : *found;
 }

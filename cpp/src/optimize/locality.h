@@ -3,15 +3,13 @@
 /// @file Puts elements that are close in space close in memory: the optimizer's sweeps spend most
 /// of their time waiting for elements next to the current one.
 
-#include <cstddef>
-
 #include "base/task.h"
-#include "tetrafront/mesh.h"
+#include "topology/tet_mesh.h"
 
 namespace tetrafront {
 
-/// Returns the same mesh with its elements along a Morton curve and its nodes in the order in which
-/// the elements use them. The first `boundaryNodes` nodes keep their indices. The mesh must outlive the task. O(n).
-Task<VolumeMesh> alongMortonCurve(Work& work, const VolumeMesh& mesh, std::size_t boundaryNodes);
+/// Orders the elements along a Morton curve and the nodes as the elements use them; leaves out nodes that no element uses. The
+/// nodes of the boundary keep their indices. Until the task ends, the mesh keeps its order. O(n).
+Task<> orderAlongMortonCurve(Work& work, TetMesh& mesh);
 
 }  // namespace tetrafront

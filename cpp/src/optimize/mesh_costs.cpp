@@ -22,8 +22,8 @@ double meanEdgeOf(const TetComplex& complex) {
   for (std::size_t t = 0; t < complex.slotCount(); t += kOneIn) {
     if (!complex.isLive(TetId(t))) continue;
     const Corners& nodes = complex.element(TetId(t)).nodes;
-    for (const auto& corners : kEdgeCorners) {
-      sum += relativeLength<Space>(complex, nodes[corners[0]], nodes[corners[1]]);
+    for (const TetEdge& ends : kTetEdges) {
+      sum += relativeLength<Space>(complex, nodes[ends.from], nodes[ends.to]);
       count += 1.0;
     }
   }

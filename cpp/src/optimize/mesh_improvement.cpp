@@ -18,6 +18,7 @@
 #include "quality/verify_mesh.h"
 #include "tetrafront/grid_from_mesh.h"
 #include "topology/mesh_access.h"
+#include "topology/tet_mesh.h"
 
 namespace tetrafront {
 namespace {
@@ -145,19 +146,19 @@ Task<Attempt> bestAttempt(Work& work, const GivenMesh& given, const MeshShapes& 
   work.beginPart(0.05);
   const SizeField field = co_await fieldOfOwnEdges(work, given.mesh);
   work.beginPart(0.1);
-  const VolumeMesh ordered = co_await alongMortonCurve(work, given.mesh, given.keptNodes);
+  TetMesh ordered = toTetMesh(given.mesh, given.keptNodes);
+  co_await orderAlongMortonCurve(work, ordered);
   const MeshLimits limits = limitsOf(before, input.options.maxGrowth);
   Attempt made;
   for (int attempt = 0; attempt < 2; ++attempt) {
     const bool isCautious = attempt == 1;
     work.beginPart(isCautious ? 0.95 : 0.65);
     MeshOptimizer optimizer =
-        isCautious
-            ? MeshOptimizer::cautious(ordered, given.keptNodes, field, limits)
-            : MeshOptimizer(ordered, given.keptNodes, field, input.options.optimization, limits);
+        isCautious ? MeshOptimizer::cautious(ordered, field, limits)
+                   : MeshOptimizer(ordered, field, input.options.optimization, limits);
     Job<> optimizing([&optimizer](Work& inner) { return optimizer.run(inner); });
     co_await finishUnlessStopped(work, optimizing, input.isStopped);
-    made.mesh = optimizer.mesh();
+    made.mesh = toVolumeMesh(optimizer.take());
     made.isGrowthLimited = optimizer.hasRefusedGrowth();
     work.beginPart(isCautious ? 1.0 : 0.7);
     made.shapes = co_await measureShapes(work, made.mesh, given.surface);

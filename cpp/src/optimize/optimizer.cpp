@@ -35,13 +35,15 @@ constexpr double kBuildShare = 0.05;
 constexpr double kLeftByRepeat = 0.55;
 
 /// Returns per node the region with the smallest cap among those of its elements; empty if no region has a cap.
-std::vector<std::uint32_t> regionsOfNodes(const VolumeMesh& mesh, const SizeField& field) {
+std::vector<std::uint32_t> regionsOfNodes(const TetMesh& mesh, const SizeField& field) {
   if (!field.hasRegionCaps()) return {};
-  std::vector<std::uint32_t> regions(mesh.points.size() / 3, FieldHint::kAnyRegion);
-  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
-    std::uint32_t& known = regions[mesh.tetrahedra[i]];
-    const std::uint32_t region = mesh.regions[i / 4];
-    if (field.capOf(region) < field.capOf(known)) known = region;
+  std::vector<std::uint32_t> regions(mesh.points.size(), FieldHint::kAnyRegion);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const std::uint32_t region = mesh.regions[t];
+    for (const NodeId node : mesh.tetrahedra[t]) {
+      std::uint32_t& known = regions[node.index()];
+      if (field.capOf(region) < field.capOf(known)) known = region;
+    }
   }
   return regions;
 }
@@ -59,7 +61,8 @@ class MeshOptimizer::AnySpace {
   virtual Task<> run(Work& work) = 0;
   void observe(SweepObserver& observer) { observer_ = &observer; }
   [[nodiscard]] virtual std::size_t elementCount() const = 0;
-  [[nodiscard]] virtual VolumeMesh mesh() const = 0;
+  [[nodiscard]] virtual TetMesh mesh() const = 0;
+  [[nodiscard]] virtual TetMesh take() = 0;
   [[nodiscard]] virtual std::size_t pointCount() const = 0;
   [[nodiscard]] virtual bool hasFoundNothingBetter() const = 0;
   [[nodiscard]] virtual bool hasRefusedGrowth() const = 0;
@@ -73,13 +76,13 @@ class MeshOptimizer::AnySpace {
 template <class Space>
 class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
  public:
-  InSpace(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
-          std::vector<Step> schedule, const MeshLimits& limits)
+  InSpace(TetMesh mesh, const SizeField& field, std::vector<Step> schedule,
+          const MeshLimits& limits)
       : schedule_(std::move(schedule)),
         limits_(limits),
         field_(field),
         givenRegionOf_(regionsOfNodes(mesh, field)),
-        complex_(std::move(mesh), boundaryNodes, Space::kIsStretched),
+        complex_(std::move(mesh), Space::kIsStretched),
         sweeps_(complex_) {}
 
   Task<> run(Work& work) override {
@@ -100,13 +103,15 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     if (hasFoundNothingBetter()) return kept_->regions.size();
     return complex_.elementCount();
   }
-  [[nodiscard]] VolumeMesh mesh() const override {
-    if (hasFoundNothingBetter()) return *kept_;
-    return complex_.toMesh();
+  [[nodiscard]] TetMesh mesh() const override {
+    return hasFoundNothingBetter() ? *kept_ : complex_.toMesh();
+  }
+  [[nodiscard]] TetMesh take() override {
+    return hasFoundNothingBetter() ? std::move(*kept_) : complex_.take();
   }
   [[nodiscard]] std::size_t pointCount() const override {
     if (!hasNeighbours_) return complex_.nodeCount();
-    if (hasFoundNothingBetter()) return kept_->points.size() / 3;
+    if (hasFoundNothingBetter()) return kept_->points.size();
     return complex_.boundaryNodeCount() + freeNodes_;
   }
   [[nodiscard]] bool hasFoundNothingBetter() const override { return isDone_ && kept_.has_value(); }
@@ -332,32 +337,29 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   std::uint32_t improvementBegan_ = 0;  ///< pass in which improvements began; 0 before
   std::size_t freeNodes_ = 0;           ///< at the end of the last sweep; counting them is O(nodes)
   MeshScore keptScore_;
-  std::optional<VolumeMesh> kept_;  ///< mesh to restore unless the new one is no worse
+  std::optional<TetMesh> kept_;  ///< mesh to restore unless the new one is no worse
 };
 
-MeshOptimizer::MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
-                             Optimization level, const MeshLimits& limits)
-    : optimizer_(make(std::move(mesh), boundaryNodes, field, scheduleOf(level), limits)) {}
+MeshOptimizer::MeshOptimizer(TetMesh mesh, const SizeField& field, Optimization level,
+                             const MeshLimits& limits)
+    : optimizer_(make(std::move(mesh), field, scheduleOf(level), limits)) {}
 
 MeshOptimizer::MeshOptimizer(std::unique_ptr<AnySpace> optimizer)
     : optimizer_(std::move(optimizer)) {}
 
-MeshOptimizer MeshOptimizer::cautious(VolumeMesh mesh, std::size_t boundaryNodes,
-                                      const SizeField& field, const MeshLimits& limits) {
-  return MeshOptimizer(make(std::move(mesh), boundaryNodes, field, cautiousSchedule(), limits));
+MeshOptimizer MeshOptimizer::cautious(TetMesh mesh, const SizeField& field,
+                                      const MeshLimits& limits) {
+  return MeshOptimizer(make(std::move(mesh), field, cautiousSchedule(), limits));
 }
 
-std::unique_ptr<MeshOptimizer::AnySpace> MeshOptimizer::make(VolumeMesh mesh,
-                                                             std::size_t boundaryNodes,
-                                                             const SizeField& field,
+std::unique_ptr<MeshOptimizer::AnySpace> MeshOptimizer::make(TetMesh mesh, const SizeField& field,
                                                              std::vector<Step> schedule,
                                                              const MeshLimits& limits) {
   if (field.isStretched()) {
-    return std::make_unique<InSpace<StretchedSpace>>(std::move(mesh), boundaryNodes, field,
-                                                     std::move(schedule), limits);
+    return std::make_unique<InSpace<StretchedSpace>>(std::move(mesh), field, std::move(schedule),
+                                                     limits);
   }
-  return std::make_unique<InSpace<PlainSpace>>(std::move(mesh), boundaryNodes, field,
-                                               std::move(schedule), limits);
+  return std::make_unique<InSpace<PlainSpace>>(std::move(mesh), field, std::move(schedule), limits);
 }
 
 MeshOptimizer::MeshOptimizer(MeshOptimizer&&) noexcept = default;
@@ -372,7 +374,8 @@ std::uint32_t MeshOptimizer::pointCount() const {
 std::uint32_t MeshOptimizer::tetrahedronCount() const {
   return static_cast<std::uint32_t>(optimizer_->elementCount());
 }
-VolumeMesh MeshOptimizer::mesh() const { return optimizer_->mesh(); }
+TetMesh MeshOptimizer::mesh() const { return optimizer_->mesh(); }
+TetMesh MeshOptimizer::take() { return optimizer_->take(); }
 bool MeshOptimizer::hasFoundNothingBetter() const { return optimizer_->hasFoundNothingBetter(); }
 bool MeshOptimizer::hasRefusedGrowth() const { return optimizer_->hasRefusedGrowth(); }
 

@@ -13,8 +13,8 @@
 
 #include "base/task.h"
 #include "field/size_field.h"
-#include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
+#include "topology/tet_mesh.h"
 
 namespace tetrafront {
 
@@ -32,13 +32,11 @@ struct MeshLimits {
 
 class MeshOptimizer {
  public:
-  /// The first `boundaryNodes` nodes of the mesh are fixed. The field must outlive this. O(n) per
-  /// sweep.
-  MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
-                Optimization level, const MeshLimits& limits = {});
+  /// The nodes of the mesh's boundary are fixed. The field must outlive this. O(n) per sweep.
+  MeshOptimizer(TetMesh mesh, const SizeField& field, Optimization level,
+                const MeshLimits& limits = {});
   /// The same with the steps of cautiousSchedule().
-  static MeshOptimizer cautious(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
-                                const MeshLimits& limits);
+  static MeshOptimizer cautious(TetMesh mesh, const SizeField& field, const MeshLimits& limits);
   MeshOptimizer(MeshOptimizer&&) noexcept;
   MeshOptimizer& operator=(MeshOptimizer&&) noexcept;
   ~MeshOptimizer();
@@ -53,7 +51,9 @@ class MeshOptimizer {
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
 
   /// The current mesh, always valid. Boundary nodes come first, in their order.
-  [[nodiscard]] VolumeMesh mesh() const;
+  [[nodiscard]] TetMesh mesh() const;
+  /// The same with fewer copies. Afterwards only hasFoundNothingBetter() and hasRefusedGrowth() may be called.
+  [[nodiscard]] TetMesh take();
 
   /// True if Optimization::kThorough is finished and found no better mesh: mesh() is that of Optimization::kDefault.
   [[nodiscard]] bool hasFoundNothingBetter() const;
@@ -66,9 +66,8 @@ class MeshOptimizer {
   template <class Space>
   class InSpace;
   explicit MeshOptimizer(std::unique_ptr<AnySpace> optimizer);
-  static std::unique_ptr<AnySpace> make(VolumeMesh mesh, std::size_t boundaryNodes,
-                                        const SizeField& field, std::vector<Step> schedule,
-                                        const MeshLimits& limits);
+  static std::unique_ptr<AnySpace> make(TetMesh mesh, const SizeField& field,
+                                        std::vector<Step> schedule, const MeshLimits& limits);
 
   std::unique_ptr<AnySpace> optimizer_;
 };

@@ -136,7 +136,7 @@ bool Sweeps<Space>::swapOneEdgeOf(TetId tet) {
   constexpr std::size_t kBulkRing = 7;
   if (!complex_.isLive(tet) || complex_.changedIn(tet) < since_) return false;
   EdgeRing ring;
-  for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+  for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
     if (!findClosedRing(complex_, tet, e, kBulkRing, since_, ring)) continue;
     if (removal_.improve(ring, cost_, {})) return true;
   }

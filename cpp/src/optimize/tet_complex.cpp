@@ -7,26 +7,29 @@
 #include "topology/face_table.h"
 
 namespace tetrafront {
+namespace {
 
-TetComplex::TetComplex(VolumeMesh mesh, std::size_t boundaryNodes, bool isStretched)
-    : boundaryNodes_(boundaryNodes),
+/// Given elements per new one for which there is room from the start. Filled spheres need 10 to 15 % more slots, and growing
+/// arrays would double.
+constexpr std::size_t kGivenPerNew = 6;
+
+}  // namespace
+
+TetComplex::TetComplex(TetMesh mesh, bool isStretched)
+    : boundaryNodes_(mesh.boundaryNodes),
+      positions_(std::move(mesh.points)),
       isStretched_(isStretched),
       regions_(std::move(mesh.regions)),
       faceSlots_(kFaceSlots) {
-  positions_.reserve(mesh.points.size() / 3);
-  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
-    positions_.emplace_back(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
-  }
-  resizeNodes(positions_.size());
-  const std::size_t count = mesh.tetrahedra.size() / 4;
+  const std::size_t count = mesh.tetrahedra.size();
+  const std::size_t withNew = count + count / kGivenPerNew;
+  elements_.reserve(withNew);
+  regions_.reserve(withNew);
   elements_.resize(count);
-  states_.assign(count, {.pass = pass_});
-  for (std::size_t t = 0; t < count; ++t) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const NodeId node(mesh.tetrahedra[4 * t + k]);
-      elements_[t].nodes[k] = node;
-      elementAt_[node.index()] = TetId(t);
-    }
+  resizeNodes(positions_.size());
+  for (std::size_t t = 0; t < elements_.size(); ++t) {
+    elements_[t].nodes = mesh.tetrahedra[t];
+    for (const NodeId node : elements_[t].nodes) elementAt_[node.index()] = TetId(t);
   }
 }
 
@@ -46,6 +49,10 @@ Task<> TetComplex::findNeighbours(Work& work) {
       if (group.size() == 2) join(group[0].owner, group[1].owner);
     });
   });
+  // Not before: the lists of faces need the most memory.
+  faces = FaceTable<ElementFace>(0);
+  states_.reserve(elements_.capacity());
+  states_.assign(elements_.size(), {.pass = pass_});
 }
 
 /// Makes the elements neighbours, except across an interface, which is a boundary of both regions.
@@ -55,22 +62,17 @@ void TetComplex::join(ElementFace one, ElementFace other) {
   elements_[other.tet().index()].across[other.corner()] = one;
 }
 
-VolumeMesh TetComplex::toMesh() const {
-  std::vector<NodeId> newId(positions_.size());  // none if no element uses the node
-  VolumeMesh mesh;
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    if (i >= boundaryNodes_ && elementAt_[i].isNone()) continue;
-    newId[i] = NodeId(mesh.points.size() / 3);
-    mesh.points.insert(mesh.points.end(), {positions_[i].x, positions_[i].y, positions_[i].z});
-  }
-  mesh.tetrahedra.reserve(4 * elementCount());
-  mesh.regions.reserve(elementCount());
-  for (std::size_t t = 0; t < elements_.size(); ++t) {
-    if (!isLive(TetId(t))) continue;
-    for (const NodeId node : elements_[t].nodes)
-      mesh.tetrahedra.push_back(newId[node.index()].value);
-    mesh.regions.push_back(regions_[t]);
-  }
+TetMesh TetComplex::meshOf(std::vector<Vec3> positions, std::vector<std::uint32_t> regions) const {
+  TetMesh mesh{.points = std::move(positions),
+               .tetrahedra = {},
+               .regions = std::move(regions),
+               .front = {},
+               .boundaryNodes = boundaryNodes_};
+  mesh.tetrahedra.reserve(elements_.size());
+  for (const Element& element : elements_) mesh.tetrahedra.push_back(element.nodes);
+  compact(
+      mesh, [this](NodeId node) { return isUsed(node); },
+      [this](TetId tet) { return isLive(tet); });
   return mesh;
 }
 

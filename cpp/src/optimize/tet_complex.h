@@ -9,18 +9,20 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/free_memory.h"
 #include "base/ids.h"
 #include "base/task.h"
 #include "optimize/element_cost.h"
-#include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
+#include "topology/tet_mesh.h"
 #include "topology/tetrahedron.h"
 
 namespace tetrafront {
 
-using Corners = std::array<NodeId, 4>;
+using Corners = NodeQuad;
 
 struct Element {
   Corners nodes;
@@ -53,14 +55,19 @@ struct Star {
 
 class TetComplex {
  public:
-  /// The first `boundaryNodes` nodes are fixed. Until findNeighbours() has finished, nothing may change.
-  TetComplex(VolumeMesh mesh, std::size_t boundaryNodes, bool isStretched = false);
+  /// The nodes of the boundary are fixed. Until findNeighbours() has finished, nothing may change.
+  explicit TetComplex(TetMesh mesh, bool isStretched = false);
 
   /// Finds the neighbours of all elements. O(n log k) for k elements at a node.
   Task<> findNeighbours(Work& work);
 
   /// Returns the elements and the used nodes, boundary nodes first, in their order.
-  [[nodiscard]] VolumeMesh toMesh() const;
+  [[nodiscard]] TetMesh toMesh() const { return meshOf(positions_, regions_); }
+  /// The same with fewer copies; once, as the last call.
+  [[nodiscard]] TetMesh take() {
+    freeMemory(states_);
+    return meshOf(std::move(positions_), std::move(regions_));
+  }
 
   // Nodes.
   [[nodiscard]] std::size_t nodeCount() const { return positions_.size(); }
@@ -204,6 +211,8 @@ class TetComplex {
       return self.sizes_;
     }
   }
+  [[nodiscard]] TetMesh meshOf(std::vector<Vec3> positions,
+                               std::vector<std::uint32_t> regions) const;
   NodeId addNode(const Vec3& position);
   void resizeNodes(std::size_t count);
   [[nodiscard]] FaceKey keyOf(const Corners& nodes, std::size_t corner) const;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "geom/measure.h"
 #include "geom/predicates.h"
 #include "sizing/expected_count.h"
 
@@ -29,11 +30,8 @@ double VolumeLimits::at(std::uint32_t region) const {
   return limit;
 }
 
-VolumeLimiter::VolumeLimiter(VolumeMesh mesh, std::size_t boundaryNodes, VolumeLimits limits,
-                             std::size_t maxTetrahedra)
-    : limits_(std::move(limits)),
-      maxTetrahedra_(maxTetrahedra),
-      complex_(std::move(mesh), boundaryNodes) {}
+VolumeLimiter::VolumeLimiter(TetMesh mesh, VolumeLimits limits, std::size_t maxTetrahedra)
+    : limits_(std::move(limits)), maxTetrahedra_(maxTetrahedra), complex_(std::move(mesh)) {}
 
 Task<> VolumeLimiter::run(Work& work) {
   work.beginPart(kSetUpShare);
@@ -133,8 +131,9 @@ std::vector<Diagnostic> VolumeLimiter::diagnostics() const {
 double VolumeLimiter::volumeRatio(TetId tet) const {
   const Corners& n = complex_.element(tet).nodes;
   const Vec3& a = complex_.position(n[0]);
-  const Vec3 cross = glm::cross(complex_.position(n[1]) - a, complex_.position(n[2]) - a);
-  return glm::dot(cross, complex_.position(n[3]) - a) / (6.0 * limits_.at(complex_.regionOf(tet)));
+  const double sixVolumes =
+      sixVolumesBelow(a, complex_.position(n[3]), complex_.position(n[1]), complex_.position(n[2]));
+  return sixVolumes / (6.0 * limits_.at(complex_.regionOf(tet)));
 }
 
 /// Tries the edges from the longest on.

@@ -10,8 +10,8 @@
 
 #include "base/task.h"
 #include "optimize/tet_complex.h"
-#include "tetrafront/mesh.h"
 #include "tetrafront/status.h"
+#include "topology/tet_mesh.h"
 
 namespace tetrafront {
 
@@ -27,16 +27,16 @@ struct VolumeLimits {
 
 class VolumeLimiter {
  public:
-  /// The first `boundaryNodes` nodes of the mesh are those of its boundary. Ends with an error if more than
-  /// `maxTetrahedra` are required.
-  VolumeLimiter(VolumeMesh mesh, std::size_t boundaryNodes, VolumeLimits limits,
-                std::size_t maxTetrahedra);
+  /// Ends with an error if more than `maxTetrahedra` are required.
+  VolumeLimiter(TetMesh mesh, VolumeLimits limits, std::size_t maxTetrahedra);
 
   /// Splits the elements. O(n + splits).
   Task<> run(Work& work);
 
   /// Returns the mesh at any time.
-  [[nodiscard]] VolumeMesh mesh() const { return complex_.toMesh(); }
+  [[nodiscard]] TetMesh mesh() const { return complex_.toMesh(); }
+  /// The same with fewer copies; once, as the last call.
+  [[nodiscard]] TetMesh take() { return complex_.take(); }
   [[nodiscard]] std::uint32_t nodeCount() const;
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
   /// Returns, once finished, kTooManyElements if the limit of their number is reached, kLargeTetrahedra if tetrahedra

@@ -49,13 +49,15 @@ double squaredGapWidth(const std::array<Vec3, 4>& corners,
   double least = std::numeric_limits<double>::infinity();
   // Edge e on one side of the gap, the opposite edge 5 - e on the other.
   for (std::size_t e = 0; e < 3; ++e) {
-    const auto& [a, b, c, d] = kTetEdges[e];
+    const TetEdge& one = kTetEdges[e];
+    const TetEdge& other = kTetEdges[5 - e];
     bool apart = isBoundaryEdge[e] && isBoundaryEdge[5 - e];
-    for (std::size_t other = 0; other < kTetEdges.size(); ++other) {
-      apart = apart && (other == e || other == 5 - e || !isBoundaryEdge[other]);
+    for (std::size_t i = 0; i < kTetEdges.size(); ++i) {
+      apart = apart && (i == e || i == 5 - e || !isBoundaryEdge[i]);
     }
     if (!apart) continue;
-    least = std::min(least, squaredDistanceOfLines(corners[a], corners[b], corners[c], corners[d]));
+    least = std::min(least, squaredDistanceOfLines(corners[one.from], corners[one.to],
+                                                   corners[other.from], corners[other.to]));
   }
   // One node on one side of the gap, three on the other.
   for (std::size_t k = 0; k < 4; ++k) {
@@ -170,8 +172,10 @@ bool BoundaryLimits::liesInNarrowGap(const NodeQuad& nodes, const ElementView& v
 }
 
 BoundaryLimit BoundaryLimits::limitOf(const NodeQuad& nodes, const ElementView& view) const {
-  for (const auto& [a, b, c, d] : kTetEdges) {
-    if (isForcedByEdge(nodes[a], nodes[b], nodes[c], nodes[d], view)) {
+  for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
+    const TetEdge& one = kTetEdges[e];
+    const TetEdge& other = kTetEdges[5 - e];
+    if (isForcedByEdge(nodes[one.from], nodes[one.to], nodes[other.from], nodes[other.to], view)) {
       return BoundaryLimit::kSharpEdge;
     }
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "geom/angles.h"
+#include "geom/measure.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
 
@@ -20,11 +21,6 @@ constexpr double kMinAngle = 1e-6;
 constexpr double kFlatPerLargest = 0.1;
 /// Cosine of the largest angle between parallel bends, 2.5 degrees.
 constexpr double kParallelCosine = 0.999;
-
-double cosineBetween(const Vec3& a, const Vec3& b) {
-  const double lengths = glm::length(a) * glm::length(b);
-  return lengths > 0.0 ? glm::dot(a, b) / lengths : 1.0;
-}
 
 }  // namespace
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -44,43 +43,30 @@ constexpr double kCoarseningShare = 0.1;
 
 /// What one remeshing works on; all must outlive it.
 struct PassInput {
-  const PassSurface& surface;
+  const TrackedSurface& surface;
   const GivenSizes& sizes;
-  const RemeshOptions& options;
   const bool& isStopped;
 };
 
 /// Copies the triangles out of the complex, without unused nodes.
-void copyTriangles(const GuardedSurface& surface, const PassSurface& given, RemeshPass& pass) {
+void copyTriangles(const GuardedSurface& surface, const TrackedSurface& given, RemeshPass& pass) {
   const SurfaceComplex& complex = surface.complex();
-  SurfaceRemesh& result = pass.remesh;
+  auto& [mesh, groups, origin, isSettled, centre] = pass.surface;
+  centre = given.centre;
   std::vector<std::uint32_t> number(complex.nodeCount(), kNoIndex);
   for (const NodeId node : IdRange<NodeId>(complex.nodeCount())) {
     if (!complex.isUsed(node)) continue;
-    number[node.index()] = static_cast<std::uint32_t>(result.points.size() / 3);
+    number[node.index()] = countNodes(mesh);
     const Vec3& point = complex.pointOf(node);
-    result.points.insert(result.points.end(), {point.x, point.y, point.z});
+    mesh.points.insert(mesh.points.end(), {point.x, point.y, point.z});
   }
   for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
     if (!complex.isAlive(t)) continue;
-    for (const NodeId node : complex.nodesOf(t)) result.triangles.push_back(number[node.index()]);
+    for (const NodeId node : complex.nodesOf(t)) mesh.triangles.push_back(number[node.index()]);
     pass.beneath.push_back(surface.beneath(t).value);
-    result.origin.push_back(given.origin[surface.beneath(t).index()]);
-    pass.patches.push_back(complex.patchOf(t).value);
+    origin.push_back(given.origin[surface.beneath(t).index()]);
+    groups.push_back(complex.patchOf(t).value);
   }
-}
-
-/// Copies the surface for a result that was stopped before the first change.
-void copyGiven(const PassSurface& given, RemeshPass& pass) {
-  SurfaceRemesh& result = pass.remesh;
-  result.isPartial = true;
-  result.points = given.mesh.points;
-  result.triangles = given.mesh.triangles;
-  result.origin = given.origin;
-  pass.patches = given.groups;
-  pass.beneath.resize(given.origin.size());
-  std::iota(pass.beneath.begin(), pass.beneath.end(), 0U);
-  result.deviation = result.tolerance;
 }
 
 /// Samples the distance of the triangles in the order in which copyTriangles() copies them.
@@ -95,18 +81,7 @@ Task<> sampleDeviation(Work& work, const GuardedSurface& surface, SurfaceRemesh&
   });
 }
 
-/// Copies what is known before the first change.
-void copyNumbers(const SurfaceRemesh& from, SurfaceRemesh& result) {
-  result.size = from.size;
-  result.minSize = from.minSize;
-  result.patches = from.patches;
-  result.featureLines = from.featureLines;
-}
-
-void measureShapes(SurfaceRemesh& result) {
-  SurfaceMesh mesh;
-  std::swap(mesh.points, result.points);
-  std::swap(mesh.triangles, result.triangles);
+void measureShapes(const SurfaceMesh& mesh, SurfaceRemesh& result) {
   double sum = 0.0;
   double largestCosine = 0.5;
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
@@ -116,8 +91,6 @@ void measureShapes(SurfaceRemesh& result) {
   }
   result.smallestAngle = degreesOf(largestCosine);
   result.meanRadiusRatio = sum / countTriangles(mesh);
-  std::swap(mesh.points, result.points);
-  std::swap(mesh.triangles, result.triangles);
 }
 
 /// Returns about how many triangles of a size like that of the given one meet a triangle of the target size, of any place
@@ -210,7 +183,7 @@ Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const Reme
   const bool isFinished = co_await finishUnlessStopped(work, changes, input.isStopped);
 
   copyTriangles(guarded, input.surface, pass);
-  measureShapes(result);
+  measureShapes(pass.surface.mesh, result);
   co_await work.yield();
   // Every change has kept the tolerance: from the remeshed surface to the given one at every point, in the other direction at
   // the guests, between which the distance is measured.
@@ -231,25 +204,26 @@ Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const Reme
 Task<> remeshCoarse(Work& work, const ReferenceSurface& reference, const RemeshLengths& lengths,
                     RemeshSizes& sizes, double share, const PassInput& input, RemeshPass& pass) {
   const RemeshPass coarse = std::move(pass);
-  const PassSurface surface = nextSurface(coarse, input.surface.centre);
+  const TrackedSurface& surface = coarse.surface;
   work.beginPart(0.1);
   ReferenceSurface next(surface.mesh, surface.groups, reference.rules(), surface.centre);
   co_await next.prepare(work);
   setRegions(sizes, next, surface.origin, input.sizes.ofRegions);
   pass = RemeshPass{};
   SurfaceRemesh& result = pass.remesh;
-  copyNumbers(coarse.remesh, result);
+  result = coarse.remesh;
   result.tolerance = share * lengths.tolerance;
   work.beginPart(0.9);
   const Step step{Changes::kAll, share * lengths.testedTolerance, false};
-  const PassInput nextInput{surface, input.sizes, input.options, input.isStopped};
+  const PassInput nextInput{surface, input.sizes, input.isStopped};
   co_await changeTriangles(work, next, sizes, step, nextInput, pass);
   for (std::uint32_t& triangle : pass.beneath) triangle = coarse.beneath[triangle];
   result.tolerance += coarse.remesh.tolerance;
   result.deviation += coarse.remesh.deviation;
   work.beginPart(1.0);
   if (!result.isPartial) {
-    co_await sampleDeviation(work, reference, pass.beneath, input.isStopped, result);
+    co_await sampleDeviation(work, reference, pass.surface.mesh, pass.beneath, input.isStopped,
+                             result);
   }
 }
 
@@ -259,22 +233,13 @@ FeatureRules featureRulesOf(const RemeshOptions& options) {
   return {cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
 }
 
-PassSurface nextSurface(const RemeshPass& pass, const Vec3& centre) {
-  PassSurface surface;
-  surface.centre = centre;
-  surface.mesh.points = pass.remesh.points;
-  surface.mesh.triangles = pass.remesh.triangles;
-  surface.groups = pass.patches;
-  surface.origin = pass.remesh.origin;
-  return surface;
+ReferenceSurface referenceOf(const TrackedSurface& surface, const RemeshOptions& options) {
+  return {surface.mesh, surface.groups, featureRulesOf(options), surface.centre};
 }
 
-Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
+Task<> sampleDeviation(Work& work, const ReferenceSurface& reference, const SurfaceMesh& made,
                        std::span<const std::uint32_t> beneath, const bool& isStopped,
                        SurfaceRemesh& result) {
-  SurfaceMesh made;
-  made.points = result.points;
-  made.triangles = result.triangles;
   result.triangleDeviation.resize(beneath.size());
   co_await work.forEachBlock(beneath.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last && !isStopped; ++t) {
@@ -287,16 +252,14 @@ Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
   result.triangleDeviation.clear();
 }
 
-Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
+Task<RemeshPass> remeshOnce(Work& work, const ReferenceSurface& reference,
+                            const TrackedSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, const PassRules& rules,
                             const bool& isStopped) {
   const double toleranceShare = rules.toleranceShare;
-  const PassInput input{surface, sizes, options, isStopped};
-  work.beginPart(0.05);
+  const PassInput input{surface, sizes, isStopped};
   RemeshPass pass;
   SurfaceRemesh& result = pass.remesh;
-  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options), surface.centre);
-  co_await reference.prepare(work);
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   const RemeshLengths lengths =
       remeshLengthsOf(options, hasTargets, reference.diagonal(), rules.plannedShare);
@@ -312,8 +275,10 @@ Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenS
   });
   const bool areFound = co_await finishUnlessStopped(work, finding, isStopped);
   if (!areFound) {
-    copyGiven(surface, pass);
-    measureShapes(result);
+    pass.surface = surface;
+    result.isPartial = true;
+    result.deviation = result.tolerance;
+    measureShapes(surface.mesh, result);
     co_return pass;
   }
   TargetField targets = finding.take();

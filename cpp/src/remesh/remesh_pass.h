@@ -15,9 +15,9 @@
 
 namespace tetrafront {
 
-/// A valid boundary that is to be remeshed: the given surface, or what earlier steps made of it.
-struct PassSurface {
-  SurfaceMesh mesh;
+/// A valid boundary on the way from the given surface to the result.
+struct TrackedSurface {
+  SurfaceMesh mesh;                   ///< points and triangles only
   std::vector<std::uint32_t> groups;  ///< per triangle: its patch; empty if there is only one
   std::vector<std::uint32_t> origin;  ///< per triangle: the given one
   /// Per node: 1 if all its triangles come from a remeshing and need no other one; empty if none do.
@@ -33,27 +33,29 @@ struct PassRules {
 };
 
 struct RemeshPass {
-  SurfaceRemesh remesh;                ///< `origin` refers to the given triangles
-  std::vector<std::uint32_t> patches;  ///< per triangle: its smooth patch
+  TrackedSurface surface;              ///< its groups are its smooth patches
   std::vector<std::uint32_t> beneath;  ///< per triangle: as `origin`, in the surface of this pass
+  SurfaceRemesh remesh;                ///< what is known about the surface, without its arrays
 };
-
-/// Returns a remeshed surface as the next one to be remeshed, with the feature lines that it has.
-[[nodiscard]] PassSurface nextSurface(const RemeshPass& pass, const Vec3& centre);
 
 [[nodiscard]] FeatureRules featureRulesOf(const RemeshOptions& options);
 
+/// Returns what the triangles are compared with, not yet prepared. `surface` must outlive it.
+[[nodiscard]] ReferenceSurface referenceOf(const TrackedSurface& surface,
+                                           const RemeshOptions& options);
+
 /// Samples the distance of the triangles from a surface, until it is stopped. `beneath`: per triangle, one of that surface
 /// near it.
-Task<> sampleDeviation(Work& work, const ReferenceSurface& reference,
+Task<> sampleDeviation(Work& work, const ReferenceSurface& reference, const SurfaceMesh& made,
                        std::span<const std::uint32_t> beneath, const bool& isStopped,
                        SurfaceRemesh& result);
 
 /// Remeshes a surface, with all details. If its triangles are far smaller than the target size, coarsens it first. The
 /// distance of the result from it is at most a share of the tolerance, and sizes are planned for another one. Only triangles
-/// around nodes that are not settled change. Everything must outlive the task. Once `isStopped` is true, the surface is
-/// returned as it is. Errors are in the diagnostics of the result.
-Task<RemeshPass> remeshOnce(Work& work, const PassSurface& surface, const GivenSizes& sizes,
+/// around nodes that are not settled change. `reference`: the prepared one of the surface. Everything must outlive the task.
+/// Once `isStopped` is true, the surface is returned as it is. Errors are in the diagnostics of the result.
+Task<RemeshPass> remeshOnce(Work& work, const ReferenceSurface& reference,
+                            const TrackedSurface& surface, const GivenSizes& sizes,
                             const RemeshOptions& options, const PassRules& rules,
                             const bool& isStopped);
 

@@ -22,7 +22,7 @@ namespace tetrafront {
 namespace {
 
 /// Returns what is beside the triangles; nothing if that is not given.
-std::vector<std::uint32_t> regionsOf(const PassSurface& surface,
+std::vector<std::uint32_t> regionsOf(const TrackedSurface& surface,
                                      std::span<const std::uint32_t> given) {
   std::vector<std::uint32_t> regions;
   if (given.empty()) return regions;
@@ -89,12 +89,16 @@ std::vector<std::uint8_t> settledNodes(const SurfaceMesh& mesh, const SurfaceMes
 
 /// Drops details of the given or a remeshed surface, and remeshes it, unless a given surface has none, or more than a share of
 /// the triangles. Keeps all details if a region would be left without volume.
-Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const PassSurface& surface,
+Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurface& surface,
                        const DetailRule& rule, SimplifiedSurface& simplified) {
   work.beginPart(0.2);
   const RemeshOptions& options = remeshing.options;
-  ReferenceSurface reference(surface.mesh, surface.groups, featureRulesOf(options), surface.centre);
-  co_await reference.prepare(work);
+  std::optional<ReferenceSurface> ofRemeshed;
+  if (rule.isRemeshed) {
+    ofRemeshed.emplace(referenceOf(surface, options));
+    co_await ofRemeshed->prepare(work);
+  }
+  const ReferenceSurface& reference = rule.isRemeshed ? *ofRemeshed : remeshing.reference;
   DetailMerger merger(reference, rule.distance, rule.choice);
   Job<> merging([&](Work& inner) { return merger.run(inner); });
   if (!co_await finishUnlessStopped(work, merging, remeshing.isStopped)) co_return Dropped::kNone;
@@ -104,7 +108,7 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const PassSurface
   const bool isUseless = count == 0.0 && !rule.isRemeshed;
   if (isUseless) co_return Dropped::kNone;
   if (count > largest) co_return Dropped::kTooMany;
-  PassSurface made;
+  TrackedSurface made;
   made.centre = surface.centre;
   std::vector<TriangleId> parents;
   merger.copyTo(made.mesh, parents);
@@ -120,8 +124,11 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const PassSurface
   if (anyError(boundary.takeDiagnostics())) co_return Dropped::kNone;
   simplified.deviation += merger.deviation();
   simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
+  work.beginPart(0.24);
+  ReferenceSurface next = referenceOf(made, options);
+  co_await next.prepare(work);
   work.beginPart(1.0);
-  simplified.pass = co_await remeshOnce(work, made, remeshing.sizes, options, rule.remeshing,
+  simplified.pass = co_await remeshOnce(work, next, made, remeshing.sizes, options, rule.remeshing,
                                         remeshing.isStopped);
   // Between the surface of this step and the result, not between the given one and it.
   simplified.pass.remesh.triangleDeviation.clear();
@@ -144,7 +151,7 @@ Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface
   for (int i = 1; i <= kMaxPoorMerges && dropped == Dropped::kMade; ++i) {
     if (!isWorthSteps(remeshing, next.pass.remesh)) break;
     work.beginPart(static_cast<double>(i) / kMaxPoorMerges);
-    const PassSurface from = nextSurface(next.pass, remeshing.given.centre);
+    const TrackedSurface from = next.pass.surface;
     const double left = (1.0 - kNextShare) * tolerance - (next.deviation - next.ofChosen);
     if (!(left > 0.0)) break;
     const DetailRule rule{.distance = std::min(left, kMergeShare * tolerance),
@@ -180,12 +187,13 @@ Task<SimplifiedSurface> remeshInSteps(Work& work, const Remeshing& remeshing) {
   const RemeshOptions& options = remeshing.options;
   SimplifiedSurface surface;
   work.beginPart(0.6);
-  surface.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, options,
-                                     rulesOfShare(kFirstShare, kFirstShare), remeshing.isStopped);
+  surface.pass =
+      co_await remeshOnce(work, remeshing.reference, remeshing.given, remeshing.sizes, options,
+                          rulesOfShare(kFirstShare, kFirstShare), remeshing.isStopped);
   surface.deviation = surface.pass.remesh.deviation;
   if (options.dropDetails > 0.0 && isComplete(surface.pass.remesh)) {
     work.beginPart(0.7);
-    const PassSurface from = nextSurface(surface.pass, remeshing.given.centre);
+    const TrackedSurface from = surface.pass.surface;
     const DetailRule rule{.distance = options.dropDetails,
                           .choice = DetailChoice::kAll,
                           .remeshing = rulesOfShare(kNextShare, kFirstShare),
@@ -203,8 +211,8 @@ Task<SimplifiedSurface> remeshInSteps(Work& work, const Remeshing& remeshing) {
 /// Remeshes a surface with all details.
 Task<> remeshPlain(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
   work.beginPart(1.0);
-  surface.pass = co_await remeshOnce(work, remeshing.given, remeshing.sizes, remeshing.options, {},
-                                     remeshing.isStopped);
+  surface.pass = co_await remeshOnce(work, remeshing.reference, remeshing.given, remeshing.sizes,
+                                     remeshing.options, {}, remeshing.isStopped);
   surface.deviation = surface.pass.remesh.deviation;
 }
 

@@ -16,7 +16,8 @@ namespace tetrafront {
 
 /// What all steps of a remeshing share; it must outlive them.
 struct Remeshing {
-  const PassSurface& given;
+  const TrackedSurface& given;
+  const ReferenceSurface& reference;       ///< of the given surface
   std::span<const std::uint32_t> regions;  ///< beside the given triangles, or nothing
   GivenSizes sizes;
   const RemeshOptions& options;

@@ -168,20 +168,21 @@ Task<std::vector<Diagnostic>> checkInput(Work& work, SurfaceMesh& mesh, const Ba
 /// Returns the result of all steps.
 Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
   SurfaceRemesh result = std::move(surface.pass.remesh);
+  TrackedSurface& made = surface.pass.surface;
   if (!result.diagnostics.empty()) co_return result;
   result.tolerance = remeshing.lengths.tolerance;
   result.deviation = std::max(surface.deviation, result.tolerance);
   result.mergedDetails = std::move(surface.merged);
   const bool isSampled = !result.triangleDeviation.empty();
   if (isComplete(result) && !remeshing.isStopped && !isSampled) {
-    const PassSurface& given = remeshing.given;
-    ReferenceSurface reference(given.mesh, given.groups, featureRulesOf(remeshing.options),
-                               given.centre);
-    co_await reference.prepare(work);
+    const ReferenceSurface& reference = remeshing.reference;
     result.patches = static_cast<std::uint32_t>(reference.patchCount());
     result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
-    co_await sampleDeviation(work, reference, result.origin, remeshing.isStopped, result);
+    co_await sampleDeviation(work, reference, made.mesh, made.origin, remeshing.isStopped, result);
   }
+  result.points = std::move(made.mesh.points);
+  result.triangles = std::move(made.mesh.triangles);
+  result.origin = std::move(made.origin);
   if (remeshing.isStopped) {
     result.isPartial = true;
     result.triangleDeviation.clear();
@@ -201,14 +202,14 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   work.beginPart(1.0);
   const double givenVolume = enclosedVolume(mesh);
   const std::vector<std::uint32_t> found = std::exchange(mesh.triangleRegions, {});
-  PassSurface given{std::move(mesh), std::move(groups), {}, {}, Vec3(0.0)};
+  TrackedSurface given{std::move(mesh), std::move(groups), {}, {}, Vec3(0.0)};
   given.origin.resize(countTriangles(given.mesh));
   std::iota(given.origin.begin(), given.origin.end(), 0U);
   given.centre = moveToCentre(given.mesh);
   const BackgroundGrid movedGrid = relativeTo(given.centre, sizes.grid);
   const GivenSizes movedSizes{movedGrid, sizes.ofRegions};
-  const Bounds bounds = boundsOf(given.mesh);
-  const double diagonal = glm::length(bounds.high - bounds.low);
+  ReferenceSurface reference = referenceOf(given, options);
+  const double diagonal = reference.diagonal();
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   RemeshOptions settled = options;
   if (settled.tolerance <= 0.0) {
@@ -220,7 +221,9 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
     settled.tolerance = std::min(automatic, std::max(smallest, ofThickness));
   }
   const RemeshLengths lengths = remeshLengthsOf(settled, hasTargets, diagonal);
-  const Remeshing remeshing{given, regions, movedSizes, settled, lengths, isStopped};
+  work.beginPart(0.1);
+  co_await reference.prepare(work);
+  const Remeshing remeshing{given, reference, regions, movedSizes, settled, lengths, isStopped};
   work.beginPart(0.95);
   SimplifiedSurface surface = co_await remeshAndDrop(work, remeshing);
   work.beginPart(1.0);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "geom/measure.h"
 #include "quality/metrics.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
@@ -51,8 +52,7 @@ void VolumeCorrection::findParts() {
   const Vec3 origin = pointOf(reference_.mesh(), NodeId(0U));
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(reference_.mesh()))) {
     const auto [a, b, c] = cornersOf(reference_.mesh(), t);
-    given_[partOf_[reference_.patchOf(t).index()]] +=
-        glm::dot(a - origin, glm::cross(b - origin, c - origin));
+    given_[partOf_[reference_.patchOf(t).index()]] += sixVolumesBelow(origin, a, b, c);
   }
 }
 
@@ -67,7 +67,7 @@ bool VolumeCorrection::findChanged() {
     const auto& [a, b, c] = corners;
     const SmoothPatchId patch = complex_.patchOf(t);
     const std::uint32_t part = partOf_[patch.index()];
-    made[part] += glm::dot(a - origin, glm::cross(b - origin, c - origin));
+    made[part] += sixVolumesBelow(origin, a, b, c);
     if (!reference_.patch(patch).isPlanar) curvedArea[part] += areaOf(corners);
   }
   isChanged_.assign(given_.size(), 0);

@@ -7,6 +7,7 @@
 
 #include "boundary/self_intersection.h"
 #include "boundary/shell_nesting.h"
+#include "geom/measure.h"
 #include "repair/open_rims.h"
 #include "repair/rim_triangulation.h"
 #include "search/box_tree.h"
@@ -212,7 +213,7 @@ void orientComponents(SurfaceMesh& mesh) {
       bounds[c] = {p[0], p[0]};
       hasOrigin[c] = 1;
     }
-    volume[c] += glm::dot(p[0] - origin[c], glm::cross(p[1] - p[0], p[2] - p[0]));
+    volume[c] += sixVolumesByEdges(origin[c], p[0], p[1], p[2]);
     for (const Vec3& corner : p) {
       bounds[c].low = glm::min(bounds[c].low, corner);
       bounds[c].high = glm::max(bounds[c].high, corner);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "boundary/boundary.h"
+#include "geom/measure.h"
 #include "quality/metrics.h"
 #include "topology/corner_fans.h"
 #include "topology/edge_table.h"
@@ -24,12 +25,6 @@ bool hasInvalidNumbers(const std::vector<Diagnostic>& diagnostics) {
   return hasCode(diagnostics, DiagnosticCode::kNotFinite) ||
          hasCode(diagnostics, DiagnosticCode::kIndexOutOfRange) ||
          hasCode(diagnostics, DiagnosticCode::kEmptyModel);
-}
-
-/// Returns the cosine of the angle between two edges at a corner, or 1 if an edge has no length.
-double cosineBetween(const Vec3& a, const Vec3& b) {
-  const double lengths = glm::length(a) * glm::length(b);
-  return lengths > 0.0 ? glm::dot(a, b) / lengths : 1.0;
 }
 
 TriangleQuality qualityOf(const SurfaceMesh& mesh, TriangleId triangle, double radiusRatio) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/free_memory.h"
+
 namespace tetrafront {
 namespace {
 
@@ -57,7 +59,7 @@ void BoxTreeBuilder::endStage() {
       break;
     case Stage::kOrder: {
       tree_.items_ = order_.take();
-      centres_ = {};
+      freeMemory(centres_);
       tree_.boxes_.reserve(tree_.items_.size());
       std::uint32_t leaves = 1;
       while (std::size_t{leaves} * BoxTree::kItemsPerLeaf < tree_.items_.size()) leaves *= 2;
@@ -67,7 +69,7 @@ void BoxTreeBuilder::endStage() {
       break;
     }
     case Stage::kLeaves:
-      boxes_ = {};
+      freeMemory(boxes_);
       end_ = tree_.firstLeaf_;
       stage_ = end_ > 0 ? Stage::kBranches : Stage::kDone;
       break;

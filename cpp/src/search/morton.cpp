@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/free_memory.h"
+
 namespace tetrafront {
 namespace {
 
@@ -56,12 +58,12 @@ void MortonSort::endStage() {
     case Stage::kSort:
       keys_.swap(sorted_);
       if (++pass_ < kPasses) break;
-      sorted_ = {};
+      freeMemory(sorted_);
       order_.reserve(keys_.size());
       stage_ = Stage::kName;
       break;
     case Stage::kName:
-      keys_ = {};
+      freeMemory(keys_);
       stage_ = Stage::kDone;
       break;
     case Stage::kDone:

@@ -16,17 +16,17 @@ namespace tetrafront {
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kFaceCorners{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-/// Corners at the ends of an edge, and the other two.
+/// Corners at the ends of an edge, and the other two, so that (from, to, left, right) is positively oriented.
 struct TetEdge {
-  std::size_t from;
-  std::size_t to;
-  std::size_t left;
-  std::size_t right;
+  std::uint8_t from;
+  std::uint8_t to;
+  std::uint8_t left;
+  std::uint8_t right;
 };
 
 /// All edges, each with its lower corner first; edges e and 5 - e are opposite.
 inline constexpr std::array<TetEdge, 6> kTetEdges{
-    {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
 
 /// A face of a tetrahedron: the tetrahedron and the opposite corner.
 template <class AnyTetId>

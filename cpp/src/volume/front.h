@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/ids.h"
@@ -57,6 +58,8 @@ class Front {
   void dropNodesFrom(std::size_t count);
   [[nodiscard]] const Vec3& node(NodeId id) const { return nodes_[id.index()]; }
   [[nodiscard]] std::span<const Vec3> nodes() const { return nodes_; }
+  /// Moves the positions of all nodes out; once, at the end.
+  [[nodiscard]] std::vector<Vec3> takeNodes() { return std::move(nodes_); }
   /// Upper bound of the distance along any axis between two nodes that ever existed.
   [[nodiscard]] double extent() const { return 2.0 * maxOffset_; }
   [[nodiscard]] std::uint16_t layer(NodeId id) const { return layers_[id.index()]; }

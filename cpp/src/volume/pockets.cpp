@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "geom/measure.h"
 #include "geom/predicates.h"
 #include "topology/disjoint_sets.h"
 
@@ -19,8 +20,7 @@ double enclosedVolume(const Front& front, const std::vector<FaceId>& faces) {
   double volume = 0.0;
   for (const FaceId face : faces) {
     const NodeTriple& n = front.face(face).nodes;
-    volume -= glm::dot(front.node(n[0]) - origin,
-                       glm::cross(front.node(n[1]) - origin, front.node(n[2]) - origin));
+    volume -= sixVolumesBelow(origin, front.node(n[0]), front.node(n[1]), front.node(n[2]));
   }
   return volume;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "topology/surface_access.h"
 #include "volume/stall_diagnostic.h"
 
 namespace tetrafront {
@@ -86,7 +87,7 @@ void RegionMesher::begin(std::uint32_t region) {
   region_ = region;
   MeshOptions options = options_;
   options.maxTetrahedra -=
-      std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4));
+      std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedra.size()));
   current_.reset();
   if (!isOne()) boundaryOf(region);
   const NodeNames names{isOne() ? std::span<const std::uint32_t>() : regionBoundary_.nodeOf,
@@ -95,9 +96,9 @@ void RegionMesher::begin(std::uint32_t region) {
 }
 
 void RegionMesher::endRegion() {
-  append(filled_, current_->mesh());
   recovery_ = sum(recovery_, current_->recovery());
   counters_ = sum(counters_, current_->counters());
+  append(filled_, current_->take());
 }
 
 void RegionMesher::boundaryOf(std::uint32_t region) {
@@ -121,21 +122,26 @@ void RegionMesher::boundaryOf(std::uint32_t region) {
 }
 
 /// Appends the mesh of this region.
-void RegionMesher::append(VolumeMesh& mesh, VolumeMesh part) const {
+void RegionMesher::append(TetMesh& mesh, TetMesh part) const {
   if (isOne()) {
     mesh = std::move(part);
     return;
   }
-  if (mesh.points.empty()) mesh.points = boundary_.points;
-  const NodeNames names{regionBoundary_.nodeOf, static_cast<std::uint32_t>(mesh.points.size() / 3)};
-  const auto nameOf = [&](std::uint32_t node) { return names.of(NodeId(node)); };
-  mesh.points.insert(
-      mesh.points.end(),
-      part.points.begin() + static_cast<std::ptrdiff_t>(3 * regionBoundary_.nodeOf.size()),
-      part.points.end());
+  if (mesh.points.empty()) {
+    mesh.points = pointsOf(boundary_);
+    mesh.boundaryNodes = boundaryNodes();
+  }
+  const NodeNames names{regionBoundary_.nodeOf, static_cast<std::uint32_t>(mesh.points.size())};
+  const auto named = [&](auto nodes) {
+    for (NodeId& node : nodes) node = NodeId(names.of(node));
+    return nodes;
+  };
+  mesh.points.insert(mesh.points.end(),
+                     part.points.begin() + static_cast<std::ptrdiff_t>(part.boundaryNodes),
+                     part.points.end());
   mesh.regions.insert(mesh.regions.end(), part.regions.begin(), part.regions.end());
-  std::ranges::transform(part.tetrahedra, std::back_inserter(mesh.tetrahedra), nameOf);
-  std::ranges::transform(part.front, std::back_inserter(mesh.front), nameOf);
+  std::ranges::transform(part.tetrahedra, std::back_inserter(mesh.tetrahedra), named);
+  std::ranges::transform(part.front, std::back_inserter(mesh.front), named);
 }
 
 /// Triangles and nodes of the region become those of the whole boundary; in a drawn model, triangles become patches.
@@ -158,7 +164,7 @@ void RegionMesher::nameForUser(std::vector<Entity>& entities) const {
 std::vector<Diagnostic> RegionMesher::diagnostics() const {
   if (!current_) return {};
   std::vector<Diagnostic> diagnostics = current_->diagnostics();
-  const std::size_t filledBefore = filled_.tetrahedra.size() / 4;
+  const std::size_t filledBefore = filled_.tetrahedra.size();
   for (Diagnostic& diagnostic : diagnostics) {
     nameForUser(diagnostic.entities);
     if (diagnostic.code != DiagnosticCode::kTooManyElements) continue;
@@ -168,7 +174,7 @@ std::vector<Diagnostic> RegionMesher::diagnostics() const {
 }
 
 std::uint32_t RegionMesher::nodeCount() const {
-  const std::size_t earlier = filled_.points.empty() ? boundaryNodes() : filled_.points.size() / 3;
+  const std::size_t earlier = filled_.points.empty() ? boundaryNodes() : filled_.points.size();
   if (!current_) return static_cast<std::uint32_t>(earlier);
   const std::size_t own = isOne() ? boundaryNodes() : regionBoundary_.nodeOf.size();
   return static_cast<std::uint32_t>(earlier - own) + current_->nodeCount();
@@ -176,7 +182,7 @@ std::uint32_t RegionMesher::nodeCount() const {
 
 std::uint32_t RegionMesher::tetrahedronCount() const {
   const std::uint32_t own = current_ ? current_->tetrahedronCount() : 0;
-  return own + static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4);
+  return own + static_cast<std::uint32_t>(filled_.tetrahedra.size());
 }
 
 std::uint32_t RegionMesher::frontFaceCount() const {
@@ -188,25 +194,29 @@ std::uint32_t RegionMesher::frontFaceCount() const {
 }
 
 /// Returns the triangles of regions that have not begun, as a front sees them.
-std::vector<std::uint32_t> RegionMesher::waitingFaces() const {
-  std::vector<std::uint32_t> faces;
+std::vector<NodeTriple> RegionMesher::waitingFaces() const {
+  std::vector<NodeTriple> faces;
   for (std::size_t region = current_ ? region_ + 1 : 0; region < halvesOf_.size(); ++region) {
     for (const std::uint32_t half : halvesOf_[region]) {
       const auto [a, b, c] = nodesOfHalf(boundary_, half);
-      faces.insert(faces.end(), {a, c, b});
+      faces.push_back({NodeId(a), NodeId(c), NodeId(b)});
     }
   }
   return faces;
 }
 
-VolumeMesh RegionMesher::mesh() const { return completed(filled_); }
+TetMesh RegionMesher::mesh() const {
+  return completed(filled_, current_ ? current_->mesh() : TetMesh{});
+}
 
-VolumeMesh RegionMesher::take() { return completed(std::exchange(filled_, {})); }
+TetMesh RegionMesher::take() {
+  return completed(std::exchange(filled_, {}), current_ ? current_->take() : TetMesh{});
+}
 
 /// Appends the elements of this region, and the faces of later ones to the front.
-VolumeMesh RegionMesher::completed(VolumeMesh mesh) const {
-  if (current_) append(mesh, current_->mesh());
-  const std::vector<std::uint32_t> waiting = waitingFaces();
+TetMesh RegionMesher::completed(TetMesh mesh, TetMesh ofRegion) const {
+  if (current_) append(mesh, std::move(ofRegion));
+  const std::vector<NodeTriple> waiting = waitingFaces();
   mesh.front.insert(mesh.front.end(), waiting.begin(), waiting.end());
   return mesh;
 }
@@ -215,9 +225,11 @@ std::vector<double> RegionMesher::frontCorners() const {
   std::vector<double> corners;
   corners.reserve(9 * std::size_t{frontFaceCount()});
   if (current_) current_->appendFront(corners);
-  for (const std::uint32_t node : waitingFaces()) {
-    const auto first = boundary_.points.begin() + 3 * static_cast<std::ptrdiff_t>(node);
-    corners.insert(corners.end(), first, first + 3);
+  for (const NodeTriple& face : waitingFaces()) {
+    for (const NodeId node : face) {
+      const Vec3 p = pointOf(boundary_, node);
+      corners.insert(corners.end(), {p.x, p.y, p.z});
+    }
   }
   return corners;
 }

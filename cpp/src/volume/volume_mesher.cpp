@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
+#include "geom/measure.h"
 #include "volume/stall_diagnostic.h"
 
 namespace tetrafront {
@@ -112,8 +115,8 @@ Task<> VolumeMesher::setUp(Work& work) {
 
 void VolumeMesher::addTriangle(std::size_t triangle, const Vec3& origin) {
   const NodeTriple n = boundaryTriangle(boundary_, triangle);
-  enclosedVolume_ += glm::dot(front_.node(n[0]) - origin,
-                              glm::cross(front_.node(n[1]) - origin, front_.node(n[2]) - origin));
+  enclosedVolume_ +=
+      sixVolumesBelow(origin, front_.node(n[0]), front_.node(n[1]), front_.node(n[2]));
   // Query the size field in the order of the list: consecutive triangles are close to each other,
   // so the walks are short.
   static_cast<void>(field_.covers(front_.node(n[0]), coverHint_));
@@ -139,35 +142,34 @@ void VolumeMesher::end(MeshStatus status) {
   advance_->recordEnd();
 }
 
-VolumeMesh VolumeMesher::mesh() const {
+TetMesh VolumeMesher::mesh() const {
   const std::span<const Vec3> nodes = front_.nodes();
-  std::vector<NodeId> newId(nodes.size());
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
-    if (elements_.removed[e] != 0) continue;
-    for (const NodeId node : elements_.nodes[e]) newId[node.index()] = NodeId(0U);
+  return compacted({nodes.begin(), nodes.end()}, elements_.nodes, elements_.regions);
+}
+
+TetMesh VolumeMesher::take() {
+  return compacted(front_.takeNodes(), std::move(elements_.nodes), std::move(elements_.regions));
+}
+
+/// Returns the mesh without the elements that recovery has removed, and the nodes that only they have.
+TetMesh VolumeMesher::compacted(std::vector<Vec3> points, std::vector<NodeQuad> tetrahedra,
+                                std::vector<std::uint32_t> regions) const {
+  TetMesh mesh{.points = std::move(points),
+               .tetrahedra = std::move(tetrahedra),
+               .regions = std::move(regions),
+               .front = {},
+               .boundaryNodes = boundaryNodes_};
+  for (const FaceId face : front_.activeFaces()) mesh.front.push_back(front_.face(face).nodes);
+  for (std::size_t t = nextTriangle_; t < triangleCount(); ++t) {
+    mesh.front.push_back(frontFaceOf(boundary_, t));
   }
-  VolumeMesh mesh;
-  mesh.points.reserve(3 * nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (i >= boundaryNodes_ && newId[i].isNone()) continue;
-    newId[i] = NodeId(mesh.points.size() / 3);
-    mesh.points.insert(mesh.points.end(), {nodes[i].x, nodes[i].y, nodes[i].z});
+  const auto isLive = [this](TetId tet) { return elements_.removed[tet.index()] == 0; };
+  std::vector<std::uint8_t> isUsed(mesh.points.size(), 0);
+  for (const TetId tet : IdRange<TetId>(mesh.tetrahedra.size())) {
+    if (!isLive(tet)) continue;
+    for (const NodeId node : mesh.tetrahedra[tet.index()]) isUsed[node.index()] = 1;
   }
-  mesh.tetrahedra.reserve(4 * elements_.liveCount());
-  mesh.regions.reserve(elements_.liveCount());
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
-    if (elements_.removed[e] != 0) continue;
-    for (const NodeId node : elements_.nodes[e])
-      mesh.tetrahedra.push_back(newId[node.index()].value);
-    mesh.regions.push_back(elements_.regions[e]);
-  }
-  for (const FaceId face : front_.activeFaces()) {
-    for (const NodeId node : front_.face(face).nodes)
-      mesh.front.push_back(newId[node.index()].value);
-  }
-  for (std::size_t t = nextTriangle_; t < boundary_.triangles.size() / 3; ++t) {
-    for (const NodeId node : frontFaceOf(boundary_, t)) mesh.front.push_back(node.value);
-  }
+  compact(mesh, [&](NodeId node) { return isUsed[node.index()] != 0; }, isLive);
   return mesh;
 }
 

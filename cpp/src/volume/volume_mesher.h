@@ -12,6 +12,7 @@
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
+#include "topology/tet_mesh.h"
 #include "volume/elements.h"
 #include "volume/front.h"
 #include "volume/front_advance.h"
@@ -53,7 +54,9 @@ class VolumeMesher {
 
   /// Returns the mesh made so far. Leaves out nodes that neither an element nor a boundary triangle
   /// uses.
-  [[nodiscard]] VolumeMesh mesh() const;
+  [[nodiscard]] TetMesh mesh() const;
+  /// The same without a copy; once, as the last call.
+  [[nodiscard]] TetMesh take();
   /// Appends the faces of the front, x y z of three corners each. O(front).
   void appendFront(std::vector<double>& corners) const;
   [[nodiscard]] RecoverySummary recovery() const;
@@ -64,6 +67,8 @@ class VolumeMesher {
   Task<> setUp(Work& work);
   void addTriangle(std::size_t triangle, const Vec3& origin);
   void end(MeshStatus status);
+  [[nodiscard]] TetMesh compacted(std::vector<Vec3> points, std::vector<NodeQuad> tetrahedra,
+                                  std::vector<std::uint32_t> regions) const;
 
   const SurfaceMesh& boundary_;
   const SizeField& field_;

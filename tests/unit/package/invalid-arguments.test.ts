@@ -103,6 +103,7 @@ const inspection = {
   quality: {
     binWidths: { dihedral: 5 },
     regions: [{ tetrahedra: 6, smallestDihedral: [6] }],
+    shapes: { dihedral: { max: 170 } },
     worst: [element],
     limitedByBoundary: { edges: 0, needles: 0, narrowGaps: 0, worst: [element] },
     poor: {
@@ -356,7 +357,7 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 /**
  * Functions tested elsewhere: `readTrace` and `loadTrace` with damaged files (trace.test.ts); `recordTrace` passes its
  * arguments on to methods of the mesher; `liveNotes` takes a project that was checked; `hasWelded`
- * and `remeshedBest` take results of the mesher (best-repair.test.ts).
+ * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader.
  */
 const TESTED_ELSEWHERE = [
   "MesherError",
@@ -368,6 +369,7 @@ const TESTED_ELSEWHERE = [
   "hasWelded",
   "remeshedBest",
   "regionSummaries",
+  "withSolidsOfPatches",
 ];
 
 test("every exported function and every method is tested", () => {

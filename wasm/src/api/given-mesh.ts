@@ -163,6 +163,7 @@ const inspected = v.object({
   quality: v.object({
     binWidths: v.object({ dihedral: v.number() }),
     regions: v.array(v.object({ tetrahedra: v.number(), smallestDihedral: v.array(v.number()) })),
+    shapes: v.object({ dihedral: v.object({ max: v.number() }) }),
     worst: v.array(element),
     limitedByBoundary: v.object({
       edges: v.number(),

@@ -67,7 +67,8 @@ export async function readySurface(
   const closed = isKept ? await withoutCracks(mesher, stated, innerShells) : undefined;
   const prepared = closed ?? (await preparedSurface(mesher, stated, preparation));
   const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
-  if (isRepairImplied && first.needles !== undefined && isVisiblyChanged(stated, prepared)) {
+  const isUnasked = first.needles !== undefined || (first.touching !== undefined && !hasSolids(stated));
+  if (isRepairImplied && isUnasked && isVisiblyChanged(stated, prepared)) {
     const { diagnostics } = await mesher.inspectSurface(stated, { innerShells });
     refuse(diagnostics.filter(({ severity, code }) => severity === "error" || code === "coarse-coordinates"));
   }
