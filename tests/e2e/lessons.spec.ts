@@ -461,6 +461,20 @@ test("the lens shows its formulas without scrolling", async ({ page }) => {
   await expect(formula.getByRole("heading")).toBeInViewport({ ratio: 1 });
 });
 
+test("the lens shows its formulas without scrolling, however long its sentences are", async ({ page }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await open(page, "&lesson=10");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("player-kind").selectOption("crosses");
+  const formula = page.getByTestId("lens-formula").locator(".katex").last();
+  for (let i = 0; i < 24; i++) {
+    const before = (await page.getByTestId("lens").textContent()) ?? "";
+    await page.getByTestId("player-next").click();
+    await expect(page.getByTestId("lens")).not.toHaveText(before);
+    await expect(formula).toBeInViewport({ ratio: 1 });
+  }
+});
+
 test("a lesson that begins at a step which its front does not have says so", async ({ page }) => {
   await page.route("**/lessons/front.md", async (route) => {
     const response = await route.fetch();

@@ -250,8 +250,8 @@ export const pageStrings = {
   },
   presenter: {
     title: "Presenter mode",
-    laser: "Laser pointer",
-    end: "End presentation",
+    laser: "Laser",
+    end: "End",
     blank: "The screen is black. Press B to show it again.",
   },
 } as const;
