@@ -79,6 +79,32 @@ test("on a phone the model is as large as before when a panel is closed, unless 
   await expect.poll(height).toBeCloseTo(zoomed, 0);
 });
 
+test("a notice is in the view, and covers nothing of the panels below", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("s");
+  const notice = page.getByTestId("notice-note");
+  await expect(notice).toContainText("Select");
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+  const [view, box] = [await app.viewport.boundingBox(), await notice.boundingBox()];
+  const lowerEnd = (rect: typeof box): number => (rect?.y ?? NaN) + (rect?.height ?? NaN);
+  expect(lowerEnd(box)).toBeLessThan(lowerEnd(view));
+});
+
+test("a notice covers nothing of a drawer at the lower end of the page", async ({ page }) => {
+  await page.setViewportSize({ width: 1000, height: 800 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("s");
+  await page.getByTestId("drawer-bottom").click();
+  const log = page.getByTestId("log");
+  await expect(log).toBeVisible();
+  const [notice, panel] = [await page.getByTestId("notice-note").boundingBox(), await log.boundingBox()];
+  expect((notice?.y ?? NaN) + (notice?.height ?? NaN)).toBeLessThan(panel?.y ?? NaN);
+});
+
 test("on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read", async ({
   page,
 }) => {
