@@ -5,6 +5,7 @@ import type { Trace } from "tetrafront/trace";
 import { useStore } from "zustand";
 import { useMemo } from "react";
 import { unitOf } from "../../document/length-units";
+import { phaseAt } from "../../player/phases";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
 import { cancelledText, type RunState } from "../../session/run";
@@ -55,9 +56,10 @@ function outcomeText(run: RunState, stale: boolean, hasErrors: boolean, front: s
   }
 }
 
-/** Returns where the front that is shown is. */
-function frontText({ stepCount }: Trace, step: number): string {
-  return strings.status.frontAt(formatCount(step), formatCount(stepCount));
+/** Returns where the front that is shown is: steps are counted in each phase, as in the player. */
+function frontText(trace: Trace, step: number): string {
+  const { phase, from, to } = phaseAt(trace, step);
+  return strings.status.frontAt[phase](formatCount(step - from), formatCount(to - from));
 }
 
 function phaseText(

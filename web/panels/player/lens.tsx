@@ -132,6 +132,7 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
           </Suspense>
         )}
       </CandidatesAndFormulas>
+      {number === trace.stepCount && <End />}
       {examined && <WhatIf examined={examined} />}
       {change !== null && <p data-testid="lens-front-change">{change}</p>}
       {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
@@ -150,6 +151,19 @@ function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
     score: scores[i] ?? "",
     verdict: texts.verdictAt(texts.verdicts[verdict], culprit),
   }));
+}
+
+/** What is left after the last step: nothing, if the front was completed. */
+function End() {
+  const trace = useTrace();
+  const isRecent = usePlayer(({ elements }) => elements === "last" || elements === "recent");
+  if ((trace.steps.frontSizes[trace.stepCount] ?? 0) > 0) return null;
+  const count = trace.elementsAt(trace.stepCount).length;
+  return (
+    <p data-testid="lens-end">
+      {texts.noFaces(count)} {isRecent && texts.recentElements}
+    </p>
+  );
 }
 
 function WhatIf({ examined }: { readonly examined: LensCandidate }) {
