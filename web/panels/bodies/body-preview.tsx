@@ -8,6 +8,8 @@ import { FieldRow } from "../../ui/fields/field-row";
 import { IconButton } from "../../ui/icon-button";
 import { formatAngle, formatCount, formatMeasure } from "../../ui/format";
 import { strings } from "../../strings";
+import { ratioMeanings } from "../../strings/ratio-meanings";
+import { Explained } from "../../ui/explained";
 import { useApp, useProject, useMeshOfOthers, useRun, useView } from "../shared/app-context";
 import { PositionList } from "../shared/position-list";
 import styles from "./bodies.module.css";
@@ -98,7 +100,13 @@ function PreparedFacts({ prepared }: { readonly prepared: PreparedBody }) {
         value === undefined
           ? []
           : [
-              <dt key={`${label} name`}>{label}</dt>,
+              <dt key={`${label} name`}>
+                {label === texts.meanRatio ? (
+                  <Explained name={label} meaning={ratioMeanings.triangle} />
+                ) : (
+                  label
+                )}
+              </dt>,
               <dd key={label} data-testid={testId}>
                 {value}
               </dd>,
