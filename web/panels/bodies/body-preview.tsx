@@ -23,26 +23,26 @@ export function BodyPreview({ body }: { readonly body: ProjectBody }) {
   const state = useBody(body.id);
   const { preparation, isCurrent } = usePreparation(body);
   const isFillable = state?.inspection?.isFillable === true;
+  // A run waits for the preview, and shows the progress of both as one.
+  const isMeshing = useRun(({ busy, task }) => busy && task === "mesh");
   return (
     <section data-testid="body-preview" data-current={isCurrent}>
-      {state?.preparing != null ? (
-        <Making fraction={state.preparing} onCancel={() => app.bodies.cancel(body.id)} />
-      ) : (
-        !isCurrent && (
-          <Button
-            fullWidth
-            size="xs"
-            mt={6}
-            variant="default"
-            disabled={!isFillable}
-            leftSection={<IconEye size={14} aria-hidden />}
-            data-testid="body-preview-make"
-            onClick={() => previewBody(app, body.id)}
-          >
-            {preparation ? texts.update : texts.make}
-          </Button>
-        )
-      )}
+      {state?.preparing != null
+        ? !isMeshing && <Making fraction={state.preparing} onCancel={() => app.bodies.cancel(body.id)} />
+        : !isCurrent && (
+            <Button
+              fullWidth
+              size="xs"
+              mt={6}
+              variant="default"
+              disabled={!isFillable}
+              leftSection={<IconEye size={14} aria-hidden />}
+              data-testid="body-preview-make"
+              onClick={() => previewBody(app, body.id)}
+            >
+              {preparation ? texts.update : texts.make}
+            </Button>
+          )}
       {state?.preparationFailure != null && (
         <Text size="sm" c="var(--tf-error)" role="alert" mt={4}>
           {state.preparationFailure}

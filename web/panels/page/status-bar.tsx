@@ -156,12 +156,14 @@ function RunProgress() {
   const app = useApp();
   const progress = useRun((state) => state.progress);
   const cancelling = useRun((state) => state.cancelling);
-  const percent = Math.round((progress?.fraction ?? 0) * 100);
+  const preparedShare = useRun((state) => state.preparedShare);
+  const percent = Math.round((progress?.fraction ?? preparedShare) * 100);
   const task = useRun((state) => state.task);
   const preparing = useRun((state) => state.preparing);
   const phase = progress ? phaseText(task, progress) : strings.header.busy[task];
   const secondsLeft = useRun((state) => state.secondsLeft);
-  const text = cancelling ? strings.status.cancelling[task] : (preparing ?? `${phase} ${percent} %`);
+  const part = preparing !== null && preparedShare === 0 ? preparing : `${preparing ?? phase} ${percent} %`;
+  const text = cancelling ? strings.status.cancelling[task] : part;
   const announced = useThrottled(text, announceEveryMs);
   return (
     <>
