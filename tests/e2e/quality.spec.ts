@@ -52,6 +52,7 @@ test("radius ratios say what they are at the pointer", async ({ page }) => {
   await page.getByTestId("tab-quality").click();
   await page.getByRole("heading", { name: "Radius ratio" }).getByText("Radius ratio").hover();
   await expect(page.getByRole("tooltip")).toContainText("3r/R");
+  await expect(page.getByRole("tooltip")).toHaveCSS("text-transform", "none");
   await expect(page.getByRole("tooltip")).toContainText("1: regular. 0: without volume");
   await page.getByTestId("tab-patches").click();
   await page.getByTestId("patch-table").getByText("Mean 2r/R").hover();

@@ -10,7 +10,13 @@ interface ExplainedProps {
 /** A name whose meaning is shown at the pointer, by a touch, and with the focus. */
 export function Explained({ name, meaning }: ExplainedProps) {
   return (
-    <Tooltip label={meaning} multiline w={280} events={{ hover: true, focus: true, touch: true }}>
+    <Tooltip
+      label={meaning}
+      multiline
+      w={280}
+      events={{ hover: true, focus: true, touch: true }}
+      classNames={{ tooltip: styles["meaning"] ?? "" }}
+    >
       <span tabIndex={0} className={styles["explained"]}>
         {name}
       </span>
