@@ -79,6 +79,64 @@ test("on a phone the model is as large as before when a panel is closed, unless 
   await expect.poll(height).toBeCloseTo(zoomed, 0);
 });
 
+test("on a screen of usual width, the controls of the player take one row above its bar and one below", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.goto("./?test=1&lesson=5");
+  await expect(page.getByTestId("lesson-front")).toHaveAttribute("data-shown", "true");
+  const centre = async (testId: string): Promise<number> => {
+    const box = await page.getByTestId(testId).boundingBox();
+    return (box?.y ?? NaN) + (box?.height ?? NaN) / 2;
+  };
+  const above = [
+    "player-start",
+    "player-counter",
+    "player-speed",
+    "player-follow",
+    "player-fade",
+    "player-close",
+  ];
+  const below = [
+    "player-before",
+    "player-kind",
+    "player-stop-at",
+    "player-coloring",
+    "player-elements",
+    "player-region",
+  ];
+  for (const row of [above, below]) {
+    const centres = await Promise.all(row.map(centre));
+    expect(Math.max(...centres) - Math.min(...centres), row.join(" ")).toBeLessThan(8);
+  }
+});
+
+test("a notice is in the view, and covers nothing of the panels below", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("s");
+  const notice = page.getByTestId("notice-note");
+  await expect(notice).toContainText("Select");
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+  const [view, box] = [await app.viewport.boundingBox(), await notice.boundingBox()];
+  const lowerEnd = (rect: typeof box): number => (rect?.y ?? NaN) + (rect?.height ?? NaN);
+  expect(lowerEnd(box)).toBeLessThan(lowerEnd(view));
+});
+
+test("a notice covers nothing of a drawer at the lower end of the page", async ({ page }) => {
+  await page.setViewportSize({ width: 1000, height: 800 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("s");
+  await page.getByTestId("drawer-bottom").click();
+  const log = page.getByTestId("log");
+  await expect(log).toBeVisible();
+  const [notice, panel] = [await page.getByTestId("notice-note").boundingBox(), await log.boundingBox()];
+  expect((notice?.y ?? NaN) + (notice?.height ?? NaN)).toBeLessThan(panel?.y ?? NaN);
+});
+
 test("on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read", async ({
   page,
 }) => {

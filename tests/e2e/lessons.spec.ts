@@ -461,6 +461,36 @@ test("the lens shows its formulas without scrolling", async ({ page }) => {
   await expect(formula.getByRole("heading")).toBeInViewport({ ratio: 1 });
 });
 
+test("the lens shows its formulas without scrolling, however long its sentences are", async ({ page }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await open(page, "&lesson=10");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  await page.getByTestId("player-kind").selectOption("crosses");
+  const formula = page.getByTestId("lens-formula").locator(".katex").last();
+  for (let i = 0; i < 24; i++) {
+    const before = (await page.getByTestId("lens").textContent()) ?? "";
+    await page.getByTestId("player-next").click();
+    await expect(page.getByTestId("lens")).not.toHaveText(before);
+    await expect(formula).toBeInViewport({ ratio: 1 });
+  }
+});
+
+test("the status bar counts the steps of patches as the player does, and the last step says that the volume is full", async ({
+  page,
+}) => {
+  await open(page, "&lesson=3");
+  await expect(front(page)).toHaveAttribute("data-shown", "true");
+  const status = page.getByTestId("status");
+  await expect(status).toContainText("Fronts of the patches after step 274 of 1,173");
+  await open(page, "&lesson=1&step=99999");
+  await expect(page.getByTestId("notice-address")).toContainText("The front has no step 99999");
+  await expect(status).toContainText("Front after step 1,743 of 1,743");
+  await expect(page.getByTestId("lens-end")).toContainText("no faces left: 1,736 elements");
+  await expect(page.getByTestId("lens-end")).toContainText("elements made last");
+  await page.getByTestId("player-elements").selectOption("cut");
+  await expect(page.getByTestId("lens-end")).not.toContainText("elements made last");
+});
+
 test("a lesson that begins at a step which its front does not have says so", async ({ page }) => {
   await page.route("**/lessons/front.md", async (route) => {
     const response = await route.fetch();

@@ -63,9 +63,38 @@ test("presenter mode enlarges the labels of the view, and knows the keys of a cl
   await page.keyboard.press("PageDown");
   await expect(page.getByTestId("presenter-blank")).toHaveCount(0);
   await expect.poll(step).toBe(first);
+  // Some clickers send arrows. A button or a list that was used last keeps the focus.
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(step).toBe(first + 1);
+  await page.getByTestId("player-back").click();
+  await page.keyboard.press("ArrowLeft");
+  await expect.poll(step).toBe(first - 1);
+  await page.getByTestId("player-speed").selectOption({ index: 0 });
+  await page.getByTestId("player-speed").focus();
+  await page.keyboard.press("PageDown");
+  await expect.poll(step).toBe(first);
   await page.keyboard.press("F5");
   await expect(page.getByTestId("player-play")).toHaveAttribute("aria-label", /Pause/);
 });
+
+for (const number of [4, 5, 10])
+  test(`presenter mode shows the formulas of lesson ${number} without scrolling`, async ({ page }) => {
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await openLesson(page, number);
+    await page.getByRole("menuitem", { name: "Help" }).click();
+    await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
+    await expect(page.getByTestId("presenter")).toBeVisible();
+    const lens = page.getByTestId("lens");
+    await expect(lens.locator("section .katex").first()).toBeVisible();
+    const test = lens.getByTestId("lens-formula").or(lens.getByTestId("lens-ideal")).first();
+    for (const formula of await test.locator(".katex").all())
+      await expect(formula).toBeInViewport({ ratio: 1 });
+    // Verdicts take more lines rather than being cut.
+    const verdicts = lens.getByRole("cell");
+    for (const cell of await verdicts.all())
+      expect(await cell.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
+    expect(await lens.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
+  });
 
 test("Escape ends presenter mode, but first a menu, a selection or text in a field", async ({ page }) => {
   await openLesson(page, 1);

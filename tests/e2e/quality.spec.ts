@@ -46,6 +46,19 @@ test("the quality report shows the statistics of all regions together and of eac
   expect(await counted("edge")).toBe(sum(second?.edge ?? []));
 });
 
+test("radius ratios say what they are at the pointer", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tab-quality").click();
+  await page.getByRole("heading", { name: "Radius ratio" }).getByText("Radius ratio").hover();
+  await expect(page.getByRole("tooltip")).toContainText("3r/R");
+  await expect(page.getByRole("tooltip")).toHaveCSS("text-transform", "none");
+  await expect(page.getByRole("tooltip")).toContainText("1: regular. 0: without volume");
+  await page.getByTestId("tab-patches").click();
+  await page.getByTestId("patch-table").getByText("Mean 2r/R").hover();
+  await expect(page.getByRole("tooltip")).toContainText("1: equilateral. 0: without area");
+});
+
 test("a click on one of the worst elements moves the camera to it and highlights it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

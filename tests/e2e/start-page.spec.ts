@@ -39,6 +39,33 @@ test("the first visit shows what this is beside the example, and opens a file or
   expect((await app.meshed()).tets).toBe(1753);
 });
 
+test("the start page closes on Escape after a click in the view, and on a command for the model", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await page.goto("./?test=1");
+  await expect(start(page)).toBeVisible();
+  await app.meshed();
+  const view = await app.viewport.boundingBox();
+  await page.mouse.click(
+    (view?.x ?? 0) + 0.75 * (view?.width ?? 0),
+    (view?.y ?? 0) + 0.5 * (view?.height ?? 0),
+  );
+  await expect(start(page)).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(start(page)).toBeHidden();
+  await page.keyboard.press("Control+k");
+  const search = page.getByRole("textbox", { name: "Search commands" });
+  await search.fill("welcome");
+  await page.keyboard.press("Enter");
+  await expect(start(page)).toBeVisible();
+  await page.keyboard.press("Control+k");
+  await search.fill("Cut across x");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("cut-flip")).toBeVisible();
+  await expect(start(page)).toBeHidden();
+});
+
 test("the start page lists changed projects with picture and date", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

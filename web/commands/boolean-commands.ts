@@ -4,7 +4,7 @@ import type { Solid } from "../document/booleans/solids";
 import { loadManifold } from "../session/manifold";
 import { operationStrings } from "../strings";
 import { define, type Command } from "./command";
-import { showFailure, showMessage } from "./messages";
+import { showFailure, showRefusal } from "./messages";
 import { startOperation } from "./start-operation";
 
 const texts = operationStrings.booleans;
@@ -39,9 +39,9 @@ async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
     // A project with two bodies leaves no doubt which ones are meant.
     const all = selected.length < 2 ? touchedBodies(project, []) : [];
     const bodies = all.length === 2 ? all : selected;
-    if (bodies.length !== 2) return showMessage(app, texts.title, [texts.twoBodies(bodies.length)]);
+    if (bodies.length !== 2) return showRefusal(app, texts.title, texts.twoBodies(bodies.length));
     const [first, second] = bodies.map((entities) => solidOf(project, entities, preview));
-    if (!first || !second) return showMessage(app, texts.title, [texts.open]);
+    if (!first || !second) return showRefusal(app, texts.title, texts.open);
     const both: readonly [Solid, Solid] = [first, second];
     startOperation(app, booleanOperation(library, both, kind));
   } catch (error) {

@@ -4,7 +4,7 @@ import { operationStrings, strings } from "../strings";
 import { addPoints, readPositionList, refusedLineOf } from "../document/position-list";
 import { create } from "./creation-actions";
 import { fragmentText, readFragment } from "../document/transforms/fragment";
-import { showMessage } from "./messages";
+import { showMessage, showRefusal } from "./messages";
 import { startOperation } from "./start-operation";
 
 /** What this page has copied last: for browsers that do not let it read the clipboard. */
@@ -33,10 +33,8 @@ export async function pasteFragment(app: App): Promise<void> {
   const read = readFragment(text || copied || "");
   const refused = text ? refusedLineOf(text) : null;
   if (!("reason" in read)) startOperation(app, pasteOperation(read.fragment));
-  else
-    showMessage(app, operationStrings.paste.title, [
-      refused === null ? read.reason : operationStrings.refusals.refusedLine(refused),
-    ]);
+  else if (refused === null) showRefusal(app, operationStrings.paste.title, read.reason);
+  else showMessage(app, operationStrings.paste.title, [operationStrings.refusals.refusedLine(refused)]);
 }
 
 /** Pastes a list of coordinates: as places of the active drawing tool, or as points. Returns false for any other text. */

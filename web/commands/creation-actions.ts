@@ -1,11 +1,11 @@
 import type { App } from "../app/app";
 import type { Creation, Offer } from "../document/create";
-import { showMessage, showNote } from "./messages";
+import { showNote, showRefusal } from "./messages";
 
 /** Adds what an offer creates to the project and selects it, or shows why it cannot be created. */
 export function takeOffer(app: App, title: string, offer: Offer): void {
   if (!offer.possible) {
-    showMessage(app, title, [offer.reason]);
+    showRefusal(app, title, offer.reason);
     return;
   }
   create(app, offer.creation);

@@ -66,6 +66,8 @@ async function validBodies(
   await app.documents.afterGesture();
   signal.throwIfAborted();
   if (documentId() !== id) return null;
+  await app.bodies.previewed(signal, (fraction) => onPart(parts.preview, fraction));
+  if (documentId() !== id) return null;
   proposeSize(app);
   return notes;
 }

@@ -20,6 +20,8 @@ export interface PaletteItem {
   /** What a disabled command needs; null for entries that can be run. */
   readonly needs: string | null;
   readonly run: () => void;
+  /** A text that the user completes: instead of running the entry, the palette stays open with it. */
+  readonly begins?: string;
   /** Whether it moves the focus; otherwise the focus returns to where it was before the palette. */
   readonly takesFocus?: boolean;
 }
@@ -92,6 +94,27 @@ function sharingItems(app: App): PaletteItem[] {
   }));
 }
 
+/** Returns the step of the front whose number a query has, or how to ask for one: "step 100". */
+function stepItems(app: App, query: string): PaletteItem[] {
+  const { trace } = app.player.state.getState();
+  const item = { id: "go-to-step", group: paletteStrings.front, words: "jump frame seek", hotkey: null };
+  const { begin, label } = paletteStrings.goToStep;
+  const number = /\bstep\s+(\d+)\s*$/i.exec(query)?.[1];
+  if (trace === null || number === undefined)
+    return [
+      {
+        ...item,
+        label: label(null, trace?.stepCount ?? null),
+        needs: trace === null ? paletteStrings.needs.front : null,
+        begins: begin,
+        run: () => undefined,
+      },
+    ];
+  const step = Number(number);
+  if (step > trace.stepCount) return [];
+  return [{ ...item, label: label(step, trace.stepCount), needs: null, run: () => app.player.seek(step) }];
+}
+
 function exampleItems(app: App): PaletteItem[] {
   return app.gallery.models.map((model) => ({
     id: `example-${model.id}`,
@@ -131,18 +154,28 @@ function entityItems(app: App): PaletteItem[] {
         words: title,
         hotkey: null,
         needs: null,
-        run: () => showEntities(app, [entity]),
+        run: () => {
+          app.shell.setState({ startPage: false });
+          showEntities(app, [entity]);
+        },
       };
     }),
   );
 }
 
-/** Returns all entries. Disabled commands, entities, examples and settings are only found, never listed. */
-export function paletteItems(app: App): { readonly listed: PaletteItem[]; readonly found: PaletteItem[] } {
+/**
+ * Returns all entries. Disabled commands, entities, examples and settings are only found, never listed. `query`: may have the number of
+ * a step.
+ */
+export function paletteItems(
+  app: App,
+  query = "",
+): { readonly listed: PaletteItem[]; readonly found: PaletteItem[] } {
   const ofCommands = commandItems(app);
   return {
     listed: ofCommands.filter(({ needs }) => needs === null),
     found: [
+      ...stepItems(app, query),
       ...settingItems(app),
       ...templateItems(app),
       ...exampleItems(app),

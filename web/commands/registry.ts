@@ -55,9 +55,15 @@ export function commandNamed(id: string): Command {
   return command;
 }
 
-/** Runs a command if it is enabled. */
+/** Commands that have nothing to do with the model beside the start page, or close the page themselves. */
+const isBesideStart = ({ id, menu }: Command): boolean =>
+  menu === "file" || menu === "help" || id.startsWith("scheme-");
+
+/** Runs a command if it is enabled. One that works with the model closes the start page, which covers a part of the view. */
 export function runCommand(app: App, command: Command): void {
-  if (command.enabled(app)) command.run(app);
+  if (!command.enabled(app)) return;
+  if (!isBesideStart(command)) app.shell.setState({ startPage: false });
+  command.run(app);
 }
 
 const byHotkey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command] as const)));

@@ -4,7 +4,7 @@ import { planeOfSelection, principalPlane, principalPlanes } from "../document/w
 import { commandLabels, strings } from "../strings";
 import { define, type Command, type MenuName } from "./command";
 import { anyPatchMaker, createFrom, straightMaker, type Maker } from "./create-menu";
-import { showMessage } from "./messages";
+import { showRefusal } from "./messages";
 
 const tool = (menu: MenuName, section: number, name: ToolName, key: string, run: (app: App) => void) =>
   define(menu, section)(`tool-${name}`, commandLabels.tools[name], run, {
@@ -44,7 +44,7 @@ function takePlane(app: App): void {
   const { selection, workPlane } = app.view.state.getState();
   const plane = planeOfSelection(app.documents.project, selection, workPlane);
   if (plane) app.view.state.setState({ workPlane: plane });
-  else showMessage(app, commandLabels.planes.selection, [strings.drawing.noPlane]);
+  else showRefusal(app, commandLabels.planes.selection, strings.drawing.noPlane);
 }
 
 /** The tools that draw sizes: the background grid and sources. */

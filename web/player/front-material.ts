@@ -36,8 +36,12 @@ const fragmentShader = /* glsl */ `
   ${edgeStrength}
   void main() {
     vec3 color = texture2D(ramp, vec2(clamp(vShade, 0.002, 0.998), 0.5)).rgb;
-    color = mix(color, plain, fading * ${fading.plain.toFixed(2)}) * facetLight(vViewPosition);
-    color = mix(color, edgeColor, edgeStrength(vBarycentric, 0.6 * enlarging));
+    color = mix(color, plain, fading * ${fading.plain.toFixed(2)});
+    // The dark end of the scale would hide dark edges, and faces that look away from the light.
+    float darkness = 1.0 - smoothstep(0.1, 0.4, dot(color, vec3(0.2126, 0.7152, 0.0722)));
+    vec3 edge = mix(edgeColor, mix(color, vec3(1.0), 0.32), darkness);
+    color = mix(color, vec3(1.0), 0.14 * darkness) * facetLight(vViewPosition);
+    color = mix(color, edge, edgeStrength(vBarycentric, 0.6 * enlarging));
     float depth = clamp((-vViewPosition.z - depths.x) / max(depths.y - depths.x, 1e-30), 0.0, 1.0);
     float away = ${fading.background.toFixed(2)} + ${fading.depth.toFixed(2)} * depth;
     gl_FragColor = vec4(mix(color, background, fading * away), opacity);

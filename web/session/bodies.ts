@@ -120,6 +120,8 @@ export class BodyFeed {
   readonly #client = new SurfaceClient();
   readonly #surfaces = new BodySurfaces(this.#client);
   readonly #aborts = new Map<number, AbortController>();
+  /** Keys of the contents whose previews are being made, by body. */
+  readonly #making = new Map<number, string>();
   /** Aborts proposals and comparisons of repairs that are being made, by body. */
   readonly #comparisons = new Map<number, AbortController>();
   /** Ids of bodies whose preview is made as soon as they are inspected. */
@@ -148,6 +150,7 @@ export class BodyFeed {
     this.cancel(id);
     const abort = new AbortController();
     this.#aborts.set(id, abort);
+    this.#making.set(id, preparedKey(project, body));
     this.#set(id, { preparing: 0, ...noFailure });
     try {
       const known = this.preparations.find(project, body);
@@ -169,8 +172,32 @@ export class BodyFeed {
     } finally {
       if (this.#aborts.get(id) === abort) {
         this.#aborts.delete(id);
+        this.#making.delete(id);
         this.#set(id, { preparing: null });
       }
+    }
+  }
+
+  /**
+   * Resolves when no preview is being made, so that a run takes the triangles of those that are, and does not make them again at the
+   * same time. Previews of another content than the present one are aborted. Rejects if it is aborted; the previews go on then.
+   */
+  async previewed(signal: AbortSignal, onProgress: (fraction: number) => void): Promise<void> {
+    const { project } = this.#documents;
+    const present = new Map(bodiesOf(project).map((body) => [body.id, preparedKey(project, body)]));
+    for (const [id, key] of [...this.#making]) if (present.get(id) !== key) this.cancel(id);
+    const fractions = (): number[] =>
+      [...this.state.getState().byId.values()].flatMap(({ preparing }) => preparing ?? []);
+    const report = (): void => {
+      const made = fractions();
+      if (made.length > 0) onProgress(Math.min(...made));
+    };
+    report();
+    const stop = this.state.subscribe(report);
+    try {
+      await untilState(this.state, () => fractions().length === 0, signal);
+    } finally {
+      stop();
     }
   }
 
@@ -216,6 +243,7 @@ export class BodyFeed {
   cancel(id: number): void {
     this.#aborts.get(id)?.abort();
     this.#aborts.delete(id);
+    this.#making.delete(id);
     this.#set(id, { preparing: null });
   }
 

@@ -40,6 +40,8 @@ export interface RunState {
   readonly task: "mesh" | "improve";
   /** What is done to the model before it is meshed; null while nothing is. */
   readonly preparing: string | null;
+  /** Share of the run that was done to the model before it is meshed, 0 to 1. The progress of the mesher goes on from there. */
+  readonly preparedShare: number;
   /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
   readonly progress: Progress | null;
@@ -85,12 +87,12 @@ export interface PreparedBodies {
 }
 
 /**
- * Changes the model before a run meshes it. Calls `onPart` with what it does next. Returns what was done, for the log; null if
+ * Changes the model before a run meshes it. Calls `onPart` with what it does next, and with its progress from 0 to 1 if it takes long. Returns what was done, for the log; null if
  * the model must not be meshed. Rejects if it is aborted.
  */
 export type RunPreparation = (control: {
   readonly signal: AbortSignal;
-  readonly onPart: (text: string) => void;
+  readonly onPart: (text: string, fraction?: number) => void;
 }) => Promise<readonly string[] | null>;
 
 /** Who has asked for a run. Only the runs of the user are steps of undo. */
@@ -100,6 +102,7 @@ const emptyRun: RunState = {
   busy: false,
   task: "mesh",
   preparing: null,
+  preparedShare: 0,
   cancelling: false,
   progress: null,
   secondsLeft: null,
@@ -128,6 +131,9 @@ const maxLogLines = 400;
  */
 const progressWait = { share: 0.04, min: 0.1, max: 1 };
 
+/** Share of a run that preparing bodies takes, about. */
+const maxPreparedShare = 0.4;
+
 const madeByRun = { origin: null, improvement: null, edgeReference: "target", isValid: null } as const;
 
 const nameOfBody = (project: Project, id: number): string => {
@@ -148,6 +154,8 @@ export class MeshRun {
   readonly #cache = new Map<string, ShownMesh>();
   #abort: AbortController | null = null;
   #timeLeft = new TimeLeft();
+  /** Seconds that were spent on the model before the mesher began. */
+  #preparedSeconds = 0;
   #running: Promise<void> = Promise.resolve();
   #lastLogId = 0;
 
@@ -182,7 +190,14 @@ export class MeshRun {
 
   /** Prepares the model. Returns null if it must not be meshed. */
   async #prepared(prepare: RunPreparation, signal: AbortSignal): Promise<readonly string[] | null> {
-    const onPart = (preparing: string): void => this.state.setState({ preparing });
+    const began = performance.now();
+    // A part may have begun before the run.
+    let first: number | null = null;
+    const onPart = (preparing: string, fraction?: number): void => {
+      if (fraction === undefined) return this.state.setState({ preparing });
+      first ??= fraction;
+      this.state.setState({ preparing, preparedShare: maxPreparedShare * Math.max(0, fraction - first) });
+    };
     try {
       return await prepare({ signal, onPart });
     } catch (error) {
@@ -190,6 +205,7 @@ export class MeshRun {
       else this.#fail(error, 0);
       return null;
     } finally {
+      this.#preparedSeconds = (performance.now() - began) / 1000;
       this.state.setState({ preparing: null });
     }
   }
@@ -245,15 +261,16 @@ export class MeshRun {
   #begin(task: RunState["task"]): AbortController {
     this.#abort = new AbortController();
     this.#timeLeft = new TimeLeft();
-    const begun = { cancelling: false, progress: null, secondsLeft: null, failure: null, log: [] };
-    this.state.setState({ busy: true, task, ...begun });
+    this.#preparedSeconds = 0;
+    const begun = { cancelling: false, progress: null, preparedShare: 0, secondsLeft: null, failure: null };
+    this.state.setState({ busy: true, task, ...begun, log: [] });
     return this.#abort;
   }
 
   #end(): void {
     this.#abort = null;
     const ended = { busy: false, preparing: null, cancelling: false, progress: null, secondsLeft: null };
-    this.state.setState({ ...ended, front: null, unoptimized: null });
+    this.state.setState({ ...ended, preparedShare: 0, front: null, unoptimized: null });
   }
 
   /**
@@ -366,8 +383,10 @@ export class MeshRun {
 
   #showProgress(progress: Progress): void {
     if (!isDue(this.state.getState().progress, progress)) return;
-    const secondsLeft = this.#timeLeft.add(progress.fraction, progress.elapsedSeconds);
-    this.state.setState({ progress, secondsLeft });
+    const { preparedShare } = this.state.getState();
+    const fraction = preparedShare + (1 - preparedShare) * progress.fraction;
+    const secondsLeft = this.#timeLeft.add(fraction, this.#preparedSeconds + progress.elapsedSeconds);
+    this.state.setState({ progress: { ...progress, fraction }, secondsLeft });
   }
 
   #finish(

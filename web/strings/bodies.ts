@@ -216,6 +216,7 @@ export const bodyStrings = {
     inspect: "Inspecting bodies",
     repair: "Repairing bodies",
     join: "Joining bodies that touch",
+    preview: "Preparing bodies",
   },
   touching: {
     message: (names: readonly string[]) => `${listed(names)} touch or intersect`,

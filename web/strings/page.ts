@@ -81,7 +81,11 @@ export const pageStrings = {
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `${count} front faces`,
-    frontAt: (step: string, steps: string) => `Front after step ${step} of ${steps}`,
+    frontAt: {
+      lines: (step: string, steps: string) => `Lines after step ${step} of ${steps}`,
+      patches: (step: string, steps: string) => `Fronts of the patches after step ${step} of ${steps}`,
+      volume: (step: string, steps: string) => `Front after step ${step} of ${steps}`,
+    },
     filling: "Filling remaining pockets",
     exactFill: (fraction: string) => `exact fill ${fraction}`,
     cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
@@ -250,8 +254,8 @@ export const pageStrings = {
   },
   presenter: {
     title: "Presenter mode",
-    laser: "Laser pointer",
-    end: "End presentation",
+    laser: "Laser",
+    end: "End",
     blank: "The screen is black. Press B to show it again.",
   },
 } as const;

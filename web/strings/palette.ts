@@ -7,6 +7,13 @@ export const paletteStrings = {
   settings: "Settings",
   templates: "New project",
   front: "Front",
+  goToStep: {
+    begin: "step ",
+    label: (step: number | null, steps: number | null) =>
+      step === null
+        ? `Go to step … of the front${steps === null ? "" : ` (0 to ${steps.toLocaleString("en-US")})`}`
+        : `Go to step ${step} of the front`,
+  },
   sharing: {
     link: "share url address send pass on collaborate",
     embed: "embed embedded share html iframe website",
@@ -124,6 +131,9 @@ export const synonyms: Readonly<Record<string, string>> = {
   "worst-element": "poor bad smallest angle quality sliver find cut",
   problems: "errors warnings check validate diagnose",
   history: "undo steps compare versions earlier",
+  "front-play": "step animation run pause",
+  "front-start": "step first begin rewind",
+  "front-end": "step last finish",
   lessons: "learn course tutorial teach students compare orders experiments help",
   present: "projector lecture large type teach laser",
   help: "help keys keyboard hotkeys shortcut shortcuts manual mouse documentation docs guide reference support about licence license version",

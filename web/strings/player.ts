@@ -84,6 +84,10 @@ export const playerStrings = {
   counter: (step: number, steps: number) => `${number(step)} / ${number(steps)}`,
   scrubText: (phase: keyof typeof faceNames, step: number, steps: number, faces: number) =>
     `${phaseNames[phase]}: step ${number(step)} of ${number(steps)}, ${number(faces)} ${faceNames[phase]}`,
+  /** After the last step. */
+  noFaces: (elements: number) => `The front has no faces left: ${number(elements)} elements fill the volume.`,
+  recentElements:
+    "The view shows the elements made last. Choose “All, cut open” in the list “Elements” to see all of them.",
   faces: (phase: keyof typeof faceNames, faces: number) =>
     phase === "lines" ? "" : `${number(faces)} ${faceNames[phase]}`,
   stops,

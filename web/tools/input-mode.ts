@@ -25,10 +25,14 @@ const widgets: Readonly<Record<string, string>> = {
   End: '[role="region"], [role="log"]',
 };
 
+/** Headings get the focus when their panel opens, so that it is read from there. They have no keys, and the user scrolls nothing yet. */
+const headings = "h1, h2, h3";
+
 /** Returns whether the browser uses a key for the widget that has the focus: Space presses buttons, Home scrolls. */
 export function isOfWidget({ key, target }: Pick<KeyboardEvent, "key" | "target">): boolean {
   const widget = widgets[key];
-  return widget !== undefined && target !== null && isElement(target) && target.closest(widget) !== null;
+  if (widget === undefined || target === null || !isElement(target)) return false;
+  return target.closest(headings) === null && target.closest(widget) !== null;
 }
 
 /** Widgets that take the keys of menus: letters search their items, Enter opens them. */

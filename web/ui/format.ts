@@ -16,15 +16,19 @@ export function formatShort(value: number): string {
 
 const powers = { 1: "", 2: "²", 3: "³" } as const;
 
-/** Returns a length, area or volume with at most four digits and its unit, if the unit is known. */
+/** Numbers from here on have their digits in groups, up to those that are written with a power of ten. */
+const grouped = { from: 1e4, to: 1e21 } as const;
+
+/** Returns a length, area or volume with at most four digits and its unit, if the unit is known: 3,142,000 mm³. */
 export function formatMeasure(
   value: number,
   unit: string | undefined,
   power: keyof typeof powers = 1,
 ): string {
-  return unit === undefined || unit === ""
-    ? formatShort(value)
-    : `${formatShort(value)} ${unit}${powers[power]}`;
+  const size = Math.abs(value);
+  const isLong = size >= grouped.from && size < grouped.to;
+  const digits = isLong ? formatCount(Number(value.toPrecision(4))) : formatShort(value);
+  return unit === undefined || unit === "" ? digits : `${digits} ${unit}${powers[power]}`;
 }
 
 export function formatPosition(position: readonly number[]): string {

@@ -1,13 +1,24 @@
+import { Explained } from "./explained";
+
+interface TableHeadProps {
+  readonly titles: readonly string[];
+  /** What titles mean, by title. */
+  readonly meanings?: Readonly<Record<string, string>>;
+}
+
 /** The titles of the columns of a table. */
-export function TableHead({ titles }: { readonly titles: readonly string[] }) {
+export function TableHead({ titles, meanings = {} }: TableHeadProps) {
   return (
     <thead>
       <tr>
-        {titles.map((title) => (
-          <th key={title} scope="col">
-            {title}
-          </th>
-        ))}
+        {titles.map((title) => {
+          const meaning = meanings[title];
+          return (
+            <th key={title} scope="col">
+              {meaning === undefined ? title : <Explained name={title} meaning={meaning} />}
+            </th>
+          );
+        })}
       </tr>
     </thead>
   );

@@ -87,7 +87,11 @@ function twoCubes(): Project {
 const start = (kind: BooleanKind): void =>
   booleanCommands.find(({ id }) => id === `boolean-${kind}`)?.run(app);
 const opened = (): string | undefined => app.operations.state.getState().open?.operation.step;
-const message = (): readonly string[] | undefined => app.shell.getState().message?.lines;
+/** What is said beside the work, in a notice, or in the way, in a dialog. */
+const message = (): string | undefined => {
+  const { message, notices } = app.shell.getState();
+  return message?.lines.join() ?? notices[0]?.text;
+};
 /** Ends the loading, and waits for what the command then does. */
 async function load(library: Promise<ManifoldToplevel> = manifoldLibrary()): Promise<void> {
   end(library);
@@ -148,7 +152,7 @@ it.each<readonly [string, () => void]>([
 it("says why the library is missing", async () => {
   start("union");
   await load(Promise.reject(new Error("no network")));
-  expect(message()).toEqual(["no network"]);
+  expect(message()).toBe("no network");
 });
 
 it("says why there are no samples", async () => {
@@ -156,5 +160,5 @@ it("says why there are no samples", async () => {
   app.documents.edit(renameProject("other"));
   start("union");
   await load();
-  await vi.waitFor(() => expect(message()).toEqual(["no memory"]));
+  await vi.waitFor(() => expect(message()).toBe("no memory"));
 });

@@ -140,6 +140,43 @@ describe("the commands", () => {
     expect(view.state.getState().selection).toEqual([]);
   });
 
+  it("say in a notice, never in a dialog, what they need that is not selected", async () => {
+    const { app } = openApp();
+    const opensDialog = new Set(["new-point", "new-node", "help"]);
+    for (const command of commands.filter(({ keys, menu, id }) => {
+      const isKey = keys.some((key) => !key.startsWith("mod+"));
+      return isKey && menu !== "file" && !opensDialog.has(id);
+    })) {
+      app.view.clear();
+      app.operations.cancel();
+      runCommand(app, command);
+      const { message, dialog } = app.shell.getState();
+      expect([command.id, message, dialog]).toEqual([command.id, null, null]);
+    }
+    runCommand(app, commandNamed("line-spline"));
+    runCommand(app, commandNamed("boolean-union"));
+    runCommand(app, commandNamed("plane-selection"));
+    await vi.waitFor(() => expect(noticeKeys(app)).toEqual(["note"]));
+    expect(app.shell.getState().message).toBeNull();
+  });
+
+  it("close the start page if they work with the model beside it", () => {
+    const { app, run } = openApp();
+    const isOpenAfter = (id: string): boolean => {
+      app.shell.setState({ startPage: true });
+      run(id);
+      return app.shell.getState().startPage;
+    };
+    for (const id of ["cut-x", "tool-line", "line-spline", "show-all"])
+      expect([id, isOpenAfter(id)]).toEqual([id, false]);
+    for (const id of ["start", "help", "scheme-dark", "share"])
+      expect([id, isOpenAfter(id)]).toEqual([id, true]);
+    app.shell.setState({ startPage: true });
+    const [point] = searchPalette("point 1", [], paletteItems(app).found);
+    point?.run();
+    expect(app.shell.getState().startPage).toBe(false);
+  });
+
   it("do nothing while they are disabled", () => {
     const { app, run } = openApp();
     const { history } = app.documents.state.getState();

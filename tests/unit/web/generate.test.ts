@@ -69,6 +69,60 @@ it("waits until all bodies are inspected, and is cancelled meanwhile", async () 
   expect(log()).toEqual(["Cancelled before anything was meshed"]);
 });
 
+it("waits for a preview of the present content, whose progress it shows, and aborts others", async () => {
+  const ends = new Map<number, (fraction: number) => void>();
+  const aborted: number[] = [];
+  const mesher = {
+    ...(await busyMesher),
+    prepareBody: (
+      _project: unknown,
+      id: number,
+      _options: unknown,
+      control: { signal: AbortSignal; onProgress: (progress: { fraction: number }) => void },
+    ) =>
+      new Promise((_, reject) => {
+        control.signal.addEventListener("abort", () => {
+          aborted.push(id);
+          reject(new Error("aborted"));
+        });
+        ends.set(id, (fraction) =>
+          fraction < 1 ? control.onProgress({ fraction }) : reject(new Error("cannot be prepared")),
+        );
+      }),
+  } as unknown as Mesher;
+  const first = { document: newDocument({ ...emptyProject("a"), bodies }) };
+  const made = new App(
+    { first, mesher: busyMesher, previewMesher: Promise.resolve(mesher), library: null },
+    { gallery: { opening: "", models: [] }, generate: false, still: true },
+  );
+  void made.bodies.prepare(1);
+  void made.bodies.prepare(2);
+  await vi.waitFor(() => expect([...ends.keys()]).toEqual([1, 2]));
+  // The second body is another one now: its preview is out of date.
+  const [box, second, ...others] = bodies;
+  const moved = { ...second, triangles: `${second?.triangles} ` } as unknown as ProjectBody;
+  made.documents.edit({
+    label: "Move",
+    replace: [
+      [
+        ["project", "bodies"],
+        [box, moved, ...others],
+      ],
+    ],
+  });
+  const fractions: number[] = [];
+  let isOver = false;
+  const waiting = made.bodies.previewed(new AbortController().signal, (fraction) => fractions.push(fraction));
+  void waiting.then(() => (isOver = true));
+  await vi.waitFor(() => expect(aborted).toContain(2));
+  ends.get(1)?.(0.5);
+  expect(fractions.at(-1)).toBe(0.5);
+  await Promise.resolve();
+  expect(isOver).toBe(false);
+  ends.get(1)?.(1);
+  await waiting;
+});
+
 it("repairs no further body after it was cancelled", async () => {
   proposeRepairs();
   const repair = repairTo(() => app.run.cancel());

@@ -155,6 +155,30 @@ describe("the hotkeys of the player", () => {
     },
   };
 
+  it("work while the heading of a lesson has the focus, and scroll a panel that has it", async () => {
+    const app = newApp();
+    await app.player.open(bytes);
+    const apps = new PageApps<App>();
+    apps.add(app, { contains: () => true });
+    const listen = hotkeyListener(app, apps);
+    const within = (...selectors: readonly string[]): EventTarget =>
+      ({
+        closest: (selector: string) => (selectors.some((inside) => selector.includes(inside)) ? {} : null),
+      }) as never;
+    const [heading, panel] = [within("h2", '[role="region"]'), within('[role="region"]')];
+    const { stepCount = 0 } = app.player.state.getState().trace ?? {};
+    const { state } = app.player;
+    listen(press(panel, "End"));
+    expect(state.getState().step).toBe(0);
+    listen(press(heading, "End"));
+    expect(state.getState().step).toBe(stepCount);
+    listen(press(heading, "Home"));
+    expect(state.getState().step).toBe(0);
+    const toggle = vi.spyOn(app.player, "toggle").mockImplementation(() => undefined);
+    listen(press(heading, " "));
+    expect(toggle).toHaveBeenCalledTimes(1);
+  });
+
   it.each(Object.entries(layouts))("work on an %s keyboard", async (_, keys) => {
     const app = newApp();
     await app.player.open(bytes);

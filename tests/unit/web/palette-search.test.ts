@@ -12,6 +12,8 @@ import { searchHelp } from "../../../web/document/help-search";
 import { keySections } from "../../../web/panels/help/help-dialog";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";
+import { boxSurface } from "../../support/surfaces";
+import { starSurface, starTrace } from "../../support/traces";
 import { SilentWorker } from "../../support/silent-worker";
 
 beforeEach(() => {
@@ -201,6 +203,37 @@ it.each([
   const all = searchPalette(query, listed, found).map(({ id }) => id);
   expect(all.toSorted()).toEqual(ids.toSorted());
 });
+
+it("finds steps of the front by their number, and how to ask for one", async () => {
+  const app = cubeApp();
+  const foundBy = (query: string) => {
+    const { listed, found } = paletteItems(app, query);
+    return searchPalette(query, listed, found);
+  };
+  const isOfFront = ({ id }: PaletteItem): boolean => id.startsWith("front-") || id === "go-to-step";
+  // Without a front, they say what they need.
+  const before = foundBy("step").filter(isOfFront);
+  expect(before.length).toBeGreaterThan(4);
+  for (const { needs } of before) expect(needs).toContain("Record the front first");
+  await app.player.open(starTrace(starSurface(boxSurface(3, [0, 0, 0], [1, 1, 1]))).bytes);
+  const asks = foundBy("step").find(({ id }) => id === "go-to-step");
+  expect(asks).toMatchObject({ begins: "step ", needs: null });
+  for (const query of ["step 12", "go to step 12", "Step 12 "]) {
+    app.player.seek(0);
+    const [found] = foundBy(query);
+    expect(found?.label).toBe("Go to step 12 of the front");
+    found?.run();
+    expect(app.player.state.getState().step).toBe(12);
+  }
+  expect(foundBy("step 99999").filter(isOfFront)).toEqual([]);
+});
+
+it.each(["language", "languages", "translation", "deutsch"])(
+  "finds nothing by %s, which it does not have",
+  (query) => {
+    expect(foundBy(query)).toEqual([]);
+  },
+);
 
 it("shows that there is nothing to undo", () => {
   const { found } = paletteItems(cubeApp());

@@ -414,6 +414,29 @@ describe("a run that prepares the model", () => {
     mesher.dispose();
   });
 
+  it("has one progress for the preparation and the mesher, which never goes back", async () => {
+    const mesher = await createMesher();
+    const run = new MeshRun(
+      new DocumentStore({ ...emptyProject("a"), bodies: [bodyOf(1)] }),
+      Promise.resolve(mesher),
+    );
+    const shown: number[] = [];
+    run.state.subscribe(({ busy, progress, preparedShare }) => {
+      if (busy) shown.push(progress?.fraction ?? preparedShare);
+    });
+    await run.generate("user", async ({ onPart }) => {
+      onPart("Inspecting");
+      // A preview that has begun before the run.
+      for (const fraction of [0.5, 0.6, 0.9]) onPart("Preparing", fraction);
+      return Promise.resolve([]);
+    });
+    expect(shown.slice(0, 8)).toContain(0);
+    expect(Math.max(...shown.filter((fraction) => fraction < 0.17))).toBeCloseTo(0.4 * 0.4, 9);
+    expect(shown).toEqual(shown.toSorted((a, b) => a - b));
+    expect(run.state.getState().preparedShare).toBe(0);
+    mesher.dispose();
+  });
+
   it("is cancelled, or ended by the preparation, without a mesh", async () => {
     const mesher = new Promise<never>(() => undefined);
     const run = new MeshRun(new DocumentStore(emptyProject("a")), mesher);

@@ -8,6 +8,8 @@ import { Facts } from "../../ui/facts";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatCount, formatMeasure, formatShort } from "../../ui/format";
 import { strings } from "../../strings";
+import { ratioMeanings } from "../../strings/ratio-meanings";
+import { Explained } from "../../ui/explained";
 import { useApp, useProject, useRun } from "../shared/app-context";
 import { BrushSection } from "./body-brush";
 import { SplitSection } from "./body-patches";
@@ -109,7 +111,9 @@ function BodyFacts({ body, inspection }: BodyFactsProps) {
         <dd data-testid="body-patches">{formatCount(body.patches.length)}</dd>
         {worst[0] && (
           <>
-            <dt>{texts.worst}</dt>
+            <dt>
+              <Explained name={texts.worst} meaning={ratioMeanings.triangle} />
+            </dt>
             <dd>{formatShort(worst[0].radiusRatio)}</dd>
           </>
         )}

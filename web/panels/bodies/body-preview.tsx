@@ -8,6 +8,8 @@ import { FieldRow } from "../../ui/fields/field-row";
 import { IconButton } from "../../ui/icon-button";
 import { formatAngle, formatCount, formatMeasure } from "../../ui/format";
 import { strings } from "../../strings";
+import { ratioMeanings } from "../../strings/ratio-meanings";
+import { Explained } from "../../ui/explained";
 import { useApp, useProject, useMeshOfOthers, useRun, useView } from "../shared/app-context";
 import { PositionList } from "../shared/position-list";
 import styles from "./bodies.module.css";
@@ -21,26 +23,26 @@ export function BodyPreview({ body }: { readonly body: ProjectBody }) {
   const state = useBody(body.id);
   const { preparation, isCurrent } = usePreparation(body);
   const isFillable = state?.inspection?.isFillable === true;
+  // A run waits for the preview, and shows the progress of both as one.
+  const isMeshing = useRun(({ busy, task }) => busy && task === "mesh");
   return (
     <section data-testid="body-preview" data-current={isCurrent}>
-      {state?.preparing != null ? (
-        <Making fraction={state.preparing} onCancel={() => app.bodies.cancel(body.id)} />
-      ) : (
-        !isCurrent && (
-          <Button
-            fullWidth
-            size="xs"
-            mt={6}
-            variant="default"
-            disabled={!isFillable}
-            leftSection={<IconEye size={14} aria-hidden />}
-            data-testid="body-preview-make"
-            onClick={() => previewBody(app, body.id)}
-          >
-            {preparation ? texts.update : texts.make}
-          </Button>
-        )
-      )}
+      {state?.preparing != null
+        ? !isMeshing && <Making fraction={state.preparing} onCancel={() => app.bodies.cancel(body.id)} />
+        : !isCurrent && (
+            <Button
+              fullWidth
+              size="xs"
+              mt={6}
+              variant="default"
+              disabled={!isFillable}
+              leftSection={<IconEye size={14} aria-hidden />}
+              data-testid="body-preview-make"
+              onClick={() => previewBody(app, body.id)}
+            >
+              {preparation ? texts.update : texts.make}
+            </Button>
+          )}
       {state?.preparationFailure != null && (
         <Text size="sm" c="var(--tf-error)" role="alert" mt={4}>
           {state.preparationFailure}
@@ -98,7 +100,13 @@ function PreparedFacts({ prepared }: { readonly prepared: PreparedBody }) {
         value === undefined
           ? []
           : [
-              <dt key={`${label} name`}>{label}</dt>,
+              <dt key={`${label} name`}>
+                {label === texts.meanRatio ? (
+                  <Explained name={label} meaning={ratioMeanings.triangle} />
+                ) : (
+                  label
+                )}
+              </dt>,
               <dd key={label} data-testid={testId}>
                 {value}
               </dd>,

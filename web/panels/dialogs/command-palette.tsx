@@ -25,10 +25,10 @@ export function CommandPalette() {
   useRun((state) => state.busy);
   useView((state) => state.selection.length);
   useStore(app.viewer);
-  const { listed, found } = opened ? paletteItems(app) : nothing;
+  const { listed, found } = opened ? paletteItems(app, query) : nothing;
   const actions = inGroups(searchPalette(query, listed, found)).map(({ group, items }) => ({
     group,
-    actions: items.map(({ id, label, hotkey, needs, run, takesFocus = false }) => ({
+    actions: items.map(({ id, label, hotkey, needs, run, begins, takesFocus = false }) => ({
       id,
       label,
       ...(needs !== null && {
@@ -37,9 +37,15 @@ export function CommandPalette() {
         className: styles["disabled"],
         closeSpotlightOnTrigger: false,
       }),
+      ...(begins !== undefined && { closeSpotlightOnTrigger: false }),
       rightSection: hotkey === null ? null : <Kbd size="xs">{keyNames(hotkey).join(" ")}</Kbd>,
       onClick: () => {
         if (needs !== null) return;
+        if (begins !== undefined) {
+          paletteText.setState({ query: begins });
+          field?.focus();
+          return;
+        }
         setReturnsFocus(!takesFocus);
         run();
       },

@@ -22,11 +22,33 @@ type ClickerKey = "next" | "back" | "play" | "blank";
 const clickerKeys: ReadonlyMap<string, ClickerKey> = new Map([
   ["PageDown", "next"],
   ["PageUp", "back"],
+  ["ArrowRight", "next"],
+  ["ArrowDown", "next"],
+  ["ArrowLeft", "back"],
+  ["ArrowUp", "back"],
   ["F5", "play"],
   ["b", "blank"],
   ["B", "blank"],
   [".", "blank"],
 ]);
+
+/**
+ * Widgets that use arrow keys themselves. The menu bar and toolbars do not: one of their buttons may have been clicked last, for
+ * example that of presenter mode.
+ */
+const arrowWidgets =
+  'select, [role="tablist"], [role="radiogroup"], [role="slider"], [role="separator"], [role="tree"], [role="grid"], input[type="radio"]';
+/** Texts that scroll up and down. */
+const scrolled = '[role="region"], [role="log"]';
+
+/** Returns whether a key of a clicker means something else where it is pressed. */
+function isTaken({ key, target }: KeyboardEvent): boolean {
+  if (!(target instanceof Element)) return inputMode(target) !== "view";
+  if (key.startsWith("Arrow") && target.closest(arrowWidgets)) return true;
+  if ((key === "ArrowUp" || key === "ArrowDown") && target.closest(scrolled)) return true;
+  // A list or a check box stays focused after a choice.
+  return !target.matches(choices) && inputMode(target) !== "view";
+}
 
 /** Large type for an audience (base.css), and a laser pointer. Escape ends it, unless something else uses the key. */
 export function Presenter() {
@@ -110,9 +132,10 @@ function useClicker(onKey: (key: ClickerKey) => void): void {
     const press = (event: KeyboardEvent): void => {
       const { key, target, ctrlKey, altKey, metaKey, shiftKey } = event;
       const meaning = clickerKeys.get(key);
+      // Without a front, arrow keys orbit.
+      if (key.startsWith("Arrow") && app.player.state.getState().trace === null) return;
       if (!meaning || ctrlKey || altKey || metaKey || (shiftKey && key !== "F5")) return;
-      if (hasDialog() || isPaletteOpen() || inputMode(target) !== "view" || !pageApps.owns(app, target))
-        return;
+      if (hasDialog() || isPaletteOpen() || isTaken(event) || !pageApps.owns(app, target)) return;
       event.preventDefault();
       event.stopPropagation();
       latest.current(meaning);

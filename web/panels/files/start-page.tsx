@@ -1,16 +1,18 @@
 import { Anchor, Button, Checkbox, CloseButton, UnstyledButton } from "@mantine/core";
 import { IconFileUpload, IconPencilPlus, IconSchool, IconTemplate } from "@tabler/icons-react";
-import { useEffect, useRef, useState, type KeyboardEvent, type Ref } from "react";
+import { useCallback, useEffect, useRef, useState, type Ref } from "react";
 import { newProject, openExample, openFromDialog, openRecent } from "../../commands/project-actions";
 import { thumbnailOf } from "../../session/gallery";
 import { startPage } from "../../session/start-page";
 import { startStrings as texts } from "../../strings/passing";
 import { strings } from "../../strings";
-import { inputMode } from "../../tools/input-mode";
+import { hasDialog, inputMode } from "../../tools/input-mode";
 import { formatTime } from "../../ui/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { useFocusReturn } from "../../ui/use-focus-return";
 import { useApp } from "../shared/app-context";
+import { pageApps } from "../shared/page-apps";
+import { isPaletteOpen } from "../shared/palette";
 import { DocumentPicture } from "./document-picture";
 import { useRecentDocuments } from "./use-recent";
 import styles from "./start-page.module.css";
@@ -28,20 +30,10 @@ export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
     // From here, Tab leads to what it offers. Who types in a field goes on; the palette, which closes, is a dialog.
     if (inputMode(document.activeElement) !== "field") heading.current?.focus({ preventScroll: true });
   }, []);
-  const close = (): void => shell.setState({ startPage: false });
-  const closeByKey = (event: KeyboardEvent): void => {
-    if (event.key !== "Escape") return;
-    event.stopPropagation();
-    close();
-  };
+  const close = useCallback((): void => shell.setState({ startPage: false }), [shell]);
+  useEscape(close);
   return (
-    <section
-      ref={ref}
-      className={styles["page"]}
-      aria-labelledby="start-title"
-      data-testid="start-page"
-      onKeyDown={closeByKey}
-    >
+    <section ref={ref} className={styles["page"]} aria-labelledby="start-title" data-testid="start-page">
       <div className={styles["head"]}>
         <h2 ref={heading} id="start-title" tabIndex={-1}>
           {texts.title}
@@ -58,6 +50,26 @@ export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
       </footer>
     </section>
   );
+}
+
+/** Calls a function on Escape, wherever the focus is on the page: the start page is what lies on top. Dialogs, menus and fields come first. */
+function useEscape(onEscape: () => void): void {
+  const app = useApp();
+  useEffect(() => {
+    const life = new AbortController();
+    const press = (event: KeyboardEvent): void => {
+      const { key, target } = event;
+      if (key !== "Escape" || hasDialog() || isPaletteOpen() || !pageApps.owns(app, target)) return;
+      const isInside = target instanceof Element && target.closest('[data-testid="start-page"]') !== null;
+      if (!isInside && inputMode(target) !== "view") return;
+      event.preventDefault();
+      event.stopPropagation();
+      onEscape();
+    };
+    // Before the view, whose selection stays.
+    window.addEventListener("keydown", press, { capture: true, signal: life.signal });
+    return () => life.abort();
+  }, [app, onEscape]);
 }
 
 function Beginnings() {

@@ -35,7 +35,7 @@ export function PageLayout({ root }: { readonly root: RefObject<HTMLDivElement |
 
 type Sizes = readonly SplitterPaneSize[];
 
-/** Sizes of the panels, across and down. An audience sees larger type, and no model tree. */
+/** Sizes of the panels, across and down. An audience sees larger type, and the lens or nothing in place of the model tree. */
 const usual = {
   across: ["250px", 100, "292px"],
   down: [100, "212px"],
@@ -47,31 +47,50 @@ const presenting = {
   limits: { left: ["0px", "0px"], right: "720px", bottom: "540px" },
 } as const;
 
+const presentingLens = {
+  across: ["390px", 100, "440px"],
+  down: presenting.down,
+  limits: { ...presenting.limits, left: ["280px", "600px"] },
+} as const;
+
+const arrangements = { usual, presenting, presentingLens } as const;
+type Arrangement = keyof typeof arrangements;
+
 /** Sizes that the user has chosen, with and without an audience. */
-function useSizes(direction: "across" | "down", isPresenting: boolean) {
-  const [own, setOwn] = useState<Sizes>(usual[direction]);
-  const [forAudience, setForAudience] = useState<Sizes>(presenting[direction]);
-  return isPresenting
-    ? { sizes: [...forAudience], onSizeChange: setForAudience }
-    : { sizes: [...own], onSizeChange: setOwn };
+function useSizes(direction: "across" | "down", arrangement: Arrangement) {
+  const [chosen, setChosen] = useState<Partial<Record<Arrangement, Sizes>>>({});
+  return {
+    sizes: [...(chosen[arrangement] ?? arrangements[arrangement][direction])],
+    onSizeChange: (sizes: Sizes) => setChosen((before) => ({ ...before, [arrangement]: sizes })),
+  };
 }
 
 /** All panes stay where they are in the tree, so that the view keeps its camera in presenter mode. */
 function WideBody() {
   const isPresenting = useShell((state) => state.isPresenting);
-  const { limits } = isPresenting ? presenting : usual;
+  const hasLens = useHasLens();
+  const arrangement = !isPresenting ? "usual" : hasLens ? "presentingLens" : "presenting";
+  const { limits } = arrangements[arrangement];
   const [left, right] = [usual.across[0], usual.across[2]];
   return (
     <Splitter
       className={styles["body"]}
       withHandle={false}
       lineSize={1}
-      data-presenting={isPresenting || undefined}
-      {...useSizes("across", isPresenting)}
+      data-without-left={arrangement === "presenting" || undefined}
+      {...useSizes("across", arrangement)}
     >
       <Splitter.Pane defaultSize={left} min={limits.left[0]} max={limits.left[1]}>
-        <aside className={styles["side"]} aria-label={strings.tree.model}>
+        <aside
+          className={styles["side"]}
+          aria-label={isPresenting ? strings.player.lens : strings.tree.model}
+        >
           {!isPresenting && <LeftPanel />}
+          {arrangement === "presentingLens" && (
+            <PanelBoundary>
+              <Lens />
+            </PanelBoundary>
+          )}
         </aside>
       </Splitter.Pane>
       <Splitter.Pane defaultSize={100} min={20}>
@@ -80,7 +99,7 @@ function WideBody() {
           className={styles["side"]}
           withHandle={false}
           lineSize={1}
-          {...useSizes("down", isPresenting)}
+          {...useSizes("down", arrangement)}
         >
           <Splitter.Pane defaultSize={100} min={20}>
             <ViewportPanel layout="wide" />

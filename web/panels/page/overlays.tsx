@@ -5,12 +5,13 @@ import { CreatePositionedDialog } from "../dialogs/create-dialogs";
 import { ExportDialog } from "../dialogs/export-dialog";
 import { HelpDialog } from "../help/help-dialog";
 import { MessageDialog } from "../dialogs/message-dialog";
-import { Notices } from "../dialogs/notices";
 import { useIsLastUsed } from "../shared/page-apps";
 import { Presenter } from "../dialogs/presenter";
 import { ProposeDialog } from "../background/propose-dialog";
 import { RecentDialog } from "../files/recent-dialog";
 import { UnitDialog } from "../inspector/unit-dialog";
+import { Notices } from "../dialogs/notices";
+import { useLayout } from "../shared/use-layout";
 import { PictureDialog } from "../files/picture-dialog";
 import { ShareDialog } from "../files/share-dialog";
 import { TemplateDialog } from "../files/template-dialog";
@@ -34,7 +35,8 @@ export default function Overlays() {
       <PictureDialog />
       <UnitDialog />
       <MessageDialog />
-      <Notices />
+      {/* On wide screens, they are in the view. Here they lie above drawers. */}
+      {useLayout() !== "wide" && <Notices />}
       <Presenter />
     </>
   );

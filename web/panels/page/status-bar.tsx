@@ -5,6 +5,7 @@ import type { Trace } from "tetrafront/trace";
 import { useStore } from "zustand";
 import { useMemo } from "react";
 import { unitOf } from "../../document/length-units";
+import { phaseAt } from "../../player/phases";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
 import { cancelledText, type RunState } from "../../session/run";
@@ -55,9 +56,10 @@ function outcomeText(run: RunState, stale: boolean, hasErrors: boolean, front: s
   }
 }
 
-/** Returns where the front that is shown is. */
-function frontText({ stepCount }: Trace, step: number): string {
-  return strings.status.frontAt(formatCount(step), formatCount(stepCount));
+/** Returns where the front that is shown is: steps are counted in each phase, as in the player. */
+function frontText(trace: Trace, step: number): string {
+  const { phase, from, to } = phaseAt(trace, step);
+  return strings.status.frontAt[phase](formatCount(step - from), formatCount(to - from));
 }
 
 function phaseText(
@@ -154,12 +156,14 @@ function RunProgress() {
   const app = useApp();
   const progress = useRun((state) => state.progress);
   const cancelling = useRun((state) => state.cancelling);
-  const percent = Math.round((progress?.fraction ?? 0) * 100);
+  const preparedShare = useRun((state) => state.preparedShare);
+  const percent = Math.round((progress?.fraction ?? preparedShare) * 100);
   const task = useRun((state) => state.task);
   const preparing = useRun((state) => state.preparing);
   const phase = progress ? phaseText(task, progress) : strings.header.busy[task];
   const secondsLeft = useRun((state) => state.secondsLeft);
-  const text = cancelling ? strings.status.cancelling[task] : (preparing ?? `${phase} ${percent} %`);
+  const part = preparing !== null && preparedShare === 0 ? preparing : `${preparing ?? phase} ${percent} %`;
+  const text = cancelling ? strings.status.cancelling[task] : part;
   const announced = useThrottled(text, announceEveryMs);
   return (
     <>

@@ -1,7 +1,7 @@
-import { useEffect, useRef } from "react";
+import { useEffect, useRef, type ReactNode } from "react";
 import { strings } from "../../strings";
 import tables from "../../ui/table.module.css";
-import { useApp } from "../shared/app-context";
+import { useApp, useShell } from "../shared/app-context";
 import styles from "./player.module.css";
 
 const texts = strings.player;
@@ -25,8 +25,28 @@ interface CandidateTableProps {
   readonly scoreHint: string;
 }
 
+/**
+ * The candidates of a step, and the formulas of the chosen one. An audience sees the formulas first. Otherwise they follow the list,
+ * which keeps its place when another candidate is chosen.
+ */
+export function CandidatesAndFormulas({
+  children,
+  ...props
+}: CandidateTableProps & { readonly children: ReactNode }) {
+  const isPresenting = useShell((state) => state.isPresenting);
+  const count = props.rows.length;
+  return (
+    <>
+      {isPresenting && children}
+      <CandidateTable {...props} />
+      {!isPresenting && children}
+      {count > 1 && count <= ROWS_IN_VIEW && <p className={styles["hint"]}>{props.scoreHint}</p>}
+    </>
+  );
+}
+
 /** The candidates in the order in which they were tried; a click examines one. A long list scrolls: formulas follow it. */
-export function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTableProps) {
+function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTableProps) {
   const { player } = useApp();
   const list = useRef<HTMLDivElement>(null);
   useEffect(() => {
@@ -41,41 +61,38 @@ export function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTabl
   }, [chosen, rows]);
   if (rows.length === 0) return null;
   return (
-    <>
-      <div ref={list} className={styles["candidates"]}>
-        <table className={`${tables["table"]} ${tables["compact"]}`} aria-label={label}>
-          <thead>
-            <tr>
-              <th scope="col">{texts.candidate}</th>
-              <th scope="col" title={scoreHint}>
-                {texts.score}
+    <div ref={list} className={styles["candidates"]}>
+      <table className={`${tables["table"]} ${tables["compact"]}`} aria-label={label}>
+        <thead>
+          <tr>
+            <th scope="col">{texts.candidate}</th>
+            <th scope="col" title={scoreHint}>
+              {texts.score}
+            </th>
+            <th scope="col">{texts.verdict}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(({ name, score, verdict }, i) => (
+            // Candidates have no identity beside their rank.
+            <tr key={i} data-highlighted={i === chosen || undefined}>
+              <th scope="row">
+                <button
+                  type="button"
+                  className={styles["candidate"]}
+                  data-testid={`lens-candidate-${i}`}
+                  aria-pressed={i === chosen}
+                  onClick={() => player.state.setState({ candidate: i })}
+                >
+                  {texts.candidateName(i + 1, name)}
+                </button>
               </th>
-              <th scope="col">{texts.verdict}</th>
+              <td>{score}</td>
+              <td>{verdict}</td>
             </tr>
-          </thead>
-          <tbody>
-            {rows.map(({ name, score, verdict }, i) => (
-              // Candidates have no identity beside their rank.
-              <tr key={i} data-highlighted={i === chosen || undefined}>
-                <th scope="row">
-                  <button
-                    type="button"
-                    className={styles["candidate"]}
-                    data-testid={`lens-candidate-${i}`}
-                    aria-pressed={i === chosen}
-                    onClick={() => player.state.setState({ candidate: i })}
-                  >
-                    {texts.candidateName(i + 1, name)}
-                  </button>
-                </th>
-                <td>{score}</td>
-                <td>{verdict}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
-      {rows.length > 1 && rows.length <= ROWS_IN_VIEW && <p className={styles["hint"]}>{scoreHint}</p>}
-    </>
+          ))}
+        </tbody>
+      </table>
+    </div>
   );
 }

@@ -11,7 +11,7 @@ import { formatShort } from "../../ui/format";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { useApp } from "../shared/app-context";
 import { BaseFacts, type Fact } from "./base-facts";
-import { CandidateTable, type CandidateRow } from "./candidate-table";
+import { CandidatesAndFormulas, type CandidateRow } from "./candidate-table";
 import { frontChangeOf, sentenceOf, whatIfOf } from "./lens-sentence";
 import styles from "./player.module.css";
 import { SurfaceLens } from "./surface-lens";
@@ -110,25 +110,32 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
     return <p data-testid="lens-recovery">{texts.recovery(step.change, recoveryCounts(trace, step))}</p>;
   return (
     <>
-      {examined && <Sentence step={step} examined={examined} />}
-      {change !== null && <p data-testid="lens-front-change">{change}</p>}
-      {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
-      <CandidateTable
+      {examined && (
+        <p data-testid="lens-sentence">
+          <b>{sentenceOf(step, examined)}</b>
+        </p>
+      )}
+      <CandidatesAndFormulas
         label={texts.candidates}
         rows={rowsOf(step)}
         chosen={chosen ?? decisive(step)}
         scoreHint={texts.scoreHint}
-      />
-      {examined && (
-        <Suspense fallback={null}>
-          <RefusalFormula step={step} candidate={examined.candidate} />
-        </Suspense>
-      )}
-      {examined?.test && (
-        <Suspense fallback={null}>
-          <CrossingFormula {...examined.test} />
-        </Suspense>
-      )}
+      >
+        {examined && (
+          <Suspense fallback={null}>
+            <RefusalFormula step={step} candidate={examined.candidate} />
+          </Suspense>
+        )}
+        {examined?.test && (
+          <Suspense fallback={null}>
+            <CrossingFormula {...examined.test} />
+          </Suspense>
+        )}
+      </CandidatesAndFormulas>
+      {number === trace.stepCount && <End />}
+      {examined && <WhatIf examined={examined} />}
+      {change !== null && <p data-testid="lens-front-change">{change}</p>}
+      {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
       <FaceFacts step={step} />
       <Suspense fallback={null}>
         <IdealFormula step={step} />
@@ -146,16 +153,22 @@ function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
   }));
 }
 
-function Sentence({ step, examined }: { readonly step: AdvanceStep; readonly examined: LensCandidate }) {
-  const whatIf = whatIfOf(examined);
+/** What is left after the last step: nothing, if the front was completed. */
+function End() {
+  const trace = useTrace();
+  const isRecent = usePlayer(({ elements }) => elements === "last" || elements === "recent");
+  if ((trace.steps.frontSizes[trace.stepCount] ?? 0) > 0) return null;
+  const count = trace.elementsAt(trace.stepCount).length;
   return (
-    <>
-      <p data-testid="lens-sentence">
-        <b>{sentenceOf(step, examined)}</b>
-      </p>
-      {whatIf !== null && <p data-testid="lens-what-if">{whatIf}</p>}
-    </>
+    <p data-testid="lens-end">
+      {texts.noFaces(count)} {isRecent && texts.recentElements}
+    </p>
   );
+}
+
+function WhatIf({ examined }: { readonly examined: LensCandidate }) {
+  const whatIf = whatIfOf(examined);
+  return whatIf !== null && <p data-testid="lens-what-if">{whatIf}</p>;
 }
 
 function FaceFacts({ step }: { readonly step: AdvanceStep }) {

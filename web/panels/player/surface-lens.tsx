@@ -12,7 +12,7 @@ import {
 import { strings } from "../../strings";
 import { formatShort } from "../../ui/format";
 import { BaseFacts, type Fact } from "./base-facts";
-import { CandidateTable } from "./candidate-table";
+import { CandidatesAndFormulas } from "./candidate-table";
 import { planarSentenceOf } from "./lens-sentence";
 import { usePlayer } from "./use-player";
 
@@ -99,35 +99,34 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
   }));
   return (
     <>
-      {examined && <Sentence examined={examined} />}
-      {supposed && <p data-testid="lens-front-change">{texts.patch.supposed(supposed.isNew)}</p>}
-      {step.outcome === "postponed" && <p>{texts.patch.postponed(step.nextPass)}</p>}
-      <CandidateTable
+      {examined && (
+        <p data-testid="lens-sentence">
+          <b>{planarSentenceOf(examined.candidate)}</b>
+        </p>
+      )}
+      <CandidatesAndFormulas
         label={texts.patch.candidates}
         rows={rows}
         chosen={chosen}
         scoreHint={texts.patch.scoreHint}
-      />
-      {examined && (
-        <Suspense fallback={null}>
-          <PlanarFormula front={front} step={step} examined={examined} />
-        </Suspense>
-      )}
+      >
+        {examined && (
+          <Suspense fallback={null}>
+            <PlanarFormula front={front} step={step} examined={examined} />
+          </Suspense>
+        )}
+      </CandidatesAndFormulas>
+      {examined && <WhatIf examined={examined} />}
+      {supposed && <p data-testid="lens-front-change">{texts.patch.supposed(supposed.isNew)}</p>}
+      {step.outcome === "postponed" && <p>{texts.patch.postponed(step.nextPass)}</p>}
       <BaseFacts title={texts.patch.base(step.edge)} facts={facts} hint={texts.patch.whyNow} />
     </>
   );
 }
 
-function Sentence({ examined }: { readonly examined: PlanarLensCandidate }) {
+function WhatIf({ examined }: { readonly examined: PlanarLensCandidate }) {
   const whatIf = whatIfInPlane(examined);
-  return (
-    <>
-      <p data-testid="lens-sentence">
-        <b>{planarSentenceOf(examined.candidate)}</b>
-      </p>
-      {whatIf !== null && <p data-testid="lens-what-if">{whatIf}</p>}
-    </>
-  );
+  return whatIf !== null && <p data-testid="lens-what-if">{whatIf}</p>;
 }
 
 /** As `whatIfOf` of the volume. Seams and the box of the patch are not part of our own check. */

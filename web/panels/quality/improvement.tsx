@@ -7,6 +7,8 @@ import { formatAngle, formatCount } from "../../ui/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { TableHead } from "../../ui/table-head";
 import { improvementOutcome, strings } from "../../strings";
+import { ratioMeanings } from "../../strings/ratio-meanings";
+import { Explained } from "../../ui/explained";
 import table from "../../ui/table.module.css";
 import { useApp, useDocument, useRun } from "../shared/app-context";
 
@@ -49,6 +51,8 @@ const rows: readonly (readonly [name: string, text: (shapes: MeshShapes) => stri
   [texts.tetrahedra, ({ tetrahedra }) => formatCount(tetrahedra)],
 ];
 
+const isRatio = (name: string): boolean => name === texts.leastRatio || name === texts.meanRatio;
+
 /** What the last improvement has gained. */
 export function ImprovementSection() {
   const improvement = useRun((state) => state.improvement);
@@ -67,7 +71,9 @@ export function ImprovementSection() {
           <tbody>
             {rows.map(([name, text]) => (
               <tr key={name}>
-                <th scope="row">{name}</th>
+                <th scope="row">
+                  {isRatio(name) ? <Explained name={name} meaning={ratioMeanings.tetrahedron} /> : name}
+                </th>
                 <td>{text(improvement.before)}</td>
                 <td>{text(improvement.after)}</td>
               </tr>

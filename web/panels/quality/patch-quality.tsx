@@ -8,6 +8,8 @@ import { SectionTitle } from "../../ui/frames/section-title";
 import { formatAngle, formatCount, formatMeasure } from "../../ui/format";
 import { TableHead } from "../../ui/table-head";
 import { strings } from "../../strings";
+import { ratioMeanings } from "../../strings/ratio-meanings";
+import { Explained } from "../../ui/explained";
 import { useApp, useProject, useRun, useStale, useView } from "../shared/app-context";
 import { entityTitle } from "../shared/entity-chips";
 import { useListSelection } from "../shared/use-list-selection";
@@ -53,7 +55,9 @@ export function PatchFacts({ patch }: { readonly patch: number }) {
         <dd>{formatCount(quality.triangles)}</dd>
         <dt>{texts.minAngle}</dt>
         <dd>{formatAngle(quality.minAngle)}</dd>
-        <dt>{texts.meanRatio}</dt>
+        <dt>
+          <Explained name={texts.meanRatio} meaning={ratioMeanings.triangle} />
+        </dt>
         <dd>{quality.meanRadiusRatio.toFixed(3)}</dd>
         <dt>{meanEdge}</dt>
         <dd>{quality.meanEdge.toFixed(3)}</dd>
@@ -87,6 +91,7 @@ export function PatchTable() {
       ) : (
         <table className={table["table"]} data-testid="patch-table">
           <TableHead
+            meanings={{ [texts.meanRatio]: ratioMeanings.triangle }}
             titles={[
               texts.patch,
               texts.triangles,

@@ -14,6 +14,8 @@ import { formatAngle, formatCount, formatShare } from "../../ui/format";
 import { HistogramChart } from "../../ui/histogram-chart";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { strings } from "../../strings";
+import { ratioMeanings } from "../../strings/ratio-meanings";
+import { Explained } from "../../ui/explained";
 import { viridisAt } from "../../ui/theme/viridis";
 import type { QualityStatistics } from "./use-quality-statistics";
 
@@ -21,6 +23,8 @@ const texts = strings.report;
 
 interface ChartProps {
   readonly title: string;
+  /** What the title means, if it needs that. */
+  readonly meaning?: string;
   readonly quality: QualityReport;
   readonly choice: RegionChoice;
   readonly measure: CountedMeasure;
@@ -35,11 +39,24 @@ interface ChartProps {
 
 type Facts = readonly (readonly [name: string, value: string])[];
 
-function Chart({ title, quality, choice, measure, ticks, colorOf, valueText, noun, facts }: ChartProps) {
+function Chart({
+  title,
+  meaning,
+  quality,
+  choice,
+  measure,
+  ticks,
+  colorOf,
+  valueText,
+  noun,
+  facts,
+}: ChartProps) {
   const bars = countsOf(quality, choice, measure);
   return (
     <section aria-label={title}>
-      <SectionTitle>{title}</SectionTitle>
+      <SectionTitle>
+        {meaning === undefined ? title : <Explained name={title} meaning={meaning} />}
+      </SectionTitle>
       <HistogramChart
         bars={bars}
         end={bars.length * quality.binWidths[measure]}
@@ -93,6 +110,7 @@ export function RatioChart({ statistics: { quality }, choice }: QualityChartProp
   return (
     <Chart
       title={texts.radiusRatio}
+      meaning={ratioMeanings.tetrahedron}
       quality={quality}
       choice={choice}
       measure="radiusRatio"

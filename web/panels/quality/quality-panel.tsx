@@ -6,6 +6,8 @@ import { SectionTitle } from "../../ui/frames/section-title";
 import { formatAngle, formatCount, formatMeasure, formatSeconds } from "../../ui/format";
 import { HistogramChart } from "../../ui/histogram-chart";
 import { measuredIn, measureNames, strings } from "../../strings";
+import { ratioMeanings } from "../../strings/ratio-meanings";
+import { Explained } from "../../ui/explained";
 import { viridisAt } from "../../ui/theme/viridis";
 import { useApp, useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { useHistogram } from "./use-histogram";
@@ -84,7 +86,11 @@ function MeasureHistogram({ mesh }: { readonly mesh: MeshResult }) {
   return (
     <>
       <Text size="sm" c="dimmed" mb={4}>
-        {measuredIn(measureNames[measure], space)}
+        {measure === "radius-ratio" ? (
+          <Explained name={measuredIn(measureNames[measure], space)} meaning={ratioMeanings.tetrahedron} />
+        ) : (
+          measuredIn(measureNames[measure], space)
+        )}
       </Text>
       <HistogramChart
         bars={histogram?.bars ?? null}

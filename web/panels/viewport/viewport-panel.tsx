@@ -28,6 +28,7 @@ const LensLabels = lazy(async () => ({ default: (await importLabels()).LensLabel
 const importPlane = () => import("../player/plane-view");
 const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }));
 
+const Notices = lazy(async () => ({ default: (await import("../dialogs/notices")).Notices }));
 const StartPage = lazy(() => import("../files/start-page"));
 
 /** Width that the column of tools covers, in CSS pixels. */
@@ -102,6 +103,11 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       {!trouble && <Legend />}
       {layout !== "phone" && !showsPlane && <MouseHint />}
       <OperationPanel ref={setOperation} />
+      {layout === "wide" && (
+        <Suspense fallback={null}>
+          <Notices />
+        </Suspense>
+      )}
       {showsStart && (
         <Suspense fallback={null}>
           <StartPage ref={setStart} />
