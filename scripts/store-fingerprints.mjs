@@ -21,7 +21,7 @@ await main(async () => {
   );
   await must(inRoot("node_modules", ".bin", "vitest"), [
     "run",
-    "--update",
     "tests/unit/gallery/gallery.test.ts",
+    "--update",
   ]);
 });

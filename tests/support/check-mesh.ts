@@ -104,7 +104,10 @@ export function regionVolumes({ points, triangles, triangleRegions }: SurfaceMes
   return terms.map((ofRegion) => preciseSum(ofRegion) / 6);
 }
 
-export function tetrahedronVolumes({ points, tetrahedra }: VolumeMesh): number[] {
+export function tetrahedronVolumes({
+  points,
+  tetrahedra,
+}: Pick<VolumeMesh, "points" | "tetrahedra">): number[] {
   return rows(tetrahedra, 4).map((nodes) => sixVolumes(points, nodes as unknown as Tetrahedron) / 6);
 }
 

@@ -38,7 +38,7 @@ async function meshed(bytes: Uint8Array) {
 
 function volumesOf(mesh: FileMesh): number[] {
   const volumes = mesh.regions.map(() => 0);
-  tetrahedronVolumes({ ...mesh, regions: mesh.tetrahedronRegion }).forEach((volume, t) => {
+  tetrahedronVolumes(mesh).forEach((volume, t) => {
     const region = mesh.tetrahedronRegion[t] ?? 0;
     volumes[region] = (volumes[region] ?? 0) + volume;
   });
