@@ -13,6 +13,7 @@ import type {
 } from "../mesh/inspection.js";
 import type { PatchedSurface, SurfaceInput } from "../mesh/mesh.js";
 import { resolutionWarnings } from "../mesh/resolution-warnings.js";
+import { thinBodyNotes } from "./thin-bodies.js";
 import { volumeWarnings } from "./volume-warnings.js";
 import { emptyGrid, withNodes } from "../project/grid-arrays.js";
 import { afterPause, beginCall } from "./call-checks.js";
@@ -177,7 +178,9 @@ export class SurfaceTools {
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
-    return describedRemesh(remesh, [...found, ...coarse, ...volumeWarnings(remesh)]);
+    const made = describedRemesh(remesh, [...found, ...coarse, ...volumeWarnings(remesh)]);
+    const thin = await inSteps(thinBodyNotes(made, options));
+    return thin.length === 0 ? made : { ...made, diagnostics: [...made.diagnostics, ...thin] };
   }
 
   /**

@@ -17,6 +17,8 @@ export type PackageCode =
   | "deviation-above-tolerance"
   /** A remeshed surface encloses another volume than the given one. */
   | "changed-volume"
+  /** A body is so thin that one layer of good elements takes very many. */
+  | "thin-body"
   /** Two solids of a file overlap, or touch in faces with different boundaries. */
   | "touching-solids"
   /** Bodies of a surface intersected, and a repair made them one. */

@@ -1,0 +1,27 @@
+/** The note about bodies of which one layer of good elements takes very many. */
+import { expect, test } from "vitest";
+
+import { thinBodyNotes } from "../../../wasm/src/api/thin-bodies.js";
+import { withoutPause } from "../../../wasm/src/base/steps.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+/** A plate of 120,000 triangles, 100 long and wide. */
+const plate = (thickness: number) => {
+  const { points, triangles } = boxSurface(100, [0, 0, 0], [100, 100, thickness]);
+  const [origin, nodeOrigin] = [new Uint32Array(triangles.length / 3), new Uint32Array(points.length / 3)];
+  return { surface: { points, triangles, origin, nodeOrigin }, volume: 1e4 * thickness };
+};
+
+test("a body that is far thinner than large, with very many triangles, is named with both lengths", () => {
+  const [note] = withoutPause(thinBodyNotes(plate(0.1), {}));
+  expect(note).toMatchObject({ code: "thin-body", severity: "information" });
+  expect(note?.message).toContain("is about 0.1 thick and 140 large");
+  expect(note?.message).toContain("takes 120000 triangles");
+});
+
+test("thicker bodies, and those whose sizes or layers are chosen, have no note", () => {
+  expect(withoutPause(thinBodyNotes(plate(2), {}))).toEqual([]);
+  for (const options of [{ size: 1 }, { layers: 1 }]) {
+    expect(withoutPause(thinBodyNotes(plate(0.1), options))).toEqual([]);
+  }
+});

@@ -1,0 +1,37 @@
+/** A note about bodies of which one layer of good elements takes very many. */
+import { short } from "../base/short.js";
+import { type Steps, stepwise } from "../base/steps.js";
+import { cornersOf, lengthOf, normalOf } from "../base/vectors.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { diagonalOf } from "../formats/near-points.js";
+import type { SurfaceRemesh } from "../mesh/inspection.js";
+import type { RemeshOptions } from "./option-types.js";
+
+/** Number of triangles below which a mesh is made in seconds. */
+const MANY_TRIANGLES = 100_000;
+/** Mean thickness / diagonal above which other shapes have as many triangles too. */
+const THIN = 1 / 300;
+/** Number of significant digits of lengths and counts. */
+const DIGITS = 2;
+
+const REMEDY =
+  "For fewer, ask for a number (`elements`), permit flat elements (`layers: 0`), or compute the part with shell elements.";
+
+/** Returns a note about a remeshed body with automatic sizes, if it is thin and its triangles are very many. O(n). */
+export function* thinBodyNotes(
+  { surface, volume }: Pick<SurfaceRemesh, "surface" | "volume">,
+  { size, background, layers }: RemeshOptions,
+): Steps<Diagnostic[]> {
+  const isChosen = size !== undefined || background !== undefined || layers !== undefined;
+  const count = surface.triangles.length / 3;
+  if (isChosen || count < MANY_TRIANGLES) return [];
+  let area = 0;
+  yield* stepwise(count, (t) => {
+    area += lengthOf(normalOf(cornersOf(surface, t))) / 2;
+  });
+  const [thickness, diagonal] = [(2 * Math.abs(volume)) / area, diagonalOf(surface.points)];
+  if (!(thickness < THIN * diagonal)) return [];
+  const message = `the body is about ${short(thickness, DIGITS)} thick and ${short(diagonal, DIGITS)} large, so that one layer of good elements takes ${count} triangles, and more elements`;
+  return [packageDiagnostic("thin-body", message, REMEDY, "information")];
+}
