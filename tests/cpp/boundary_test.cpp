@@ -19,7 +19,7 @@ namespace tetrafront::testing {
 namespace {
 
 struct Outcome {
-  BoundaryResult result;
+  Boundary result;
   std::vector<Diagnostic> diagnostics;
 
   [[nodiscard]] std::vector<Diagnostic> of(DiagnosticCode code) const {
