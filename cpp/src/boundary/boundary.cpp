@@ -255,7 +255,7 @@ void BoundaryCheck::numberRegions(const RegionMap& regions) {
 }
 
 Boundary closeBoundary(SurfaceMesh& mesh, BoundarySource source,
-                             std::vector<Diagnostic>& diagnostics, InnerShells innerShells) {
+                       std::vector<Diagnostic>& diagnostics, InnerShells innerShells) {
   BoundaryCheck check(mesh, source, innerShells);
   finish(check);
   const std::vector<Diagnostic> found = check.takeDiagnostics();

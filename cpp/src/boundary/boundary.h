@@ -122,7 +122,7 @@ class BoundaryCheck {
 
 /// Does the whole check in one call. Appends the diagnostics to `diagnostics`.
 Boundary closeBoundary(SurfaceMesh& mesh, BoundarySource source,
-                             std::vector<Diagnostic>& diagnostics,
-                             InnerShells innerShells = InnerShells::kByOrientation);
+                       std::vector<Diagnostic>& diagnostics,
+                       InnerShells innerShells = InnerShells::kByOrientation);
 
 }  // namespace tetrafront

@@ -112,8 +112,7 @@ std::uint32_t countFlippedTriangles(const SurfaceMesh& mesh,
   return flipped;
 }
 
-void measureShells(const SurfaceMesh& mesh, const Boundary& boundary,
-                   SurfaceInspection& found) {
+void measureShells(const SurfaceMesh& mesh, const Boundary& boundary, SurfaceInspection& found) {
   found.regions = boundary.regionCount;
   for (const BoundaryShell& shell : boundary.shells) {
     const bool isInterface = mesh.isInterface(shell.firstTriangle.index());
