@@ -107,6 +107,22 @@ std::vector<Shape> validShapes() {
           {"nested spheres", nestedSpheres(5, 3), 3}};
 }
 
+TEST(BoundaryTest, ReturnsTheEdgesOfTheTrianglesAsItLeavesThem) {
+  SurfaceMesh mesh = geodesicSphere(3);
+  Random random(3);
+  for (const TriangleId t : IdRange<TriangleId>(mesh.triangles.size() / 3)) {
+    if (random.coin()) flipTriangle(mesh, t);
+  }
+  const Outcome outcome = close(mesh);
+  ASSERT_TRUE(outcome.result.edges);
+  const EdgeTable expected(mesh.triangles, mesh.points.size() / 3, {});
+  ASSERT_EQ(outcome.result.edges->edgeCount(), expected.edgeCount());
+  for (const EdgeId edge : IdRange<EdgeId>(expected.edgeCount())) {
+    EXPECT_TRUE(
+        std::ranges::equal(outcome.result.edges->halfEdgesOf(edge), expected.halfEdgesOf(edge)));
+  }
+}
+
 TEST(BoundaryTest, LeavesValidOutwardSurfacesUnchanged) {
   for (Shape& shape : validShapes()) {
     const SurfaceMesh before = shape.mesh;
