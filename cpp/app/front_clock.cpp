@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::vector<tetrafront::Diagnostic> findings;
-  const tetrafront::BoundaryResult closed = tetrafront::closeBoundary(
+  const tetrafront::Boundary closed = tetrafront::closeBoundary(
       problem.boundary, tetrafront::BoundarySource::kGivenSurface, findings);
   const bool hasGrid = !problem.grid.nodes.empty();
   if (!closed.isValid || (hasGrid && !tetrafront::checkBackgroundGrid(problem.grid).empty())) {

@@ -120,25 +120,22 @@ class MeshRun::Impl {
     progress.expectedTetrahedra = expectedTetrahedra_;
     progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
     progress.nodes = static_cast<std::uint32_t>(surface_.points.size() / 3);
+    const auto count = [&](std::size_t nodes, std::size_t tetrahedra, std::size_t frontFaces) {
+      progress.nodes = static_cast<std::uint32_t>(nodes);
+      progress.tetrahedra = static_cast<std::uint32_t>(tetrahedra);
+      progress.frontFaces = static_cast<std::uint32_t>(frontFaces);
+    };
     if (front_) {
-      progress.nodes = front_->nodeCount();
-      progress.tetrahedra = front_->tetrahedronCount();
-      progress.frontFaces = front_->frontFaceCount();
+      count(front_->nodeCount(), front_->tetrahedronCount(), front_->frontFaceCount());
       progress.exactFillFraction = front_->exactFillFraction();
     } else if (optimizer_) {
-      progress.nodes = optimizer_->pointCount();
-      progress.tetrahedra = optimizer_->tetrahedronCount();
+      count(optimizer_->pointCount(), optimizer_->tetrahedronCount(), 0);
     } else if (limiter_) {
-      progress.nodes = limiter_->nodeCount();
-      progress.tetrahedra = limiter_->tetrahedronCount();
+      count(limiter_->nodeCount(), limiter_->tetrahedronCount(), 0);
     } else if (!mesh_.points.empty()) {
-      progress.nodes = static_cast<std::uint32_t>(mesh_.points.size());
-      progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size());
-      progress.frontFaces = static_cast<std::uint32_t>(mesh_.front.size());
+      count(mesh_.points.size(), mesh_.tetrahedra.size(), mesh_.front.size());
     } else if (!result_.points.empty()) {
-      progress.nodes = countNodes(result_);
-      progress.tetrahedra = countTetrahedra(result_);
-      progress.frontFaces = static_cast<std::uint32_t>(result_.front.size() / 3);
+      count(countNodes(result_), countTetrahedra(result_), result_.front.size() / 3);
     }
     return progress;
   }

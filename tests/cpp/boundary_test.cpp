@@ -19,7 +19,7 @@ namespace tetrafront::testing {
 namespace {
 
 struct Outcome {
-  BoundaryResult result;
+  Boundary result;
   std::vector<Diagnostic> diagnostics;
 
   [[nodiscard]] std::vector<Diagnostic> of(DiagnosticCode code) const {
@@ -105,6 +105,22 @@ std::vector<Shape> validShapes() {
           {"cubes sharing an edge", cubesSharingEdge(), 2, {1, 0}},
           {"cubes sharing a node", cubesSharingNode(), 2, {0, 1}},
           {"nested spheres", nestedSpheres(5, 3), 3}};
+}
+
+TEST(BoundaryTest, ReturnsTheEdgesOfTheTrianglesAsItLeavesThem) {
+  SurfaceMesh mesh = geodesicSphere(3);
+  Random random(3);
+  for (const TriangleId t : IdRange<TriangleId>(mesh.triangles.size() / 3)) {
+    if (random.coin()) flipTriangle(mesh, t);
+  }
+  const Outcome outcome = close(mesh);
+  ASSERT_TRUE(outcome.result.edges);
+  const EdgeTable expected(mesh.triangles, mesh.points.size() / 3, {});
+  ASSERT_EQ(outcome.result.edges->edgeCount(), expected.edgeCount());
+  for (const EdgeId edge : IdRange<EdgeId>(expected.edgeCount())) {
+    EXPECT_TRUE(
+        std::ranges::equal(outcome.result.edges->halfEdgesOf(edge), expected.halfEdgesOf(edge)));
+  }
 }
 
 TEST(BoundaryTest, LeavesValidOutwardSurfacesUnchanged) {

@@ -138,8 +138,7 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
   }
   const SizeField field = SizeField::fromGrid(GridLocator(stretchedGrid(GetParam())));
   std::vector<Diagnostic> diagnostics;
-  const BoundaryResult closed =
-      closeBoundary(mesh.surface, BoundarySource::kGivenSurface, diagnostics);
+  const Boundary closed = closeBoundary(mesh.surface, BoundarySource::kGivenSurface, diagnostics);
   ASSERT_TRUE(closed.isValid);
   VolumeMesher mesher(mesh.surface, field, {});
   Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });

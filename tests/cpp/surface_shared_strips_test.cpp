@@ -104,7 +104,7 @@ void expectOneRegion(const Model& model, double size) {
   SurfaceMesh mesh = meshOf(model, size);
   EXPECT_EQ(countDuplicates(mesh), 0U);
   std::vector<Diagnostic> found;
-  const BoundaryResult boundary = closeBoundary(mesh, BoundarySource::kDrawnPatches, found);
+  const Boundary boundary = closeBoundary(mesh, BoundarySource::kDrawnPatches, found);
   EXPECT_TRUE(boundary.isValid);
   EXPECT_EQ(boundary.regionCount, 1U);
   EXPECT_GT(tetrafront::enclosedVolume(mesh), 0.0);

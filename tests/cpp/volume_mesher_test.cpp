@@ -56,7 +56,7 @@ Outcome fill(SurfaceMesh surface, const SizeField& field, const MeshOptions& opt
   Outcome outcome;
   outcome.boundary = std::move(surface);
   std::vector<Diagnostic> diagnostics;
-  const BoundaryResult closed =
+  const Boundary closed =
       closeBoundary(outcome.boundary, BoundarySource::kGivenSurface, diagnostics);
   EXPECT_TRUE(closed.isValid);
   VolumeMesher mesher(outcome.boundary, field, options, maker);

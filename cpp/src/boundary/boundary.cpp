@@ -7,6 +7,7 @@
 
 #include "boundary/centred_surface.h"
 #include "boundary/self_intersection.h"
+#include "boundary/surface_checks.h"
 #include "search/box_tree.h"
 #include "topology/corner_fans.h"
 #include "topology/edge_table.h"
@@ -19,7 +20,7 @@ namespace {
 /// Boxes per unit of budget: visiting one costs far less than testing a triangle.
 constexpr std::size_t kBoxesPerUnit = 16;
 
-/// Addresses an entry of BoundaryResult::shells.
+/// Addresses an entry of Boundary::shells.
 using BoundaryShellId = Id<BoundaryShell>;
 
 Task<BoxTree> buildTriangleTree(Work& work, const SurfaceMesh& mesh) {
@@ -56,7 +57,7 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   co_await work.yield();
 
   work.beginPart(0.08);
-  invalid_ = checkTriangles(mesh_, report_);
+  InvalidTriangles invalid = checkTriangles(mesh_, report_);
   co_await work.yield();
 
   work.beginPart(0.16);
@@ -67,21 +68,24 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   report_.setOrigin(centred.centre());
 
   work.beginPart(0.22);
-  const EdgeTable edges(mesh_.triangles, countNodes(mesh_), invalid_.inTopology);
-  checkEdges(mesh_, edges, report_);
+  result_.edges.emplace(mesh_.triangles, countNodes(mesh_), invalid.inTopology);
+  result_.withoutEdges = std::move(invalid.inTopology);
+  checkEdges(mesh_, *result_.edges, report_);
   co_await work.yield();
 
   work.beginPart(0.3);
   const BoxTree tree = co_await buildTriangleTree(work, mesh_);
 
   work.beginPart(0.85);
-  co_await checkSelfIntersections(work, mesh_, invalid_.inGeometry, tree, report_);
+  if (!isEmbedded_) {
+    co_await checkSelfIntersections(work, mesh_, invalid.inGeometry, tree, report_);
+  }
   if (report_.hasErrors()) co_return;
 
   work.beginPart(0.95);
-  RegionMap regions = findRegions(mesh_, edges, tree, meshedRule(), report_);
+  RegionMap regions = findRegions(mesh_, *result_.edges, tree, meshedRule(), report_);
   if (report_.hasErrors()) co_return;
-  reportContacts(regions, edges);
+  reportContacts(regions);
   co_await work.yield();
 
   orientOutward(regions);
@@ -107,6 +111,7 @@ void BoundaryCheck::orientOutward(RegionMap& regions) {
     std::swap(regions.shellOf[backOf(triangle).index()],
               regions.shellOf[frontOf(triangle).index()]);
   }
+  result_.edges->followFlips(isFlipped);
   if (source_ == BoundarySource::kDrawnPatches) {
     reportFlippedPatches(isFlipped);
   } else {
@@ -164,7 +169,8 @@ void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
   }
 }
 
-void BoundaryCheck::reportContacts(const RegionMap& regions, const EdgeTable& edges) {
+void BoundaryCheck::reportContacts(const RegionMap& regions) {
+  const EdgeTable& edges = *result_.edges;
   struct Contact {
     TriangleId triangle;
     Vec3 position;
@@ -248,13 +254,13 @@ void BoundaryCheck::numberRegions(const RegionMap& regions) {
   }
 }
 
-BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
-                             std::vector<Diagnostic>& diagnostics, InnerShells innerShells) {
+Boundary closeBoundary(SurfaceMesh& mesh, BoundarySource source,
+                       std::vector<Diagnostic>& diagnostics, InnerShells innerShells) {
   BoundaryCheck check(mesh, source, innerShells);
   finish(check);
   const std::vector<Diagnostic> found = check.takeDiagnostics();
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-  return check.result();
+  return check.takeResult();
 }
 
 }  // namespace tetrafront

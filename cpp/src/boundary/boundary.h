@@ -7,16 +7,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/ids.h"
 #include "base/task.h"
 #include "boundary/boundary_report.h"
 #include "boundary/region_map.h"
-#include "boundary/surface_checks.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
+#include "topology/edge_table.h"
 
 namespace tetrafront {
 
@@ -29,8 +31,14 @@ struct BoundaryShell {
   double area = 0.0;
 };
 
-struct BoundaryResult {
+/// What the check has found out about a surface, for all who work on it.
+struct Boundary {
   bool isValid = false;
+  /// The edges of the triangles as the check leaves them; none if a number is invalid.
+  std::optional<EdgeTable> edges;
+  /// One flag per triangle: whether it is left out of the edges, because it has a repeated node or duplicates an
+  /// earlier triangle.
+  std::vector<std::uint8_t> withoutEdges;
   /// In the order of their first triangles; an interface belongs to two. Empty unless valid.
   std::vector<BoundaryShell> shells;
   std::uint32_t regionCount = 0;
@@ -50,7 +58,7 @@ enum class MixedOrientation : std::uint8_t {
 ///     either side, keeps its orientation;
 ///   - with triangleRegions set, by the rule of region_map.h, or by the triangleRegions that were given;
 ///   - with its nodes and triangles in their order: the check only swaps two nodes of a triangle;
-///   - for a given surface, with trianglePatch set to the index of the shell in BoundaryResult::shells.
+///   - for a given surface, with trianglePatch set to the index of the shell in Boundary::shells.
 /// Two or more triangles may meet at an edge: regions touch there, or interfaces end.
 class BoundaryCheck {
  public:
@@ -65,6 +73,10 @@ class BoundaryCheck {
   /// something. Must be called before the first advance().
   void setFirstOfBodies(std::uint32_t triangle) { firstOfBodies_ = triangle; }
 
+  /// Declares that no two triangles intersect, as a search or the changes that made them have shown: the check then does not
+  /// search again. Must be called before the first advance().
+  void setEmbedded() { isEmbedded_ = true; }
+
   /// Does work for about `budget` triangles; returns true when finished. O(n log n) in total for surfaces with few
   /// self-intersections.
   bool advance(std::uint32_t budget) { return job_.advance(budget); }
@@ -74,16 +86,11 @@ class BoundaryCheck {
 
   /// The result and the diagnostics are complete once advance() has returned true. The result is valid unless one
   /// of the diagnostics is an error.
-  [[nodiscard]] const BoundaryResult& result() const { return result_; }
+  [[nodiscard]] const Boundary& result() const { return result_; }
+  [[nodiscard]] Boundary takeResult() { return std::move(result_); }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   /// Moves the diagnostics out: there may be a million.
   [[nodiscard]] std::vector<Diagnostic> takeDiagnostics() { return std::move(diagnostics_); }
-
-  /// One flag per triangle: whether it is left out of the edges, because it has a repeated node or duplicates an
-  /// earlier triangle. Empty if a number is invalid.
-  [[nodiscard]] const std::vector<std::uint8_t>& withoutEdges() const {
-    return invalid_.inTopology;
-  }
 
  private:
   Task<> run(Work& work);
@@ -96,7 +103,7 @@ class BoundaryCheck {
   void reportFlippedComponents(const RegionMap& regions,
                                const std::vector<std::uint8_t>& isFlipped);
   /// Reports the edges and nodes at which the surface touches itself, except those of interfaces.
-  void reportContacts(const RegionMap& regions, const EdgeTable& edges);
+  void reportContacts(const RegionMap& regions);
   /// Numbers the regions in the order of the first triangles of their outer shells.
   void numberRegions(const RegionMap& regions);
 
@@ -106,16 +113,16 @@ class BoundaryCheck {
   MixedOrientation mixed_;
   BoundaryReport report_;
   std::uint32_t firstOfBodies_ = 0xffffffffU;
-  InvalidTriangles invalid_;
+  bool isEmbedded_ = false;
   std::vector<std::uint32_t> givenRegions_;  ///< two per triangle, or empty
-  BoundaryResult result_;
+  Boundary result_;
   std::vector<Diagnostic> diagnostics_;
   Job<> job_;  ///< last, because it uses the other members
 };
 
 /// Does the whole check in one call. Appends the diagnostics to `diagnostics`.
-BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
-                             std::vector<Diagnostic>& diagnostics,
-                             InnerShells innerShells = InnerShells::kByOrientation);
+Boundary closeBoundary(SurfaceMesh& mesh, BoundarySource source,
+                       std::vector<Diagnostic>& diagnostics,
+                       InnerShells innerShells = InnerShells::kByOrientation);
 
 }  // namespace tetrafront

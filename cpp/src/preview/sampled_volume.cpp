@@ -81,7 +81,7 @@ SampledVolume findSampledVolume(const Model& model, const SampledModel& sampled,
     return result;
   }
   std::vector<Diagnostic> found;
-  const BoundaryResult closed =
+  const Boundary closed =
       closeBoundary(surface.mesh, BoundarySource::kDrawnPatches, found, enclosed);
   if (std::ranges::any_of(found, isIntersection)) return result;
   if (closed.isValid) result.volume = enclosedVolume(surface.mesh);

@@ -120,6 +120,7 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurf
   SurfaceMesh checked = made.mesh;
   checked.triangleRegions = regionsOf(made, remeshing.regions);
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
+  boundary.setEmbedded();
   co_await work.finish(boundary);
   if (anyError(boundary.takeDiagnostics())) co_return Dropped::kNone;
   simplified.deviation += merger.deviation();

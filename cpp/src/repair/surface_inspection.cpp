@@ -20,13 +20,6 @@ bool hasCode(const std::vector<Diagnostic>& diagnostics, DiagnosticCode code) {
   return std::ranges::any_of(diagnostics, [code](const Diagnostic& d) { return d.code == code; });
 }
 
-/// Returns whether coordinates or indices are invalid, so that nothing can be measured.
-bool hasInvalidNumbers(const std::vector<Diagnostic>& diagnostics) {
-  return hasCode(diagnostics, DiagnosticCode::kNotFinite) ||
-         hasCode(diagnostics, DiagnosticCode::kIndexOutOfRange) ||
-         hasCode(diagnostics, DiagnosticCode::kEmptyModel);
-}
-
 TriangleQuality qualityOf(const SurfaceMesh& mesh, TriangleId triangle, double radiusRatio) {
   const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
   const double largestCosine =
@@ -119,8 +112,7 @@ std::uint32_t countFlippedTriangles(const SurfaceMesh& mesh,
   return flipped;
 }
 
-void measureShells(const SurfaceMesh& mesh, const BoundaryResult& boundary,
-                   SurfaceInspection& found) {
+void measureShells(const SurfaceMesh& mesh, const Boundary& boundary, SurfaceInspection& found) {
   found.regions = boundary.regionCount;
   for (const BoundaryShell& shell : boundary.shells) {
     const bool isInterface = mesh.isInterface(shell.firstTriangle.index());
@@ -146,19 +138,20 @@ Task<SurfaceInspection> inspectSurface(Work& work, SurfaceMesh& mesh, Inspection
   SurfaceInspection found;
   found.diagnostics = check.takeDiagnostics();
   found.isFillable = check.result().isValid;
-  if (hasInvalidNumbers(found.diagnostics)) co_return found;
+  // If a number is invalid, nothing can be measured.
+  const Boundary& boundary = check.result();
+  if (!boundary.edges) co_return found;
   found.isEmbedded = !hasCode(found.diagnostics, DiagnosticCode::kSelfIntersection) &&
                      !hasCode(found.diagnostics, DiagnosticCode::kDuplicateTriangle);
   measureNodes(mesh, found);
-  // Ignore the triangles that the check ignores; otherwise the counts would contradict its diagnostics.
-  const EdgeTable edges(mesh.triangles, countNodes(mesh), check.withoutEdges());
-  measureEdges(mesh, edges, found);
-  found.nonManifoldNodes = countNonManifoldNodes(mesh, edges, check.withoutEdges());
+  // Without the triangles that the check ignores; otherwise the counts would contradict its diagnostics.
+  measureEdges(mesh, *boundary.edges, found);
+  found.nonManifoldNodes = countNonManifoldNodes(mesh, *boundary.edges, boundary.withoutEdges);
   found.isClosed = found.edges > 0 && found.openEdges == 0;
   found.isManifold = found.nonManifoldEdges == 0 && found.nonManifoldNodes == 0;
   measureTriangles(mesh, found);
   found.flippedTriangles = countFlippedTriangles(mesh, givenTriangles);
-  if (found.isFillable) measureShells(mesh, check.result(), found);
+  if (found.isFillable) measureShells(mesh, boundary, found);
   co_return found;
 }
 

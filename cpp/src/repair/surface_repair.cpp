@@ -361,6 +361,7 @@ Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
   // The check numbers the regions anew.
   std::vector<std::uint32_t> regions = enclosed.mesh.triangleRegions;
   BoundaryCheck boundary(enclosed.mesh, BoundarySource::kGivenSurface, options_.innerShells);
+  boundary.setEmbedded();
   co_await work.finish(boundary);
   if (!boundary.result().isValid) {
     enclosed.reason = Unresolved::kNotAccepted;

@@ -47,4 +47,14 @@ EdgeTable::EdgeTable(std::span<const std::uint32_t> triangles, std::size_t nodeC
   begins_.push_back(static_cast<std::uint32_t>(halfEdges_.size()));
 }
 
+/// A flip swaps the last two nodes, so the first half-edge and the last one change their edges. A triangle has one half-edge on
+/// an edge; so the order of an edge's half-edges stays.
+void EdgeTable::followFlips(std::span<const std::uint8_t> isFlipped) {
+  for (HalfEdgeId& halfEdge : halfEdges_) {
+    const TriangleId triangle = triangleOf(halfEdge);
+    if (isFlipped[triangle.index()] == 0) continue;
+    halfEdge = halfEdgeOf(triangle, 2 - halfEdge.value % 3);
+  }
+}
+
 }  // namespace tetrafront

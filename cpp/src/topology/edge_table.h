@@ -42,6 +42,9 @@ class EdgeTable {
   EdgeTable(std::span<const std::uint32_t> triangles, std::size_t nodeCount,
             std::span<const std::uint8_t> ignored);
 
+  /// Makes this the table of the same triangles with some flipped (flipTriangle()). `isFlipped`: one flag per triangle.
+  void followFlips(std::span<const std::uint8_t> isFlipped);
+
   /// Edges ascend by their lower node, then by their higher node.
   [[nodiscard]] std::size_t edgeCount() const { return begins_.size() - 1; }
 
