@@ -1,8 +1,9 @@
 import { expect, test } from "@playwright/test";
+import { meshFile } from "tetrafront";
 import { boundaryTriangles, measured } from "../support/mesh-measures";
 import { parseVtu } from "../support/mesh-files";
 import { boxSolid, stepFile } from "../support/step-files";
-import { stlBinary } from "../support/surface-files";
+import { stlBinary, stlText } from "../support/surface-files";
 import { boxSurface, joined, sphereSurface } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
@@ -34,6 +35,27 @@ test("files that are dropped together become bodies of one mesh; those that cann
   await page.keyboard.press("Control+z");
   await expect(page.getByTestId("tree-body-2")).toHaveCount(0);
   await expect(page.getByTestId("tree-body-1")).toContainText("base");
+});
+
+test("solids of one STL file that touch or share a volume give the mesh of the package, bit for bit", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const base = new TextDecoder().decode(stlText(boxSurface(1, [0, 0, 0], [2, 2, 2]), "base"));
+  const others = {
+    post: boxSurface(1, [0.5, 0.5, 2], [1.5, 1.5, 3.5]),
+    corner: boxSurface(1, [1, 1, 1], [3, 3, 3]),
+  };
+  for (const [name, other] of Object.entries(others)) {
+    const bytes = new TextEncoder().encode(base + new TextDecoder().decode(stlText(other, name)));
+    await dropBytes(page, bytes, `${name}.stl`);
+    await expect(page.getByTestId("model-tree")).toContainText(name);
+    const { tets, fingerprint } = await app.generate();
+    const made = await meshFile(bytes, { fileName: `${name}.stl` });
+    expect([tets, fingerprint]).toEqual([made.report.tetrahedra, made.report.fingerprint]);
+    await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
+  }
 });
 
 test("a solid inside another one of its file is meshed", async ({ page }) => {
