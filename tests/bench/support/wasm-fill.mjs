@@ -65,7 +65,8 @@ function fill(engine, surface, optimization) {
     coverageMargin: 0,
   };
   const options = { ...MESH_DEFAULTS, order: 0, innerShells: 0, optimization };
-  const run = engine.fillSurface(surface.points, surface.triangles, grid, options);
+  const regions = { triangleRegions: new Uint32Array(0), maxVolumes: none };
+  const run = engine.fillSurface(surface.points, surface.triangles, regions, grid, options);
   const seconds = Object.fromEntries(PHASES.map((phase) => [phase, 0]));
   let status = "running";
   for (let before = processorSeconds(); status === "running";) {
