@@ -36,7 +36,7 @@ test("a mesh too large for the memory is rejected with statistics, and a size th
   const [failure, factor, status, expected] = await withLittleMemory<
     [ReportedError, number, string, number]
   >(`
-    const size = 0.022;
+    const size = 0.018;
     const options = { optimization: "none" };
     const failure = await mesher.meshProject(cube, { ...options, size }).catch(reported);
     const factor = failure.data?.sizeFactor;

@@ -39,15 +39,6 @@ export interface CommonVolume {
   readonly position: Vector;
 }
 
-/** Returns whether a surface states the regions of several solids. */
-export const hasSolids = ({ surfaceRegions, givenRegions }: SurfaceFile): boolean =>
-  givenRegions !== undefined && (surfaceRegions?.regions.length ?? 0) > 1;
-
-/** Returns the surface alone: triangles of overlapping solids, and new ones between solids, contradict the given regions. */
-export function withoutRegions({ givenRegions: _, ...surface }: SurfaceFile): SurfaceFile {
-  return surface;
-}
-
 /**
  * Assigns each volume that `made` encloses to the solid that has it inside, and leaves volumes outside of all solids empty. A
  * volume inside several solids goes to the one with most area around it. `made`: the given surface, or the result of its

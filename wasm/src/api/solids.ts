@@ -18,7 +18,8 @@ import type { SharedVolume } from "../mesh/inspection.js";
 import { almostTouching } from "./near-solids.js";
 import { solidOf } from "./overlaps.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
-import { type CommonVolume, solidRegions, withoutRegions } from "./solid-regions.js";
+import { type CommonVolume, solidRegions } from "./solid-regions.js";
+import { withoutRegions } from "./stated-solids.js";
 
 export interface Solids {
   readonly surface: SurfaceFile;

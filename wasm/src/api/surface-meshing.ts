@@ -28,7 +28,7 @@ import {
   splitPart,
 } from "./surface-mesh-options.js";
 import { type SurfaceMesher, withControl } from "./surface-mesher.js";
-import { hasSolids, withoutRegions } from "./solid-regions.js";
+import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withoutCracks } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
 import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";

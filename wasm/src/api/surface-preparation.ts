@@ -8,18 +8,20 @@ import { diagonalOf } from "../formats/near-points.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/inspection.js";
-import { crackWarning } from "./cracks.js";
 import { withoutFilledPatch } from "./filled-holes.js";
 import { hasRegionVolumes } from "./input-checks.js";
 import { nearNodeWeld } from "./near-nodes.js";
 import type { RepairOptions } from "./option-types.js";
-import { joinedBodies, overlappingSolids } from "./overlaps.js";
 import { repairedSurface } from "./repaired-surface.js";
-import { hasSolids, withoutRegions } from "./solid-regions.js";
-import { checkedSolids, type Solids, withSolidRegions } from "./solids.js";
+import { hasSolids, withoutRegions } from "./stated-solids.js";
+import type { Solids } from "./solids.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
 import { overlapWarning, touchingPairs, touchingSolids } from "./touching-solids.js";
 import { isVisiblyChanged, keepsTriangles } from "./visible-change.js";
+
+/** Loaded when they are needed: most surfaces have one solid. */
+const ofSolids = () => import("./solids.js");
+const ofOverlaps = () => import("./overlaps.js");
 
 export interface PreparedSurface {
   readonly surface: SurfaceFile;
@@ -69,7 +71,7 @@ async function joinedByRepair(
   const isOneRegion = (given.surfaceRegions?.regions.length ?? 0) < 2;
   if (!isCut || !isOneRegion) return [];
   const { volume } = await mesher.inspectSurface(made, { innerShells });
-  return joinedBodies(mesher, given, surface, volume);
+  return (await ofOverlaps()).joinedBodies(mesher, given, surface, volume);
 }
 
 /** Returns the surface after a repair with the regions of its solids. `before` and `found`: inspections, without regions. */
@@ -82,11 +84,12 @@ async function solidsOfRepair(
 ): Promise<Solids> {
   const touching = touchingPairs(given.surfaceRegions, before.diagnostics);
   const isAssigned = repair.surface.givenRegions !== undefined;
+  const { withSolidRegions } = await ofSolids();
   return isAssigned
     ? withSolidRegions(mesher, given, surface, { touching, overlaps: [], assigned: repair.sharedVolumes })
     : withSolidRegions(mesher, given, surface, {
         touching,
-        overlaps: await overlappingSolids(mesher, given, touching, found),
+        overlaps: await (await ofOverlaps()).overlappingSolids(mesher, given, touching, found),
       });
 }
 
@@ -150,7 +153,9 @@ export async function preparedSurface(
   const { repair, innerShells, isRepairImplied } = preparation;
   if (isRepairImplied) return madeFillable(mesher, given, preparation);
   const isChecked = repair === undefined && hasSolids(given);
-  return isChecked ? checkedSolids(mesher, given, innerShells) : repaired(mesher, given, repair);
+  return isChecked
+    ? (await ofSolids()).checkedSolids(mesher, given, innerShells)
+    : repaired(mesher, given, repair);
 }
 
 /**
@@ -173,11 +178,11 @@ export async function madeFillable(
 ): Promise<PreparedSurface> {
   const before = await mesher.inspectSurface(given, { innerShells });
   if (before.isFillable)
-    return hasSolids(given) ? withSolidRegions(mesher, given, given) : { surface: given };
+    return hasSolids(given) ? (await ofSolids()).withSolidRegions(mesher, given, given) : { surface: given };
   const areNested =
     hasSolids(given) && before.diagnostics.some(({ code }) => code === "inconsistent-regions");
   if (areNested && (await mesher.inspectSurface(withoutRegions(given), { innerShells })).isFillable)
-    return withSolidRegions(mesher, given, given);
+    return (await ofSolids()).withSolidRegions(mesher, given, given);
   const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
   const wanted = { innerShells, weldIntersections };
   const repair = (await weldedCracks(mesher, given, wanted)) ?? (await withinLimit(mesher, given, wanted));
@@ -193,9 +198,14 @@ export async function madeFillable(
     : undefined;
   const overlaps = isOfSolids
     ? []
-    : await overlappingSolids(mesher, given, touchingPairs(given.surfaceRegions, before.diagnostics), found);
+    : await (
+        await ofOverlaps()
+      ).overlappingSolids(mesher, given, touchingPairs(given.surfaceRegions, before.diagnostics), found);
   const hasHoles = changes.some(({ kind }) => kind === "filled-hole") || before.openEdges > 0;
-  const cracks = hasHoles && !hasSolids(given) ? await crackWarning(mesher, given, found, innerShells) : [];
+  const cracks =
+    hasHoles && !hasSolids(given)
+      ? await (await import("./cracks.js")).crackWarning(mesher, given, found, innerShells)
+      : [];
   const warnings = [
     ...diagnostics,
     ...joined,
@@ -223,7 +233,9 @@ export async function withoutCracks(
   if (repair === undefined) return undefined;
   const { changes, deviation: repairDeviation } = repair;
   const welded = repairedSurface(given, repair);
-  const solids = hasSolids(given) ? await withSolidRegions(mesher, given, welded) : undefined;
+  const solids = hasSolids(given)
+    ? await (await ofSolids()).withSolidRegions(mesher, given, welded)
+    : undefined;
   const surface = solids?.surface ?? welded;
   const warnings = [...repair.diagnostics, ...(solids?.warnings ?? [])];
   const made = { surface, changes, repairDeviation, warnings };

@@ -3,7 +3,7 @@ import { readingNotes } from "../api/reading-notes.js";
 import { ofBody } from "../api/body-preparation.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import type { PreviewOptions } from "../api/option-types.js";
-import { withoutRegions } from "../api/solid-regions.js";
+import { withoutRegions } from "../api/stated-solids.js";
 import { readySurface } from "../api/surface-meshing.js";
 import { checkInspectionOptions, checkPreviewOptions } from "../api/options.js";
 import { LIMITS } from "../base/limits.js";
