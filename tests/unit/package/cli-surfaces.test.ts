@@ -88,7 +88,7 @@ describe("--surface refine", () => {
     const args = ["mesh", "inclusion.off", "-o", "a.vtu", "--report", "a.json"];
     const angleWith = async (...more: string[]): Promise<number> => {
       expect((await run(...args, ...more)).code).toBe(0);
-      return (jsonIn("a.json") as MeshReport).quality?.shapes.dihedral.min ?? 0;
+      return (jsonIn("a.json") as MeshReport).quality.shapes.dihedral.min;
     };
     expect(await angleWith("--surface", "keep")).toBeLessThan(10);
     expect(await angleWith("--surface", "refine")).toBeGreaterThan(25);

@@ -30,7 +30,7 @@ async function meshed(bytes: Uint8Array) {
   expect(report.diagnostics.map(({ code }) => code)).not.toContain("changed-volume");
   const volumes = volumesOf(mesh).map((volume) => Number(volume.toFixed(9)));
   return {
-    smallest: report.quality?.shapes.dihedral.min,
+    smallest: report.quality.shapes.dihedral.min,
     names: mesh.regions.map(({ name }) => name),
     volumes,
   };
