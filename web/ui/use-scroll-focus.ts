@@ -1,8 +1,8 @@
-import { useEffect, type RefObject } from "react";
+import { useLayoutEffect, type RefObject } from "react";
 
 /** Lets the keyboard reach those of some elements in a box that are too wide for it and scroll, and only those. */
 export function useScrollFocus(box: RefObject<HTMLElement | null>, selector: string, content: unknown): void {
-  useEffect(() => {
+  useLayoutEffect(() => {
     const element = box.current;
     if (!element) return undefined;
     const check = (): void => {
@@ -11,6 +11,8 @@ export function useScrollFocus(box: RefObject<HTMLElement | null>, selector: str
         else scrolling.removeAttribute("tabindex");
       }
     };
+    // At once: new content must not be out of reach until the observer is called.
+    check();
     const watch = new ResizeObserver(check);
     watch.observe(element);
     // A font that arrives later changes the width of the text, but not that of the box.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "base/sort.h"
@@ -30,6 +31,8 @@ constexpr double kLongAtLast = 1.5;
 /// cannot be split hold back no others.
 constexpr double kPassFraction = 0.6;
 constexpr int kMaxPasses = 30;
+/// Edges split in a pass / edges split in the pass before, for the progress: about 1 / kPassFraction^2.
+constexpr double kPassGrowth = 2.8;
 /// A pass is the last one if it collapses at most one in this many of the listed edges.
 constexpr std::size_t kFewCollapses = 50;
 constexpr int kMaxCollapsePasses = 20;
@@ -59,7 +62,7 @@ Task<> RemeshSchedule::run(Work& work) {
     const double begin = 0.05 + 0.25 * round;
     const double shortest = round == 0 ? kVeryShort : kShort;
     const double longest = isLast ? kLongAtLast : kLong;
-    work.beginPart(begin + 0.1);
+    work.beginPart(begin + 0.05);
     co_await collapseShort(work, shortest, kLong);
     co_await flipAll(work);
     work.beginPart(begin + 0.2);
@@ -150,10 +153,14 @@ Task<> RemeshSchedule::collapseShort(Work& work, double limit, double longest) {
 /// would make several times as many triangles.
 Task<> RemeshSchedule::splitLong(Work& work, double limit) {
   double least = kUnlimited;
+  double expectedPasses = 0.0;
   for (int pass = 0; pass < kMaxPasses; ++pass) {
     collectEdges(0.0, limit);
     if (edges_.empty()) break;
     stableSort(edges_, [](const Edge& x, const Edge& y) { return x.length > y.length; });
+    if (pass == 0)
+      expectedPasses = std::ceil(std::log(edges_[0].length / limit) / -std::log(kPassFraction));
+    work.beginPart(std::min(1.0, std::pow(kPassGrowth, pass + 1 - expectedPasses)));
     const bool isLowest = least == limit;
     least = std::max(limit, kPassFraction * std::min(least, edges_[0].length));
     std::erase_if(edges_, [&](const Edge& edge) { return edge.length < least; });
