@@ -37,7 +37,7 @@ test("files that are dropped together become bodies of one mesh; those that cann
   await expect(page.getByTestId("tree-body-1")).toContainText("base");
 });
 
-test("solids of one STL file that touch or share a volume give the mesh of the package, bit for bit", async ({
+test("solids of one STL file that touch, share a volume, are apart or nested give the mesh of the package, bit for bit", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -46,15 +46,18 @@ test("solids of one STL file that touch or share a volume give the mesh of the p
   const others = {
     post: boxSurface(1, [0.5, 0.5, 2], [1.5, 1.5, 3.5]),
     corner: boxSurface(1, [1, 1, 1], [3, 3, 3]),
+    apart: boxSurface(6, [4, 0, 0], [5, 1, 1]),
+    inside: sphereSurface(6, 0.4, [1, 1, 1]),
   };
   for (const [name, other] of Object.entries(others)) {
     const bytes = new TextEncoder().encode(base + new TextDecoder().decode(stlText(other, name)));
     await dropBytes(page, bytes, `${name}.stl`);
-    await expect(page.getByTestId("model-tree")).toContainText(name);
+    await expect(page.getByTestId("body-card")).toBeVisible();
+    await expect(page.getByTestId("entity-name")).toHaveValue(/^(base|apart|inside)$/);
     const { tets, fingerprint } = await app.generate();
     const made = await meshFile(bytes, { fileName: `${name}.stl` });
     expect([tets, fingerprint]).toEqual([made.report.tetrahedra, made.report.fingerprint]);
-    await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
+    await expect(page.getByTestId("log")).toContainText("The model has 2 regions");
   }
 });
 

@@ -30,6 +30,15 @@ export function nearPairs(boxes: readonly Box[]): (readonly [number, number])[] 
   );
 }
 
+/** Returns whether bodies in some of the boxes may touch: two are not apart, and neither lies within the other. */
+export function mayTouch(boxes: readonly Box[]): boolean {
+  const isWithin = (inner: Box | undefined, outer: Box | undefined): boolean =>
+    inner !== undefined &&
+    outer !== undefined &&
+    inner.low.every((x, k) => x > (outer.low[k] ?? x) && (inner.high[k] ?? x) < (outer.high[k] ?? x));
+  return nearPairs(boxes).some(([a, b]) => !isWithin(boxes[a], boxes[b]) && !isWithin(boxes[b], boxes[a]));
+}
+
 /** Returns the indices below `count` in groups that are connected by pairs; without those that are in no pair. */
 export function connectedGroups(count: number, pairs: readonly (readonly [number, number])[]): number[][] {
   const groupOf = Array.from({ length: count }, (_, index) => [index]);

@@ -19,9 +19,10 @@ import {
   createBody,
   type ProjectBody,
 } from "tetrafront/project";
-import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import { boxOf, buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
 import { hasInnerSolid } from "../document/inner-solids";
 import { meaningOf, patchValues, type PatchMeaning } from "../document/patch-colors";
+import { mayTouch } from "../document/touching-bodies";
 import { strings } from "../strings";
 import "./cad-library";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
@@ -45,10 +46,16 @@ serveCalls<SurfaceProtocol>({
     const { unit } = read.value;
     const { treatment, note } = await treatmentOf(read.value, fileName);
     const notes = [...notesOf(read.value), ...note];
-    const surface = await withSolidsOfPatches(read.value);
-    const made = createBodies(surface, head).map((body) => newBody({ ...body, ...treatment }));
+    const bodiesIn = (surface: SurfaceFile) =>
+      createBodies(surface, head).map((body) => newBody({ ...body, ...treatment }));
+    const divided = await withSolidsOfPatches(read.value);
+    const parts = bodiesIn(divided);
+    // Solids of an STL file that do not touch are regions of one body, with common sizes, as in the package.
+    const isOne =
+      divided !== read.value && !mayTouch(parts.map(({ loaded }) => boxOf(loaded.surface.points)));
+    const made = isOne ? bodiesIn(read.value) : parts;
     const solids = made.map(({ loaded }) => loaded.surface);
-    const isInner = hasInnerSolid(solids, surface.surfaceRegions);
+    const isInner = hasInnerSolid(solids, isOne ? undefined : divided.surfaceRegions);
     return {
       answer: { success: true, made, unit, hasInnerSolid: isInner, notes, mesh: null },
       transfer: made.flatMap(buffersOf),

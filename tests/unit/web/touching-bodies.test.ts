@@ -4,6 +4,7 @@ import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 import {
   connectedGroups,
   joinedHead,
+  mayTouch,
   nearPairs,
   replaceByJoined,
 } from "../../../web/document/touching-bodies";
@@ -30,6 +31,14 @@ function cube(id: number, edge: number, position: [number, number, number]): Giv
 const projectOf = (given: readonly GivenBody[]): Project => ({
   ...emptyProject("a"),
   bodies: given.map(({ body }) => body),
+});
+
+it("bodies may touch unless their boxes are apart, or one lies within the other", () => {
+  const box = (low: number, high: number) => ({ low: [low, low, low], high: [high, high, high] }) as const;
+  expect(mayTouch([box(0, 1), box(2, 3)])).toBe(false);
+  expect(mayTouch([box(0, 3), box(1, 2)])).toBe(false);
+  expect(mayTouch([box(0, 1), box(1, 2)])).toBe(true);
+  expect(mayTouch([box(0, 3), box(1, 3)])).toBe(true);
 });
 
 describe("bodies that touch", () => {
