@@ -1,6 +1,7 @@
 import { NO_REGION, type SurfaceFile } from "tetrafront";
 import { boxOf } from "./drawn-surface";
 import type { Position } from "./position";
+import { isWithin } from "./touching-bodies";
 import { cornerOf, windingNumber, type Triangles } from "./winding-number";
 
 /**
@@ -18,10 +19,7 @@ export function hasInnerSolid(
     bodies.some((outer, o) => {
       const [small, large] = [boxes[i], boxes[o]];
       if (i === o || !small || !large) return false;
-      const isNested = small.low.every(
-        (x, k) => x > (large.low[k] ?? x) && (small.high[k] ?? x) < (large.high[k] ?? x),
-      );
-      return isNested && Math.abs(windingNumber(outer, firstPoint(inner))) > 0.5;
+      return isWithin(small, large) && Math.abs(windingNumber(outer, firstPoint(inner))) > 0.5;
     }),
   );
 }

@@ -30,13 +30,17 @@ export function nearPairs(boxes: readonly Box[]): (readonly [number, number])[] 
   );
 }
 
+/** Returns whether a box lies inside another one and touches none of its sides. */
+export function isWithin(inner: Box, outer: Box): boolean {
+  return inner.low.every((x, k) => x > (outer.low[k] ?? x) && (inner.high[k] ?? x) < (outer.high[k] ?? x));
+}
+
 /** Returns whether bodies in some of the boxes may touch: two are not apart, and neither lies within the other. */
 export function mayTouch(boxes: readonly Box[]): boolean {
-  const isWithin = (inner: Box | undefined, outer: Box | undefined): boolean =>
-    inner !== undefined &&
-    outer !== undefined &&
-    inner.low.every((x, k) => x > (outer.low[k] ?? x) && (inner.high[k] ?? x) < (outer.high[k] ?? x));
-  return nearPairs(boxes).some(([a, b]) => !isWithin(boxes[a], boxes[b]) && !isWithin(boxes[b], boxes[a]));
+  return nearPairs(boxes).some(([a, b]) => {
+    const [one, other] = [boxes[a], boxes[b]];
+    return one !== undefined && other !== undefined && !isWithin(one, other) && !isWithin(other, one);
+  });
 }
 
 /** Returns the indices below `count` in groups that are connected by pairs; without those that are in no pair. */

@@ -179,8 +179,8 @@ export class BodyFeed {
   }
 
   /**
-   * Resolves when no preview is being made, so that a run takes the triangles of those that are, and does not make them again at the
-   * same time. Previews of another content than the present one are aborted. Rejects if it is aborted; the previews go on then.
+   * Waits until no preview is being made, so that a run uses its triangles instead of making them again. Previews of outdated
+   * content are aborted. Rejects if `signal` is aborted; the previews then go on.
    */
   async previewed(signal: AbortSignal, onProgress: (fraction: number) => void): Promise<void> {
     const { project } = this.#documents;

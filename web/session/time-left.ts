@@ -34,7 +34,7 @@ export class TimeLeft {
     return Math.max(0, this.#end - elapsedSeconds);
   }
 
-  /** Time for what is left at the mean rate of the whole run or of its second half, whichever is lower. */
+  /** Time for the remaining work at the mean rate of the whole run or of its second half, whichever is lower. */
   #timeAtSlowestRate(fraction: number, seconds: number): number {
     const perFraction = ([from]: readonly Report[]): number => {
       const done = fraction - (from?.fraction ?? 0);

@@ -17,7 +17,7 @@ export const addressStrings = {
   withoutStep: (names: readonly string[]) =>
     `The address has ${names.map((name) => `“${name}”`).join(" and ")} without a step, for example “step=100”. No front is shown.`,
   noStep: (step: number, first: number, last: number, shown: number) =>
-    `The front has no step ${step}: its states are ${first} to ${last}${first < 0 ? ", of which negative ones belong to lines and patches" : ""}. State ${shown} is shown.`,
+    `The front has no step ${step}: its states are ${first} to ${last}${first < 0 ? " (the negative ones belong to lines and patches)" : ""}. State ${shown} is shown.`,
   noCandidate: (candidate: number, step: number) =>
     `Step ${step} has no candidate ${candidate}. The candidate that decides the step is shown.`,
   ofFront: {

@@ -189,7 +189,7 @@ struct SurfaceRefinement {
 };
 
 /// Splits the triangles of a surface that are larger than the target size, so that a run with the same grid and
-/// options can reach its sizes. Edges longer than sqrt(2) x the target length are halved, in all triangles at the
+/// options can reach its sizes. Without sizes, the surface's own edges are the sizes, limited by growth. Edges longer than sqrt(2) x the target length are halved, in all triangles at the
 /// edge, and only if the edge is the longest of these triangles (Rivara 1984); angles therefore stay above half of
 /// what they were. New nodes are midpoints of edges, so that the shape changes by rounding only. Triangles keep
 /// their orientation. O(n log n) for n triangles of the result. A unit of work is an edge or triangle; linking the edges

@@ -248,7 +248,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   }
 
   /// Returns the estimated part of the step that is done after this many sweeps of a run. The number of runs is not known
-  /// beforehand; each counts as the same part of what is left, because later ones visit less.
+  /// beforehand: each takes the same share of the remaining work, because later runs visit fewer elements.
   [[nodiscard]] static double fractionAfter(const Step& step, int run, std::size_t sweeps) {
     const double ofRun = static_cast<double>(sweeps) / static_cast<double>(step.sweeps.size());
     if (step.maxRepeats == 1) return ofRun;

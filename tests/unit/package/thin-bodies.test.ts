@@ -1,4 +1,4 @@
-/** The note about bodies of which one layer of good elements takes very many. */
+/** The note on bodies so thin that a single layer of good elements needs very many of them. */
 import { expect, test } from "vitest";
 
 import { thinBodyNotes } from "../../../wasm/src/api/thin-bodies.js";

@@ -201,8 +201,8 @@ export interface Mesher {
    * the longest edge of a triangle first: no angle falls below half of its former value, and the shape is kept up to the
    * rounding of midpoints. `repairedSurface(file, refinement)` keeps the patches. Rejects with `invalid-input` if
    * numbers are invalid, or there would be too many triangles; with the enclosed `volume`, also if there would be more
-   * tetrahedra than a run permits, before anything is split. Without sizes, those of the triangles' own edges apply, which grow
-   * from the small ones: a large face beside small triangles is split. O(n log n) for n triangles of the result; about 2 µs
+   * tetrahedra than a run permits, before anything is split. Without sizes, the triangles' own edges are the sizes, limited by
+   * growth: a large triangle beside small ones is split. O(n log n) for n triangles of the result; about 2 µs
    * each. Works in slices beside a run.
    */
   refineSurface(

@@ -100,7 +100,7 @@ async function decidedForSolids(
   return touching > 0 ? { kind: "remesh", touching } : treatment;
 }
 
-/** Returns the number of pairs of solids that touch, of those that the surface states or of its shells. */
+/** Returns the number of pairs of solids that touch. If the surface states no solids, its closed shells count. */
 async function countTouching(
   mesher: SurfaceMesher,
   surface: SurfaceFile,

@@ -1,4 +1,4 @@
-/** A note about bodies of which one layer of good elements takes very many. */
+/** A note on bodies so thin that a single layer of good elements needs very many of them. */
 import { short } from "../base/short.js";
 import { type Steps, stepwise } from "../base/steps.js";
 import { cornersOf, lengthOf, normalOf } from "../base/vectors.js";

@@ -233,7 +233,7 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
   }
 }
 
-/** Some programs leave out the last line. The triangles tell whether others are missing too: then edges are open. */
+/** Accepts a file without its last line, which some programs omit, unless open edges show that triangles are missing too. */
 async function withoutEnd(reader: ByteReader, mesh: FileMesh): Promise<FileMesh> {
   const open = await inSteps(openEdges(mesh.triangles, mesh.points.length / 3));
   if (open.length > 0 || mesh.triangles.length === 0) {

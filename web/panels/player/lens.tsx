@@ -153,7 +153,7 @@ function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
   }));
 }
 
-/** What is left after the last step: nothing, if the front was completed. */
+/** Says after the last step that the volume is full, if the front was completed. */
 function End() {
   const trace = useTrace();
   const isRecent = usePlayer(({ elements }) => elements === "last" || elements === "recent");
