@@ -17,11 +17,11 @@ import { extensionsFor, FILE_FORMATS, formatOf } from "../formats/file-formats.j
 import { noteLostRegions } from "../formats/format-limits.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely } from "../formats/read-result.js";
 import { withMidNodes } from "../formats/second-order.js";
-import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import { surfaceOf } from "../formats/surface-file.js";
 import { inUnits, lengthInFile, type LengthOptions } from "../formats/units.js";
-import { type VolumeFile, volumeOf } from "../formats/volume-file.js";
+import { volumeOf } from "../formats/volume-file.js";
 import { MAX_LENGTH, MIN_LENGTH } from "../generated/constants.js";
-import type { ElementOrder, FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh, ElementOrder } from "../mesh/mesh.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
 import { UNITS } from "../mesh/units.js";
 
@@ -77,19 +77,19 @@ export interface WriteFileOptions {
  *     const read = await readSurface(file.stream(), { fileName: file.name });
  *     if (read.success) await mesher.fillSurface(read.value);
  */
-export function readSurface(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<SurfaceFile>> {
+export function readSurface(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<Mesh>> {
   return asResult(async () =>
     inSteps(surfaceOf(await readAny(source, options, ["surface"])), options.signal),
   );
 }
 
 /** Reads the tetrahedra of a file, with the nodes they use and the values at these nodes. */
-export function readVolume(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<VolumeFile>> {
+export function readVolume(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<Mesh>> {
   return asResult(async () => inSteps(volumeOf(await readAny(source, options, ["volume"])), options.signal));
 }
 
 /** Reads all triangles and tetrahedra of a file without welding. */
-export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<FileMesh>> {
+export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<Mesh>> {
   return asResult(() => readAny(source, options, ["surface", "volume"]));
 }
 
@@ -103,7 +103,7 @@ export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<
  * store elements of the wanted order.
  */
 export async function writeMesh(
-  mesh: FileMesh,
+  mesh: Mesh,
   fileName: string,
   options: WriteFileOptions = {},
 ): Promise<readonly WrittenFile[]> {
@@ -181,7 +181,7 @@ async function readAny(
   source: ByteSource,
   options: ReadFileOptions,
   contents: readonly Contents[],
-): Promise<FileMesh> {
+): Promise<Mesh> {
   checkSource(source);
   const { fileName, signal, size, openOther = () => Promise.resolve(undefined) } = checkedOptions(options);
   throwIfCancelled(signal);
