@@ -76,7 +76,7 @@ class BoundaryReport {
   };
   struct Entry {
     Diagnostic diagnostic;
-    std::uint64_t count = 0;            ///< reports with the same entities; drawn models only
+    std::uint64_t count = 0;              ///< reports with the same entities; drawn models only
     std::vector<TriangleId> triangles{};  ///< of a drawn model, without duplicates
     bool hasTotal = true;
   };
