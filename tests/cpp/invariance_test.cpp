@@ -22,6 +22,7 @@
 #include "support/random.h"
 #include "support/remeshed.h"
 #include "support/shapes.h"
+#include "support/surface_measures.h"
 #include "tetrafront/mesher.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
@@ -55,13 +56,15 @@ const std::vector<Body> kBodies{
 class InvarianceOf : public ::testing::TestWithParam<Body> {};
 
 TEST_P(InvarianceOf, TheRemesher) {
-  // By default, the tolerance follows from the box around the body, which a rotation changes.
+  // By default, size and tolerance follow from the box around the body, which a rotation changes.
+  const SurfaceMesh given = GetParam().make();
   RemeshOptions options;
-  options.tolerance = 0.01;
-  const SurfaceRemesh first = remesh(GetParam().make(), options);
+  options.size = std::sqrt(measure(given, SizeField::uniform(1.0)).area / 1000.0);
+  options.tolerance = 0.1 * options.size;
+  const SurfaceRemesh first = remesh(given, options);
   const double count = countTriangles(surfaceOf(first));
   for (const Variant& variant : kVariants) {
-    SurfaceMesh mesh = GetParam().make();
+    SurfaceMesh mesh = given;
     variant.apply(mesh);
     const SurfaceRemesh made = remesh(mesh, options);
     EXPECT_NEAR(countTriangles(surfaceOf(made)), count, 0.12 * count) << variant.name;
