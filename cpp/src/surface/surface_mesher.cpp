@@ -11,17 +11,12 @@
 #include "surface/patch_summary.h"
 #include "surface/short_lines.h"
 #include "surface/tube_boundary.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
 
 namespace {
 
-/// Rounds of halving sides that intersect others because they are too coarse for the bends of their lines. Each round
-/// divides the error of a chord by four; loops that still intersect do so in the model.
-constexpr int kMaxHalvingRounds = 8;
-/// Rounds of triangulating again the patches that would coincide with others. Only the chords of the patches of one
-/// round can cause the next one.
-constexpr int kMaxSeparationRounds = 3;
 /// Part of the progress for dividing the lines and checking the loops.
 constexpr double kLinesEnd = 0.1;
 /// Part of the progress after which all patches are triangulated once.
