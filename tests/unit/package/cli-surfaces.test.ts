@@ -258,7 +258,7 @@ describe("check", () => {
     save("open.off", file);
     const { code, stdout } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", "3"]);
     expect(code).toBe(0);
-    expect(stdout).toContain("repair: open.off: filled a hole with 1 triangle, from ");
+    expect(stdout).toContain("repair: open.off: filled a hole with 1 triangle: from triangle ");
     expect(stdout).toContain("no problems");
     expect(new Uint8Array(readFileSync(inFolder("open.off")))).toEqual(new Uint8Array(file));
   });

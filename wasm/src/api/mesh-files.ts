@@ -15,6 +15,7 @@ import { joined, piecesIn } from "../formats/bytes.js";
 import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "../formats/file-format.js";
 import { extensionsFor, FILE_FORMATS, formatOf } from "../formats/file-formats.js";
 import { noteLostRegions } from "../formats/format-limits.js";
+import { FileHead } from "../formats/other-content.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely } from "../formats/read-result.js";
 import { withMidNodes } from "../formats/second-order.js";
 import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
@@ -190,6 +191,7 @@ async function readAny(
     throw unknownFormat(fileName, format, contents);
   const { read, arrival = 1 } = await format.load();
   if (read === undefined) throw unknownFormat(fileName, format, contents);
+  const head = new FileHead();
   try {
     const { onProgress } = options;
     let arrived = 0;
@@ -206,9 +208,9 @@ async function readAny(
     };
     const sizeInFile = size === undefined ? undefined : lengthInFile(size, options);
     const context = { fileName, size: sizeInFile, openOther: opened, signal, onWork };
-    return await inSteps(inUnits(await read(watched(source), context), options), signal);
+    return await inSteps(inUnits(await read(head.of(watched(source)), context), options), signal);
   } catch (failure) {
-    throw failureIn(fileName, asTooLarge(failure));
+    throw failureIn(fileName, head.explained(asTooLarge(failure), format.name));
   }
 }
 

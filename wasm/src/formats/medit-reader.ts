@@ -74,7 +74,7 @@ async function readSection(reader: ByteReader, word: string, builder: MeshBuilde
       return skipQuoted(reader);
     default:
       if (SKIPPED.has(word)) return skipNumbers(reader);
-      if (!OTHERS.test(word)) reader.fail(`unknown section "${word.slice(0, 24)}"`);
+      if (!OTHERS.test(word)) reader.failUnknown("section", word);
       return eachEntry(reader, () =>
         reader.fail(`the file has ${word}; only linear triangles and tetrahedra are supported`),
       );

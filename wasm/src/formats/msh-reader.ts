@@ -155,7 +155,7 @@ class MshReader {
       case "$NodeData":
         return this.#readNodeData();
       default:
-        if (!section.startsWith("$")) this.#reader.fail(`unknown section "${section.slice(0, 24)}"`);
+        if (!section.startsWith("$")) this.#reader.failUnknown("section", section);
     }
   }
 
@@ -382,7 +382,7 @@ class MshReader {
     const lines: string[] = [];
     for (let i = 0; i < count; i++) {
       await this.#reader.fill();
-      if (this.#reader.isAtEnd) this.#reader.fail(`expected ${what}, found the end of the file`);
+      if (this.#reader.isAtEnd) this.#reader.failAtEnd(what);
       lines.push(this.#reader.line());
     }
     return lines;

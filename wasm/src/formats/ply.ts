@@ -108,7 +108,7 @@ function readHeader(reader: ByteReader, names: NameLines): { elements: Element[]
   const elements: Element[] = [];
   let read: ReadNumber | undefined;
   for (;;) {
-    if (reader.isAtEnd) reader.fail('expected "end_header", found the end of the file');
+    if (reader.isAtEnd) reader.failAtEnd('"end_header"');
     const line = reader.line();
     const [word, ...rest] = line.split(/\s+/);
     if (word === "end_header") break;

@@ -14,7 +14,7 @@ import { hexOf } from "./colors.js";
 import { type GroupList, MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, STL_NAMES } from "./name-lines.js";
 import { openEdges } from "./open-edges.js";
-import { failureAt, ReadFailure } from "./read-result.js";
+import { failureAt, type ReadFailure, truncatedAt } from "./read-result.js";
 import { indexOf, textOf } from "./text-bytes.js";
 
 const HEADER_BYTES = 80;
@@ -119,8 +119,8 @@ function countNote(announced: number, read: number): string {
 
 function tooShort(length: number, count: number): ReadFailure {
   const needed = HEADER_BYTES + COUNT_BYTES + TRIANGLE_BYTES * count;
-  const message = `the file ends at byte ${length}; the ${plural(count, "triangle")} that its header announces need ${needed} bytes`;
-  return new ReadFailure({ message, remedy: REMEDY, offset: length });
+  const where = `there, but the ${plural(count, "triangle")} that its header announces need ${needed} bytes`;
+  return truncatedAt({ offset: length }, where);
 }
 
 function readTriangle(reader: ByteReader, builder: MeshBuilder, attributes: Attributes): void {
@@ -226,9 +226,8 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
       isOpen = false;
       reader.skipLine();
     } else {
-      const word = reader.word();
-      if (word === "") return isOpen ? withoutEnd(reader, builder.mesh()) : builder.mesh();
-      reader.fail(`expected "facet" or "endsolid", found "${word.slice(0, 24)}"`);
+      if (reader.isAtEnd) return isOpen ? withoutEnd(reader, builder.mesh()) : builder.mesh();
+      reader.failAtWord('"facet" or "endsolid"', ["facet", "endsolid"]);
     }
   }
 }
@@ -237,7 +236,7 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
 async function withoutEnd(reader: ByteReader, mesh: FileMesh): Promise<FileMesh> {
   const open = await inSteps(openEdges(mesh.triangles, mesh.points.length / 3));
   if (open.length > 0 || mesh.triangles.length === 0) {
-    reader.fail('expected "facet" or "endsolid", found the end of the file: it is truncated');
+    reader.failAtEnd('"facet" or "endsolid"');
   }
   return {
     ...mesh,

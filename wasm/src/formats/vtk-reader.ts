@@ -162,7 +162,7 @@ class VtkReader {
       case "METADATA":
         return this.#skipMetadata();
       default:
-        return reader.fail(`unknown section "${section.slice(0, 24)}"`);
+        return reader.failUnknown("section", section);
     }
   }
 
@@ -188,8 +188,7 @@ class VtkReader {
   /** Ends the current line and reads `count` numbers. */
   async #eachNumber(type: string, count: number, use: (value: number) => void): Promise<void> {
     const reader = this.#reader;
-    const { bytes, kind } =
-      TYPES[type.toLowerCase()] ?? reader.fail(`unknown number type "${type.slice(0, 24)}"`);
+    const { bytes, kind } = TYPES[type.toLowerCase()] ?? reader.failUnknown("number type", type);
     const mayBeNone = this.#attributesOf === "points";
     if (this.#isBinary) reader.endLine();
     let bits = 0;
@@ -219,7 +218,7 @@ class VtkReader {
     else reader.line();
     for (let i = 0; i < count; i++) {
       await reader.fill();
-      if (reader.isAtEnd) reader.fail("expected text, found the end of the file");
+      if (reader.isAtEnd) reader.failAtEnd("text");
       if (!this.#isBinary) {
         reader.line();
         continue;
