@@ -26,7 +26,11 @@ const handlerOf = (
 ): ((event: KeyboardEvent) => void) =>
   getHotkeyHandler(
     among.flatMap((command) =>
-      hotkeysOf(command).map((key): HotkeyItem => [key, (event) => act(command, event), { preventDefault: false }]),
+      hotkeysOf(command).map((key): HotkeyItem => [
+        key,
+        (event) => act(command, event),
+        { preventDefault: false },
+      ]),
     ),
   );
 
