@@ -67,6 +67,8 @@ export interface ShellState {
   readonly scheme: Scheme;
   /** Whether the page has large type for an audience. */
   readonly isPresenting: boolean;
+  /** Whether the pointer is followed by a red dot. */
+  readonly hasLaser: boolean;
   /** A failure that the user must read before continuing. */
   readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
   readonly notices: readonly Notice[];
@@ -98,6 +100,7 @@ export function createShell(): Shell {
     editedSetting: null,
     scheme: "auto",
     isPresenting: false,
+    hasLaser: false,
     message: null,
     notices: [],
     reading: null,
