@@ -1,3 +1,4 @@
+import { apply, type Patches } from "mutative";
 import { parseProject, type Project } from "tetrafront/project";
 import type { DocumentContent } from "../document/edit";
 import { manyTetrahedra } from "../document/engine-input";
@@ -5,7 +6,8 @@ import { documentGrid } from "../document/large-grid";
 import { packedGrid, type PackedGrid } from "../document/packed-grid";
 import { blobOf, jsonWithout, parseWith, rememberText } from "../document/long-texts";
 import type { OpenDocument, ProjectFile } from "./document-store";
-import { entryBytes, type History, type HistoryEntry } from "./history";
+import { differenceOf } from "./difference";
+import { entryBytes, entryOf, type History, type HistoryEntry } from "./history";
 
 /** A document in the form of the browser's storage. */
 export interface KeptDocument {
@@ -88,10 +90,13 @@ export async function openKept(kept: KeptDocument): Promise<OpenDocument | null>
     ? { ...read.value, background: { ...background, ...(await documentGrid(grid)) } }
     : read.value;
   const isUsable = version === project.version;
+  const present = { project };
+  const steps = (entries: readonly string[]): StoredStep[] =>
+    isUsable ? entries.map((entry) => parseWith(entry, texts) as StoredStep) : [];
   const history: History<DocumentContent> = {
-    present: { project },
-    past: isUsable ? past.map((entry) => entryOf(entry, texts)) : [],
-    future: isUsable ? future.map((entry) => entryOf(entry, texts)) : [],
+    present,
+    past: entriesFrom(present, steps(past).reverse(), "backward").reverse(),
+    future: entriesFrom(present, steps(future), "forward"),
   };
   return { id, history, savedKey, file };
 }
@@ -109,7 +114,8 @@ function textOf(entry: HistoryEntry): EntryText {
   let text = entryTexts.get(entry);
   if (!text) {
     const longTexts = new Map<string, string>();
-    text = { json: entry.longTexts ? jsonWithout(entry, longTexts) : JSON.stringify(entry), longTexts };
+    const { label, at, change } = entry;
+    text = { json: jsonWithout({ label, at, change }, longTexts), longTexts };
     entryTexts.set(entry, text);
   }
   return text;
@@ -139,11 +145,23 @@ function textsOf(entries: readonly HistoryEntry[], limit: number, counted: Set<s
   return { texts, bytes, longTexts };
 }
 
-/** Edits after a reload never merge into a step from before it. */
-function entryOf(json: string, texts: ReadonlyMap<string, string>): HistoryEntry {
-  const entry = { ...(parseWith(json, texts) as HistoryEntry), mergeKey: undefined };
-  const longTexts = new Map<string, string>();
-  if (entry.longTexts) jsonWithout(entry.longTexts, longTexts);
-  entryTexts.set(entry, { json, longTexts });
-  return entry;
+/** A step in the storage; earlier versions of the app have stored patches. */
+type StoredStep = Pick<HistoryEntry, "label" | "at"> &
+  (Pick<HistoryEntry, "change"> | { readonly forward: Patches; readonly backward: Patches });
+
+/** Returns the entries of steps, beginning with the one next to the present. Edits after a reload never merge into them. */
+function entriesFrom(
+  present: DocumentContent,
+  steps: readonly StoredStep[],
+  direction: "forward" | "backward",
+): HistoryEntry[] {
+  let state = present;
+  return steps.flatMap((step) => {
+    const { label, at } = step;
+    if ("change" in step) return entryOf({ label, mergeKey: undefined, at, change: step.change });
+    const next = apply(state, step[direction]);
+    const change = direction === "forward" ? differenceOf(state, next) : differenceOf(next, state);
+    state = next;
+    return change ? entryOf({ label, mergeKey: undefined, at, change }) : [];
+  });
 }

@@ -1,9 +1,15 @@
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import type { Project } from "tetrafront/project";
 import { renameProject } from "../../../web/document/edits";
 import { scaleSizes } from "../../../web/document/size-edits";
 import { DocumentStore, hasUnsavedChanges, newDocument } from "../../../web/session/document-store";
-import { keptDocument, maxKeptHistoryBytes, openKept } from "../../../web/session/kept-document";
+import {
+  keptDocument,
+  maxKeptHistoryBytes,
+  openKept,
+  type KeptDocument,
+} from "../../../web/session/kept-document";
 import { cubeProject } from "../../support/projects";
 
 /** Stores the document, loads it in another page and opens it there. */
@@ -98,5 +104,25 @@ describe("a kept document", () => {
   it("is rejected if its project is invalid", async () => {
     const kept = keptDocument(newDocument(cubeProject()), 0, true);
     expect(await openKept({ ...kept, text: "{}" })).toBeNull();
+  });
+
+  it("keeps its steps if an earlier version of the app has stored them as patches", async () => {
+    // Written by that version: a document of 23 steps, of which 8 are undone, with its first and its last state.
+    const file = new URL("../../fixtures/kept-document-with-patches.json", import.meta.url);
+    const { kept, first, last } = JSON.parse(readFileSync(file, "utf8")) as {
+      readonly kept: KeptDocument;
+      readonly first: Project;
+      readonly last: Project;
+    };
+    const opened = await openKept(kept);
+    if (!opened) throw new Error("The document cannot be read");
+    const documents = new DocumentStore(cubeProject());
+    documents.show(opened);
+    expect(documents.project).toEqual(JSON.parse(kept.text));
+    expect([opened.history.past.length, opened.history.future.length]).toEqual([15, 8]);
+    documents.jumpTo(0);
+    expect(documents.project).toEqual(first);
+    documents.jumpTo(23);
+    expect(documents.project).toEqual(last);
   });
 });
