@@ -5,7 +5,7 @@ import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
 import { bodiesOf } from "../document/entities";
 import { agreement } from "../document/expression-edits";
 import { paintedSizes } from "../document/painted-sizes";
-import { addStep, changedState, commit, redo, startHistory, undo, type History } from "./history";
+import { addStep, changedState, commit, goBy, redo, startHistory, undo, type History } from "./history";
 import { untilState } from "./until-state";
 
 /** The file that Save writes to. */
@@ -193,10 +193,8 @@ export class DocumentStore {
   /** Goes to the state after a number of the steps that can be undone or redone; cancels the current gesture. */
   jumpTo(steps: number): void {
     this.#gesture?.cancel();
-    let { history } = this.state.getState();
-    while (history.past.length > steps && history.past.length > 0) history = undo(history);
-    while (history.past.length < steps && history.future.length > 0) history = redo(history);
-    this.#set(history);
+    const { history } = this.state.getState();
+    this.#set(goBy(history, steps - history.past.length));
   }
 
   /** Cancels the current gesture, shows another document, and returns the previous one. */

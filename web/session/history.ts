@@ -115,6 +115,13 @@ export function redo<State extends object>(history: History<State>): History<Sta
   };
 }
 
+/** Redoes a number of steps, or undoes them if it is negative; fewer if there are not so many. */
+export function goBy<State extends object>(history: History<State>, steps: number): History<State> {
+  let moved = history;
+  for (let i = 0; i < Math.abs(steps); ++i) moved = steps < 0 ? undo(moved) : redo(moved);
+  return moved;
+}
+
 /** Returns an entry with its memory. */
 export function entryOf(step: Omit<HistoryEntry, "bytes" | "longTexts">): HistoryEntry {
   const texts = new Set<string>();
