@@ -17,7 +17,7 @@ void EdgeSplitter<Space>::collect(std::size_t first, std::size_t last, std::uint
       const NodeId a = nodes[kTetEdges[e].from];
       const NodeId b = nodes[kTetEdges[e].to];
       const double length = relativeLength<Space>(complex_, a, b);
-      if (length <= kMaxEdgeLength) continue;
+      if (length <= kMaxSparseEdge) continue;
       if (!findClosedRing(complex_, tet, e, kMaxSplitRing, since, ring)) continue;
       edges_.push_back({length, a, b, tet});
     }

@@ -305,10 +305,10 @@ bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>
                                  Vec3& position) {
   const auto& frame = hollow_.frame(0);
   const double edge = lengthOf(Space::toUnit(frame, hollow_.face(0)[0] - position));
-  if (!(lengthOf(Space::toUnit(frame, direction)) >= kMinMove * edge)) return false;
+  if (!(lengthOf(Space::toUnit(frame, direction)) >= kMinNodeMove * edge)) return false;
   const double bound = old * (1.0 - kMinMoveGain);
   double step = 1.0;
-  for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
+  for (int i = 0; i < kMoveHalvings; ++i, step *= 0.5) {
     const Vec3 tried = position + direction * step;
     if (hollow_.costAt(tried, cost, bound) >= bound) continue;
     position = tried;

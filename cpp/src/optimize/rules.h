@@ -59,7 +59,7 @@ inline constexpr double kManyFlat = 0.5;
 
 /// Edges longer than this many target lengths are split; anything in 1.15 .. 1.45 gives the same
 /// meshes.
-inline constexpr double kMaxEdgeLength = 1.3;
+inline constexpr double kMaxSparseEdge = 1.3;
 /// Much too long edges are split even if that makes elements worse, up to this cost (bulk measure:
 /// a mean ratio of 0.4). The following sweeps improve their shape. Without this, interiors that
 /// begin without nodes stay half empty, and others lose mean radius ratio.
@@ -74,11 +74,11 @@ inline constexpr std::size_t kMaxSplitRing = kMaxRing - 1;
 
 /// A move shorter than this fraction of an edge does not justify recomputing the star's costs. A
 /// move longer than the second counts as a change that neighbours should visit again.
-inline constexpr double kMinMove = 0.0005;
+inline constexpr double kMinNodeMove = 0.0005;
 inline constexpr double kChangingMove = 0.01;
 /// A move must lower the cost by this fraction; otherwise it is halved, at most so often.
 inline constexpr double kMinMoveGain = 1e-6;
-inline constexpr int kHalvings = 4;
+inline constexpr int kMoveHalvings = 4;
 /// Gradients of the worst elements that decide the direction of a move.
 inline constexpr std::size_t kMaxGradients = 24;
 

@@ -98,7 +98,7 @@ void integrate(LineWalker& walker, double to, double rateTo, int depth,
   const double coarse = width / 6.0 * (from.rate + 4.0 * rateMiddle + rateTo);
   const double fine =
       width / 12.0 * (from.rate + 4.0 * rateFirst + 2.0 * rateMiddle + 4.0 * rateSecond + rateTo);
-  if (depth >= kMaxHalvings || std::fabs(fine - coarse) <= kLengthTolerance) {
+  if (depth >= kMaxStepHalvings || std::fabs(fine - coarse) <= kLengthTolerance) {
     table.push_back({to, from.lambda + fine, rateTo});
     return;
   }

@@ -140,7 +140,7 @@ void BasicPlanarFront<Trace>::gather(const Base& base) {
     box.include(base.ideal - half);
     box.include(base.ideal + half);
   }
-  const Vec2 margin = kBoxMargin * (box.high - box.low);
+  const Vec2 margin = kSearchBoxMargin * (box.high - box.low);
   nearEdges_.clear();
   tree_.query({box.low - margin, box.high + margin}, nearEdges_);
 

@@ -133,7 +133,7 @@ bool PlanarOptimizer::flip(PlanarTriangleId t, std::uint32_t k) {
     if (flippedAfter < flippedBefore) links_.flip(t, k);
     if (flippedAfter != flippedBefore) return flippedAfter < flippedBefore;
   }
-  if (after >= (1.0 - kMinFlipGain) * before) return false;
+  if (after >= (1.0 - kMinPlanarFlipGain) * before) return false;
   const double foldAfter = foldCosine(unitC, unitD, unitB, unitA);
   if (foldAfter < kSharpFoldCosine && foldAfter < foldBefore) return false;
   links_.flip(t, k);

@@ -23,7 +23,7 @@ inline constexpr int kMaxBisections = 40;
 inline constexpr double kMaxStep = 1.0 / 16.0;
 /// Simpson's rule over a step and over its halves must agree within this number of sides.
 inline constexpr double kLengthTolerance = 1e-5;
-inline constexpr int kMaxHalvings = 10;
+inline constexpr int kMaxStepHalvings = 10;
 /// A walk with this many stations samples the rest of the line once, at kSamplesAhead parameters. It gives up if the
 /// rest alone requires kCertainlyTooMany times the limit of sides.
 inline constexpr std::size_t kLongTable = 1U << 14U;
@@ -87,12 +87,12 @@ inline constexpr double kLowerHeight = 0.6;
 /// Height at which the metric is sampled / length of the new edges: about that of the triangle's centre.
 inline constexpr double kCentreHeight = 0.35;
 /// Margin of the search box / its width. The tree rounds; without a margin it could miss edges.
-inline constexpr double kBoxMargin = Tolerance::kCoincidence;
+inline constexpr double kSearchBoxMargin = Tolerance::kCoincidence;
 
 // Flips.
 
 /// A flip must lower the cost by this fraction. Otherwise rounding could cause endless flips.
-inline constexpr double kMinFlipGain = 1e-6;
+inline constexpr double kMinPlanarFlipGain = 1e-6;
 /// Cosine of the angle between the normals of two triangles. A flip must not fold them more sharply than this, or
 /// than before: where a bend is coarsely divided, the better shapes may cut across it.
 inline constexpr double kSharpFoldCosine = 0.5;
