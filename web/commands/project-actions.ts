@@ -17,7 +17,7 @@ import {
   type OpenResult,
 } from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
-import { hideNotice, showNotice } from "../session/shell";
+import { hideDocumentNotices, hideNotice, showNotice } from "../session/shell";
 import { reasonsOf, openedMesh } from "../session/shown-mesh";
 import { strings } from "../strings";
 import type { ReadSurface } from "../workers/surface-files";
@@ -160,6 +160,7 @@ async function reopen(app: App, document: DocumentState): Promise<void> {
 
 function finishOpening(app: App, before: DocumentState): void {
   app.viewer.getState().viewer?.framing.reset();
+  hideDocumentNotices(app.shell);
   app.shell.setState({ drawer: null, dialog: null, startPage: false, leftTab: "model", message: null });
   if (!hasUnsavedChanges(before)) hideNotice(app.shell, "document-left");
   else offerReopening(app, settledProject(before).name, () => reopen(app, before));

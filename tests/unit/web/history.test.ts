@@ -3,11 +3,11 @@ import type { Edit } from "../../../web/document/edit";
 import {
   entryBytes,
   addStep,
+  changedState,
   commit,
   maxHistoryBytes,
   redo,
   startHistory,
-  stepFrom,
   undo,
 } from "../../../web/session/history";
 
@@ -99,7 +99,7 @@ describe("history", () => {
   it("stores one value of a field changed by a held key, and all parts of other merged edits", () => {
     let history = startHistory<State>({ a: 0, list: [] });
     for (let a = 1; a <= 1000; ++a) history = commit(history, set(a, "a"), a, true);
-    expect(history.past[0]?.forward).toHaveLength(1);
+    expect(history.past[0]?.change).toEqual({ fields: { a: { from: 0, to: 1000 } } });
     expect(undo(history).present.a).toBe(0);
     expect(redo(undo(history)).present.a).toBe(1000);
 
@@ -148,11 +148,12 @@ describe("history", () => {
 
   it("adds a step made outside as one entry, or none if it changes nothing", () => {
     const history = startHistory<State>({ a: 0, list: [] });
-    const moved = addStep(history, "Drag", stepFrom(history.present, set(7)), 0);
+    const step = { label: "Drag", mergeKey: undefined };
+    const moved = addStep(history, changedState(history.present, set(7)), step, 0);
     expect(moved.present.a).toBe(7);
     expect(moved.past.map(({ label }) => label)).toEqual(["Drag"]);
     expect(undo(moved).present).toEqual(history.present);
-    expect(addStep(history, "Drag", stepFrom(history.present, set(0)), 0)).toBe(history);
+    expect(addStep(history, { ...history.present }, step, 0)).toBe(history);
   });
 
   it("forgets undone steps after another edit", () => {

@@ -1,6 +1,6 @@
 import type { Project, ProjectBody, ProjectSource } from "tetrafront/project";
 import { operationStrings } from "../../strings";
-import { emptyProject, nextId, type Offer } from "../create";
+import { nextId, type Offer } from "../create";
 import { bodiesOf, entityKey, type Entity } from "../entities";
 import { insertion, withInsertion, type Insertion } from "../insert-shape";
 import { mapPoints, type Shape } from "../shape";
@@ -9,7 +9,7 @@ import { determinant, mapPosition, type Affine } from "./affine";
 import { replacing } from "./join-points";
 import { keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, shapeOf, type SelectedParts } from "./selected-parts";
-import { movedPlacement, movedSizes, type TransformOptions } from "./transform";
+import { movedPlacement, movedSource, type TransformOptions } from "./transform";
 
 const texts = operationStrings.refusals;
 
@@ -176,14 +176,12 @@ function copiedSources(
   const first = nextId(project, "source");
   const originals = bodiesOf(from).filter(({ id }) => parts.bodies.has(id));
   const copyOf = new Map(originals.map(({ id }, i) => [id, copies[i]?.id]));
-  const moved = movedSizes(from.background, { ...emptyParts, sources }, map).sources ?? [];
-  return moved
+  return (from.background.sources ?? [])
     .filter(({ id }) => sources.has(id))
-    .map(({ body: painted, ...source }, i) => {
+    .map((original, i) => {
+      const { body: painted, ...source } = movedSource(original, map);
       const body = painted === undefined ? undefined : (copyOf.get(painted) ?? painted);
       const isKept = body !== undefined && (from === project || body !== painted);
       return { ...source, id: first + i, ...(isKept && { body }) };
     });
 }
-
-const emptyParts: SelectedParts = selectedParts(emptyProject(), []);

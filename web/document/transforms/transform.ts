@@ -1,7 +1,7 @@
-import type { BodyPlacement, Project } from "tetrafront/project";
+import type { BodyPlacement, Project, ProjectBackgroundNode, ProjectSource } from "tetrafront/project";
 import type { Offer } from "../create";
 import { nounOf } from "../draft-records";
-import type { Entity } from "../entities";
+import { existingIn, type Entity } from "../entities";
 import { combined, noRotation } from "../placement";
 import type { Position } from "../position";
 import { operationStrings, stepNames } from "../../strings";
@@ -30,39 +30,48 @@ export function offerTransform(
   project: Project,
   selection: readonly Entity[],
   map: Affine,
-  { label, join }: TransformOptions,
+  options: TransformOptions,
 ): Offer {
+  return transformer(project, selection)(map, options);
+}
+
+/**
+ * Returns a function that offers what `offerTransform` does, by one map after the other: what does not depend on the map is
+ * found once. Without joining, an offer takes time for what it moves, and one copy of each changed list.
+ */
+export function transformer(
+  project: Project,
+  selection: readonly Entity[],
+): (map: Affine, options: TransformOptions) => Offer {
   const parts = selectedParts(project, selection);
-  if (!hasParts(parts)) return { possible: false, reason: texts.nothingSelected };
-  if (parts.bodies.size > 0 && !map.similarity) return { possible: false, reason: texts.bodies };
-  if (determinant(map) === 0) return { possible: false, reason: texts.flat };
-  if (!keepsCircles(map) && parts.lines.some(({ type }) => type === "arc" || type === "circle"))
-    return { possible: false, reason: texts.arcs };
-  const images = hasExpressions(project, map) ? movedImages(project, parts) : [];
-  const kept = mappedExpressions(project, images, map);
-  const moved = movedProject(project, parts, map);
-  const drawn = join && parts.points.length > 0 ? joinPoints(moved) : moved;
-  const patches = new Set(drawn.patches.map(({ id }) => id));
-  return {
-    possible: true,
-    creation: {
-      entities: selection.filter(({ kind, id }) => kind !== "patch" || patches.has(id)),
-      ...(kept === null && { note: operationStrings.numbersKept }),
-      edit: {
-        label,
-        replace: [
-          ...replacing(project, drawn),
-          ...(parts.bodies.size > 0 ? [[["project", "bodies"], moved.bodies] as const] : []),
-          ...(parts.nodes.size > 0
-            ? [[["project", "background", "nodes"], moved.background.nodes] as const]
-            : []),
-          ...(parts.sources.size > 0
-            ? [[["project", "background", "sources"], moved.background.sources] as const]
-            : []),
-          ...keptInstead(project, kept ?? forgotten(project, images)),
-        ],
+  const move = mover(project, parts);
+  return (map, { label, join }) => {
+    if (!hasParts(parts)) return { possible: false, reason: texts.nothingSelected };
+    if (parts.bodies.size > 0 && !map.similarity) return { possible: false, reason: texts.bodies };
+    if (determinant(map) === 0) return { possible: false, reason: texts.flat };
+    if (!keepsCircles(map) && parts.lines.some(({ type }) => type === "arc" || type === "circle"))
+      return { possible: false, reason: texts.arcs };
+    const images = hasExpressions(project, map) ? movedImages(project, parts) : [];
+    const kept = mappedExpressions(project, images, map);
+    const { points, others } = move(map);
+    const moved = { ...project, points };
+    const drawn = join && parts.points.length > 0 ? joinPoints(moved) : moved;
+    return {
+      possible: true,
+      creation: {
+        entities:
+          drawn.patches === project.patches ? selection : existingIn({ ...project, ...drawn }, selection),
+        ...(kept === null && { note: operationStrings.numbersKept }),
+        edit: {
+          label,
+          replace: [
+            ...replacing(project, drawn),
+            ...others,
+            ...keptInstead(project, kept ?? forgotten(project, images)),
+          ],
+        },
       },
-    },
+    };
   };
 }
 
@@ -90,40 +99,56 @@ function movedImages(
   ];
 }
 
-function movedProject(project: Project, parts: SelectedParts, map: Affine): Project {
-  const pointIds = new Set(parts.points.map(({ id }) => id));
-  const at = (position: Position): Position => mapPosition(map, position);
-  const { background, bodies } = project;
-  return {
-    ...project,
-    points: project.points.map((point) =>
-      pointIds.has(point.id) ? { ...point, position: at(point.position) } : point,
-    ),
-    ...(bodies && {
-      bodies: bodies.map((body) =>
-        parts.bodies.has(body.id) ? { ...body, placement: movedPlacement(body.placement, map) } : body,
-      ),
-    }),
-    background: { ...background, ...movedSizes(background, parts, map) },
+/** Returns a function that maps parts of a project: the places of the parts in its lists are found once. */
+function mover({ points, bodies = [], background: { nodes, sources = [] } }: Project, parts: SelectedParts) {
+  const changePoints = recordChanger(points, new Set(parts.points.map(({ id }) => id)));
+  const changeBodies = recordChanger(bodies, parts.bodies);
+  const changeNodes = recordChanger(nodes, parts.nodes);
+  const changeSources = recordChanger(sources, parts.sources);
+  return (map: Affine) => {
+    const at = (position: Position): Position => mapPosition(map, position);
+    const others = [
+      [
+        ["project", "bodies"],
+        changeBodies((body) => ({ ...body, placement: movedPlacement(body.placement, map) })),
+      ],
+      [["project", "background", "nodes"], changeNodes((node) => movedNode(node, map))],
+      [["project", "background", "sources"], changeSources((source) => movedSource(source, map))],
+    ] as const;
+    return {
+      points: changePoints((point) => ({ ...point, position: at(point.position) })),
+      others: others.filter(([, list]) => ![bodies, nodes, sources].some((before) => before === list)),
+    };
   };
 }
 
-export function movedSizes({ nodes, sources }: Project["background"], parts: SelectedParts, map: Affine) {
+/** Returns a function that changes the records with some ids in copies of a list. Without such records it returns the list. */
+function recordChanger<Item extends { readonly id: number }>(
+  list: readonly Item[],
+  ids: ReadonlySet<number>,
+): (change: (item: Item) => Item) => readonly Item[] {
+  const found = list.flatMap((item, index) => (ids.has(item.id) ? [[index, item] as const] : []));
+  return (change) => {
+    if (found.length === 0) return list;
+    const changed = list.slice();
+    for (const [index, item] of found) changed[index] = change(item);
+    return changed;
+  };
+}
+
+function movedNode(node: ProjectBackgroundNode, map: Affine): ProjectBackgroundNode {
+  const direction = node.direction && { direction: mapDirection(map, node.direction) };
+  const position = mapPosition(map, node.position);
+  return { ...node, position, size: node.size * meanFactor(map), ...direction };
+}
+
+export function movedSource(source: ProjectSource, map: Affine): ProjectSource {
   const factor = meanFactor(map);
-  const at = (position: Position): Position => mapPosition(map, position);
   return {
-    nodes: nodes.map((node) => {
-      if (!parts.nodes.has(node.id)) return node;
-      const direction = node.direction && { direction: mapDirection(map, node.direction) };
-      return { ...node, position: at(node.position), size: node.size * factor, ...direction };
-    }),
-    ...(sources && {
-      sources: sources.map((source) => {
-        if (!parts.sources.has(source.id)) return source;
-        const reach = source.distance !== undefined && { distance: source.distance * factor };
-        return { ...source, positions: source.positions.map(at), size: source.size * factor, ...reach };
-      }),
-    }),
+    ...source,
+    positions: source.positions.map((position) => mapPosition(map, position)),
+    size: source.size * factor,
+    ...(source.distance !== undefined && { distance: source.distance * factor }),
   };
 }
 
