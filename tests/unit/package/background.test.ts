@@ -146,7 +146,7 @@ describe("proposed sizes", () => {
   const curved = withBentEdge(cubeProject());
 
   test("refine curved lines and give a valid mesh", async () => {
-    const { size, sources } = await mesher.proposeSizes(curved, { uniform: 0.5 });
+    const { size, sources } = await mesher.proposeSizes(curved, { maxSize: 0.5 });
     expect(size).toBe(0.5);
     expect(sources.length).toBeGreaterThan(0);
     expect(sources.map(({ id }) => id)).toEqual(sources.map((_, s) => s + 1));
@@ -160,7 +160,7 @@ describe("proposed sizes", () => {
   });
 
   test("consist only of the uniform size if curvature and gaps are ignored", async () => {
-    const options = { uniform: 0.5, elementsPerCircle: 0, elementsPerGap: 0 };
+    const options = { maxSize: 0.5, anglePerEdge: 0, layers: 0 };
     expect(await mesher.proposeSizes(curved, options)).toEqual({ size: 0.5, sources: [] });
   });
 

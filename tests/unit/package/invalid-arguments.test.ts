@@ -180,7 +180,7 @@ const functions: Readonly<Record<string, Arguments>> = {
 const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   meshProject: {
     project: { ...project, bodies: [body] },
-    options: { gradation: 1.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared] },
     control,
   },
   fillSurface: { surface: { ...box, givenRegions }, options: { growth: 0.3, background }, control },
@@ -194,11 +194,11 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   },
   previewProject: { project, options: { size: 1, innerShells: "cavities" }, control },
   coverProject: { project, options: { size: 1, shape: "box" }, control },
-  proposeSizes: { project, options: { smallest: 0.5 }, control },
+  proposeSizes: { project, options: { minSize: 0.5 }, control },
   sampleSizes: {
     project: { ...project, bodies: [body] },
     positions: new Float64Array(6),
-    options: { gradation: 1.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared] },
     control,
   },
   backgroundFromMesh: { mesh: block, options: { sizes: new Float64Array(8).fill(1) }, control },

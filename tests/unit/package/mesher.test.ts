@@ -217,11 +217,39 @@ describe("the meshing settings of a project", () => {
   test("are applied", async () => {
     const [bySettings, byOptions] = await Promise.all([
       mesher.meshProject({ ...coarse, meshing }),
-      mesher.meshProject(coarse, meshing),
+      mesher.meshProject(coarse, {
+        size: 0.2,
+        order: "smallest-first",
+        optimization: "none",
+        growth: Infinity,
+      }),
     ]);
     expectValid(bySettings);
     expect(bySettings.report.fingerprint).toBe(byOptions.report.fingerprint);
     expect(bySettings.report.seconds.optimize).toBeLessThan(0.01);
+  });
+
+  test("a gradation is 1 + growth", async () => {
+    const [first, ...others] = coarse.background.nodes;
+    if (first === undefined) throw new Error("the grid has no nodes");
+    const nodes = [{ ...first, size: 0.1 }, ...others];
+    const graded = { ...coarse, background: { ...coarse.background, nodes } };
+    const fingerprintOf = async (gradation: number | undefined, growth?: number) => {
+      const project = { ...graded, ...(gradation !== undefined && { meshing: { gradation } }) };
+      return (await mesher.meshProject(project, { growth })).report.fingerprint;
+    };
+    const steep = await fingerprintOf(1.1);
+    expect(steep).toHaveLength(16);
+    expect(await fingerprintOf(undefined, 0.1)).toBe(steep);
+    expect(await fingerprintOf(1.5, 0.1)).toBe(steep);
+    expect(await fingerprintOf(undefined)).not.toBe(steep);
+    expect(await fingerprintOf(undefined, 0.3)).toBe(await fingerprintOf(undefined));
+    expect(await fingerprintOf(undefined, Infinity)).toBe(await fingerprintOf(0));
+  });
+
+  test("a gradation that lets sizes shrink is refused", async () => {
+    const { report } = await mesher.meshProject({ ...coarse, meshing: { gradation: 0.5 } });
+    expect(report.diagnostics[0]?.message).toMatch(/gradation is 0\.5/);
   });
 
   test("are overridden by the options of the call", async () => {

@@ -425,7 +425,7 @@ describe("the layer of the mesh", () => {
     return { queried, answers, reasons, layer };
   }
   const [one, two] = [gridMesh(1), gridMesh(2)].map(
-    (volume) => ({ volume, report: {} }) as unknown as MeshResult,
+    (mesh) => ({ mesh, report: {} }) as unknown as MeshResult,
   );
   const withMesh = (mesh = one) => ({ ...start, mesh: mesh ?? null });
   const faces: DrawnFaces = {

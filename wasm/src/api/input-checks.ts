@@ -15,14 +15,18 @@ import {
 import type { InnerShells } from "../generated/constants.js";
 import type { SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import { groupSchema, regionsOnSides } from "../mesh/mesh-checks.js";
+import { checkGradation } from "./options.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
 import type { Project } from "../project/project-types.js";
 
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = checkedProject(project);
-  if (parsed.success) return [];
-  return parsed.errors.map((error) => readDiagnostic({ ...error, code: "invalid-project" }));
+  if (!parsed.success) {
+    return parsed.errors.map((error) => readDiagnostic({ ...error, code: "invalid-project" }));
+  }
+  const { gradation } = parsed.value.meshing ?? {};
+  return gradation === undefined ? [] : checkGradation(gradation);
 }
 
 const listener = v.optional(v.function());

@@ -3,6 +3,7 @@ import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
 import { regionSummaries, type RegionSummary } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
+import { checkGradation, growthOf } from "../api/options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { checkSurfaceMeshOptions, meshPart, repairPart, splitPart } from "../api/surface-mesh-options.js";
 import { withControl } from "../api/surface-mesher.js";
@@ -311,7 +312,7 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOp
     ...sizesIn(options),
     ...remeshSettingsIn(options),
     elements: numberIn(options.elements),
-    gradation: numberIn(options.gradation),
+    growth: growthIn(options),
     maxVolume: numberIn(options.maxVolume),
     innerShells: options.innerShells,
     order: options.order,
@@ -326,6 +327,24 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOp
   refuseOptions([...checkSurfaceMeshOptions(meshOptions), ...checkSizes(options)]);
   return meshOptions;
 }
+
+/** Returns the growth of sizes, which a gradation states as a ratio. Throws an InvalidInput. */
+function growthIn({
+  growth,
+  gradation,
+}: Pick<MeshCommandOptions, "growth" | "gradation">): number | undefined {
+  const ratio = numberIn(gradation);
+  if (ratio === undefined) return numberIn(growth);
+  refuseOptions(checkGradation(ratio, "--gradation"));
+  if (growth !== undefined) refuseOptions([gradationAndGrowth]);
+  return growthOf(ratio);
+}
+
+const gradationAndGrowth = invalidOption(
+  "--gradation",
+  "--gradation and --growth exclude each other: a gradation is 1 + growth",
+  "Use one of them.",
+);
 
 async function checkMeshPaths(input: string, options: MeshCommandOptions): Promise<void> {
   const { output, to } = options;
