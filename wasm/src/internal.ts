@@ -20,4 +20,12 @@ export {
   type MeshWithBoundary,
 } from "./api/given-mesh.js";
 export { patchNames } from "./api/generated-mesh.js";
+export type { MeshShapes } from "./mesh/improvement.js";
+export type {
+  ElementQuality,
+  MetricShapes,
+  PatchQuality,
+  RegionQuality,
+  ShapeStatistics,
+} from "./mesh/quality.js";
 export { isInterface } from "./mesh/interfaces.js";

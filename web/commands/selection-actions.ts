@@ -1,4 +1,4 @@
-import type { ElementQuality } from "tetrafront";
+import type { ElementQuality } from "tetrafront/internal";
 import type { App } from "../app/app";
 import { deleteEntities, withDependents } from "../document/edits";
 import { entityKey, entityName, type Entity } from "../document/entities";

@@ -1,4 +1,5 @@
-import type { Mesh, MetricShapes } from "tetrafront";
+import type { Mesh } from "tetrafront";
+import type { MetricShapes } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
 
 /** The measures a mesh can be shaded by. Both are per tetrahedron, higher is better. */

@@ -1,4 +1,4 @@
-import type { Mesher, MeshResult, PreparedBody, Progress } from "tetrafront";
+import type { Mesher, MeshResult, PreparedBody, CallProgress } from "tetrafront";
 import type { Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, placedSurfacesKey, shownMeshKey, versionedKey } from "../document/content-keys";
@@ -44,7 +44,7 @@ export interface RunState {
   readonly preparedShare: number;
   /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
-  readonly progress: Progress | null;
+  readonly progress: CallProgress | null;
   /** How many seconds the active run still takes, about; null if it is not known. */
   readonly secondsLeft: number | null;
   /**
@@ -370,7 +370,7 @@ export class MeshRun {
     this.#abort.abort();
   }
 
-  #report(progress: Progress, log: (level: LogLevel, text: string) => void): void {
+  #report(progress: CallProgress, log: (level: LogLevel, text: string) => void): void {
     const before = this.state.getState().progress;
     if (before?.phase !== progress.phase) {
       if (before?.phase === "surface")
@@ -380,7 +380,7 @@ export class MeshRun {
     this.#showProgress(progress);
   }
 
-  #showProgress(progress: Progress): void {
+  #showProgress(progress: CallProgress): void {
     if (!isDue(this.state.getState().progress, progress)) return;
     const { preparedShare } = this.state.getState();
     const fraction = preparedShare + (1 - preparedShare) * progress.fraction;
@@ -448,7 +448,7 @@ export class MeshRun {
 }
 
 /** Returns whether to show the progress again. A new phase is shown at once. */
-function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): boolean {
+function isDue(before: CallProgress | null, { phase, elapsedSeconds }: CallProgress): boolean {
   if (before?.phase !== phase) return true;
   const { share, min, max } = progressWait;
   return elapsedSeconds - before.elapsedSeconds >= Math.min(max, Math.max(min, share * elapsedSeconds));

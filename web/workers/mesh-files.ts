@@ -1,4 +1,4 @@
-import type { ElementOrder, Mesh, Unit } from "tetrafront";
+import type { ElementOrder, Mesh, LengthUnit } from "tetrafront";
 import { patchNames } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
 import { unitOf } from "../document/length-units";
@@ -15,7 +15,7 @@ export interface FileChoice {
   readonly fileName: string;
   readonly elementOrder: ElementOrder;
   /** The unit to which lengths are converted; null for that of the project. */
-  readonly unit: Unit | null;
+  readonly unit: LengthUnit | null;
 }
 
 export interface MeshFileProtocol {
@@ -23,7 +23,7 @@ export interface MeshFileProtocol {
     readonly argument: {
       readonly mesh: Mesh;
       /** The unit of its lengths, if it is known. */
-      readonly from: Unit | undefined;
+      readonly from: LengthUnit | undefined;
     } & FileChoice;
     readonly answer: readonly MeshFile[];
   };

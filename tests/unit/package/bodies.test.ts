@@ -4,7 +4,7 @@ import {
   type Mesher,
   type MeshResult,
   type PreparedBody,
-  type Progress,
+  type CallProgress,
   readMesh,
   type SurfaceInput,
   writeMesh,
@@ -232,9 +232,9 @@ describe("prepareBody", () => {
   });
 
   test("remeshes by default; the patches stay and the figures are there", async () => {
-    const progress: Progress[] = [];
+    const progress: CallProgress[] = [];
     const project = withBodies(boxBody());
-    const control = { onProgress: (now: Progress) => progress.push(now) };
+    const control = { onProgress: (now: CallProgress) => progress.push(now) };
     const prepared = await mesher.prepareBody(project, 3, { size: 0.2 }, control);
     const { mesh: surface, ...figures } = await mesher.remeshSurface(bodySurface(boxBody()), { size: 0.2 });
     expect(prepared.points).toEqual(surface.points);
@@ -387,7 +387,7 @@ describe("meshProject with bodies", () => {
     const project = withBodies(boxBody());
     const prepared = await mesher.prepareBody(project, 3, { size: 0.5 });
     const phases = new Set<string>();
-    const onProgress = ({ phase }: Progress) => void phases.add(phase);
+    const onProgress = ({ phase }: CallProgress) => void phases.add(phase);
     const result = await mesher.meshProject(project, { preparedBodies: [prepared] }, { onProgress });
     expect(result.mesh.triangles).toHaveLength(prepared.triangles.length);
     expect(phases).not.toContain("bodies");
@@ -418,7 +418,7 @@ describe("meshProject with bodies", () => {
   test("reports the body that is prepared, and progress that never decreases", async () => {
     const other = createBody(sphereSurface(5), { id: 4, firstPatchId: 30, name: "ball" });
     const project = withBodies(boxBody(), { ...other, placement: { position: [4, 0, 0] } });
-    const seen: Progress[] = [];
+    const seen: CallProgress[] = [];
     const { report } = await mesher.meshProject(
       project,
       { size: 0.1 },
@@ -438,7 +438,7 @@ describe("meshProject with bodies", () => {
 
   test("can be cancelled while a body is prepared", async () => {
     const abort = new AbortController();
-    const onProgress = ({ phase }: Progress) => phase === "bodies" && abort.abort();
+    const onProgress = ({ phase }: CallProgress) => phase === "bodies" && abort.abort();
     const { report } = await mesher.meshProject(
       withBodies(boxBody()),
       { size: 0.01 },
@@ -462,7 +462,7 @@ describe("meshProject with bodies", () => {
     const cube = cubeProject();
     const project: Project = { ...cube, patches: cube.patches.slice(1), bodies: [boxBody()] };
     const phases = new Set<string>();
-    const onProgress = ({ phase }: Progress) => void phases.add(phase);
+    const onProgress = ({ phase }: CallProgress) => void phases.add(phase);
     const result = await mesher.meshProject(project, { size: 0.02 }, { onProgress });
     expect(errorsIn(result)[0]?.code).toBe("open-edge");
     expect(phases).not.toContain("bodies");

@@ -8,7 +8,7 @@ import {
   NO_REGION,
   type Mesher,
   type MeshResult,
-  type Progress,
+  type CallProgress,
   type SurfaceInput,
 } from "tetrafront";
 import { readProject, type Project } from "tetrafront/project";
@@ -427,7 +427,7 @@ test("the same input gives the same mesh in the same worker and in another", asy
 
 describe("progress", () => {
   test("never decreases and is reported at most ten times per second and once at the end", async () => {
-    const seen: { progress: Progress; at: number }[] = [];
+    const seen: { progress: CallProgress; at: number }[] = [];
     const { report } = await mesher.fillSurface(
       sphereSurface(24),
       {},

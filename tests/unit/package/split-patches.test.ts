@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 
 import {
   createMesher,
-  type FileGroup,
+  type MeshGroup,
   type Mesher,
   readMesh,
   readSurface,
@@ -41,12 +41,12 @@ const cli = (...args: string[]) => tetrafront(folder.path, args);
 
 const PATCHES = [1, 2, 3, 4, 5, 6].map((number) => `patch ${number}`);
 /** Sorted: some readers list patches in the order of their first triangles. */
-const namesOf = (patches: readonly FileGroup[]) => patches.map(({ name }) => name).sort();
+const namesOf = (patches: readonly MeshGroup[]) => patches.map(({ name }) => name).sort();
 
 /** Returns the name of the patch of each triangle, by the triangle's centroid. */
 function namesByCentroid(
   { points, triangles }: SurfaceInput,
-  { trianglePatch, patches }: { trianglePatch: Uint32Array; patches: readonly FileGroup[] },
+  { trianglePatch, patches }: { trianglePatch: Uint32Array; patches: readonly MeshGroup[] },
 ): Map<string, string> {
   return new Map(
     Array.from(trianglePatch, (patch, t): [string, string] => {
@@ -97,7 +97,7 @@ describe("splitPatches", () => {
     const cube = boxSurface(2);
     // Two faces of eight triangles each are the wing.
     const trianglePatch = new Uint32Array(48).map((_, t) => (t < 16 ? 1 : t < 24 ? 2 : 0));
-    const patches: FileGroup[] = [
+    const patches: MeshGroup[] = [
       { name: "surface", tag: 1 },
       { name: "wing", tag: 7, color: [1, 0, 0] },
       { name: "inlet", tag: 2, color: [0, 1, 0] },
@@ -119,7 +119,7 @@ describe("splitPatches", () => {
     const cube = boxSurface(2);
     /** Each patch consists of two opposite faces of the cube, eight triangles each. */
     const trianglePatch = new Uint32Array(48).map((_, t) => Math.floor(t / 16));
-    const given: FileGroup[] = [
+    const given: MeshGroup[] = [
       { name: "wing", tag: 4, color: [1, 0, 0] },
       { name: "patch 1", tag: 1 },
       { name: "surface", tag: 2 },
@@ -132,7 +132,7 @@ describe("splitPatches", () => {
       expect(split.patches).toHaveLength(4);
       expect(new Set(split.patches.map(({ name }) => name)).size).toBe(4);
       expect(new Set(split.patches.map(({ tag }) => tag)).size).toBe(4);
-      const pieces = new Set<FileGroup | undefined>();
+      const pieces = new Set<MeshGroup | undefined>();
       split.trianglePatch.forEach((patch, t) => {
         const [before, after] = [given[trianglePatch[t] ?? 0], split.patches[patch]];
         if (before === given[only]) pieces.add(after);

@@ -380,8 +380,11 @@ describe("the layer of the front", () => {
 
   it("draws the front of an incomplete mesh only if no run advances", () => {
     const layer = new FrontLayer();
-    const volume = { points, tetrahedra: Uint32Array.from([0, 1, 2, 3]), front: Uint32Array.from([0, 1, 2]) };
-    const mesh = { report: { status: "cancelled" }, volume } as unknown as MeshResult;
+    const mesh = {
+      report: { status: "cancelled" },
+      mesh: { points, tetrahedra: Uint32Array.from([0, 1, 2, 3]) },
+      front: Uint32Array.from([0, 1, 2]),
+    } as unknown as MeshResult;
     const left = { ...start, mesh };
     show(layer, start, left);
     expect(layer.root.geometry.drawRange.count).toBe(3);

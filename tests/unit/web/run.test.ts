@@ -2,9 +2,9 @@ import { describe, expect, it, vi } from "vitest";
 import {
   createMesher,
   type Mesher,
-  type Phase,
+  type ProgressPhase,
   type PreparedBody,
-  type Progress,
+  type CallProgress,
   type RunControl,
 } from "tetrafront";
 import { createBody } from "tetrafront/project";
@@ -22,7 +22,7 @@ import {
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 
-const report = (phase: Phase, elapsedSeconds: number): Progress => ({
+const report = (phase: ProgressPhase, elapsedSeconds: number): CallProgress => ({
   phase,
   fraction: 0,
   nodes: 0,
@@ -35,16 +35,22 @@ const report = (phase: Phase, elapsedSeconds: number): Progress => ({
 });
 
 /** Runs with these progress reports and without a result. Returns the reports that the page shows, and the log. */
-async function shownAndLogged(reports: readonly Progress[]): Promise<[Progress[], readonly LogLine[]]> {
+async function shownAndLogged(
+  reports: readonly CallProgress[],
+): Promise<[CallProgress[], readonly LogLine[]]> {
   const real = await createMesher();
   const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
-    meshProject: (_project: unknown, _options: unknown, control: { onProgress: (p: Progress) => void }) => {
+    meshProject: (
+      _project: unknown,
+      _options: unknown,
+      control: { onProgress: (p: CallProgress) => void },
+    ) => {
       for (const progress of reports) control.onProgress(progress);
       return real.meshProject(emptyProject("nothing"));
     },
   });
   const run = new MeshRun(new DocumentStore(emptyProject("nothing")), Promise.resolve(mesher));
-  const states: Progress[] = [];
+  const states: CallProgress[] = [];
   run.state.subscribe(({ progress }, before) => {
     if (progress && progress !== before.progress) states.push(progress);
   });
@@ -53,7 +59,8 @@ async function shownAndLogged(reports: readonly Progress[]): Promise<[Progress[]
   return [states, run.state.getState().log];
 }
 
-const shown = async (reports: readonly Progress[]): Promise<Progress[]> => (await shownAndLogged(reports))[0];
+const shown = async (reports: readonly CallProgress[]): Promise<CallProgress[]> =>
+  (await shownAndLogged(reports))[0];
 
 describe("the progress of a run", () => {
   it("is shown at longer intervals in a long run, but at most 1.1 s apart", async () => {
@@ -68,7 +75,7 @@ describe("the progress of a run", () => {
   });
 
   it("is shown immediately when a phase begins", async () => {
-    const phases: readonly Phase[] = ["check", "sides", "surface", "volume", "optimize", "verify"];
+    const phases: readonly ProgressPhase[] = ["check", "sides", "surface", "volume", "optimize", "verify"];
     const reports = phases.flatMap((phase, i) => [
       report(phase, 50 + i / 100),
       report(phase, 50.001 + i / 100),
@@ -111,7 +118,7 @@ describe("the picture of a run", () => {
     real.dispose();
     expect(pictures).toEqual([
       [front, null],
-      [null, unoptimized],
+      [null, { mesh: unoptimized.mesh }],
     ]);
     expect(run.state.getState()).toMatchObject({ front: null, unoptimized: null });
   });

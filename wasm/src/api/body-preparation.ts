@@ -1,5 +1,5 @@
 /** Prepares the surfaces of a project's bodies: their options, their progress and their diagnostics. */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import { shown } from "../base/values.js";
 import { untilCancelled } from "../calls/cancelling.js";
 import { pauseAfterCopy } from "../calls/yielder.js";
@@ -197,7 +197,7 @@ const BODY_SHARE = 0.4;
 export function afterBodies(control: RunControl, seconds: number): RunControl {
   const { onProgress } = control;
   if (onProgress === undefined) return control;
-  const shared = (progress: Progress): void =>
+  const shared = (progress: CallProgress): void =>
     onProgress({
       ...progress,
       fraction: BODY_SHARE + (1 - BODY_SHARE) * progress.fraction,
@@ -222,7 +222,7 @@ export async function preparedBodies(
   for (const [b, body] of missing.entries()) {
     const elapsedSeconds = (performance.now() - began) / 1000;
     const { onProgress } = control;
-    const shared = (progress: Progress): void =>
+    const shared = (progress: CallProgress): void =>
       onProgress?.({
         ...progress,
         fraction: (BODY_SHARE * (b + progress.fraction)) / missing.length,

@@ -2,7 +2,7 @@
 import { noVolume } from "../formats/boundary.js";
 import { countOf, numbered } from "../formats/groups.js";
 import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
-import type { FileGroup, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import { chainedOrigins } from "./surface-numbers.js";
 
 /** A repaired, refined or remeshed surface. */
@@ -43,7 +43,7 @@ export function carriedSurface(given: SurfaceInput, changed: ChangedTriangles): 
   const added = named.length;
   const trianglePatch = origin.map((from) => (from === NO_ORIGIN ? added : (before[from] ?? 0)));
   const lastTag = named.reduce((most, { tag }) => Math.max(most, tag), 0);
-  const filled: FileGroup = { name: "filled holes", tag: lastTag + 1 };
+  const filled: MeshGroup = { name: "filled holes", tag: lastTag + 1 };
   const { surfaceRegions, givenRegions, regionPoints, unit } = given;
   const regionsBeside = ({ triangleRegions: beside }: { readonly triangleRegions: Uint32Array }) => {
     if (known.length > 0) return known;

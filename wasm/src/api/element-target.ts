@@ -1,5 +1,5 @@
 /** Runs that reach a number of elements: their common progress, and what the report says about the number. */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
@@ -155,7 +155,7 @@ function reasons(
 export function controlOfPart(control: RunControl, from: number, to: number): RunControl {
   const { onProgress } = control;
   if (onProgress === undefined) return control;
-  const tell = (progress: Progress): void =>
+  const tell = (progress: CallProgress): void =>
     onProgress({ ...progress, fraction: from + (to - from) * progress.fraction });
   return { ...control, onProgress: tell };
 }
@@ -165,7 +165,7 @@ class SharedProgress {
   readonly #control: RunControl;
   readonly #began = performance.now();
   #done = 0;
-  #last: Progress | undefined;
+  #last: CallProgress | undefined;
 
   constructor(control: RunControl) {
     this.#control = control;
@@ -179,7 +179,7 @@ class SharedProgress {
   async during<T>(share: number, run: (control: RunControl) => Promise<T>): Promise<T> {
     const part = (1 - this.#done) * share;
     const before = this.#done;
-    const onProgress = (progress: Progress): void => {
+    const onProgress = (progress: CallProgress): void => {
       const fraction = Math.max(this.#last?.fraction ?? 0, before + part * progress.fraction);
       this.#tell({ ...progress, fraction, elapsedSeconds: this.seconds });
     };
@@ -194,7 +194,7 @@ class SharedProgress {
     if (last !== undefined) this.#tell({ ...last, fraction: 1, elapsedSeconds: this.seconds });
   }
 
-  #tell(progress: Progress): void {
+  #tell(progress: CallProgress): void {
     this.#last = progress;
     this.#control.onProgress?.(progress);
   }

@@ -10,7 +10,7 @@ import { boundaryOf } from "../formats/boundary.js";
 import { usedGroups } from "../formats/groups.js";
 import { cornersOf, NONE, tetFaces } from "../formats/tet-faces.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
 import type { MeshInspection } from "../mesh/inspection.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
@@ -122,7 +122,7 @@ function distance(points: Float64Array, a: number, b: number): number {
 }
 
 /** Returns the patches that own a triangle, and the new index of each triangle's patch. */
-function usedPatches(patches: readonly FileGroup[], owners: Uint32Array) {
+function usedPatches(patches: readonly MeshGroup[], owners: Uint32Array) {
   const used = [...usedGroups(owners, patches)];
   const indexOf = new Uint32Array(patches.length);
   used.forEach((patch, p) => (indexOf[patch] = p));

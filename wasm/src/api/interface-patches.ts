@@ -1,5 +1,5 @@
 /** Patches of interfaces that a repair has cut out of the faces of solids. */
-import type { FileGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 
 /**
  * Returns the patches with those triangles in patches of their own, "base / post", that lie between two regions, unless their
@@ -23,7 +23,7 @@ export function withInterfacePatches(
   const made = [...patches];
   const indices = new Map<string, number>();
   let tag = patches.reduce((last, patch) => Math.max(last, patch.tag), 0);
-  const indexOf = (pair: string, color: FileGroup["color"]): number => {
+  const indexOf = (pair: string, color: MeshGroup["color"]): number => {
     const known = indices.get(pair);
     if (known !== undefined) return known;
     const taken = patches.filter(({ name }) => name === pair || name.startsWith(`${pair} `)).length;

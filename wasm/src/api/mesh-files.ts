@@ -24,7 +24,7 @@ import { volumeOf } from "../formats/volume-file.js";
 import { MAX_LENGTH, MIN_LENGTH } from "../generated/constants.js";
 import type { Mesh, ElementOrder } from "../mesh/mesh.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
-import { UNITS } from "../mesh/units.js";
+import { LENGTH_UNITS } from "../mesh/units.js";
 
 /** Options for reading a file. */
 export interface ReadFileOptions extends LengthOptions {
@@ -240,7 +240,7 @@ function remedyOf(known: readonly string[]): string {
   return `Use only these options: ${known.join(", ")}.`;
 }
 
-const unit = v.optional(v.picklist(UNITS));
+const unit = v.optional(v.picklist(LENGTH_UNITS));
 const readOptions = v.object({
   size: v.optional(v.pipe(v.number(), v.finite(), v.gtValue(0))),
   openOther: v.optional(v.function()),

@@ -6,7 +6,7 @@ import type { RunControl } from "../engine/control.js";
 import type { EngineClient } from "../engine/engine-client.js";
 import type { EngineLocation } from "../engine/loader.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileGroup, Mesh, SurfaceInput, RegionPoint, RegionPoints } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh, SurfaceInput, RegionPoint, RegionPoints } from "../mesh/mesh.js";
 import { checkSurface } from "./input-checks.js";
 import { completeSurface } from "./carried-mesh.js";
 import { changeDiagnostics } from "./inspection.js";
@@ -92,7 +92,7 @@ function volumesOf({ holes, regions }: RegionPoints, { volumes, volumeOf }: Engi
 function locatedSurface(given: Mesh, location: EngineLocation, found: Volumes): Mesh {
   const { isHole, pointOf } = found;
   const regionOf = isHole.map((): number => NO_REGION);
-  const regions: FileGroup[] = [];
+  const regions: MeshGroup[] = [];
   const maxVolumes: number[] = [];
   let lastTag = pointOf.reduce((last, point) => Math.max(last, Math.floor(point?.tag ?? 0)), 0);
   pointOf.forEach((point, volume) => {

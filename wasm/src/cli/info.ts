@@ -5,7 +5,7 @@ import { short } from "../base/short.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { formatOf } from "../formats/file-formats.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import { entityLabel } from "../diagnostics/entity-names.js";
 import { bodyBox } from "../project/bodies.js";
 import { bodyArrays } from "../project/body-arrays.js";
@@ -212,7 +212,7 @@ function meshContents(mesh: Mesh) {
   };
 }
 
-function heldGroups(groups: readonly FileGroup[], positions: Uint32Array): HeldGroup[] {
+function heldGroups(groups: readonly MeshGroup[], positions: Uint32Array): HeldGroup[] {
   const counts = new Uint32Array(groups.length);
   for (const position of positions) counts[position] = (counts[position] ?? 0) + 1;
   return groups.map(({ name, tag }, i) => ({ name, tag, elements: counts[i] ?? 0 }));

@@ -1,5 +1,5 @@
 /** How a caller follows and cancels a call. */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import type { FrontExperiment } from "../trace/experiment.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -10,7 +10,7 @@ export interface RunControl {
    * Called at most ten times a second, and once at the end. If it throws, or its promise rejects, the call rejects with
    * the same reason.
    */
-  readonly onProgress?: ((progress: Progress) => void) | undefined;
+  readonly onProgress?: ((progress: CallProgress) => void) | undefined;
   /**
    * Called by `meshProject` and `fillSurface` at most four times a second while the front advances, with x y z of the
    * three corners of each of its faces. The caller owns the array. Costs at most 2 % of the run's time. A failure of

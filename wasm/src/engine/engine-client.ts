@@ -2,7 +2,7 @@
  * The client of the worker: any number of questions at once, one run at a time; progress, cancellation, and a new worker
  * if it has failed or does not answer.
  */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import type { PartialControl } from "./control.js";
 import { notify, type ProgressListener, type RunListeners } from "./progress-listener.js";
 import {
@@ -33,7 +33,7 @@ interface Job extends ProgressListener {
   /** Time at which it was sent to the worker, in milliseconds. */
   began: number | undefined;
   /** Latest reported progress. */
-  progress: Progress | undefined;
+  progress: CallProgress | undefined;
   readonly resolve: (result: EngineResult | Cancelled) => void;
 }
 
@@ -43,7 +43,7 @@ export interface Cancelled {
 }
 
 /** Returns the error with which a call rejects; `progress` is the latest of a run. */
-type FailureAt = (progress: Progress | undefined) => MesherError;
+type FailureAt = (progress: CallProgress | undefined) => MesherError;
 
 interface OpenQuestion extends ProgressListener {
   readonly question: Question;

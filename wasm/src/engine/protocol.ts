@@ -1,6 +1,6 @@
 /** Messages between the page (or a Node program) and the worker. */
 import type { FrontExperiment } from "../trace/experiment.js";
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { GivenRegions } from "../mesh/mesh.js";
 import type { EngineMesh, EngineVolume } from "./engine-mesh.js";
@@ -264,7 +264,7 @@ export type Reply =
   | { readonly kind: "wanted"; readonly name: ModuleName }
   /** Sent once per module, when it is loaded, with its code for other workers. Requests that need it wait. */
   | { readonly kind: "ready"; readonly name: ModuleName; readonly module: CompiledModule }
-  | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
+  | { readonly kind: "progress"; readonly id: number; readonly progress: CallProgress }
   /** The current front: x y z of three corners per face. */
   | { readonly kind: "front"; readonly id: number; readonly corners: Float64Array }
   | { readonly kind: "unoptimized"; readonly id: number; readonly mesh: EngineMesh }

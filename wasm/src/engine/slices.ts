@@ -3,7 +3,7 @@
  * without shared memory; and V8 never replaces the code of a running WebAssembly function, so that one long call
  * would stay in slow baseline code.
  */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import {
   CALL_FAILURES,
   ENGINE_STATUSES,
@@ -36,7 +36,7 @@ const FRONT_REST = 50;
 
 export interface SliceControl {
   readonly isCancelled: () => boolean;
-  readonly onProgress: (progress: Progress) => void;
+  readonly onProgress: (progress: CallProgress) => void;
   readonly letRequestsIn: () => Promise<void>;
 }
 
@@ -183,6 +183,6 @@ function phaseOf(run: EngineRun): Phase {
   return PHASES[run.phase()] ?? "check";
 }
 
-function progressOf(run: EngineRun, clock: RunClock): Progress {
+function progressOf(run: EngineRun, clock: RunClock): CallProgress {
   return { ...run.progress(), phase: phaseOf(run), elapsedSeconds: clock.elapsedSeconds() };
 }

@@ -1,5 +1,5 @@
 /** Adapts a mesh to the tags and node values that a format can store; reports every change. */
-import type { FileGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import { hasGenericName, listed, numbered, usedGroups } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -25,7 +25,7 @@ const MAX_TAG = 0x7fffffff;
 export function fitToFormat(mesh: WrittenMesh, limits: FormatLimits, note: Note): WrittenMesh {
   const { minTag, maxTag = MAX_TAG, hasSharedTags = false, canHoldData } = limits;
   const takenByPatches = new Set<number>();
-  const settled = (word: "patches" | "regions", groups: readonly FileGroup[], owners: Uint32Array) => {
+  const settled = (word: "patches" | "regions", groups: readonly MeshGroup[], owners: Uint32Array) => {
     const used = usedGroups(owners, groups);
     const taken = hasSharedTags ? takenByPatches : new Set<number>();
     const tags = usableTags(groups, used, { lowest: minTag ?? 1, highest: maxTag, taken });
@@ -54,7 +54,7 @@ export function fitToFormat(mesh: WrittenMesh, limits: FormatLimits, note: Note)
 }
 
 /** Returns whether this program chose all tags, to which nothing refers yet. */
-function isNumbered(word: "patches" | "regions", groups: readonly FileGroup[]): boolean {
+function isNumbered(word: "patches" | "regions", groups: readonly MeshGroup[]): boolean {
   const own = numbered(word === "patches" ? "patch" : "region", groups.length);
   return groups.every(
     ({ name, tag, isTagChosen = false }, g) => isTagChosen || (name === own[g]?.name && tag === own[g].tag),
@@ -71,7 +71,7 @@ interface Numbers {
 
 /** Keeps each group's tag if it is permitted and free; other groups get the lowest free tags. */
 function usableTags(
-  groups: readonly FileGroup[],
+  groups: readonly MeshGroup[],
   used: ReadonlySet<number>,
   { lowest, highest, taken }: Numbers,
 ): readonly number[] {

@@ -2,7 +2,7 @@
  * Writes Medit `.mesh` files (text): the tetrahedra with their region as reference, and the triangles of the
  * boundary with their patch as reference. Comments hold the names.
  */
-import type { FileGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { allNameLines } from "./name-lines.js";
@@ -28,7 +28,7 @@ function elements(
   nodes: Uint32Array,
   width: number,
   owners: Uint32Array,
-  groups: readonly FileGroup[],
+  groups: readonly MeshGroup[],
 ): Part[] {
   return [
     `\n${name}\n${nodes.length / width}\n`,

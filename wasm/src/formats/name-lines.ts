@@ -2,7 +2,7 @@
  * Names of patches and regions as lines of text: "patch 4 inlet". Formats that store only numbers keep these lines
  * in text that other programs ignore, such as comments.
  */
-import type { FileGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, listed, shortened, usedGroups } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
@@ -62,7 +62,7 @@ export class NameLines {
     const { patches, regions } = mesh;
     const [only, ...others] = this.patches;
     const isOne = only !== undefined && others.length === 0 && patches.length === 1;
-    const named = (groups: readonly FileGroup[], names: ReadonlyMap<number, string>) =>
+    const named = (groups: readonly MeshGroup[], names: ReadonlyMap<number, string>) =>
       groups.map((group) => ({ ...group, name: names.get(group.tag) ?? group.name }));
     return {
       ...mesh,
@@ -86,7 +86,7 @@ const RANGES_PER_LINE = 100;
  * Returns lines such as "faces of patch 4: 0-11 20-20", for formats that store nothing per face; none for a single
  * patch.
  */
-export function faceLines(owners: Uint32Array, groups: readonly FileGroup[]): string[] {
+export function faceLines(owners: Uint32Array, groups: readonly MeshGroup[]): string[] {
   if (groups.length < 2) return [];
   const ranges = groups.map((): string[] => []);
   for (let begin = 0, end = 0; begin < owners.length; begin = end) {

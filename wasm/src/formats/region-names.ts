@@ -3,7 +3,7 @@
  * region next to most of its triangles.
  */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
 import { hasGenericName } from "./groups.js";
 import { NONE, tetFaces } from "./tet-faces.js";
@@ -41,7 +41,7 @@ export function carriedRegions(
   const found = matches(triangleRegions, given, count);
   const used = [...new Set(found)].filter((region) => region !== NO_REGION).sort((a, b) => a - b);
   // Several volumes of a file may be one region: they have the same tag and name.
-  const isSame = (one: FileGroup | undefined, other: FileGroup | undefined) =>
+  const isSame = (one: MeshGroup | undefined, other: MeshGroup | undefined) =>
     one?.tag === other?.tag && one?.name === other?.name;
   const groups = used.flatMap((region) => given.regions[region] ?? []);
   const regions = groups.filter((group, g) => groups.findIndex((other) => isSame(group, other)) === g);

@@ -4,7 +4,7 @@
  */
 import { type Steps, stepwise } from "../base/steps.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import { listed } from "./groups.js";
 import { imprinted } from "./imprint.js";
 import {
@@ -96,7 +96,7 @@ function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<Mesh> {
 
 /** Patches of faces, and of pairs of faces that two shapes share, in the order in which they are asked for. */
 class SharedPatches {
-  readonly groups: FileGroup[] = [];
+  readonly groups: MeshGroup[] = [];
   readonly #faces: readonly (ShapeFace & { readonly shape: string; readonly label: string })[];
   readonly #indices = new Map<string, number>();
   /** Number of interfaces per pair of shapes. */
@@ -136,7 +136,7 @@ class SharedPatches {
     return empty.length === 0 ? [] : [`without triangles: ${listed(empty)}`];
   }
 
-  #index(key: string, make: () => FileGroup): number {
+  #index(key: string, make: () => MeshGroup): number {
     const known = this.#indices.get(key);
     if (known !== undefined) return known;
     this.#indices.set(key, this.groups.length);

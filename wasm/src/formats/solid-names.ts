@@ -1,5 +1,5 @@
 /** Names of regions from the solids or groups of a file that bound them: the format states no regions. */
-import type { FileGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
 import { differentNames, hasGenericName } from "./groups.js";
 
@@ -13,7 +13,7 @@ type TrianglesBetween = Pick<Mesh, "points" | "triangles"> & Pick<SurfaceRegions
 export function namesOfSolids(
   surface: TrianglesBetween,
   trianglePatch: Uint32Array,
-  patches: readonly FileGroup[],
+  patches: readonly MeshGroup[],
   regions: number,
 ): (string | undefined)[] {
   const shells = shellsOf(surface.triangles, surface.points.length / 3);

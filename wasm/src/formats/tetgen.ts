@@ -3,7 +3,7 @@
  * attribute, and `.face` with the boundary's triangles and their patch as marker. Numbers count from 1; comments
  * hold names.
  */
-import type { FileGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { FileParts, Note } from "./file-format.js";
 import { nameLines } from "./name-lines.js";
@@ -57,6 +57,6 @@ function comments(...lines: readonly (string | readonly string[])[]): string[] {
 }
 
 /** Each line has the number, the corners counted from 1, and the tag. */
-function rows(nodes: Uint32Array, width: number, owners: Uint32Array, groups: readonly FileGroup[]): Part {
+function rows(nodes: Uint32Array, width: number, owners: Uint32Array, groups: readonly MeshGroup[]): Part {
   return numberRows(nodes, width, (row, e) => `${e + 1} ${fromOne(row)} ${groups[owners[e] ?? 0]?.tag ?? 0}`);
 }

@@ -6,7 +6,7 @@
  */
 import { zlibSync } from "fflate";
 import { PAUSE, type Steps, stepwise } from "../base/steps.js";
-import type { FileGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import { IS_LITTLE_ENDIAN, joinBytes, type Part, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, usedGroups } from "./groups.js";
@@ -76,7 +76,7 @@ function fieldData(mesh: Mesh): string[] {
   const arrays = (
     word: "patch" | "region",
     dimension: number,
-    groups: readonly FileGroup[],
+    groups: readonly MeshGroup[],
     owners: Uint32Array,
   ) => {
     const used = usedGroups(owners, groups);

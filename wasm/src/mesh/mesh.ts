@@ -3,10 +3,10 @@
  * takes it or a part of it. Its arrays survive `structuredClone`; between threads, typed arrays are transferred and not
  * copied.
  */
-import type { Unit } from "./units.js";
+import type { LengthUnit } from "./units.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
-export interface FileGroup {
+export interface MeshGroup {
   readonly name: string;
   /** Number in the file; meshes made by this program count from 1. */
   readonly tag: number;
@@ -33,7 +33,7 @@ export interface NodeData {
 
 /** Regions on the sides of a file's triangles. */
 export interface SurfaceRegions {
-  readonly regions: readonly FileGroup[];
+  readonly regions: readonly MeshGroup[];
   /** Two per triangle, in either order: index in `regions` of the region on that side, `NO_REGION` if there is none. */
   readonly triangleRegions: Uint32Array;
 }
@@ -85,12 +85,12 @@ export interface Mesh {
   /** Per triangle: index in `patches`. */
   readonly trianglePatch: Uint32Array;
   /** Tags, colours, solids or groups of a file; one patch if it has none. */
-  readonly patches: readonly FileGroup[];
+  readonly patches: readonly MeshGroup[];
   /** Four node indices per tetrahedron, a b c d with (b-a)×(c-a)·(d-a) > 0. */
   readonly tetrahedra: Uint32Array;
   /** Per tetrahedron: index in `regions`. */
   readonly tetrahedronRegion: Uint32Array;
-  readonly regions: readonly FileGroup[];
+  readonly regions: readonly MeshGroup[];
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;
   /**
@@ -116,8 +116,8 @@ export interface Mesh {
    * regions unless `innerShells` says otherwise.
    */
   readonly regionPoints?: RegionPoints | undefined;
-  /** Unit of the coordinates, if the file or the options of reading define one; they are converted to it. */
-  readonly unit?: Unit | undefined;
+  /** LengthUnit of the coordinates, if the file or the options of reading define one; they are converted to it. */
+  readonly unit?: LengthUnit | undefined;
   /** Format and version as stated by the file, if the file's name does not decide: "Gmsh 2.2". */
   readonly format?: string | undefined;
   /** Whether all points differ, so that exact welding changes nothing. Default false. */

@@ -2,7 +2,7 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { doubles, index, integers } from "../calls/schemas.js";
-import { type FileGroup, isColorName, type Mesh } from "../mesh/mesh.js";
+import { type MeshGroup, isColorName, type Mesh } from "../mesh/mesh.js";
 import type { Position } from "../mesh/inspection.js";
 import { bodyArrays, textOfArray } from "./body-arrays.js";
 import { bodySchema } from "./schema.js";
@@ -34,7 +34,7 @@ export const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.
 /** Triangles of a new body, and the names and colours of their patches. */
 export interface GivenTriangles extends Pick<Mesh, "points" | "triangles"> {
   readonly trianglePatch?: Uint32Array | undefined;
-  readonly patches?: readonly Pick<FileGroup, "name" | "color">[] | undefined;
+  readonly patches?: readonly Pick<MeshGroup, "name" | "color">[] | undefined;
 }
 
 /**

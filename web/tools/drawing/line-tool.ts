@@ -1,4 +1,4 @@
-import type { LineType } from "tetrafront";
+import type { LineType } from "tetrafront/project";
 import { circleThrough, middleOfArc, onArc, quantityMiddleOfArc } from "../../document/arcs";
 import { drawLine, placeAt, quantitiesAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
