@@ -1,5 +1,6 @@
 import { apply, type Patches } from "mutative";
 import { parseProject, type Project } from "tetrafront/project";
+import { documentKey } from "../document/content-keys";
 import type { DocumentContent } from "../document/edit";
 import { manyTetrahedra } from "../document/engine-input";
 import { documentGrid } from "../document/large-grid";
@@ -108,7 +109,7 @@ export const blobsOf = (texts: ReadonlyMap<string, string>): { readonly longText
 
 /** Returns the document to open, or null if its project cannot be read. */
 export async function openKept(kept: KeptDocument): Promise<OpenDocument | null> {
-  const { id, savedKey, file, content, changes } = kept;
+  const { id, file, content, changes } = kept;
   const texts = await readTexts([content, ...changes]);
   const project = parseWith(content.text, texts) as Project;
   const grid = content.grid && (await documentGrid(content.grid));
@@ -119,6 +120,8 @@ export async function openKept(kept: KeptDocument): Promise<OpenDocument | null>
   const read = parseProject(grid ? withGrid(last, noGrid) : last);
   if (!read.success) return null;
   const present = { project: grid ? withGrid(read.value, last.background) : read.value };
+  // An earlier version of the app may have made other keys.
+  const savedKey = kept.listed === 1 ? kept.savedKey : documentKey(present.project);
   const isUsable = content.version === read.value.version;
   return { id, history: isUsable ? { ...history, present } : startHistory(present), savedKey, file };
 }

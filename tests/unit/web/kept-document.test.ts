@@ -107,6 +107,14 @@ describe("a kept document", () => {
     expect(opened?.history.present.project.name).toBe("edited");
   });
 
+  it("is as it was opened if it is not listed, whatever keys an earlier version of the app has made", async () => {
+    const kept = keptDocument(newDocument(cubeProject()), 0, false);
+    const documents = new DocumentStore(cubeProject());
+    const opened = await openKept({ ...kept, savedKey: "of an earlier version" });
+    if (opened) documents.show(opened);
+    expect(hasUnsavedChanges(documents.state.getState())).toBe(false);
+  });
+
   it("is rejected if its project is invalid", async () => {
     const kept = keptDocument(newDocument(cubeProject()), 0, true);
     expect(await openKept({ ...kept, content: { ...kept.content, text: "{}" } })).toBeNull();
