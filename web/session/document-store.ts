@@ -68,12 +68,28 @@ export function newDocumentId(): string {
 function contentAfter(before: DocumentContent, change: Change<DocumentContent>): DocumentContent {
   const after = changedState(before, change);
   if (after.project === before.project) return after;
-  const agreed = agreeing(before, { ...after, project: { ...after.project, ...liveNotes(after.project) } });
+  const notes = isSameShape(before.project, after.project) ? {} : liveNotes(after.project);
+  const agreed = agreeing(before, { ...after, project: { ...after.project, ...notes } });
   const painted = paintedSizes(before.project, agreed.project);
   const { project, ...rest } = painted ? agreeing(before, changedState(agreed, painted)) : agreed;
   const { expressions = [], ...bare } = project;
   // An empty list of expressions says nothing.
   return { ...rest, project: expressions.length > 0 ? project : bare };
+}
+
+/** Returns whether two values of plain data have the same ids, fields and lengths, so that the same notes apply to them. */
+function isSameShape(a: unknown, b: unknown): boolean {
+  if (a === b || typeof a !== "object" || typeof b !== "object" || a === null || b === null)
+    return typeof a === typeof b;
+  if (Array.isArray(a) && Array.isArray(b))
+    return a.length === b.length && a.every((item, i) => item === b[i] || isSameShape(item, b[i]));
+  const [fields, others] = [a, b] as [Readonly<Record<string, unknown>>, Readonly<Record<string, unknown>>];
+  const keys = Object.keys(fields);
+  return (
+    fields["id"] === others["id"] &&
+    keys.length === Object.keys(others).length &&
+    keys.every((key) => key in others && isSameShape(fields[key], others[key]))
+  );
 }
 
 function agreeing({ project }: DocumentContent, after: DocumentContent): DocumentContent {

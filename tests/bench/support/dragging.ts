@@ -86,7 +86,7 @@ function timeOf(work: () => void): number {
   return performance.now() - begin;
 }
 
-/** Points in rows of ten, each row with a line through it. */
+/** Points in rows of ten, each row with a line through it. All are in a group, and one has an expression. */
 function pointsInRows(count: number): Project {
   return {
     ...emptyProject("Bench"),
@@ -94,6 +94,14 @@ function pointsInRows(count: number): Project {
       id: i + 1,
       position: [(i % 10) / 10, Math.floor(i / 10) + 1 / 3, 0],
     })),
+    groups: [
+      {
+        id: 1,
+        name: "All",
+        members: Array.from({ length: count }, (_, i) => ({ kind: "point", id: i + 1 })),
+      },
+    ],
+    expressions: [{ kind: "point", id: 1, field: "position.1", expression: "1/3" }],
     lines: Array.from({ length: Math.floor(count / 10) }, (_, row) => ({
       id: row + 1,
       type: "spline",
