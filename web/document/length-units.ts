@@ -104,7 +104,7 @@ export function convertProject(project: Project, from: Unit, to: Unit): ProjectE
     [convert(x), convert(y), convert(z)] as const;
   const { points, bodies, background, meshing, expressions } = project;
   const { nodes, sources } = background;
-  const converted: Partial<Project> = {
+  const replace: Partial<Project> = {
     units: to,
     points: points.map((point) => ({ ...point, position: place(point.position) })),
     ...(bodies && { bodies: bodies.map((body) => convertedBody(body, convert)) }),
@@ -123,10 +123,7 @@ export function convertProject(project: Project, from: Unit, to: Unit): ProjectE
     ...(meshing?.size !== undefined && { meshing: { ...meshing, size: convert(meshing.size) } }),
     ...(expressions && { expressions: convertedExpressions(project, to, factor) }),
   };
-  return {
-    label: stepNames.convertUnits(from, to),
-    replace: Object.entries(converted).map(([key, value]) => [["project", key], value]),
-  };
+  return { label: stepNames.convertUnits(from, to), replace };
 }
 
 /** The triangles of a body stay: its placement converts them. */

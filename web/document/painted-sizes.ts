@@ -23,7 +23,7 @@ export function paintedSizes(before: Project, after: Project): Replacement | und
     return oldBody && isUnchanged ? moved(source, oldBody, body) : source;
   });
   const isSame = followed.every((source, s) => source === sources[s]);
-  return isSame ? undefined : { replace: [[["project", "background", "sources"], followed]] };
+  return isSame ? undefined : { replace: { background: { ...after.background, sources: followed } } };
 }
 
 function withoutBody({ body: _, ...source }: ProjectSource): ProjectSource {

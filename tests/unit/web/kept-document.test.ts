@@ -178,7 +178,7 @@ describe("a document that is written after each step", () => {
         const points = documents.project.points.map((point) =>
           point.id === 5000 + i ? { ...point, position: [1 / 3, move / 7, i / 7] as const } : point,
         );
-        gesture.update({ replace: [[["project", "points"], points]] });
+        gesture.update({ replace: { points } });
       }
       gesture.commit();
       expect(bytesOf(write())).toBeLessThan(1000);

@@ -62,7 +62,7 @@ describe("sizes painted on a body", () => {
     const documents = new DocumentStore(start, () => 0);
     documents.edit({
       label: "Set parameter",
-      replace: [[["project", "parameters"], [{ name: "lift", expression: "8" }]]],
+      replace: { parameters: [{ name: "lift", expression: "8" }] },
     });
     const [x, y] = placed(own, first);
     close(sourcesOf(documents.project)[0]?.positions[0], [x, y, placed(own, first)[2] + 5]);
@@ -110,7 +110,7 @@ describe("sizes painted on a body", () => {
     expect(sourcesOf(documents.project).map(({ id }) => id)).toEqual([2]);
     documents.undo();
     expect(documents.project).toEqual(project());
-    documents.edit({ label: "Union", replace: [[["project", "bodies"], []]] });
+    documents.edit({ label: "Union", replace: { bodies: [] } });
     const { body: _, ...painted } = sourcesOf(project())[0] ?? { body: 0 };
     expect(sourcesOf(documents.project)[0]).toEqual(painted);
   });
