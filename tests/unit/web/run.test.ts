@@ -326,7 +326,7 @@ it("a mesh is of others once bodies are added, removed, replaced or moved; sizes
   const run = new MeshRun(documents, Promise.resolve(mesher));
   const isOther = (): boolean => isOfOtherBodies(run.state.getState(), documents.state.getState());
   const isOtherWith = (...bodies: readonly ReturnType<typeof bodyOf>[]): boolean => {
-    documents.edit({ label: "Bodies", replace: { bodies: bodies } });
+    documents.edit({ label: "Bodies", replace: { bodies } });
     return isOther();
   };
   expect(isOther()).toBe(false);
