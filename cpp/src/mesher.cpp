@@ -216,9 +216,7 @@ bool MeshRun::Impl::limitElements() {
     expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
     return true;
   }
-  Diagnostic tooMany;
-  tooMany.code = DiagnosticCode::kTooManyElements;
-  tooMany.values = {cappedCount(expected), static_cast<double>(options_.maxTetrahedra)};
+  Diagnostic tooMany = tooManyElements(expected, options_.maxTetrahedra);
   if (forSizes >= forVolumes) {
     nameMostDemanding(tooMany, grid_, options_, boundsOf(surface_));
   }
@@ -311,11 +309,7 @@ Task<MeshStatus> MeshRun::Impl::verify(Work& work) {
   co_await work.finish(verifier);
   const MeshDefects& defects = verifier.defects();
   if (defects.count() == 0) co_return MeshStatus::kDone;
-  Diagnostic failed;
-  failed.code = DiagnosticCode::kVerificationFailed;
-  failed.entities = defects.examples;
-  failed.values = {static_cast<double>(defects.count())};
-  report({failed});
+  report({diagnose<DiagnosticCode::kVerificationFailed>(defects.count()).about(defects.examples)});
   statistics_ = {};
   co_return MeshStatus::kStalled;
 }

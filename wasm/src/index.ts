@@ -2,7 +2,7 @@
  * Tetrafront: tetrahedral meshes by the advancing-front method (Löhner & Parikh 1988). Recorded runs are in `tetrafront/trace`,
  * projects of the editor in `tetrafront/project`.
  *
- *     import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
+ *     import { createMesher, readSurface, writeMesh } from "tetrafront";
  */
 export {
   type CheckedOption,
@@ -55,14 +55,7 @@ export type { MidNodes, WrittenMesh } from "./formats/second-order.js";
 export { setCadLibrary } from "./cad/cad-library.js";
 export type { CadLibrary } from "./cad/protocol.js";
 export { extensionsFor, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
-export type { ElementOrder, FileGroup, FileMesh, NodeData, SurfaceRegions } from "./mesh/file-mesh.js";
-export {
-  fileMeshOf,
-  patchNames,
-  regionSummaries,
-  type NameSource,
-  type RegionSummary,
-} from "./api/generated-mesh.js";
+export { regionSummaries, type RegionSummary } from "./api/generated-mesh.js";
 export {
   readMesh,
   readSurface,
@@ -73,9 +66,6 @@ export {
   type WriteProgress,
 } from "./api/mesh-files.js";
 export type { LengthOptions } from "./formats/units.js";
-export type { SurfaceFile } from "./formats/surface-file.js";
-export { volumeBackground } from "./api/volume-background.js";
-export type { VolumeFile } from "./formats/volume-file.js";
 export type {
   EdgeLengths,
   MeshInspection,
@@ -122,10 +112,8 @@ export { measureTriangles } from "./api/triangle-shapes.js";
 export type { TriangleShapes } from "./mesh/triangle-shapes.js";
 export { LIMITS } from "./base/limits.js";
 export type { ReadCode, ReadError, ReadResult } from "./diagnostics/read-error.js";
-export { improvedMesh } from "./api/improvement.js";
-export type { ImproveInput, MeshImprovement, MeshShapes } from "./mesh/improvement.js";
-export { repairedSurface } from "./api/repaired-surface.js";
-export type { AbortControl, PartialControl, RunControl, UnoptimizedMesh } from "./engine/control.js";
+export type { MeshImprovement, MeshShapes } from "./mesh/improvement.js";
+export type { AbortControl, PartialControl, RunControl } from "./engine/control.js";
 export type { BackgroundArrays } from "./project/background-arrays.js";
 export type { Diagnostic, DiagnosticOf, EntityRef } from "./diagnostics/diagnostic.js";
 export type {
@@ -143,20 +131,22 @@ export type {
   Mesher,
   SizeProposal,
   SizeSamples,
-  SplitInput,
-  SplitSurface,
+  PatchSplit,
   SurfaceSizeProposal,
 } from "./api/mesher-interface.js";
-export type { LocatedSurface } from "./api/region-location.js";
+export type { RegionLocation } from "./api/region-location.js";
 export type {
+  ElementOrder,
+  FileGroup,
   GivenRegions,
-  MeshInput,
-  PatchedSurface,
+  Mesh,
+  NodeData,
+  PartialMesh,
   RegionPoint,
   RegionPoints,
   SurfaceInput,
-  SurfaceMesh,
-  VolumeMesh,
+  SurfaceRegions,
+  VolumeInput,
 } from "./mesh/mesh.js";
 export type { ElementCount, MeshReport, MeshResult, MeshStatus, Seconds } from "./mesh/report.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";

@@ -2,7 +2,7 @@
  * What the application shares with the package. No part of the package's promise: it may change in any version.
  */
 export { ENGINE_CODES, type EngineNumbers, PROPOSAL_DEFAULTS, SOURCE_GROWTH } from "./generated/constants.js";
-export { unusedData } from "./api/volume-background.js";
+export { unusedData } from "./api/node-sizes.js";
 export {
   type BestRepair,
   type BestRepairOptions,
@@ -19,4 +19,5 @@ export {
   meshWithBoundary,
   type MeshWithBoundary,
 } from "./api/given-mesh.js";
+export { patchNames } from "./api/generated-mesh.js";
 export { isInterface } from "./mesh/interfaces.js";

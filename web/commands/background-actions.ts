@@ -54,7 +54,7 @@ export async function takeBackgroundFromMesh(app: App): Promise<void> {
   const { mesh } = app.run.state.getState();
   if (!mesh) return;
   try {
-    const arrays = await (await app.mesher).backgroundFromMesh(mesh.volume);
+    const arrays = await (await app.mesher).backgroundFromMesh(mesh.mesh);
     const grid = await documentGrid(packArrays(arrays));
     await app.documents.afterGesture();
     const { sources } = app.documents.project.background;

@@ -77,10 +77,10 @@ export function showElement(app: App, tetrahedron: number): void {
   app.view.selectElement(tetrahedron);
   app.shell.setState({ drawer: null });
   if (mesh) {
-    const region = mesh.volume.regions[tetrahedron];
+    const region = mesh.mesh.tetrahedronRegion[tetrahedron];
     if (region !== undefined && app.view.state.getState().hiddenRegions.has(region))
       app.view.toggleRegion(region);
-    app.view.setCut(cutToElement(mesh.volume, tetrahedron, viewer ? toEye(viewer.pose) : towardsViewer));
+    app.view.setCut(cutToElement(mesh.mesh, tetrahedron, viewer ? toEye(viewer.pose) : towardsViewer));
   }
   viewer?.framing.fitSelectedFaces();
 }

@@ -1,8 +1,10 @@
 import type { PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
 import { entityBounds, roomyBounds } from "./bounds";
+import type { Label } from "./apart";
 import { ViewCamera, type CameraPose, type StandardView } from "./camera";
 import type { ViewerColors } from "./colors";
+import { cubeArea } from "./cube-place";
 import { FrameLoop } from "./frame-loop";
 import { Framing, type FramedScene } from "./framing";
 import type { Hit, Layer } from "./layers/layer";
@@ -253,6 +255,11 @@ export class Viewer {
   /** Where labels can be seen, in CSS pixels. */
   get labelArea(): { readonly width: number; readonly height: number; readonly coveredLeft: number } {
     return { ...this.size, coveredLeft: this.framing.coveredLeft };
+  }
+
+  /** The square under the view cube. */
+  get cubeArea(): Label {
+    return cubeArea(this.size.width);
   }
 
   /** Draws again, after a layer has changed by itself. */

@@ -12,24 +12,11 @@
 #include "optimize/sweep_observer.h"
 #include "optimize/sweeps.h"
 #include "optimize/tet_complex.h"
+#include "optimize/rules.h"
 
 namespace tetrafront {
 namespace {
 
-/// Mean relative edge length above which edges are split from a lower limit on: the region is about
-/// one and a half elements thick, or its interior began without nodes. The sum of costs alone would
-/// accept too few nodes there.
-constexpr double kSparse = 1.13;
-constexpr double kSplitAllOfSparse = 1.4;
-/// In thin walls, collapses would remove the new nodes again. Interiors with a longer mean edge are
-/// not walls and have room for them.
-constexpr double kEmpty = 1.3;
-constexpr double kMaxEdgeInWalls = 1.65;
-/// Number of elements that miss a target above which a mesh no longer counts as small.
-constexpr double kFewMissing = 500.0;
-/// Fraction of the mesh. If improvements changed more, as in gaps one edge wide, shape sweeps would
-/// visit that part again and again.
-constexpr double kMuchChanged = 0.02;
 /// For the estimate of the progress: share of the time before the first step, and the part of a step that a repetition leaves.
 constexpr double kBuildShare = 0.05;
 constexpr double kLeftByRepeat = 0.55;

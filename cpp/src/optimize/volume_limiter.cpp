@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
 #include "sizing/expected_count.h"
@@ -110,21 +111,14 @@ std::vector<Diagnostic> VolumeLimiter::diagnostics() const {
     ++index;
   }
   if (largest.isNone()) return {};
-  Diagnostic diagnostic;
-  diagnostic.code = DiagnosticCode::kLargeTetrahedra;
-  diagnostic.severity = Severity::kWarning;
-  diagnostic.entities = {{EntityKind::kTetrahedron, largestIndex}};
-  diagnostic.hasPosition = true;
+  Vec3 centroid(0.0);
   for (const NodeId node : complex_.element(largest).nodes) {
-    diagnostic.position += 0.25 * complex_.position(node);
+    centroid += 0.25 * complex_.position(node);
   }
-  diagnostic.values = {count, worst};
-  if (hasTooMany_) {
-    diagnostic.code = DiagnosticCode::kTooManyElements;
-    diagnostic.severity = Severity::kError;
-    diagnostic.values = {cappedCount(required), static_cast<double>(maxTetrahedra_)};
-  }
-  return {diagnostic};
+  Diagnostic found = hasTooMany_ ? tooManyElements(required, maxTetrahedra_)
+                                 : diagnose<DiagnosticCode::kLargeTetrahedra>(count, worst)
+                                       .withSeverity(Severity::kWarning);
+  return {std::move(found).about({{EntityKind::kTetrahedron, largestIndex}}).at(centroid)};
 }
 
 /// Returns the volume / the permitted volume.

@@ -1,7 +1,8 @@
 /** The sweeps of the optimizer in a trace: they lead from the mesh of the front to the result. */
-import { createMesher, type Mesher, type VolumeMesh } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
 import { readTrace, recordTrace, type SweptMesh } from "tetrafront/trace";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import type { Elements } from "../../support/check-mesh.js";
 import { randomSource } from "../../support/random.js";
 import { galleryProject, tracedIn } from "../../support/recorded-models.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -14,10 +15,8 @@ afterAll(() => mesher.dispose());
 
 const unoptimized = { optimization: "none" } as const;
 
-type Mesh = Pick<VolumeMesh, "points" | "tetrahedra">;
-
 /** Corners of each element, as positions in an order that does not depend on numbers. */
-function elementsOf({ points, tetrahedra }: Mesh): readonly string[] {
+function elementsOf({ points, tetrahedra }: Elements): readonly string[] {
   return Array.from({ length: tetrahedra.length / 4 }, (_, element) =>
     Array.from(tetrahedra.subarray(4 * element, 4 * element + 4), (node) =>
       points.subarray(3 * node, 3 * node + 3).join(" "),
@@ -28,7 +27,7 @@ function elementsOf({ points, tetrahedra }: Mesh): readonly string[] {
 }
 
 /** Returns a mesh without the nodes that no element uses; those of the boundary stay. */
-function withoutUnused({ points, tetrahedra }: Mesh, boundaryNodes: number): Mesh {
+function withoutUnused({ points, tetrahedra }: Elements, boundaryNodes: number): Elements {
   const used = new Set(tetrahedra);
   const kept = Array.from({ length: points.length / 3 }, (_, node) => node).filter(
     (node) => node < boundaryNodes || used.has(node),
@@ -40,7 +39,7 @@ function withoutUnused({ points, tetrahedra }: Mesh, boundaryNodes: number): Mes
   };
 }
 
-function volumeOf({ points, tetrahedra }: Mesh): number {
+function volumeOf({ points, tetrahedra }: Elements): number {
   let volume = 0;
   for (let i = 0; i < tetrahedra.length; i += 4) {
     const at = (corner: number, axis: number): number =>
@@ -88,13 +87,13 @@ test.each([
   if (!before || !sweeps || chosen === undefined) throw new Error("no sweep was recorded");
   expect(sweeps.length).toBeGreaterThan(3);
   expect(before.tetrahedra).toBe(front.result.report.tetrahedra);
-  expect(elementsOf(meshAfter(trace, 0))).toEqual(elementsOf(front.result.volume));
+  expect(elementsOf(meshAfter(trace, 0))).toEqual(elementsOf(front.result.mesh));
 
-  const last = withoutUnused(meshAfter(trace, chosen), result.surface.points.length / 3);
-  expect(last.tetrahedra).toEqual(result.volume.tetrahedra);
-  expect(last.points).toHaveLength(result.volume.points.length);
+  const last = withoutUnused(meshAfter(trace, chosen), result.surfaceNodes);
+  expect(last.tetrahedra).toEqual(result.mesh.tetrahedra);
+  expect(last.points).toHaveLength(result.mesh.points.length);
   const farthest = last.points.reduce(
-    (most, x, i) => Math.max(most, Math.abs(x - (result.volume.points[i] ?? 0))),
+    (most, x, i) => Math.max(most, Math.abs(x - (result.mesh.points[i] ?? 0))),
     0,
   );
   expect(farthest).toBeLessThan(1e-4);
@@ -113,7 +112,7 @@ test("each sweep changes what it says, and meshes are found forwards and backwar
   const { before, sweeps = [] } = trace.optimization?.summary ?? {};
   const meshes = [before, ...sweeps].map((measures, sweep) => {
     const mesh = meshAfter(trace, sweep);
-    expect(mesh.regions).toHaveLength(measures?.tetrahedra ?? 0);
+    expect(mesh.tetrahedronRegion).toHaveLength(measures?.tetrahedra ?? 0);
     expect(volumeOf(mesh)).toBeCloseTo(1, 5);
     return mesh;
   });

@@ -100,7 +100,7 @@ describe("the picture of a run", () => {
         control.onProgress?.(report("volume", 1));
         control.onProgress?.(report("optimize", 2));
         pictures.push(shownNow());
-        control.onUnoptimized?.(unoptimized);
+        control.onUnoptimized?.(unoptimized.mesh);
         control.onProgress?.(report("verify", 3));
         pictures.push(shownNow());
         return Promise.resolve(unoptimized);
@@ -373,10 +373,10 @@ it("a run that is cancelled before its front closed says how far it came", async
   const isCancelled = { front: Uint32Array.from([0, 1, 2]), tetrahedra: 1234, status: "cancelled" } as const;
   const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
     meshProject: async (...[project, options, control]: Parameters<Mesher["meshProject"]>) => {
-      const { volume, report: whole, ...rest } = await real.meshProject(project, options);
+      const { report: whole, ...rest } = await real.meshProject(project, options);
       control?.onProgress?.({ ...report("volume", 0), expectedTetrahedra: 56_789 });
       const { front, tetrahedra, status } = isCancelled;
-      return { ...rest, volume: { ...volume, front }, report: { ...whole, tetrahedra, status } };
+      return { ...rest, front, report: { ...whole, tetrahedra, status } };
     },
   });
   const documents = new DocumentStore({ ...emptyProject("a"), bodies: [bodyOf(1)] });

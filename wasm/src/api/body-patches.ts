@@ -3,10 +3,10 @@ import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { index, integers } from "../calls/schemas.js";
 import { hasGenericName } from "../formats/groups.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { FileGroup } from "../mesh/mesh.js";
 import { bodyArrays, textOfArray } from "../project/body-arrays.js";
 import { bodySchema } from "../project/schema.js";
-import { type PatchId, type ProjectBody } from "../project/project-types.js";
+import type { PatchId, ProjectBody } from "../project/project-types.js";
 
 /**
  * Returns a body with other patches of the same triangles, as `splitPatches` makes them. A patch that has triangles of a

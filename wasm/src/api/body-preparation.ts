@@ -105,8 +105,8 @@ async function treated(
   if (treatment === "remesh") {
     const { innerShells } = options;
     const wanted: RemeshOptions = { ...remeshing, ...sizes, innerShells, sizeFactor };
-    const { surface, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
-    return { ...withPatches(given, surface, origin), ...figures, diagnostics: named(diagnostics) };
+    const { mesh, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
+    return { ...withPatches(mesh, origin), ...figures, diagnostics: named(diagnostics) };
   }
   const { innerShells } = options;
   const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
@@ -115,19 +115,18 @@ async function treated(
     const { elements: _, ...refineOptions } = options;
     const split = await calls.refine(given, { ...refineOptions, ...sizes }, control, name);
     if (hasSizes || areTooLarge(split)) {
-      return { ...withPatches(given, split.surface, split.origin), diagnostics };
+      return { ...withPatches(split.mesh, split.origin), diagnostics };
     }
   }
   const origin = given.trianglePatch.map((_, triangle) => triangle);
-  return { ...withPatches(given, given, origin), diagnostics };
+  return { ...withPatches(given, origin), diagnostics };
 }
 
 function withPatches(
-  { trianglePatch }: PlacedSurface,
-  { points, triangles }: Pick<PreparedBody, "points" | "triangles">,
+  { points, triangles, trianglePatch }: Pick<PreparedBody, "points" | "triangles" | "trianglePatch">,
   origin: Uint32Array,
 ) {
-  return { points, triangles, trianglePatch: origin.map((from) => trianglePatch[from] ?? 0), origin };
+  return { points, triangles, trianglePatch, origin };
 }
 
 /** Returns the sizes of a body: its own, or those of the project; and always the sources. */

@@ -1,7 +1,6 @@
 /** Patches into which a surface is split, and their names. */
 import { hasGenericName } from "../formats/groups.js";
-import { type FileGroup, isColorName } from "../mesh/file-mesh.js";
-import type { SplitSurface } from "./mesher-interface.js";
+import { type FileGroup, isColorName, type Mesh } from "../mesh/mesh.js";
 
 /** Pieces of patches, ordered by position. */
 interface PatchPieces {
@@ -16,7 +15,7 @@ export function splitSurface(
   pieces: PatchPieces,
   given: readonly FileGroup[],
   split?: readonly number[],
-): SplitSurface {
+): Pick<Mesh, "trianglePatch" | "patches"> {
   const chosen = split && new Set(split);
   const isSplit = (group: number): boolean => chosen?.has(group) ?? true;
   const { trianglePatch, patchGroup } = chosen ? withWholePatches(pieces, isSplit) : pieces;

@@ -2,7 +2,7 @@
 import type { Progress } from "../base/progress.js";
 import type { FrontExperiment } from "../trace/experiment.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
-import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Callbacks and signal of a call. */
 export interface RunControl {
@@ -30,7 +30,7 @@ export interface RunControl {
    * about 0.25 s after the front has closed, unless the run has ended by then. The caller owns the arrays.
    * Costs a copy of the mesh. A failure of this function has the same effect as one of `onProgress`.
    */
-  readonly onUnoptimized?: ((mesh: UnoptimizedMesh) => void) | undefined;
+  readonly onUnoptimized?: ((mesh: Mesh) => void) | undefined;
   /**
    * Called by `meshProject` with each body that it has prepared, before the front begins. The caller must not change its
    * arrays. If it returns a promise, the run goes on when that is settled. A failure of this function has the same effect as
@@ -52,12 +52,6 @@ export interface PartialControl extends RunControl {
    * result is then true. Default false: the call rejects.
    */
   readonly partial?: boolean | undefined;
-}
-
-/** Complete mesh whose elements are still being improved. */
-export interface UnoptimizedMesh {
-  readonly surface: SurfaceMesh;
-  readonly volume: VolumeMesh;
 }
 
 /** Signal of `createMesher`. */

@@ -3,8 +3,8 @@
  * if it has failed or does not answer.
  */
 import type { Progress } from "../base/progress.js";
-import type { PartialControl, RunControl } from "./control.js";
-import { notify, type ProgressListener } from "./progress-listener.js";
+import type { PartialControl } from "./control.js";
+import { notify, type ProgressListener, type RunListeners } from "./progress-listener.js";
 import {
   cancelledError,
   disposedError,
@@ -150,7 +150,7 @@ export class EngineClient {
   /** Resolves when the run ends; the arrays of the request are transferred. */
   async run(
     request: RunRequest,
-    { signal, onProgress, onFront, onUnoptimized, onTrace }: RunControl,
+    { signal, onProgress, onFront, onUnoptimized, onTrace }: RunListeners,
   ): Promise<EngineResult | Cancelled> {
     let onAbort: (() => void) | undefined;
     try {

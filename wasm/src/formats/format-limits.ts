@@ -1,5 +1,5 @@
 /** Adapts a mesh to the tags and node values that a format can store; reports every change. */
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { FileGroup, Mesh } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import { hasGenericName, listed, numbered, usedGroups } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -103,7 +103,7 @@ export function omittedDataMessage(names: readonly string[]): string {
 }
 
 /** Reports regions that would be lost with a surface: no supported format can store regions without tetrahedra. */
-function noteUnwrittenRegions({ tetrahedra, surfaceRegions }: FileMesh, note: Note): void {
+function noteUnwrittenRegions({ tetrahedra, surfaceRegions }: Mesh, note: Note): void {
   const named = surfaceRegions?.regions.filter((region) => !hasGenericName(region)) ?? [];
   if (tetrahedra.length > 0 || named.length === 0) return;
   note(
@@ -112,7 +112,7 @@ function noteUnwrittenRegions({ tetrahedra, surfaceRegions }: FileMesh, note: No
 }
 
 /** Reports the named regions of a mesh that is written in a format for surfaces, which has no place for its tetrahedra. */
-export function noteLostRegions({ tetrahedronRegion, regions }: FileMesh, note: Note): void {
+export function noteLostRegions({ tetrahedronRegion, regions }: Mesh, note: Note): void {
   const used = usedGroups(tetrahedronRegion, regions);
   const named = regions.filter((region, r) => used.has(r) && !hasGenericName(region));
   if (named.length === 0) return;

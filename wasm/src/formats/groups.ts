@@ -1,6 +1,6 @@
 /** Triangles by patch and tetrahedra by region, with names: the groups that other programs assign conditions to. */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { FileGroup } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import type { WrittenMesh } from "./second-order.js";
 

@@ -12,7 +12,7 @@ import {
   pointOf,
   type Vector,
 } from "../base/vectors.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { FileGroup } from "../mesh/mesh.js";
 import { differentNames, listed } from "./groups.js";
 import { diagonalOf, weldWithin } from "./near-points.js";
 import { weldPoints } from "./weld.js";

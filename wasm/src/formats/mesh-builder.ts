@@ -1,5 +1,5 @@
 /** Collects the points, elements and groups found by a reader. */
-import type { FileGroup, FileMesh, NodeData } from "../mesh/file-mesh.js";
+import type { FileGroup, Mesh, NodeData } from "../mesh/mesh.js";
 import { Column } from "./column.js";
 import { facetPolygons } from "./facets.js";
 import { addPolygon, ClippingBudget, type Position3 } from "./polygons.js";
@@ -187,7 +187,7 @@ export class MeshBuilder {
       readonly patches?: ReadonlyMap<number, string>;
       readonly regions?: ReadonlyMap<number, string>;
     } = {},
-  ): FileMesh {
+  ): Mesh {
     return this.#secondOrder.leftOutOf({
       points: this.#welder?.taken() ?? this.#points.taken(),
       isWelded: this.#welder !== undefined,

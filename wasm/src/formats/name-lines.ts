@@ -2,7 +2,7 @@
  * Names of patches and regions as lines of text: "patch 4 inlet". Formats that store only numbers keep these lines
  * in text that other programs ignore, such as comments.
  */
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { FileGroup, Mesh } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, listed, shortened, usedGroups } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
@@ -14,7 +14,7 @@ const MAX_LINE_BYTES = 500;
  * Returns one line per group that has elements and an informative name; without line ends. Groups without elements
  * are skipped: a reader would take their name for that of another group.
  */
-export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note): string[] {
+export function nameLines(word: "patch" | "region", mesh: Mesh, note: Note): string[] {
   const [groups, owners] =
     word === "patch" ? [mesh.patches, mesh.trianglePatch] : [mesh.regions, mesh.tetrahedronRegion];
   const used = usedGroups(owners, groups);
@@ -32,7 +32,7 @@ export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note):
 }
 
 /** Returns the lines of patches and regions. */
-export function allNameLines(mesh: FileMesh, note: Note): string[] {
+export function allNameLines(mesh: Mesh, note: Note): string[] {
   return [...nameLines("patch", mesh, note), ...nameLines("region", mesh, note)];
 }
 
@@ -58,7 +58,7 @@ export class NameLines {
    * Returns the mesh with the names. If the mesh and the lines have one patch each, the name applies whatever the
    * tag.
    */
-  applyTo(mesh: FileMesh): FileMesh {
+  applyTo(mesh: Mesh): Mesh {
     const { patches, regions } = mesh;
     const [only, ...others] = this.patches;
     const isOne = only !== undefined && others.length === 0 && patches.length === 1;
@@ -118,7 +118,7 @@ export class FaceLines extends NameLines {
    * Also assigns the patches if the lines cover every face exactly once; otherwise they were written for other
    * polygons.
    */
-  override applyTo(mesh: FileMesh): FileMesh {
+  override applyTo(mesh: Mesh): Mesh {
     const count = mesh.trianglePatch.length;
     const covered = this.#ranges.reduce((sum, [, begin, end]) => sum + end + 1 - begin, 0);
     const isWhole = covered === count && this.#ranges.every(([, begin, end]) => begin <= end && end < count);

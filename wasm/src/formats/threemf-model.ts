@@ -1,6 +1,6 @@
 /** Parses the model of a 3MF file: objects, colours and materials, and what is to be built of them. */
 import { PAUSE, STEP, type Steps } from "../base/steps.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { FileGroup } from "../mesh/mesh.js";
 import { Column } from "./column.js";
 import { failureAt } from "./read-result.js";
 import { type Attributes, attributesIn, lineAt, tagsIn } from "./xml-tags.js";

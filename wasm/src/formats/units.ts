@@ -1,6 +1,6 @@
 /** Units of length: converts the coordinates of files, and what is measured in them. */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { UNITS, type Unit } from "../mesh/units.js";
 import { ReadFailure } from "./read-result.js";
 
@@ -41,7 +41,7 @@ export function lengthInFile(length: number, { scale = 1, units, fileUnits = "mm
  * the scale: millimetres become metres like the decimal number. Converts the points that mark regions, their volumes, and
  * values at nodes named `size`. Throws a ReadFailure if the file's unit is unknown or contradicts the options.
  */
-export function* inUnits(mesh: FileMesh, { scale = 1, units, fileUnits }: LengthOptions): Steps<FileMesh> {
+export function* inUnits(mesh: Mesh, { scale = 1, units, fileUnits }: LengthOptions): Steps<Mesh> {
   if (mesh.unit !== undefined && fileUnits !== undefined && fileUnits !== mesh.unit) {
     const message = `the format defines the unit of the file, ${mesh.unit}, but ${fileUnits} is given`;
     throw new ReadFailure({ code: "invalid-argument", message, remedy: "Omit `fileUnits`." });

@@ -11,7 +11,7 @@ export interface SweptMesh {
   /** Four nodes per tetrahedron. */
   readonly tetrahedra: Uint32Array;
   /** Region per tetrahedron. */
-  readonly regions: Uint32Array;
+  readonly tetrahedronRegion: Uint32Array;
 }
 
 /** The sweeps of the optimizer after the front, as recorded. */
@@ -95,7 +95,7 @@ class SweepState {
     return {
       points: this.#positions.copy(),
       tetrahedra: Uint32Array.from(tetrahedra),
-      regions: Uint32Array.from(regions),
+      tetrahedronRegion: Uint32Array.from(regions),
     };
   }
 }

@@ -107,7 +107,7 @@ function ElementCard({ tetrahedron }: { readonly tetrahedron: number }) {
   const mesh = useRun((state) => state.mesh);
   const space = useQualitySpace();
   if (!mesh) return null;
-  const nodes = [...mesh.volume.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4)];
+  const nodes = [...mesh.mesh.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4)];
   return (
     <>
       <SectionTitle>{strings.inspector.element(String(tetrahedron))}</SectionTitle>

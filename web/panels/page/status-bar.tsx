@@ -32,6 +32,7 @@ import {
 import { roomyBounds } from "../../viewer/bounds";
 import { groundSpacing } from "../../viewer/layers/ground-layer";
 import { useThrottled } from "../shared/use-throttled";
+import { PresenterButtons } from "./presenter-buttons";
 import styles from "./status-bar.module.css";
 
 /** Time between two announcements to screen readers, in milliseconds. */
@@ -78,6 +79,7 @@ export function StatusBar() {
     <footer className={styles["bar"]} data-testid="status" data-presented>
       {reading ? <Reading {...reading} /> : busy ? <RunProgress /> : <Outcome />}
       <PointerPlace />
+      <PresenterButtons />
       <MeshNumbers />
     </footer>
   );

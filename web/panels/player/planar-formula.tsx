@@ -3,6 +3,7 @@ import type { PlanarLensCandidate } from "../../player/planar-lens";
 import { metricLength, planeOf, targetLength } from "../../player/planar-judge";
 import { strings } from "../../strings";
 import { Formula } from "./formula";
+import { digits, linesOf } from "./latex";
 import styles from "./player.module.css";
 
 const texts = strings.player.patch;
@@ -47,21 +48,31 @@ function testOf(front: PlanarFront, { nodes, metric }: EdgeStep, examined: Plana
   const { candidate, doubleArea, inside, distance, leastDistance } = examined;
   switch (candidate.verdict) {
     case "behind":
-      return String.raw`(\mathbf{b}-\mathbf{a})\times(\mathbf{p}-\mathbf{a})=${digits(doubleArea)}\le 0`;
+      return linesOf(
+        String.raw`(\mathbf{b}-\mathbf{a})\times(\mathbf{p}-\mathbf{a})`,
+        String.raw`\quad=${digits(doubleArea)}\le 0`,
+      );
     case "crosses": {
       const [from, to] = inside ?? [0, 0];
-      return String.raw`\mathbf{a}+t\,(\mathbf{b}-\mathbf{a}),\quad ${digits(from)}\le t\le ${digits(to)}`;
+      return linesOf(
+        String.raw`\mathbf{a}+t\,(\mathbf{b}-\mathbf{a}),`,
+        String.raw`${digits(from)}\le t\le ${digits(to)}`,
+      );
     }
     case "too-close":
-      return String.raw`\mathrm{dist}_G=${digits(distance ?? 0)}<0.55\,\delta=${digits(leastDistance)}`;
+      return linesOf(
+        String.raw`\mathrm{dist}_G=${digits(distance ?? 0)}`,
+        String.raw`\quad<0.55\,\delta=${digits(leastDistance)}`,
+      );
     default: {
       const arms = nodes.map((node) => {
         const [x, y] = planeOf(front, node);
         return metricLength(metric, [candidate.plane[0] - x, candidate.plane[1] - y]);
       });
-      return String.raw`\|\mathbf{p}-\mathbf{a}\|_G=${digits(arms[0] ?? 0)},\quad\|\mathbf{p}-\mathbf{b}\|_G=${digits(arms[1] ?? 0)}`;
+      return linesOf(
+        String.raw`\|\mathbf{p}-\mathbf{a}\|_G=${digits(arms[0] ?? 0)},`,
+        String.raw`\|\mathbf{p}-\mathbf{b}\|_G=${digits(arms[1] ?? 0)}`,
+      );
     }
   }
 }
-
-const digits = (value: number): string => String(Number(value.toPrecision(3)));

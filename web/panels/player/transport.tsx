@@ -11,6 +11,7 @@ import {
   IconX,
 } from "@tabler/icons-react";
 import { NativeSelect, Toolbar } from "@mantine/core";
+import type { ReactNode } from "react";
 import type { Trace } from "tetrafront/trace";
 import { loopAround, loopLimits, shownLoop, withLoopEnd, type Loop } from "../../player/loop";
 import { frontSizeAt, phaseAt } from "../../player/phases";
@@ -29,8 +30,8 @@ import { ViewChecks } from "./view-choices";
 const texts = strings.player;
 const icon = { size: 15, "aria-hidden": true } as const;
 
-/** Buttons that move through the steps, the step shown, and the speed. */
-export function Transport() {
+/** Buttons that move through the steps, the step shown, and what follows in the same row. */
+export function Transport({ children }: { readonly children: ReactNode }) {
   const { player } = useApp();
   const isPlaying = usePlayer((state) => state.isPlaying);
   return (
@@ -61,11 +62,20 @@ export function Transport() {
       </Toolbar>
       <LoopFields />
       <Counter />
-      <SpeedSelect />
       <StillsHint />
+      {children}
+    </div>
+  );
+}
+
+/** The speed, what the view follows and fades, and the buttons of the trace. */
+export function TransportChoices() {
+  return (
+    <>
+      <SpeedSelect />
       <ViewChecks />
       <TraceButtons />
-    </div>
+    </>
   );
 }
 

@@ -37,7 +37,7 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
         const label = { x: 0, y: 0, ...at, ...size, marker, line: view.children[i] };
         (at ? shown : hidden).push(label);
       });
-      const places = placedAround(shown, viewer.labelArea, coversOf(view));
+      const places = placedAround(shown, viewer.labelArea, [viewer.cubeArea, ...coversOf(view)]);
       for (const { marker, line } of hidden) setShown(marker, line, false);
       shown.forEach(({ x, y, marker, line }, i) => {
         const place = places[i] ?? null;

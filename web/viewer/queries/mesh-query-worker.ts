@@ -4,7 +4,7 @@ import { MeshQueries } from "./mesh-queries";
 import type { MeshQueryProtocol } from "./mesh-query-protocol";
 
 const noMesh = {
-  volume: { points: new Float64Array(), tetrahedra: new Uint32Array(), regions: new Uint32Array() },
+  mesh: { points: new Float64Array(), tetrahedra: new Uint32Array(), tetrahedronRegion: new Uint32Array() },
 };
 let queries = new MeshQueries(noMesh);
 
