@@ -83,16 +83,17 @@ export function keptContent({ present: { project }, past, future }: History<Docu
   const text = jsonWithout(isLarge ? withGrid(project, noGrid) : project, texts);
   // The steps share most long texts with the project.
   const counted = new Set(texts.values());
-  const undone = textsOf(future, maxKeptHistoryBytes, counted);
-  const done = textsOf(past.toReversed(), maxKeptHistoryBytes - undone.bytes, counted);
-  for (const { longTexts } of [undone, done]) longTexts.forEach((long, key) => texts.set(key, long));
+  const undone = keptSteps(future, maxKeptHistoryBytes, counted);
+  const done = keptSteps(past.toReversed(), maxKeptHistoryBytes - undone.bytes, counted);
+  for (const { longTexts } of [...undone.steps, ...done.steps])
+    longTexts.forEach((long, key) => texts.set(key, long));
   return {
     text,
     ...blobsOf(texts),
     ...(isLarge && { grid: packedGrid(project.background) }),
     version: project.version,
-    past: done.texts.reverse(),
-    future: undone.texts,
+    past: done.steps.map(({ json }) => json).reverse(),
+    future: undone.steps.map(({ json }) => json),
   };
 }
 
@@ -181,28 +182,23 @@ export function textOf(entry: HistoryEntry): EntryText {
   return text;
 }
 
-interface KeptEntries {
-  readonly texts: string[];
-  readonly bytes: number;
-  readonly longTexts: ReadonlyMap<string, string>;
-}
-
 /**
- * Returns the texts of entries that fit into the limit, beginning with those closest to the current state. Long texts
- * that are already `counted` take no more room.
+ * Returns the texts of entries that fit into the limit, beginning with those closest to the current state, and how much of it
+ * they take. Long texts that are already `counted` take no more room.
  */
-function textsOf(entries: readonly HistoryEntry[], limit: number, counted: Set<string>): KeptEntries {
-  const texts: string[] = [];
-  const longTexts = new Map<string, string>();
+function keptSteps(
+  entries: readonly HistoryEntry[],
+  limit: number,
+  counted: Set<string>,
+): { readonly steps: readonly EntryText[]; readonly bytes: number } {
+  const steps: EntryText[] = [];
   let bytes = 0;
   for (const entry of entries) {
     bytes += entryBytes(entry, counted);
-    if (bytes > limit) return { texts, bytes: limit, longTexts };
-    const text = textOf(entry);
-    text.longTexts.forEach((long, key) => longTexts.set(key, long));
-    texts.push(text.json);
+    if (bytes > limit) return { steps, bytes: limit };
+    steps.push(textOf(entry));
   }
-  return { texts, bytes, longTexts };
+  return { steps, bytes };
 }
 
 /** A step in the storage; earlier versions of the app have stored patches. */

@@ -1,8 +1,9 @@
-import { createBody, type Project, type ProjectSource } from "tetrafront/project";
+import { createBody, parseProject, type Project, type ProjectSource } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { setPlacement } from "../../../web/document/body-edits";
 import { deleteEntities } from "../../../web/document/edits";
 import { carried, placed, rotationOf } from "../../../web/document/placement";
+import { withoutBodies } from "../../../web/document/painted-sizes";
 import type { Position } from "../../../web/document/position";
 import { offerCopies } from "../../../web/document/transforms/copies";
 import { offerTransform } from "../../../web/document/transforms/transform";
@@ -121,5 +122,17 @@ describe("a point carried with a body", () => {
     close(carried(placed(own, first), first, then), placed(own, then));
     close(carried(own, undefined, then), placed(own, then));
     close(carried(placed(own, then), then), own);
+  });
+
+  it("stay, in a valid project, if a question leaves the body out", () => {
+    const member = { kind: "body", id: 3 } as const;
+    const grouped = { ...project(), groups: [{ id: 1, name: "g", members: [member] }] };
+    const rest = withoutBodies(grouped, new Set([3]));
+    expect(parseProject(rest)).toMatchObject({ success: true });
+    expect([rest.bodies, rest.groups?.[0]?.members]).toEqual([[], []]);
+    expect(sourcesOf(rest).map(({ id, body }) => [id, body])).toEqual([
+      [1, undefined],
+      [2, undefined],
+    ]);
   });
 });
