@@ -156,6 +156,7 @@ class MeshRun::Impl {
   void addBodies();
   void summarizeBodies();
   bool limitElements();
+  [[nodiscard]] double frontShare() const;
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
   Task<bool> limitVolumes(Work& work);

@@ -3,6 +3,7 @@
 #include "mesh_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -40,8 +41,12 @@ constexpr StageEnds kBodyEnds{.input = 0.01, .surface = 0.09, .boundary = 0.11, 
 constexpr StageEnds kSurfaceEnds{
     .input = 0.004, .surface = 0.004, .boundary = 0.015, .sizes = 0.02};
 
-/// Progress at the end of the volume if the front leaves everything to recovery.
+/// Progress at the end of the volume if the front leaves everything to recovery, and the share of the front in it: larger where
+/// few elements per triangle are expected, because the optimization has then little to do.
 constexpr double kVolumeEnd = 0.75;
+constexpr double kFrontShareOfThin = 0.5;
+constexpr double kElementsPerTriangle = 6.0;
+constexpr double kElementsPerTriangleOfThin = 1.5;
 
 constexpr double kOptimizeEnd = 0.97;
 /// Share of the optimization in which elements are put in order.
@@ -243,10 +248,19 @@ bool MeshRun::Impl::limitElements() {
   return false;
 }
 
+double MeshRun::Impl::frontShare() const {
+  const double perTriangle =
+      static_cast<double>(expectedTetrahedra_) /
+      static_cast<double>(std::max<std::size_t>(countTriangles(surface_), 1));
+  const double fullness = (perTriangle - kElementsPerTriangleOfThin) /
+                          (kElementsPerTriangle - kElementsPerTriangleOfThin);
+  return std::lerp(kFrontShareOfThin, RegionMesher::kFrontShare, std::clamp(fullness, 0.0, 1.0));
+}
+
 Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
   front_.emplace(surface_, *field_, options_, *frontMaker_);
   work.beginPart(1.0);
-  const MeshStatus status = co_await front_->run(work);
+  const MeshStatus status = co_await front_->run(work, frontShare());
   // The progress stays where it is: the rest was for recovery.
   work.beginPart(0.0);
   std::vector<Diagnostic> found = front_->diagnostics();

@@ -17,9 +17,19 @@
 namespace tetrafront {
 namespace {
 
-/// For the estimate of the progress: share of the time before the first step, and the part of a step that a repetition leaves.
+/// For the estimate of the progress: share of the time before the first step, and of a step before its sweeps; the part of a
+/// step that a repetition leaves.
 constexpr double kBuildShare = 0.05;
+constexpr double kMeasureShare = 0.05;
 constexpr double kLeftByRepeat = 0.55;
+/// The same for improvements: the first pass makes most of them, and hardly any of its time is for collecting elements.
+constexpr double kLeftByImprovement = 0.3;
+constexpr double kCollectPart = 0.1;
+/// Free nodes per element of a mesh with an interior. Work of steps in a body of one layer, without free nodes: factor of the shape
+/// sweeps, and what the first repair has in addition.
+constexpr double kFreeNodesPerElement = 0.1;
+constexpr double kSweepsOfThin = 0.3;
+constexpr double kRepairOfThin = 35.0;
 
 }  // namespace
 
@@ -93,20 +103,37 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
 
  private:
   Task<> runSteps(Work& work) {
-    double all = 0.0;
-    for (const Step& step : schedule_) all += step.work;
-    double before = 0.0;
+    const double fullness = interiorPart();
+    double remaining = 0.0;
+    for (const Step& step : schedule_) remaining += workOf(step, fullness);
     for (const Step& step : schedule_) {
-      work.beginPart(before / all);
-      before += step.work;
+      const double own = workOf(step, fullness);
+      const double rest = std::exchange(remaining, remaining - own);
       if (isLeftOut(step)) continue;
+      work.beginShare(kMeasureShare * own, rest);
       co_await measureBy(work, step);
       wasWorthwhile_ = isWorthwhile(step);
       if (!wasWorthwhile_) continue;
-      work.beginPart(before / all);
+      work.beginShare(own, rest);
       co_await runSweeps(work, step);
       if (isHopeless_) co_return;
     }
+  }
+
+  /// Returns how much of an interior the mesh has, 0 to 1, by the nodes that can move: none in a plate of one layer.
+  [[nodiscard]] double interiorPart() const {
+    const auto count = static_cast<double>(complex_.elementCount());
+    return std::min(1.0, static_cast<double>(freeNodes_) / (kFreeNodesPerElement * count));
+  }
+
+  /// Returns the estimated work of a step: without interior nodes, shape sweeps have little to do and leave more elements to
+  /// the first repair.
+  [[nodiscard]] double workOf(const Step& step, double fullness) const {
+    if (step.costBasis != CostBasis::kTargets)
+      return step.work * std::lerp(kSweepsOfThin, 1.0, fullness);
+    const bool isFirst =
+        std::ranges::find(schedule_, CostBasis::kTargets, &Step::costBasis).base() == &step;
+    return isFirst ? step.work + kRepairOfThin * (1.0 - fullness) : step.work;
   }
 
   [[nodiscard]] bool isLeftOut(const Step& step) const {
@@ -217,15 +244,19 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   /// Returns the estimated part of the step that is done after this many sweeps of a run. The number of runs is not known
   /// beforehand: each takes the same share of the remaining work, because later runs visit fewer elements.
   [[nodiscard]] static double fractionAfter(const Step& step, int run, std::size_t sweeps) {
+    const bool improves = step.costBasis == CostBasis::kTargets;
     const double ofRun = static_cast<double>(sweeps) / static_cast<double>(step.sweeps.size());
     if (step.maxRepeats == 1) return ofRun;
-    return 1.0 - std::pow(kLeftByRepeat, run + ofRun);
+    const double done = improves && ofRun < 1.0 ? kCollectPart : ofRun;
+    return 1.0 - std::pow(improves ? kLeftByImprovement : kLeftByRepeat, run + done);
   }
 
   Task<> sweep(Work& work, Sweep kind) {
     for (sweeps_.begin(kind); !sweeps_.isDone();) {
       const std::size_t done = sweeps_.advance(work.remaining());
-      work.setFraction(sweeps_.fraction());
+      // The worst elements come first, and take the longest.
+      const double visited = sweeps_.fraction();
+      work.setFraction(kind == Sweep::kImprove ? std::cbrt(visited) : visited);
       co_await work.spend(done + 1);
     }
     if (observer_ != nullptr) observer_->swept(kind, complex_);

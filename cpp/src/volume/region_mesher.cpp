@@ -13,9 +13,6 @@
 namespace tetrafront {
 namespace {
 
-/// Share of the fronts in the progress, if they leave everything to recovery.
-constexpr double kFrontShare = 0.28;
-
 /// Returns per region the sides of triangles that face it.
 std::vector<std::vector<std::uint32_t>> halvesOfRegions(const SurfaceMesh& boundary) {
   std::vector<std::vector<std::uint32_t>> halves(1);
@@ -61,7 +58,7 @@ RegionMesher::RegionMesher(const SurfaceMesh& boundary, const SizeField& field,
   filled_.boundary = pointsOf(boundary);
 }
 
-Task<MeshStatus> RegionMesher::run(Work& work) {
+Task<MeshStatus> RegionMesher::run(Work& work, double frontShare) {
   std::size_t all = 0;
   for (const auto& halves : halvesOf_) all += halves.size();
   double shareOfFronts = 0.0;  // of the regions begun, by their triangles
@@ -73,11 +70,11 @@ Task<MeshStatus> RegionMesher::run(Work& work) {
     const double share = static_cast<double>(halvesOf_[region].size()) /
                          static_cast<double>(std::max<std::size_t>(all, 1));
     shareOfFronts += share;
-    work.beginPart(kFrontShare * shareOfFronts + (1.0 - kFrontShare) * openShare);
+    work.beginPart(frontShare * shareOfFronts + (1.0 - frontShare) * openShare);
     const bool isGood = co_await current_->advanceFront(work);
     if (!isGood) co_return current_->status();
     openShare += share * std::min(current_->openShare(), 1.0);
-    work.beginPart(kFrontShare * shareOfFronts + (1.0 - kFrontShare) * openShare);
+    work.beginPart(frontShare * shareOfFronts + (1.0 - frontShare) * openShare);
     const MeshStatus status = co_await current_->recover(work);
     if (status != MeshStatus::kDone || region + 1 == halvesOf_.size()) co_return status;
     endRegion();

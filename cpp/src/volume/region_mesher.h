@@ -19,12 +19,16 @@ namespace tetrafront {
 
 class RegionMesher {
  public:
+  /// Typical share of the fronts in bodies with an interior.
+  static constexpr double kFrontShare = 0.28;
+
   /// `boundary` must be as closeBoundary() leaves it. It, `field` and `maker` must outlive the mesher.
   RegionMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options,
                const FrontMaker& maker);
 
-  /// Meshes the regions. Ends with the first one that fails. One unit of budget is a step of the front.
-  Task<MeshStatus> run(Work& work);
+  /// Meshes the regions. Ends with the first one that fails. One unit of budget is a step of the front. `frontShare`: of the
+  /// fronts in the progress, if they leave everything to recovery.
+  Task<MeshStatus> run(Work& work, double frontShare = kFrontShare);
 
   /// Triangles and nodes are those of the whole boundary. The values of kTooManyElements count all regions
   /// begun so far.
