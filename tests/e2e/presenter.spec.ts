@@ -142,10 +142,8 @@ test("no formula of the lens is broken across lines", async ({ page }) => {
   for (let step = 0; step < 12; ++step) {
     expect(await broken()).toEqual([]);
     const widths = await lens
-      .locator(".katex")
-      .evaluateAll((all) =>
-        all.map(({ parentElement: box }) => (box ? box.scrollWidth - box.clientWidth : 0)),
-      );
+      .locator("p:has(.katex)")
+      .evaluateAll((all) => all.map(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth));
     expect(Math.max(0, ...widths)).toBe(0);
     await page.getByTestId("player-forward").click();
   }
@@ -311,4 +309,25 @@ test("a lesson is printed with its text, the view, its figures and tasks, and no
   await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
   await expect(sheet).toHaveCount(0);
   await expect(page.getByTestId("lesson-page")).toBeVisible();
+});
+
+test("on a phone, the lens of lesson 10 shows its formulas without scrolling, and no label of further candidates", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openLesson(page, 10);
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Log and problems" }).click();
+  const formulas = page.getByTestId("lens-formula").locator(".katex");
+  await expect(formulas.first()).toBeVisible();
+  for (const formula of await formulas.all()) await expect(formula).toBeInViewport({ ratio: 1 });
+  await expect(page.getByTestId("player-counter")).toBeInViewport({ ratio: 1 });
+  const labels = page.getByTestId("lens-labels").locator("span").filter({ visible: true });
+  await expect
+    .poll(async () => (await labels.allInnerTexts()).filter((text) => /^node/.test(text)))
+    .toEqual(["node 137"]);
+  // What is used less is behind a button.
+  await page.getByTestId("player-more").click();
+  await expect(page.getByTestId("player-speed")).toBeVisible();
+  await expect(page.getByTestId("player-kind")).toBeVisible();
 });

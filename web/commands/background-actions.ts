@@ -42,7 +42,7 @@ export async function extendGrid(app: App, label: string): Promise<void> {
     await app.documents.afterGesture();
     const { background } = app.documents.project;
     const coverageMargin = Math.max(margin, background.coverageMargin ?? 0);
-    app.documents.edit({ label, replace: [[["project", "background"], { ...background, coverageMargin }]] });
+    app.documents.edit({ label, replace: { background: { ...background, coverageMargin } } });
     app.view.setLayer("background", true);
   } catch (error) {
     showFailure(app, label, error);

@@ -109,7 +109,7 @@ export function convertProject(project: Project, from: LengthUnit, to: LengthUni
     [convert(x), convert(y), convert(z)] as const;
   const { points, bodies, background, meshing, expressions } = project;
   const { nodes, sources } = background;
-  const converted: Partial<Project> = {
+  const replace: Partial<Project> = {
     units: to,
     points: points.map((point) => ({ ...point, position: place(point.position) })),
     ...(bodies && { bodies: bodies.map((body) => convertedBody(body, convert)) }),
@@ -128,10 +128,7 @@ export function convertProject(project: Project, from: LengthUnit, to: LengthUni
     ...(meshing?.size !== undefined && { meshing: { ...meshing, size: convert(meshing.size) } }),
     ...(expressions && { expressions: convertedExpressions(project, to, factor) }),
   };
-  return {
-    label: stepNames.convertUnits(from, to),
-    replace: Object.entries(converted).map(([key, value]) => [["project", key], value]),
-  };
+  return { label: stepNames.convertUnits(from, to), replace };
 }
 
 /** The triangles of a body stay: its placement converts them. */

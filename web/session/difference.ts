@@ -44,8 +44,8 @@ function differenceOfRecords(from: Fields, to: Fields): Difference | undefined {
 const isSameList = (a: List, b: List): boolean =>
   a.length === b.length && a.every((item, i) => Object.is(item, b[i]));
 
-/** Records with the same id are states of one record. */
-const keyOf = (item: unknown): unknown => (isRecord(item) ? (item["id"] ?? item) : item);
+/** Records with the same id are states of one record, unless the id is that of another record, of some kind. */
+const keyOf = (item: unknown): unknown => (isRecord(item) && !("kind" in item) ? (item["id"] ?? item) : item);
 
 function hunksOf(from: List, to: List): readonly Hunk[] {
   const keys = new Map<List, ReadonlySet<unknown>>();

@@ -1,11 +1,11 @@
 import { liveNotes, type Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { documentKey, shownMeshKey } from "../document/content-keys";
-import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
+import { changedContent, type Change, type DocumentContent, type ProjectEdit } from "../document/edit";
 import { bodiesOf } from "../document/entities";
 import { agreement } from "../document/expression-edits";
 import { paintedSizes } from "../document/painted-sizes";
-import { addStep, changedState, commit, goBy, redo, startHistory, undo, type History } from "./history";
+import { commit, goBy, redo, startHistory, undo, type History } from "./history";
 import { untilState } from "./until-state";
 
 /** The file that Save writes to. */
@@ -34,7 +34,7 @@ export interface DocumentState extends OpenDocument {
 /** A continuous change, for example a drag: one undo step, however often it is updated. */
 export interface Gesture {
   /** Replaces the gesture's change so far by a change of the project as it was at the beginning. */
-  readonly update: (change: Change<DocumentContent>) => void;
+  readonly update: (change: Change) => void;
   /** Ends the gesture as one undo step, or as none if nothing has changed. */
   readonly commit: () => void;
   /** Ends the gesture and restores the project as it was at the beginning. */
@@ -65,20 +65,36 @@ export function newDocumentId(): string {
  * Returns the content after a change. The change also removes what groups and expressions note about entities that are gone,
  * makes numbers and their expressions agree, and keeps painted sizes on their bodies.
  */
-function contentAfter(before: DocumentContent, change: Change<DocumentContent>): DocumentContent {
-  const after = changedState(before, change);
+function contentAfter(before: DocumentContent, change: Change): DocumentContent {
+  const after = changedContent(before, change);
   if (after.project === before.project) return after;
-  const agreed = agreeing(before, { ...after, project: { ...after.project, ...liveNotes(after.project) } });
+  const notes = isSameShape(before.project, after.project) ? {} : liveNotes(after.project);
+  const agreed = agreeing(before, { ...after, project: { ...after.project, ...notes } });
   const painted = paintedSizes(before.project, agreed.project);
-  const { project, ...rest } = painted ? agreeing(before, changedState(agreed, painted)) : agreed;
+  const { project, ...rest } = painted ? agreeing(before, changedContent(agreed, painted)) : agreed;
   const { expressions = [], ...bare } = project;
   // An empty list of expressions says nothing.
   return { ...rest, project: expressions.length > 0 ? project : bare };
 }
 
+/** Returns whether two values of plain data have the same ids, fields and lengths, so that the same notes apply to them. */
+function isSameShape(a: unknown, b: unknown): boolean {
+  if (a === b || typeof a !== "object" || typeof b !== "object" || a === null || b === null)
+    return typeof a === typeof b;
+  if (Array.isArray(a) && Array.isArray(b))
+    return a.length === b.length && a.every((item, i) => item === b[i] || isSameShape(item, b[i]));
+  const [fields, others] = [a, b] as [Readonly<Record<string, unknown>>, Readonly<Record<string, unknown>>];
+  const keys = Object.keys(fields);
+  return (
+    fields["id"] === others["id"] &&
+    keys.length === Object.keys(others).length &&
+    keys.every((key) => key in others && isSameShape(fields[key], others[key]))
+  );
+}
+
 function agreeing({ project }: DocumentContent, after: DocumentContent): DocumentContent {
   const change = agreement(project, after.project);
-  return change ? changedState(after, change) : after;
+  return change ? changedContent(after, change) : after;
 }
 
 /** What keeps a document from being edited. */
@@ -130,12 +146,13 @@ export class DocumentStore {
 
   /** Shows a mesh of the project, as a step of undo: null for the one that a run makes. Locks permit it: the model stays as it is. */
   setMeshVersion(label: string, meshVersion: string | null): void {
-    this.#apply({ label, replace: [[["meshVersion"], meshVersion]] });
+    this.#apply({ label, change: (draft) => void (draft.meshVersion = meshVersion) });
   }
 
   #apply(edit: ProjectEdit): void {
     this.#gesture?.commit();
-    this.#set(commit(this.state.getState().history, edit, this.#now(), this.held, contentAfter));
+    const { history } = this.state.getState();
+    this.#set(commit(history, edit, contentAfter(history.present, edit), this.#now(), this.held));
   }
 
   /** Resolves when no gesture is under way: work that ends during a drag must not cut it short with its edit. */
@@ -171,7 +188,7 @@ export class DocumentStore {
         content = contentAfter(start, change);
         this.state.setState({ history: { ...history, present: content } });
       },
-      commit: () => end(addStep(history, content, { label, mergeKey: undefined }, this.#now())),
+      commit: () => end(commit(history, { label }, content, this.#now())),
       cancel: () => end(history),
     };
     this.#gesture = gesture;

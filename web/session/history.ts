@@ -1,5 +1,3 @@
-import { create } from "mutative";
-import type { Change, Edit } from "../document/edit";
 import { memorySize, textSize } from "../document/memory-size";
 import { differenceOf, reversed, withDifference, type Difference } from "./difference";
 
@@ -36,48 +34,22 @@ export function startHistory<State>(present: State): History<State> {
   return { present, past: [], future: [] };
 }
 
-/** Returns the state after a change; the same object if nothing was changed. */
-export function changedState<State extends object>(state: State, change: Change<State>): State {
-  if ("change" in change) return create(state, change.change);
-  return change.replace.reduce((changed, [path, value]) => withValue(changed, path, value) as State, state);
-}
-
-/** Returns a copy of plain data with another value at a path. All other parts are shared. */
-function withValue(data: unknown, [key, ...path]: readonly string[], value: unknown): unknown {
-  if (key === undefined) return value;
-  const fields = data as Readonly<Record<string, unknown>>;
-  return { ...fields, [key]: withValue(fields[key], path, value) };
-}
+/** What a step of undo is called, and with which other steps it merges. */
+export type StepName = Pick<HistoryEntry, "label"> & { readonly mergeKey?: string | undefined };
 
 /**
  * Returns the history after a step to another state, which removes the steps that could be redone; the same object if the
- * states are equal.
- */
-export function addStep<State>(
-  history: History<State>,
-  present: State,
-  { label, mergeKey }: Pick<HistoryEntry, "label" | "mergeKey">,
-  at: number,
-): History<State> {
-  const change = differenceOf(history.present, present);
-  if (!change) return history;
-  const past = withinLimit([...history.past, entryOf({ label, mergeKey, at, change })]);
-  return { present, past, future: [] };
-}
-
-/**
- * Returns the history after an edit at `now`, or the same object if the edit changes nothing. The edit is
- * `held` if it comes from a key that is held down: all repetitions are one step, however slow. `stateAfter` applies changes.
+ * states are equal. The step is `held` if it comes from a key that is held down: all repetitions are one step, however slow.
  */
 export function commit<State extends object>(
   history: History<State>,
-  edit: Edit<State>,
+  { label, mergeKey }: StepName,
+  present: State,
   now: number,
   held = false,
-  stateAfter: (state: State, change: Change<State>) => State = changedState,
 ): History<State> {
-  const present = stateAfter(history.present, edit);
-  const { label, mergeKey } = edit;
+  const change = differenceOf(history.present, present);
+  if (!change) return history;
   const last = history.past.at(-1);
   const merges =
     last !== undefined &&
@@ -86,11 +58,10 @@ export function commit<State extends object>(
     (held || now - last.at <= mergeWindowMs) &&
     // After an undo, the user has gone back to the last step: never merge into it.
     history.future.length === 0;
-  const step = { label, mergeKey };
-  if (!merges || present === history.present) return addStep(history, present, step, now);
-  const before = { ...undo(history), future: [] };
-  const merged = addStep(before, present, step, now);
-  return merged === before ? { ...before, present } : merged;
+  const past = merges ? history.past.slice(0, -1) : history.past;
+  const whole = merges ? differenceOf(undo(history).present, present) : change;
+  const added = whole ? [entryOf({ label, mergeKey, at: now, change: whole })] : [];
+  return { present, past: withinLimit([...past, ...added]), future: [] };
 }
 
 /** Returns the state one step back, or the same object if there is none. */

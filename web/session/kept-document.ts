@@ -1,5 +1,6 @@
 import { apply, type Patches } from "mutative";
 import { parseProject, type Project } from "tetrafront/project";
+import { documentKey } from "../document/content-keys";
 import type { DocumentContent } from "../document/edit";
 import { manyTetrahedra } from "../document/engine-input";
 import { documentGrid } from "../document/large-grid";
@@ -82,16 +83,17 @@ export function keptContent({ present: { project }, past, future }: History<Docu
   const text = jsonWithout(isLarge ? withGrid(project, noGrid) : project, texts);
   // The steps share most long texts with the project.
   const counted = new Set(texts.values());
-  const undone = textsOf(future, maxKeptHistoryBytes, counted);
-  const done = textsOf(past.toReversed(), maxKeptHistoryBytes - undone.bytes, counted);
-  for (const { longTexts } of [undone, done]) longTexts.forEach((long, key) => texts.set(key, long));
+  const undone = keptSteps(future, maxKeptHistoryBytes, counted);
+  const done = keptSteps(past.toReversed(), maxKeptHistoryBytes - undone.bytes, counted);
+  for (const { longTexts } of [...undone.steps, ...done.steps])
+    longTexts.forEach((long, key) => texts.set(key, long));
   return {
     text,
     ...blobsOf(texts),
     ...(isLarge && { grid: packedGrid(project.background) }),
     version: project.version,
-    past: done.texts.reverse(),
-    future: undone.texts,
+    past: done.steps.map(({ json }) => json).reverse(),
+    future: undone.steps.map(({ json }) => json),
   };
 }
 
@@ -108,7 +110,7 @@ export const blobsOf = (texts: ReadonlyMap<string, string>): { readonly longText
 
 /** Returns the document to open, or null if its project cannot be read. */
 export async function openKept(kept: KeptDocument): Promise<OpenDocument | null> {
-  const { id, savedKey, file, content, changes } = kept;
+  const { id, file, content, changes } = kept;
   const texts = await readTexts([content, ...changes]);
   const project = parseWith(content.text, texts) as Project;
   const grid = content.grid && (await documentGrid(content.grid));
@@ -119,6 +121,8 @@ export async function openKept(kept: KeptDocument): Promise<OpenDocument | null>
   const read = parseProject(grid ? withGrid(last, noGrid) : last);
   if (!read.success) return null;
   const present = { project: grid ? withGrid(read.value, last.background) : read.value };
+  // An earlier version of the app may have made other keys.
+  const savedKey = kept.listed === 1 ? kept.savedKey : documentKey(present.project);
   const isUsable = content.version === read.value.version;
   return { id, history: isUsable ? { ...history, present } : startHistory(present), savedKey, file };
 }
@@ -178,28 +182,23 @@ export function textOf(entry: HistoryEntry): EntryText {
   return text;
 }
 
-interface KeptEntries {
-  readonly texts: string[];
-  readonly bytes: number;
-  readonly longTexts: ReadonlyMap<string, string>;
-}
-
 /**
- * Returns the texts of entries that fit into the limit, beginning with those closest to the current state. Long texts
- * that are already `counted` take no more room.
+ * Returns the texts of entries that fit into the limit, beginning with those closest to the current state, and how much of it
+ * they take. Long texts that are already `counted` take no more room.
  */
-function textsOf(entries: readonly HistoryEntry[], limit: number, counted: Set<string>): KeptEntries {
-  const texts: string[] = [];
-  const longTexts = new Map<string, string>();
+function keptSteps(
+  entries: readonly HistoryEntry[],
+  limit: number,
+  counted: Set<string>,
+): { readonly steps: readonly EntryText[]; readonly bytes: number } {
+  const steps: EntryText[] = [];
   let bytes = 0;
   for (const entry of entries) {
     bytes += entryBytes(entry, counted);
-    if (bytes > limit) return { texts, bytes: limit, longTexts };
-    const text = textOf(entry);
-    text.longTexts.forEach((long, key) => longTexts.set(key, long));
-    texts.push(text.json);
+    if (bytes > limit) return { steps, bytes: limit };
+    steps.push(textOf(entry));
   }
-  return { texts, bytes, longTexts };
+  return { steps, bytes };
 }
 
 /** A step in the storage; earlier versions of the app have stored patches. */

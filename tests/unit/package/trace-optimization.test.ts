@@ -26,16 +26,25 @@ function elementsOf({ points, tetrahedra }: Elements): readonly string[] {
   ).sort();
 }
 
-/** Returns a mesh without the nodes that no element uses; those of the boundary stay. */
-function withoutUnused({ points, tetrahedra }: Elements, boundaryNodes: number): Elements {
-  const used = new Set(tetrahedra);
-  const kept = Array.from({ length: points.length / 3 }, (_, node) => node).filter(
-    (node) => node < boundaryNodes || used.has(node),
+/**
+ * Returns a mesh of sweeps in the order of a result: elements and inner nodes region by region, without the nodes that no element
+ * uses.
+ */
+function asResult({ points, tetrahedra, tetrahedronRegion }: SweptMesh, boundaryNodes: number): Elements {
+  const elements = Array.from(tetrahedronRegion, (region, element) => ({ region, element })).sort(
+    (a, b) => a.region - b.region || a.element - b.element,
   );
+  const ordered = elements.flatMap(({ element }) => [...tetrahedra.subarray(4 * element, 4 * element + 4)]);
+  const regionOf = new Map(ordered.map((node, i) => [node, elements[Math.floor(i / 4)]?.region ?? 0]));
+  const inside = [...regionOf]
+    .filter(([node]) => node >= boundaryNodes)
+    .sort(([a, regionOfA], [b, regionOfB]) => regionOfA - regionOfB || a - b)
+    .map(([node]) => node);
+  const kept = [...Array(boundaryNodes).keys(), ...inside];
   const indexOf = new Map(kept.map((node, index) => [node, index]));
   return {
     points: Float64Array.from(kept.flatMap((node) => [...points.subarray(3 * node, 3 * node + 3)])),
-    tetrahedra: tetrahedra.map((node) => indexOf.get(node) ?? 0),
+    tetrahedra: Uint32Array.from(ordered, (node) => indexOf.get(node) ?? 0),
   };
 }
 
@@ -70,6 +79,7 @@ test.each([
   ["thorough", "unit-cube"],
   ["default", "wing-in-a-tunnel"],
   ["default", "pipe-and-flow"],
+  ["thorough", "pipe-and-flow"],
 ] as const)("%s, %s: the sweeps lead from the mesh of the front to the result", async (optimization, id) => {
   const project = galleryProject(id);
   const front = await recordTrace(mesher, project, unoptimized);
@@ -89,7 +99,7 @@ test.each([
   expect(before.tetrahedra).toBe(front.result.report.tetrahedra);
   expect(elementsOf(meshAfter(trace, 0))).toEqual(elementsOf(front.result.mesh));
 
-  const last = withoutUnused(meshAfter(trace, chosen), result.surfaceNodes);
+  const last = asResult(meshAfter(trace, chosen), result.surfaceNodes);
   expect(last.tetrahedra).toEqual(result.mesh.tetrahedra);
   expect(last.points).toHaveLength(result.mesh.points.length);
   const farthest = last.points.reduce(

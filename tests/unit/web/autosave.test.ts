@@ -165,12 +165,7 @@ describe("autosave", () => {
           const point = { id: 100 + i, name: "x".repeat(below(3) * 9_000), position: [i, 0, 0] as const };
           documents.edit({
             label: "Add",
-            replace: [
-              [
-                ["project", "points"],
-                [...documents.project.points, point],
-              ],
-            ],
+            replace: { points: [...documents.project.points, point] },
           });
         }
         if (below(2) === 0) void autosave.flush();

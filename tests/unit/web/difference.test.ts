@@ -93,6 +93,22 @@ describe("the difference of two states", () => {
     });
   });
 
+  it("of a list of references holds those that are added and removed", () => {
+    const kinds = ["point", "line", "patch"];
+    const members = Array.from({ length: 300 }, (_, i) => ({ kind: kinds[i % 3], id: Math.floor(i / 3) }));
+    const rest = members.filter((_, i) => i !== 30 && i !== 200);
+    expect(differenceOf({ members }, { members: rest })).toEqual({
+      fields: {
+        members: {
+          list: [
+            [30, [members[30]], []],
+            [169, [members[200]], []],
+          ],
+        },
+      },
+    });
+  });
+
   it("is nothing if only the objects differ", () => {
     expect(differenceOf({ list: items(3), name: "a" }, { list: items(3), name: "a" })).toBeUndefined();
   });

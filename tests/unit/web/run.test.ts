@@ -159,7 +159,7 @@ async function improvable(meshVersion?: string) {
 /** Resolves when all promises that were resolved before have called what waits for them. */
 const nextTask = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-const renamed = (name: string) => ({ label: "Rename", replace: [[["project", "name"], name]] }) as const;
+const renamed = (name: string) => ({ label: "Rename", replace: { name } }) as const;
 
 describe("an improvement", () => {
   it("is ended by a restart, which then meshes the new project", async () => {
@@ -181,7 +181,7 @@ describe("an improvement", () => {
     const { documents, run, steps, stale, finish, dispose } = await improvable();
     await run.generate();
     const first = run.improve();
-    documents.edit({ label: "Refine", replace: [[["project", "meshing"], { size: 0.4 }]] });
+    documents.edit({ label: "Refine", replace: { meshing: { size: 0.4 } } });
     finish();
     expect(await first).toEqual({ kind: "discarded" });
     expect(steps()).toEqual(["Refine"]);
@@ -249,7 +249,7 @@ describe("an improvement", () => {
     finish();
     await run.improve();
     for (let k = 0; k < 8; ++k) {
-      documents.edit({ label: "Size", replace: [[["project", "meshing"], { size: 0.4 + k / 100 }]] });
+      documents.edit({ label: "Size", replace: { meshing: { size: 0.4 + k / 100 } } });
       await run.generate();
     }
     for (let k = 0; k < 8; ++k) documents.undo();
@@ -333,7 +333,7 @@ it("a mesh is of others once bodies are added, removed, replaced or moved; sizes
   const run = new MeshRun(documents, Promise.resolve(mesher));
   const isOther = (): boolean => isOfOtherBodies(run.state.getState(), documents.state.getState());
   const isOtherWith = (...bodies: readonly ReturnType<typeof bodyOf>[]): boolean => {
-    documents.edit({ label: "Bodies", replace: [[["project", "bodies"], bodies]] });
+    documents.edit({ label: "Bodies", replace: { bodies } });
     return isOther();
   };
   expect(isOther()).toBe(false);
@@ -352,12 +352,7 @@ it("a mesh is of others once bodies are added, removed, replaced or moved; sizes
   expect(isStale(run.state.getState(), documents.state.getState())).toBe(false);
   const drag = documents.begin("Move");
   drag.update({
-    replace: [
-      [
-        ["project", "bodies"],
-        [small, movedTo(apart, 6)],
-      ],
-    ],
+    replace: { bodies: [small, movedTo(apart, 6)] },
   });
   expect(isOther()).toBe(true);
   drag.cancel();
@@ -371,7 +366,7 @@ it("a mesh of a body that was moved while the run was under way is of others", a
   const documents = new DocumentStore({ ...emptyProject("a"), bodies: [body] });
   const run = new MeshRun(documents, Promise.resolve(mesher));
   const running = run.generate();
-  documents.edit({ label: "Move", replace: [[["project", "bodies"], [movedTo(body, 3)]]] });
+  documents.edit({ label: "Move", replace: { bodies: [movedTo(body, 3)] } });
   await running;
   expect(run.state.getState().mesh?.report.status).toBe("done");
   expect(isOfOtherBodies(run.state.getState(), documents.state.getState())).toBe(true);
@@ -410,7 +405,7 @@ describe("a run that prepares the model", () => {
     const run = new MeshRun(documents, Promise.resolve(mesher));
     const running = run.generate("user", ({ onPart }) => {
       onPart("Adding a body");
-      documents.edit({ label: "Add", replace: [[["project", "bodies"], [bodyOf(1)]]] });
+      documents.edit({ label: "Add", replace: { bodies: [bodyOf(1)] } });
       return Promise.resolve(["a body was added"]);
     });
     expect(run.state.getState()).toMatchObject({ busy: true, preparing: "Adding a body" });

@@ -6,7 +6,6 @@ import { insertion, withInsertion, type Insertion } from "../insert-shape";
 import { mapPoints, type Shape } from "../shape";
 import type { KeptExpression } from "../expression-edits";
 import { determinant, mapPosition, type Affine } from "./affine";
-import { replacing } from "./join-points";
 import { keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, shapeOf, type SelectedParts } from "./selected-parts";
 import { movedPlacement, movedSource, type TransformOptions } from "./transform";
@@ -78,14 +77,7 @@ export function offerCopiesFrom(
       ...(!isFollowing && { note: operationStrings.numbersKept }),
       edit: {
         label,
-        replace: [
-          ...replacing(project, lists),
-          ...(lists.bodies !== project.bodies ? [[["project", "bodies"], lists.bodies] as const] : []),
-          ...(lists.background !== project.background
-            ? [[["project", "background"], lists.background] as const]
-            : []),
-          ...keptInstead(project, isFollowing ? kept.flat() : []),
-        ],
+        replace: { ...lists, ...keptInstead(project, isFollowing ? kept.flat() : []) },
       },
     },
   };

@@ -3,10 +3,9 @@ import type { Offer } from "../create";
 import { nounOf } from "../draft-records";
 import { existingIn, type Entity } from "../entities";
 import { combined, noRotation } from "../placement";
-import type { Position } from "../position";
 import { operationStrings, stepNames } from "../../strings";
 import { determinant, keepsCircles, mapDirection, mapPosition, meanFactor, type Affine } from "./affine";
-import { joinPoints, replacing } from "./join-points";
+import { joinPoints } from "./join-points";
 import { forgotten, hasExpressions, keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, type SelectedParts } from "./selected-parts";
 
@@ -53,22 +52,26 @@ export function transformer(
       return { possible: false, reason: texts.arcs };
     const images = hasExpressions(project, map) ? movedImages(project, parts) : [];
     const kept = mappedExpressions(project, images, map);
-    const { points, others } = move(map);
-    const moved = { ...project, points };
-    const drawn = join && parts.points.length > 0 ? joinPoints(moved) : moved;
+    const changes = move(map);
+    const moved = { ...project, ...changes };
+    const { points, lines, patches } = join && parts.points.length > 0 ? joinPoints(moved) : moved;
     return {
       possible: true,
       creation: {
         entities:
-          drawn.patches === project.patches ? selection : existingIn({ ...project, ...drawn }, selection),
+          patches === project.patches
+            ? selection
+            : existingIn({ ...moved, points, lines, patches }, selection),
         ...(kept === null && { note: operationStrings.numbersKept }),
         edit: {
           label,
-          replace: [
-            ...replacing(project, drawn),
-            ...others,
+          replace: {
+            ...changes,
+            points,
+            lines,
+            patches,
             ...keptInstead(project, kept ?? forgotten(project, images)),
-          ],
+          },
         },
       },
     };
@@ -100,26 +103,24 @@ function movedImages(
 }
 
 /** Returns a function that maps parts of a project: the places of the parts in its lists are found once. */
-function mover({ points, bodies = [], background: { nodes, sources = [] } }: Project, parts: SelectedParts) {
+function mover({ points, bodies = [], background }: Project, parts: SelectedParts) {
   const changePoints = recordChanger(points, new Set(parts.points.map(({ id }) => id)));
   const changeBodies = recordChanger(bodies, parts.bodies);
-  const changeNodes = recordChanger(nodes, parts.nodes);
-  const changeSources = recordChanger(sources, parts.sources);
-  return (map: Affine) => {
-    const at = (position: Position): Position => mapPosition(map, position);
-    const others = [
-      [
-        ["project", "bodies"],
-        changeBodies((body) => ({ ...body, placement: movedPlacement(body.placement, map) })),
-      ],
-      [["project", "background", "nodes"], changeNodes((node) => movedNode(node, map))],
-      [["project", "background", "sources"], changeSources((source) => movedSource(source, map))],
-    ] as const;
-    return {
-      points: changePoints((point) => ({ ...point, position: at(point.position) })),
-      others: others.filter(([, list]) => ![bodies, nodes, sources].some((before) => before === list)),
-    };
-  };
+  const changeNodes = recordChanger(background.nodes, parts.nodes);
+  const changeSources = recordChanger(background.sources ?? [], parts.sources);
+  return (map: Affine): Partial<Project> => ({
+    points: changePoints((point) => ({ ...point, position: mapPosition(map, point.position) })),
+    ...(parts.bodies.size > 0 && {
+      bodies: changeBodies((body) => ({ ...body, placement: movedPlacement(body.placement, map) })),
+    }),
+    ...(parts.nodes.size + parts.sources.size > 0 && {
+      background: {
+        ...background,
+        nodes: changeNodes((node) => movedNode(node, map)),
+        ...(background.sources && { sources: changeSources((source) => movedSource(source, map)) }),
+      },
+    }),
+  });
 }
 
 /** Returns a function that changes the records with some ids in copies of a list. Without such records it returns the list. */

@@ -11,7 +11,7 @@ import { Lens } from "./lens";
 import { OpenTrace } from "./trace-files";
 import styles from "./player.module.css";
 import { ScrubBar } from "./scrub-bar";
-import { Transport, TransportChoices } from "./transport";
+import { LoopButton, Transport, TransportChoices } from "./transport";
 import { useHasLens } from "./use-has-lens";
 import { usePlayer } from "./use-player";
 import { ViewChoices } from "./view-choices";
@@ -143,9 +143,10 @@ function Choices() {
 
 function Player() {
   const isPresenting = useShell((state) => state.isPresenting);
+  const isShort = useLayout() === "phone" || isPresenting;
   return (
     <div className={styles["player"]} data-testid="player">
-      {isPresenting ? <PresentedControls /> : <Controls />}
+      {isShort ? <ShortControls /> : <Controls />}
       {!useHasLens() && (
         <div className={styles["beside"]}>
           <Lens />
@@ -155,12 +156,12 @@ function Player() {
   );
 }
 
-/** Two rows for an audience; what is not used while presenting is behind a button. */
-function PresentedControls() {
+/** Few rows for an audience and on a phone; what is used less is behind a button. */
+function ShortControls() {
   const [isMore, setMore] = useState(false);
   return (
-    <section className={styles["controls"]} aria-label={texts.transport}>
-      <Transport>
+    <section className={styles["controls"]} data-short aria-label={texts.transport}>
+      <Transport isShort>
         <IconButton
           label={texts.moreControls}
           aria-expanded={isMore}
@@ -174,6 +175,7 @@ function PresentedControls() {
       {isMore && (
         <>
           <div className={styles["row"]}>
+            <LoopButton />
             <TransportChoices />
           </div>
           <Choices />
@@ -191,14 +193,7 @@ function Controls() {
         <TransportChoices />
       </Transport>
       <ScrubBar />
-      {useLayout() === "phone" ? (
-        <details className={styles["more"]} data-testid="player-more">
-          <summary>{texts.moreControls}</summary>
-          <Choices />
-        </details>
-      ) : (
-        <Choices />
-      )}
+      <Choices />
       <Failure />
     </section>
   );

@@ -30,8 +30,13 @@ import { ViewChecks } from "./view-choices";
 const texts = strings.player;
 const icon = { size: 15, "aria-hidden": true } as const;
 
+interface TransportProps {
+  readonly isShort?: boolean;
+  readonly children: ReactNode;
+}
+
 /** Buttons that move through the steps, the step shown, and what follows in the same row. */
-export function Transport({ children }: { readonly children: ReactNode }) {
+export function Transport({ isShort = false, children }: TransportProps) {
   const { player } = useApp();
   const isPlaying = usePlayer((state) => state.isPlaying);
   return (
@@ -58,7 +63,7 @@ export function Transport({ children }: { readonly children: ReactNode }) {
         <IconButton label={texts.end} data-testid="player-end" onClick={() => player.move(Infinity)}>
           <IconPlayerSkipForwardFilled {...icon} />
         </IconButton>
-        <LoopButton />
+        {!isShort && <LoopButton />}
       </Toolbar>
       <LoopFields />
       <Counter />
@@ -119,7 +124,7 @@ export function StillsHint() {
 }
 
 /** Repeats the steps around the present one. */
-function LoopButton() {
+export function LoopButton() {
   const { player } = useApp();
   const trace = useTrace();
   const loop = usePlayer((state) => state.loop);
