@@ -2,6 +2,7 @@
  * What the application shares with the package. No part of the package's promise: it may change in any version.
  */
 export { ENGINE_CODES, type EngineNumbers, PROPOSAL_DEFAULTS, SOURCE_GROWTH } from "./generated/constants.js";
+export { regionNames } from "./api/body-regions.js";
 export { unusedData } from "./api/volume-background.js";
 export {
   type BestRepair,

@@ -92,7 +92,7 @@ const meshingFields = fieldsOf<ProjectMeshing>({
   optimization: true,
 });
 
-const bodyPatchFields = fieldsOf<ProjectBodyPatch>({ id: true, name: true, color: true });
+const bodyPatchFields = fieldsOf<ProjectBodyPatch>({ id: true, name: true, color: true, solid: true });
 const remeshingFields = fieldsOf<BodyRemeshing>({
   size: true,
   minSize: true,

@@ -96,14 +96,24 @@ export function joinedSurface(
   return { points, triangles, trianglePatch };
 }
 
-/** Returns the patches of joined bodies. An only patch without a name gets that of its body. */
-export function joinedPatches(bodies: readonly ProjectBody[]): ProjectBodyPatch[] {
-  return bodies.flatMap(({ name: bodyName, patches }) =>
-    patches.map((patch) => {
-      const name = patch.name ?? (patches.length === 1 ? bodyName : undefined);
-      return { ...patch, ...(name !== undefined && { name }) };
-    }),
-  );
+/**
+ * Returns the patches of joined bodies. An only patch without a name gets that of its body. The patches state the solids that the
+ * bodies were, unless a body consists of several that it does not state.
+ */
+export function joinedPatches(
+  bodies: readonly { readonly body: ProjectBody; readonly regions: number }[],
+): ProjectBodyPatch[] {
+  const labels = bodies.map(({ body }) => bodyLabel(body));
+  return bodies.flatMap(({ body, regions }) => {
+    const label = bodyLabel(body);
+    const isUnique = labels.filter((other) => other === label).length === 1;
+    const own = isUnique ? label : `${label} ${body.id}`;
+    return body.patches.map((patch) => {
+      const name = patch.name ?? (body.patches.length === 1 ? body.name : undefined);
+      const solid = patch.solid ?? (regions === 1 ? own : name);
+      return { ...patch, ...(name !== undefined && { name }), ...(solid !== undefined && { solid }) };
+    });
+  });
 }
 
 /** Returns what a joined body has apart from its triangles and patches. */

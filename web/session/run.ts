@@ -1,4 +1,5 @@
 import type { Mesher, MeshResult, PreparedBody, Progress, UnoptimizedMesh } from "tetrafront";
+import { regionNames } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, placedSurfacesKey, shownMeshKey, versionedKey } from "../document/content-keys";
@@ -56,6 +57,8 @@ export interface RunState {
   readonly unoptimized: UnoptimizedMesh | null;
   /** The shown mesh, which may belong to another state of the project. */
   readonly mesh: MeshResult | null;
+  /** As in `ShownMesh`; empty without a mesh. */
+  readonly regionNames: ShownMesh["regionNames"];
   /** As in `ShownMesh`; both null without a mesh. */
   readonly origin: ShownMesh["origin"];
   readonly improvement: ShownMesh["improvement"];
@@ -109,6 +112,7 @@ const emptyRun: RunState = {
   front: null,
   unoptimized: null,
   mesh: null,
+  regionNames: [],
   origin: null,
   improvement: null,
   edgeReference: "target",
@@ -286,7 +290,14 @@ export class MeshRun {
     return improving;
   }
 
-  async #improve({ mesh, origin, improvement, edgeReference, isValid }: ShownMesh): Promise<ImprovementEnd> {
+  async #improve({
+    mesh,
+    regionNames: names,
+    origin,
+    improvement,
+    edgeReference,
+    isValid,
+  }: ShownMesh): Promise<ImprovementEnd> {
     const abort = this.#begin("improve");
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
@@ -295,7 +306,7 @@ export class MeshRun {
     log("information", logStrings.improving(count(mesh.report.tetrahedra)));
     try {
       const { optimization = "default" } = project.meshing ?? {};
-      const before = { mesh, origin, improvement, edgeReference, isValid };
+      const before = { mesh, regionNames: names, origin, improvement, edgeReference, isValid };
       const after = await improvedMesh(await this.#mesher, before, optimization, {
         signal: abort.signal,
         onProgress: (progress) => {
@@ -352,7 +363,7 @@ export class MeshRun {
     const key = shownMeshKey(settledContent(this.#documents.state.getState()));
     const { mesh, outcome } = this.state.getState();
     if (mesh && this.state.getState().meshKey !== key) {
-      const none = { mesh: null, origin: null, improvement: null, isValid: null };
+      const none = { mesh: null, regionNames: [], origin: null, improvement: null, isValid: null };
       this.state.setState({ ...none, meshKey: null, meshedBodies: null });
     }
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
@@ -409,7 +420,8 @@ export class MeshRun {
     log(report.status === "done" ? "success" : "warning", summary(ended));
     this.state.setState({ outcome: { ...ended, key } });
     if (!isShowable(result)) return;
-    const shown: ShownMesh = { ...madeByRun, mesh: result };
+    const names = regionNames(result, project, report.quality.regions.length);
+    const shown: ShownMesh = { ...madeByRun, mesh: result, regionNames: names };
     const meshedBodies = placedSurfacesKey(bodiesOf(project));
     this.state.setState({ ...shown, meshKey: key, meshedBodies, front: null, unoptimized: null });
     if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, shown);

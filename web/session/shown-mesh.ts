@@ -26,6 +26,8 @@ export type Improvement = Pick<MeshImprovement, "isImproved" | "isPartial" | "be
 /** A mesh, where it comes from, and what its last improvement has gained. */
 export interface ShownMesh {
   readonly mesh: MeshResult;
+  /** The name of each region. */
+  readonly regionNames: readonly string[];
   /** Length to which its report compares edges. Only runs know target lengths. */
   readonly edgeReference: "target" | "mean";
   /** Null if a run made the mesh. */
@@ -41,6 +43,7 @@ export async function openedMesh(mesher: Mesher, fileName: string, opened: Opene
   const inspection = await mesher.inspectMesh({ ...volume, invertedTetrahedra });
   return {
     mesh: inspectedResult(opened, inspection),
+    regionNames: regions.map(({ name }) => name),
     edgeReference: "mean",
     origin: { fileName, regions, invertedTetrahedra },
     improvement: null,
@@ -69,6 +72,7 @@ export async function improvedMesh(
   if (!isImproved) return { ...shown, improvement };
   const inspection: MeshInspection = await mesher.inspectMesh(found);
   return {
+    ...shown,
     mesh: improvedResult(mesh, found, inspection),
     edgeReference: "mean",
     origin: origin && { ...origin, invertedTetrahedra: undefined },

@@ -128,7 +128,7 @@ export async function joinedBody(
     divided.map(({ surface }, index) => [surface, bodies[index]?.patches.length ?? 0]),
   );
   const head = joinedHead(project, bodies);
-  const own = joinedPatches(bodies);
+  const own = joinedPatches(group);
   const empty = { ...head, ...joinedRepairs(bodies), points: "", triangles: "", patches: own };
   const givenRegions = regionsOf(divided);
   const input = { ...given, ...(givenRegions && { givenRegions }) };

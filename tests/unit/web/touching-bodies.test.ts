@@ -90,8 +90,8 @@ describe("bodies that touch", () => {
     expect(joined).toMatchObject({ regions: 2, shared: 0 });
     expect(joined?.body).toMatchObject({ id: 3, name: "cube 1 + cube 2" });
     expect(joined?.body.patches).toEqual([
-      { id: 10, name: "cube 1" },
-      { id: 20, name: "cube 2" },
+      { id: 10, name: "cube 1", solid: "cube 1" },
+      { id: 20, name: "cube 2", solid: "cube 2" },
     ]);
     if (!joined) throw new Error("not joined");
     const { isFillable, volume } = await mesher.inspectSurface(joined.surface);

@@ -13,6 +13,7 @@ import type { FileMesh } from "../mesh/file-mesh.js";
 import { withPatches } from "../mesh/mesh-checks.js";
 import type { MeshResult } from "../mesh/report.js";
 import { NO_REGION } from "../generated/constants.js";
+import { bodyRegions } from "./body-regions.js";
 import { type PatchedRegions, withInterfacePatches } from "./interface-patches.js";
 import { type Project, patchesOf } from "../project/project-types.js";
 
@@ -34,8 +35,8 @@ export interface NameSource {
 
 /**
  * Returns a generated mesh, ready to be written. Its patches are those of the project and its bodies (named, else
- * "patch 12" by id), those of the given surface, or its shells. Its regions are those of the surface's file, else those of its
- * solids, else numbered. A partial mesh yields a partial file. Throws a `MesherError` if an argument is invalid or the surface has a
+ * "patch 12" by id), those of the given surface, or its shells. Its regions are those of the surface's file or the bodies of the
+ * project, else those of its solids, else numbered. A partial mesh yields a partial file. Throws a `MesherError` if an argument is invalid or the surface has a
  * different number of triangles than the mesh.
  */
 export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: NameSource = {}): FileMesh {
@@ -55,7 +56,7 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
   const carried =
     isSame && given.surfaceRegions !== undefined
       ? carriedRegions(mesh, given.surfaceRegions, regionCount)
-      : undefined;
+      : project && bodyRegions(mesh, project, regionCount);
   const kept =
     isKept && carried !== undefined && names.interfacePatches === true
       ? withInterfacePatches({ ...given, ...regionsBeside(mesh, carried) })
@@ -76,14 +77,14 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
   };
 }
 
-/** Returns the names of regions that the file does not state: those of its solids, if there are several. */
+/** Returns the names of regions that the file does not state: those of its solids. */
 function namesFor(
   surface: MeshResult["surface"],
   count: number,
   given: NameSource["surface"],
   isKept: boolean,
 ): (string | undefined)[] {
-  if (!isKept || given === undefined || count < 2) return [];
+  if (!isKept || given === undefined) return [];
   return namesOfSolids(surface, given.trianglePatch, given.patches, count);
 }
 

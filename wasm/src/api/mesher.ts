@@ -43,6 +43,7 @@ import {
   preparedBodies,
   preparedBody,
 } from "./body-preparation.js";
+import { bodyRegions } from "./body-regions.js";
 import { beginCall } from "./call-checks.js";
 import type { FinerPart } from "./element-count.js";
 import { elementsReached } from "./element-target.js";
@@ -116,6 +117,7 @@ import {
   describedResult,
   emptyResult,
   withBodyDeviations,
+  withNamedRegions,
   withoutBodyNotes,
   withPreparation,
 } from "./report.js";
@@ -234,7 +236,10 @@ class WorkerMesher implements Mesher {
       const later = known.length < bodies.length ? afterBodies(control, seconds()) : control;
       const preparation = seconds();
       const result = await this.#meshModel(project, options, later, joinedBodies(project, bodies));
-      const described = withBodyDeviations(withoutBodyNotes(result, project), project, bodies);
+      const { length: regions } = result.report.quality.regions;
+      const named = bodyRegions(result, project, regions)?.regions.length ?? regions;
+      const counted = withNamedRegions(withoutBodyNotes(result, project), named);
+      const described = withBodyDeviations(counted, project, bodies);
       return withPreparation(described, preparation, diagnostics);
     } catch (failure) {
       if (failure instanceof MesherError && failure.code === "cancelled") {

@@ -2,6 +2,7 @@
  * Assembles results: statistics of the engine, and diagnostics with their sentences. Also makes results without a
  * mesh.
  */
+import { plural } from "../base/plural.js";
 import { describeAll } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EntityNamer } from "../diagnostics/entity-names.js";
@@ -108,6 +109,25 @@ export function withPreparation(
       diagnostics: [...diagnostics, ...result.report.diagnostics],
     },
   };
+}
+
+/**
+ * Returns a result whose note on the number of regions counts solids in several parts once, as the list of regions does.
+ * `named`: number of regions with names of their own.
+ */
+export function withNamedRegions(result: MeshResult, named: number): MeshResult {
+  const { report } = result;
+  const diagnostics = report.diagnostics.map((found) => {
+    if (found.code !== "nested-regions" || found.data.regions <= named) return found;
+    const { regions } = found.data;
+    const whole = `The model has ${plural(regions, "region")}`;
+    const message = found.message.replace(
+      whole,
+      `The model has ${plural(named, "region")} in ${regions} separate parts`,
+    );
+    return { ...found, message, data: { ...found.data, regions: named } };
+  });
+  return { ...result, report: { ...report, diagnostics } };
 }
 
 /** Returns a result without a mesh, for a run that was rejected, or cancelled before it made any element. */

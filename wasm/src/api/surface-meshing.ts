@@ -7,6 +7,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
+import { carriedRegions } from "../formats/region-names.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
@@ -17,7 +18,7 @@ import { located } from "./located-surface.js";
 import type { ChangedSurface, MeshedSurface } from "./meshed-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, SurfaceMeshOptions } from "./option-types.js";
-import { emptyResult } from "./report.js";
+import { emptyResult, withNamedRegions } from "./report.js";
 import { stagedControl } from "./staged-progress.js";
 import {
   checkSurfaceMeshOptions,
@@ -208,10 +209,17 @@ async function fill(
   control: RunControl,
 ): Promise<MeshResult> {
   if (invalid !== undefined) return emptyResult("invalid-input", invalid);
-  const result = await mesher.fillSurface(surface, options, control);
+  const result = ofSolids(await mesher.fillSurface(surface, options, control), surface);
   const { report } = result;
   // Those of the treatment came first.
   return { ...result, report: { ...report, diagnostics: [...diagnostics, ...report.diagnostics] } };
+}
+
+/** Returns a result whose notes count the regions as their list does. */
+function ofSolids(result: MeshResult, { surfaceRegions }: SurfaceFile): MeshResult {
+  const count = result.report.quality.regions.length;
+  if (surfaceRegions === undefined || count < 2) return result;
+  return withNamedRegions(result, carriedRegions(result, surfaceRegions, count).regions.length);
 }
 
 /** Implements `meshSurface` of the mesher. */

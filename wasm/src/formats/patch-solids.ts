@@ -23,7 +23,8 @@ export function* solidsOfPatches(given: SurfaceFile): Steps<SurfaceFile | undefi
     const own = owned[p] ?? [];
     const triangles = Uint32Array.from(own.flatMap((t) => [...given.triangles.subarray(3 * t, 3 * t + 3)]));
     const trianglePatch = new Uint32Array(own.length);
-    const surface = { points: given.points, triangles, trianglePatch, patches: [patch] };
+    // The name is that of the solid.
+    const surface = { points: given.points, triangles, trianglePatch, patches: [{ ...patch, name: "" }] };
     if (own.length > 0) parts.push({ name: patch.name, surface });
   }
   const { unit } = given;
