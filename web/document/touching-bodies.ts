@@ -4,57 +4,11 @@ import { nextBodyIds } from "./body-edits";
 import type { ProjectEdit } from "./edit";
 import { bodiesOf, bodyLabel } from "./entities";
 import { placed } from "./placement";
-import type { Position } from "./position";
 
 /**
  * Bodies that touch or intersect, which a run refuses: each has its own triangles where they touch. They are joined into one
  * body with common triangles there.
  */
-
-/** A box that contains a body. */
-export interface Box {
-  readonly low: Position;
-  readonly high: Position;
-}
-
-/** Returns the pairs of boxes that are not apart, as indices, the smaller first. */
-export function nearPairs(boxes: readonly Box[]): (readonly [number, number])[] {
-  return boxes.flatMap(({ low, high }, i) =>
-    boxes.slice(i + 1).flatMap((other, k) => {
-      const isApart = low.some((x, axis) => {
-        const [from = x, to = x] = [other.low[axis], other.high[axis]];
-        return x > to || (high[axis] ?? x) < from;
-      });
-      return isApart ? [] : [[i, i + 1 + k] as const];
-    }),
-  );
-}
-
-/** Returns whether a box lies inside another one and touches none of its sides. */
-export function isWithin(inner: Box, outer: Box): boolean {
-  return inner.low.every((x, k) => x > (outer.low[k] ?? x) && (inner.high[k] ?? x) < (outer.high[k] ?? x));
-}
-
-/** Returns whether bodies in some of the boxes may touch: two are not apart, and neither lies within the other. */
-export function mayTouch(boxes: readonly Box[]): boolean {
-  return nearPairs(boxes).some(([a, b]) => {
-    const [one, other] = [boxes[a], boxes[b]];
-    return one !== undefined && other !== undefined && !isWithin(one, other) && !isWithin(other, one);
-  });
-}
-
-/** Returns the indices below `count` in groups that are connected by pairs; without those that are in no pair. */
-export function connectedGroups(count: number, pairs: readonly (readonly [number, number])[]): number[][] {
-  const groupOf = Array.from({ length: count }, (_, index) => [index]);
-  for (const [one, other] of pairs) {
-    const [into = [], from = []] = [groupOf[one], groupOf[other]];
-    if (into === from) continue;
-    into.push(...from);
-    for (const index of from) groupOf[index] = into;
-  }
-  const groups = [...new Set(groupOf)].filter(({ length }) => length > 1);
-  return groups.map((group) => group.toSorted((a, b) => a - b));
-}
 
 /** Returns the given triangles of a body where its placement puts them. */
 export function placedSurface(surface: PatchArrays, { placement }: ProjectBody): PatchArrays {

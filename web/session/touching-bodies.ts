@@ -8,6 +8,7 @@ import {
   type SurfaceInput,
   type SurfaceRepair,
 } from "tetrafront";
+import { connectedGroups, nearPairs } from "tetrafront/internal";
 import type { Project, ProjectBody } from "tetrafront/project";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
 import {
@@ -19,14 +20,7 @@ import {
 } from "../document/body-repair";
 import { placedSurfaceKey } from "../document/content-keys";
 import { boxOf } from "../document/drawn-surface";
-import {
-  connectedGroups,
-  joinedHead,
-  joinedPatches,
-  joinedSurface,
-  nearPairs,
-  placedSurface,
-} from "../document/touching-bodies";
+import { joinedHead, joinedPatches, joinedSurface, placedSurface } from "../document/touching-bodies";
 import { strings } from "../strings";
 import type { PatchArrays } from "../document/patch-arrays";
 
@@ -81,7 +75,7 @@ export class BodyPairs {
     for (const key of [...this.#known.keys()].slice(0, Math.max(0, others - maxOtherPairs))) {
       this.#known.delete(key);
     }
-    const groups = connectedGroups(bodies.length, touching);
+    const groups = connectedGroups(bodies.length, touching).filter(({ length }) => length > 1);
     return groups.map((group) => group.flatMap((index) => bodies[index] ?? []));
   }
 }

@@ -4,6 +4,7 @@ import { checkArgument } from "../calls/argument-checks.js";
 import { integers } from "../calls/schemas.js";
 import { NO_REGION } from "../generated/constants.js";
 import { type FileGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/file-mesh.js";
+import { partOfSolids, type SolidsSurface } from "../formats/solid-units.js";
 import type { PatchedSurface } from "../mesh/mesh.js";
 import { createBody, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
 import type { ProjectBody } from "./project-types.js";
@@ -50,6 +51,22 @@ export function createBodies(surface: SolidSurface, body: NewBody): ProjectBody[
     id++;
     firstPatchId += part.patches.length;
     return [withName(part, groups[g] ?? [], regions)];
+  });
+}
+
+/** Returns one body per unit of solids, which `solidUnits` finds; ids continue from those of `body`. O(n). */
+export function createUnitBodies(
+  given: SolidsSurface,
+  units: readonly (readonly number[])[],
+  body: NewBody,
+): ProjectBody[] {
+  let [id, firstPatchId] = [body.id, body.firstPatchId];
+  return units.map((unit) => {
+    const part = partOfSolids(given, unit);
+    const made = withSolids(createBody(part, { ...body, id, firstPatchId }), part, part.surfaceRegions);
+    id++;
+    firstPatchId += made.patches.length;
+    return withName(made, unit, given.surfaceRegions.regions);
   });
 }
 
