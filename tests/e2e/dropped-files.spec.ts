@@ -69,6 +69,24 @@ test("solids of one STL file that touch, share a volume, are apart or nested giv
   }
 });
 
+test("a number of elements is reached by the search of the package; the body's figures are those of the mesh", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const bytes = stlText(boxSurface(1, [0, 0, 0], [3, 2, 1]), "block");
+  await dropBytes(page, bytes, "block.stl");
+  await expect(page.getByTestId("body-card")).toBeVisible();
+  await page.getByTestId("element-count-switch").click();
+  await page.getByTestId("elements").fill("1500");
+  await page.getByTestId("elements").press("Enter");
+  const { tets, fingerprint } = await app.generate();
+  const { report } = await meshFile(bytes, { fileName: "block.stl", elements: 1500 });
+  expect([tets, fingerprint]).toEqual([report.tetrahedra, report.fingerprint]);
+  await page.getByTestId("tree-body-1").click();
+  await expect(page.getByTestId("prepared-triangles")).toHaveText(report.triangles.toLocaleString("en-US"));
+});
+
 test("a solid inside another one of its file is meshed", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

@@ -204,7 +204,8 @@ export async function filledSurface(
   const { elements } = filling.options;
   // The call that fills a kept surface reaches the number itself.
   if (elements === undefined || treatment.kind === "keep") return filledOnce(mesher, given, ready, filling);
-  const counted = { surface, isRemeshed: treatment.kind === "remesh" };
+  const parts = ready.parts?.map((part) => part.ready.surface) ?? [surface];
+  const counted = { surface, parts, isRemeshed: treatment.kind === "remesh" };
   try {
     return await filledToElements(mesher, counted, { ...filling, elements }, (scaled) =>
       filledOnce(mesher, given, ready, { ...filling, ...scaled }),
