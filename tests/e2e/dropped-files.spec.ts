@@ -43,22 +43,48 @@ test("solids of one STL file that touch, share a volume, are apart or nested giv
   const app = new AppPage(page);
   await app.openCube();
   const base = new TextDecoder().decode(stlText(boxSurface(1, [0, 0, 0], [2, 2, 2]), "base"));
+  const post = boxSurface(1, [0.5, 0.5, 2], [1.5, 1.5, 3.5]);
+  const inside = sphereSurface(6, 0.4, [1, 1, 1]);
   const others = {
-    post: boxSurface(1, [0.5, 0.5, 2], [1.5, 1.5, 3.5]),
-    corner: boxSurface(1, [1, 1, 1], [3, 3, 3]),
-    apart: boxSurface(6, [4, 0, 0], [5, 1, 1]),
-    inside: sphereSurface(6, 0.4, [1, 1, 1]),
+    post: [post],
+    corner: [boxSurface(1, [1, 1, 1], [3, 3, 3])],
+    apart: [boxSurface(6, [4, 0, 0], [5, 1, 1])],
+    inside: [inside],
+    // Solids that touch, and others that do not: in a box of its own, and within each other.
+    mixed: [sphereSurface(6, 1, [5, 1, 1]), post, sphereSurface(8, 0.8, [-2, 1, 1])],
+    nested: [post, sphereSurface(6, 1, [5, 1, 1]), sphereSurface(6, 0.4, [5, 1, 1])],
+    // Boxes that meet, around solids that do not.
+    near: [sphereSurface(6, 1, [2.7, 2.7, 2.7])],
   };
-  for (const [name, other] of Object.entries(others)) {
-    const bytes = new TextEncoder().encode(base + new TextDecoder().decode(stlText(other, name)));
+  for (const [name, solids] of Object.entries(others)) {
+    const texts = solids.map((solid, s) => new TextDecoder().decode(stlText(solid, `${name} ${s}`)));
+    const bytes = new TextEncoder().encode(base + texts.join(""));
     await dropBytes(page, bytes, `${name}.stl`);
     await expect(page.getByTestId("body-card")).toBeVisible();
     await expect(page.getByTestId("entity-name")).toHaveValue(/^(base|apart|inside)$/);
     const { tets, fingerprint } = await app.generate();
     const made = await meshFile(bytes, { fileName: `${name}.stl` });
     expect([tets, fingerprint]).toEqual([made.report.tetrahedra, made.report.fingerprint]);
-    await expect(page.getByTestId("log")).toContainText("The model has 2 regions");
+    await expect(page.getByTestId("log")).toContainText(`The model has ${solids.length + 1} regions`);
   }
+});
+
+test("a number of elements is reached by the search of the package; the body's figures are those of the mesh", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const bytes = stlText(boxSurface(1, [0, 0, 0], [3, 2, 1]), "block");
+  await dropBytes(page, bytes, "block.stl");
+  await expect(page.getByTestId("body-card")).toBeVisible();
+  await page.getByTestId("element-count-switch").click();
+  await page.getByTestId("elements").fill("1500");
+  await page.getByTestId("elements").press("Enter");
+  const { tets, fingerprint } = await app.generate();
+  const { report } = await meshFile(bytes, { fileName: "block.stl", elements: 1500 });
+  expect([tets, fingerprint]).toEqual([report.tetrahedra, report.fingerprint]);
+  await page.getByTestId("tree-body-1").click();
+  await expect(page.getByTestId("prepared-triangles")).toHaveText(report.triangles.toLocaleString("en-US"));
 });
 
 test("a solid inside another one of its file is meshed", async ({ page }) => {

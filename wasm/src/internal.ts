@@ -11,6 +11,15 @@ export {
   type RemeshShapes,
 } from "./api/best-repair.js";
 export { withSolidsOfPatches } from "./api/touching-solids.js";
+export {
+  connectedGroups,
+  isWithin,
+  nearPairs,
+  sharedPairs,
+  solidUnits,
+  type SolidsSurface,
+} from "./formats/solid-units.js";
+export { createUnitBodies } from "./project/solid-bodies.js";
 export { STEP_HEIGHT } from "./base/limits.js";
 export { projectSchema } from "./project/schema.js";
 export {

@@ -92,7 +92,7 @@ const meshingFields = fieldsOf<ProjectMeshing>({
   optimization: true,
 });
 
-const bodyPatchFields = fieldsOf<ProjectBodyPatch>({ id: true, name: true, color: true });
+const bodyPatchFields = fieldsOf<ProjectBodyPatch>({ id: true, name: true, color: true, solid: true });
 const remeshingFields = fieldsOf<BodyRemeshing>({
   size: true,
   minSize: true,
@@ -291,8 +291,9 @@ export const namesKey = ({ patches, bodies = [] }: Project): string =>
 
 /** Returns the key of everything that the treated triangles of a body depend on. */
 export function preparedKey(project: Project, body: ProjectBody): string {
-  const { size, gradation, innerShells } = project.meshing ?? {};
+  const { size, gradation, innerShells, elements } = project.meshing ?? {};
   const { sources = noSources } = project.background;
   const sizes = sizeParts({ ...project, meshing: { size, gradation, innerShells } });
-  return [...sizes, namelessHashesOf.sources(sources), namelessBodyKey(body)].join(" ");
+  const counted = elements === undefined ? [] : [`elements ${elements}`];
+  return [...sizes, ...counted, namelessHashesOf.sources(sources), namelessBodyKey(body)].join(" ");
 }

@@ -1,7 +1,7 @@
 import { NO_REGION, type Mesh } from "tetrafront";
+import { isWithin } from "tetrafront/internal";
 import { boxOf } from "./drawn-surface";
 import type { Position } from "./position";
-import { isWithin } from "./touching-bodies";
 import { cornerOf, windingNumber, type Triangles } from "./winding-number";
 
 /**

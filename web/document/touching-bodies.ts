@@ -4,57 +4,11 @@ import { nextBodyIds } from "./body-edits";
 import type { ProjectEdit } from "./edit";
 import { bodiesOf, bodyLabel } from "./entities";
 import { placed } from "./placement";
-import type { Position } from "./position";
 
 /**
  * Bodies that touch or intersect, which a run refuses: each has its own triangles where they touch. They are joined into one
  * body with common triangles there.
  */
-
-/** A box that contains a body. */
-export interface Box {
-  readonly low: Position;
-  readonly high: Position;
-}
-
-/** Returns the pairs of boxes that are not apart, as indices, the smaller first. */
-export function nearPairs(boxes: readonly Box[]): (readonly [number, number])[] {
-  return boxes.flatMap(({ low, high }, i) =>
-    boxes.slice(i + 1).flatMap((other, k) => {
-      const isApart = low.some((x, axis) => {
-        const [from = x, to = x] = [other.low[axis], other.high[axis]];
-        return x > to || (high[axis] ?? x) < from;
-      });
-      return isApart ? [] : [[i, i + 1 + k] as const];
-    }),
-  );
-}
-
-/** Returns whether a box lies inside another one and touches none of its sides. */
-export function isWithin(inner: Box, outer: Box): boolean {
-  return inner.low.every((x, k) => x > (outer.low[k] ?? x) && (inner.high[k] ?? x) < (outer.high[k] ?? x));
-}
-
-/** Returns whether bodies in some of the boxes may touch: two are not apart, and neither lies within the other. */
-export function mayTouch(boxes: readonly Box[]): boolean {
-  return nearPairs(boxes).some(([a, b]) => {
-    const [one, other] = [boxes[a], boxes[b]];
-    return one !== undefined && other !== undefined && !isWithin(one, other) && !isWithin(other, one);
-  });
-}
-
-/** Returns the indices below `count` in groups that are connected by pairs; without those that are in no pair. */
-export function connectedGroups(count: number, pairs: readonly (readonly [number, number])[]): number[][] {
-  const groupOf = Array.from({ length: count }, (_, index) => [index]);
-  for (const [one, other] of pairs) {
-    const [into = [], from = []] = [groupOf[one], groupOf[other]];
-    if (into === from) continue;
-    into.push(...from);
-    for (const index of from) groupOf[index] = into;
-  }
-  const groups = [...new Set(groupOf)].filter(({ length }) => length > 1);
-  return groups.map((group) => group.toSorted((a, b) => a - b));
-}
 
 /** Returns the given triangles of a body where its placement puts them. */
 export function placedSurface(surface: PatchArrays, { placement }: ProjectBody): PatchArrays {
@@ -96,14 +50,24 @@ export function joinedSurface(
   return { points, triangles, trianglePatch };
 }
 
-/** Returns the patches of joined bodies. An only patch without a name gets that of its body. */
-export function joinedPatches(bodies: readonly ProjectBody[]): ProjectBodyPatch[] {
-  return bodies.flatMap(({ name: bodyName, patches }) =>
-    patches.map((patch) => {
-      const name = patch.name ?? (patches.length === 1 ? bodyName : undefined);
-      return { ...patch, ...(name !== undefined && { name }) };
-    }),
-  );
+/**
+ * Returns the patches of joined bodies. An only patch without a name gets that of its body. The patches state the solids that the
+ * bodies were, unless a body consists of several that it does not state.
+ */
+export function joinedPatches(
+  bodies: readonly { readonly body: ProjectBody; readonly regions: number }[],
+): ProjectBodyPatch[] {
+  const labels = bodies.map(({ body }) => bodyLabel(body));
+  return bodies.flatMap(({ body, regions }) => {
+    const label = bodyLabel(body);
+    const isUnique = labels.filter((other) => other === label).length === 1;
+    const own = isUnique ? label : `${label} ${body.id}`;
+    return body.patches.map((patch) => {
+      const name = patch.name ?? (body.patches.length === 1 ? body.name : undefined);
+      const solid = patch.solid ?? (regions === 1 ? own : name);
+      return { ...patch, ...(name !== undefined && { name }), ...(solid !== undefined && { solid }) };
+    });
+  });
 }
 
 /** Returns what a joined body has apart from its triangles and patches. */

@@ -6,6 +6,7 @@ import {
   type SurfaceInput,
   type SurfaceRepair,
 } from "tetrafront";
+import { connectedGroups, nearPairs } from "tetrafront/internal";
 import type { Project, ProjectBody } from "tetrafront/project";
 import { nextBodyIds, usedPatches } from "../document/body-edits";
 import {
@@ -17,14 +18,7 @@ import {
 } from "../document/body-repair";
 import { placedSurfaceKey } from "../document/content-keys";
 import { boxOf } from "../document/drawn-surface";
-import {
-  connectedGroups,
-  joinedHead,
-  joinedPatches,
-  joinedSurface,
-  nearPairs,
-  placedSurface,
-} from "../document/touching-bodies";
+import { joinedHead, joinedPatches, joinedSurface, placedSurface } from "../document/touching-bodies";
 import { strings } from "../strings";
 import type { PatchArrays } from "../document/patch-arrays";
 
@@ -79,7 +73,7 @@ export class BodyPairs {
     for (const key of [...this.#known.keys()].slice(0, Math.max(0, others - maxOtherPairs))) {
       this.#known.delete(key);
     }
-    const groups = connectedGroups(bodies.length, touching);
+    const groups = connectedGroups(bodies.length, touching).filter(({ length }) => length > 1);
     return groups.map((group) => group.flatMap((index) => bodies[index] ?? []));
   }
 }
@@ -126,7 +120,7 @@ export async function joinedBody(
     divided.map(({ surface }, index) => [surface, bodies[index]?.patches.length ?? 0]),
   );
   const head = joinedHead(project, bodies);
-  const own = joinedPatches(bodies);
+  const own = joinedPatches(group);
   const empty = { ...head, ...joinedRepairs(bodies), points: "", triangles: "", patches: own };
   const givenRegions = regionsOf(divided);
   const patches = own.map(({ id, name = "" }) => ({ name, tag: id }));

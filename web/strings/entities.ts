@@ -80,3 +80,6 @@ export const layerNames = {
   sources: "Sources",
   mesh: "Mesh",
 } as const;
+
+/** Returns the name of a region; an empty text if it only repeats the number. */
+export const ownRegionName = (region: number, name = ""): string => (name === `region ${region}` ? "" : name);

@@ -1,4 +1,4 @@
-import { layerNames } from "./entities";
+import { layerNames, ownRegionName } from "./entities";
 
 /** Texts of the panels. */
 export const panelStrings = {
@@ -181,7 +181,10 @@ export const panelStrings = {
     },
     region: "Region",
     allRegions: (tetrahedra: string) => `All regions: ${tetrahedra} tetrahedra`,
-    oneRegion: (region: number, tetrahedra: string) => `Region ${region}: ${tetrahedra} tetrahedra`,
+    oneRegion: (region: number, name: string | undefined, tetrahedra: string) =>
+      [`Region ${region}`, ownRegionName(region, name), `${tetrahedra} tetrahedra`]
+        .filter((part) => part !== "")
+        .join(": "),
     dihedral: "Dihedral angles",
     radiusRatio: "Radius ratio",
     angles: "angles",

@@ -8,7 +8,13 @@ import {
   type SurfaceInput,
   type ReadError,
 } from "tetrafront";
-import { meshWithBoundary, withSolidsOfPatches } from "tetrafront/internal";
+import {
+  createUnitBodies,
+  meshWithBoundary,
+  sharedPairs,
+  solidUnits,
+  withSolidsOfPatches,
+} from "tetrafront/internal";
 import {
   bodyWithPatches,
   mergePatches,
@@ -17,10 +23,9 @@ import {
   createBody,
   type ProjectBody,
 } from "tetrafront/project";
-import { boxOf, buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
 import { hasInnerSolid } from "../document/inner-solids";
 import { meaningOf, patchValues, type PatchMeaning } from "../document/patch-colors";
-import { mayTouch } from "../document/touching-bodies";
 import { strings } from "../strings";
 import "./cad-library";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
@@ -44,16 +49,10 @@ serveCalls<SurfaceProtocol>({
     const { unit } = read.value;
     const { treatment, note } = await treatmentOf(read.value, fileName);
     const notes = [...notesOf(read.value), ...note];
-    const bodiesIn = (surface: Mesh) =>
-      createBodies(surface, head).map((body) => newBody({ ...body, ...treatment }));
-    const divided = await withSolidsOfPatches(read.value);
-    const parts = bodiesIn(divided);
-    // Solids of an STL file that do not touch are regions of one body, with common sizes, as in the package.
-    const isOne =
-      divided !== read.value && !mayTouch(parts.map(({ loaded }) => boxOf(loaded.surface.points)));
-    const made = isOne ? bodiesIn(read.value) : parts;
+    const { bodies, surfaceRegions } = await bodiesIn(read.value, head);
+    const made = bodies.map((body) => newBody({ ...body, ...treatment }));
     const solids = made.map(({ loaded }) => loaded.surface);
-    const isInner = hasInnerSolid(solids, isOne ? undefined : divided.surfaceRegions);
+    const isInner = hasInnerSolid(solids, surfaceRegions);
     return {
       answer: { success: true, made, unit, hasInnerSolid: isInner, notes, mesh: null },
       transfer: made.flatMap(buffersOf),
@@ -75,6 +74,24 @@ serveCalls<SurfaceProtocol>({
     return { answer, transfer: buffersOfDrawn(answer) };
   },
 });
+
+/**
+ * Returns the bodies of a file, and the regions of its solids if it states them. Solids of an STL file that cannot touch are
+ * one body, with common sizes, as in the package.
+ */
+async function bodiesIn(
+  file: Mesh,
+  head: SurfaceProtocol["read"]["argument"]["head"],
+): Promise<{ readonly bodies: readonly ProjectBody[] } & Pick<Mesh, "surfaceRegions">> {
+  const { surfaceRegions, ...divided } = await withSolidsOfPatches(file);
+  if (file.surfaceRegions || !surfaceRegions)
+    return { bodies: createBodies(file, head), surfaceRegions: file.surfaceRegions };
+  const solids = { ...divided, surfaceRegions };
+  const units = solidUnits(solids);
+  return units.length < 2 && sharedPairs(surfaceRegions.triangleRegions).length === 0
+    ? { bodies: createBodies(file, head) }
+    : { bodies: createUnitBodies(solids, units, head), surfaceRegions };
+}
 
 /**
  * Returns what meshing will do with the triangles of a file, as the package does by default: those that are fit are kept.

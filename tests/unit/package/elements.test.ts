@@ -1,7 +1,14 @@
 /** Meshes with a wanted number of elements: `elements` of the calls, and `--elements` of the command line. */
 import { readFileSync } from "node:fs";
 
-import { createMesher, type MeshReport, type MeshResult } from "tetrafront";
+import {
+  createMesher,
+  meshFile,
+  type MeshReport,
+  type MeshResult,
+  type PreparedBody,
+  readSurface,
+} from "tetrafront";
 import { createBody, type Project, writeProject } from "tetrafront/project";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
@@ -182,3 +189,40 @@ test("progress never decreases and ends at 1; cancelling ends all runs", async (
   );
   expect(report.status).toBe("cancelled");
 });
+
+test.each([
+  ["sphere", 3000],
+  ["box", 200],
+  ["plate", 2000],
+] as const)(
+  "a project with the body of a file has the mesh of the file, and its bodies are those of the mesh: %s, %i",
+  async (shape, elements) => {
+    const surface = SHAPES[shape]();
+    const file = await meshFile(stlText(surface), { fileName: "a.stl", elements, mesher });
+    const read = await readSurface(stlText(surface), { fileName: "a.stl" });
+    if (!read.success) throw new Error(read.errors[0].message);
+    const project: Project = {
+      ...cubeProject(),
+      points: [],
+      lines: [],
+      patches: [],
+      background: { nodes: [], tetrahedra: [] },
+      bodies: [createBody(read.value, { id: 1, firstPatchId: 1 })],
+      meshing: { elements },
+    };
+    const bodies: PreparedBody[] = [];
+    const onBody = (body: PreparedBody) => void bodies.push(body);
+    const { report } = await mesher.meshProject(project, {}, { onBody });
+    expect(report.elements).toEqual(file.report.elements);
+    expect(report.fingerprint).toBe(file.report.fingerprint);
+    const [body] = bodies;
+    expect(bodies).toHaveLength(1);
+    expect((body?.triangles.length ?? 0) / 3).toBe(report.triangles);
+    expect(body?.sizeFactor).toBe(report.elements?.sizeFactor);
+    // It is of no use for another number.
+    const known = { elements: elements / 2, preparedBodies: bodies };
+    const other = await mesher.meshProject({ ...project, meshing: {} }, known);
+    const plain = await mesher.meshProject({ ...project, meshing: {} }, { elements: elements / 2 });
+    expect(other.report.fingerprint).toBe(plain.report.fingerprint);
+  },
+);

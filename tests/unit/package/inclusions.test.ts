@@ -81,7 +81,7 @@ describe("nested solids of a file", () => {
         ["matrix", matrix],
         ["hole", turned(ball)],
       ],
-      { "region 1": inMatrix - inBall },
+      { matrix: inMatrix - inBall },
     ],
     [
       "two inclusions",
@@ -186,7 +186,7 @@ describe("nested solids of a file", () => {
       expect.stringContaining("2 regions, 0 cavities"),
     ]);
     expect(volumesOf(await meshed("solids.stl", "--inner-shells", "cavities"))).toEqual({
-      "region 1": near(inMatrix - inBall),
+      matrix: near(inMatrix - inBall),
     });
   });
 });
@@ -197,7 +197,7 @@ describe("the report of a mesh", () => {
     const { regions } = await meshed("ball.stl");
     expect(regions).toEqual([
       {
-        name: "region 1",
+        name: "part",
         tetrahedra: expect.any(Number) as number,
         volume: expect.closeTo(inBall, 5) as number,
       },

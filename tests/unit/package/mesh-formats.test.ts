@@ -42,8 +42,8 @@ const flat: EngineMesh = {
     front: new Uint32Array(),
   },
 };
-const mesh = namedMesh(flat, {});
-const empty = namedMesh(
+const { mesh } = namedMesh(flat, {});
+const { mesh: empty } = namedMesh(
   {
     surface: { ...flat.surface, triangles: new Uint32Array(), trianglePatch: new Uint32Array() },
     volume: { ...flat.volume, tetrahedra: new Uint32Array(), regions: new Uint32Array() },
@@ -67,7 +67,7 @@ const named = (patches: readonly string[], regions: readonly string[] = ["region
 
 test("a partial mesh with elements of the last region only lists all regions", () => {
   const volume = { ...flat.volume, regions: flat.volume.regions.map(() => 2) };
-  expect(namedMesh({ ...flat, volume }, {}).regions).toHaveLength(3);
+  expect(namedMesh({ ...flat, volume }, {}).mesh.regions).toHaveLength(3);
 });
 
 describe("VTU", () => {

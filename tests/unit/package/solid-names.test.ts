@@ -1,11 +1,21 @@
 /** Names of regions: those of the parts of an assembly, and of solids with the same name. */
 import { readFileSync } from "node:fs";
 
-import { createMesher, readSurface, type Mesh } from "tetrafront";
+import {
+  createMesher,
+  meshFile,
+  readSurface,
+  type Mesh,
+  type MeshReport,
+  type SurfaceInput,
+} from "tetrafront";
+import { createBodies, createBody } from "tetrafront/project";
 import { expect, test } from "vitest";
 
+import { regionSummaries, type RegionSummary } from "../../../wasm/dist/api/generated-mesh.js";
 import { withoutPause } from "../../../wasm/dist/base/steps.js";
 import { productSolids, productsOf } from "../../../wasm/dist/formats/step-products.js";
+import { cubeProject } from "../../support/projects.js";
 import { boxSolid, stepFile } from "../../support/step-files.js";
 import { stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -62,3 +72,87 @@ function shifted(x: number) {
   const { points, triangles } = boxSurface(1);
   return { points: points.map((value, i) => (i % 3 === 0 ? value + x : value)), triangles };
 }
+
+const NOTHING_DRAWN = {
+  points: [],
+  lines: [],
+  patches: [],
+  background: { nodes: [], tetrahedra: [], sources: [] },
+};
+
+const stlOf = (solids: Readonly<Record<string, SurfaceInput>>): Uint8Array =>
+  new TextEncoder().encode(
+    Object.entries(solids)
+      .map(([name, surface]) => new TextDecoder().decode(stlText(surface, name)))
+      .join(""),
+  );
+
+/** The statistics of regions are those of the regions of the mesh, in their order. */
+function expectSameRegions(
+  { quality }: Pick<MeshReport, "quality">,
+  regions: readonly RegionSummary[],
+): void {
+  expect(quality.regions.map(({ region }) => region)).toEqual([...regions.keys()]);
+  expect(quality.regions.map(({ tetrahedra }) => tetrahedra)).toEqual(
+    regions.map(({ tetrahedra }) => tetrahedra),
+  );
+  quality.regions.forEach(({ volume, smallestDihedral }, r) => {
+    expect(volume).toBeCloseTo(regions[r]?.volume ?? NaN, 9);
+    expect(smallestDihedral.reduce((sum, count) => sum + count, 0)).toBe(regions[r]?.tetrahedra);
+  });
+}
+
+async function reportOf(file: Uint8Array) {
+  const { report, mesh } = await meshFile(file, { fileName: "a.stl" });
+  return { ...report, mesh };
+}
+
+test("the only solid of a file names its region, and a cavity does not change that", async () => {
+  const box = boxSurface(2, [0, 0, 0], [4, 4, 4]);
+  const hole = boxSurface(2, [1, 1, 1], [2, 2, 2]);
+  const inward = { ...hole, triangles: hole.triangles.slice().reverse() };
+  for (const file of [stlOf({ "outer ring": box }), stlOf({ "outer ring": box, hole: inward })]) {
+    expect((await reportOf(file)).regions.map(({ name }) => name)).toEqual(["outer ring"]);
+  }
+  const unnamed = await reportOf(stlOf({ "": box }));
+  expect(unnamed.regions.map(({ name }) => name)).toEqual(["region 1"]);
+});
+
+test("a solid in two parts is one region, in the report and in its notes; patches are named after solids", async () => {
+  const file = stlOf({
+    "beam a": boxSurface(1, [0, 0, 0], [12, 3, 3]),
+    "beam b": boxSurface(1, [4.5, -4, 0.7], [7.5, 7, 2.2]),
+  });
+  const { regions, mesh, diagnostics, quality } = await reportOf(file);
+  expectSameRegions({ quality }, regions);
+  expect(regions.map(({ name }) => name)).toEqual(["beam a", "beam b"]);
+  expect(mesh?.patches.map(({ name }) => name)).toEqual(["beam a", "beam b"]);
+  const note = diagnostics.find(({ code }) => code === "nested-regions");
+  expect(note).toMatchObject({
+    message: "The model has 2 regions in 3 separate parts",
+    data: { regions: 2, cavities: 0 },
+  });
+});
+
+test("regions of bodies have their names, those of a body of several solids the names of these", async () => {
+  const solids = [boxSolid("plate", [0, 0, 0], [2, 2, 1]), boxSolid("post", [0, 0, 1], [2, 2, 3])];
+  const shared = await surfaceIn(stepFile(solids), "a.step");
+  const pair = createBodies(shared, { id: 1, firstPatchId: 1 });
+  expect(pair.map(({ name }) => name)).toEqual(["plate + post"]);
+  const nextId = 1 + Math.max(...pair.flatMap(({ patches }) => patches.map(({ id }) => id)));
+  const part = (id: number, x: number) =>
+    createBody(boxSurface(1, [x, 0, 0], [x + 1, 1, 1]), { id, firstPatchId: nextId + id, name: "part" });
+  const mesher = await createMesher();
+  const project = { ...cubeProject(), ...NOTHING_DRAWN, bodies: [part(3, 9), ...pair, part(2, 5)] };
+  const result = await mesher.meshProject(project);
+  mesher.dispose();
+  expect(result.report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
+  const summary = regionSummaries(result.mesh);
+  expectSameRegions(result.report, summary);
+  expect(summary.map(({ name, volume }) => [name, Math.round(volume)])).toEqual([
+    ["part", 1],
+    ["plate", 4],
+    ["post", 8],
+    ["part 2", 1],
+  ]);
+});

@@ -1,13 +1,7 @@
 import { createMesher, type Mesher } from "tetrafront";
 import { createBody, type Project, type ProjectBody } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
-import {
-  connectedGroups,
-  joinedHead,
-  mayTouch,
-  nearPairs,
-  replaceByJoined,
-} from "../../../web/document/touching-bodies";
+import { joinedHead, replaceByJoined } from "../../../web/document/touching-bodies";
 import { DocumentStore } from "../../../web/session/document-store";
 import { BodyPairs, joinedBody, type GivenBody } from "../../../web/session/touching-bodies";
 import { emptyProject } from "../../../web/document/create";
@@ -31,14 +25,6 @@ function cube(id: number, edge: number, position: [number, number, number]): Giv
 const projectOf = (given: readonly GivenBody[]): Project => ({
   ...emptyProject("a"),
   bodies: given.map(({ body }) => body),
-});
-
-it("bodies may touch unless their boxes are apart, or one lies within the other", () => {
-  const box = (low: number, high: number) => ({ low: [low, low, low], high: [high, high, high] }) as const;
-  expect(mayTouch([box(0, 1), box(2, 3)])).toBe(false);
-  expect(mayTouch([box(0, 3), box(1, 2)])).toBe(false);
-  expect(mayTouch([box(0, 1), box(1, 2)])).toBe(true);
-  expect(mayTouch([box(0, 3), box(1, 3)])).toBe(true);
 });
 
 describe("bodies that touch", () => {
@@ -90,8 +76,8 @@ describe("bodies that touch", () => {
     expect(joined).toMatchObject({ regions: 2, shared: 0 });
     expect(joined?.body).toMatchObject({ id: 3, name: "cube 1 + cube 2" });
     expect(joined?.body.patches).toEqual([
-      { id: 10, name: "cube 1" },
-      { id: 20, name: "cube 2" },
+      { id: 10, name: "cube 1", solid: "cube 1" },
+      { id: 20, name: "cube 2", solid: "cube 2" },
     ]);
     if (!joined) throw new Error("not joined");
     const { isFillable, volume } = await mesher.inspectSurface(joined.surface);
@@ -209,27 +195,5 @@ describe("bodies that touch", () => {
     ];
     const head = joinedHead({ ...emptyProject("a"), bodies }, bodies);
     expect(head).toEqual({ id: 3, name: "cube 1 + cube 2", remeshing: { size: 0.2, layers: 3 } });
-  });
-});
-
-describe("pairs and groups", () => {
-  it("take boxes that share a corner as near", () => {
-    const box = (low: number, high: number) => ({ low: [low, low, low], high: [high, high, high] }) as const;
-    expect(nearPairs([box(0, 1), box(1, 2), box(1.1, 1.2), box(5, 6)])).toEqual([
-      [0, 1],
-      [1, 2],
-    ]);
-  });
-
-  it("connect through others", () => {
-    const pairs = [
-      [0, 4],
-      [2, 3],
-      [4, 1],
-    ] as const;
-    expect(connectedGroups(6, pairs)).toEqual([
-      [0, 1, 4],
-      [2, 3],
-    ]);
   });
 });

@@ -41,7 +41,13 @@ export function bodyWithPatches(
     const own = hasGenericName({ name, tag: 0 }) ? (isWhole ? given?.name : undefined) : name;
     // Pieces in the colour of the whole could not be told apart.
     const color = isWhole ? given?.color : undefined;
-    return { id: id ?? nextId++, ...(own !== undefined && { name: own }), ...(color && { color }) };
+    const solid = given?.solid;
+    return {
+      id: id ?? nextId++,
+      ...(own !== undefined && { name: own }),
+      ...(color && { color }),
+      ...(solid !== undefined && { solid }),
+    };
   });
   return withOwners(body, surface.trianglePatch, patches);
 }

@@ -16,6 +16,7 @@ import { bodySurface, type PlacedSurface } from "../project/bodies.js";
 import { backgroundArrays, backgroundOf } from "../project/grid-arrays.js";
 import { withPatchOfTriangle } from "../project/names.js";
 import type { BodyId, Project, ProjectBody } from "../project/project-types.js";
+import type { SizedSurface } from "./counted-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { InspectionOptions, MeshOptions, RemeshOptions } from "./option-types.js";
 import { checkRemeshOptions } from "./options.js";
@@ -103,8 +104,8 @@ async function treated(
   const name = bodyNamer(body, given);
   const named = (found: readonly Diagnostic[]) => found.map((one) => ofBody(one, body, given.trianglePatch));
   if (treatment === "remesh") {
-    const { innerShells } = options;
-    const wanted: RemeshOptions = { ...remeshing, ...sizes, innerShells, sizeFactor };
+    const { innerShells, growth, maxVolume } = options;
+    const wanted: RemeshOptions = { growth, maxVolume, ...remeshing, ...sizes, innerShells, sizeFactor };
     const { mesh, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
     return { ...withPatches(mesh, origin), ...figures, diagnostics: named(diagnostics) };
   }
@@ -127,6 +128,28 @@ function withPatches(
   origin: Uint32Array,
 ) {
   return { points, triangles, trianglePatch, origin };
+}
+
+/**
+ * Returns the surfaces of bodies that a run remeshes with automatic sizes, and their options; undefined if sizes are given, or
+ * if the project has more than such bodies.
+ */
+export function automaticBodies(
+  { bodies = [], patches }: Project,
+  { size, growth, maxVolume, innerShells }: MeshOptions,
+): SizedSurface[] | undefined {
+  const isAutomatic =
+    size === undefined &&
+    patches.length === 0 &&
+    bodies.every(
+      ({ surface, remeshing = {} }) =>
+        surface !== "keep" && remeshing.size === undefined && remeshing.maxSize === undefined,
+    );
+  if (!isAutomatic) return undefined;
+  return bodies.map((body) => ({
+    surface: bodySurface(body),
+    options: { growth, maxVolume, ...body.remeshing, innerShells },
+  }));
 }
 
 /** Returns the sizes of a body: its own, or those of the project; and always the sources. */

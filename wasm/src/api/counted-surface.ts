@@ -1,10 +1,11 @@
 /** Fills a surface with a number of elements: remeshes or refines it with one factor on all sizes. */
 import type { RunControl } from "../engine/control.js";
+import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { FinerPart } from "./element-count.js";
 import { controlOfPart, elementsReached } from "./element-target.js";
-import type { Mesher } from "./mesher-interface.js";
-import type { MeshOptions, SurfaceMeshOptions } from "./option-types.js";
+import type { Mesher, SurfaceSizeProposal } from "./mesher-interface.js";
+import type { MeshOptions, RemeshOptions, SurfaceMeshOptions } from "./option-types.js";
 import {
   ballOf,
   longestEdge,
@@ -16,7 +17,6 @@ import {
 } from "./scaled-sizes.js";
 import { meshPart, remeshSettings } from "./surface-mesh-options.js";
 import type { ControlOf } from "./surface-treatment.js";
-import type { Mesh } from "../mesh/mesh.js";
 
 /** What a run with a factor is given. */
 export interface ScaledFilling {
@@ -29,6 +29,8 @@ export interface ScaledFilling {
 /** A surface that is ready, and what becomes of its triangles. */
 export interface CountedSurface {
   readonly surface: Mesh;
+  /** The surfaces of which it consists, which are treated by themselves. */
+  readonly parts: readonly Mesh[];
   readonly isRemeshed: boolean;
 }
 
@@ -38,15 +40,20 @@ const TREATMENT_SHARE = 0.5;
 /** Calls `fill` until the mesh has the number of elements. Rejects as `fill` does. */
 export async function filledToElements<Made extends MeshResult>(
   mesher: Mesher,
-  { surface, isRemeshed }: CountedSurface,
+  { surface, parts, isRemeshed }: CountedSurface,
   { elements, options, controlOf }: Omit<ScaledFilling, "sizeFactor"> & { readonly elements: number },
   fill: (filling: ScaledFilling) => Promise<Made>,
 ): Promise<Made> {
   const scaled = isRemeshed ? scaledMeshOptions : refiningOptions(surface, options);
   const hasGrid = (options.background?.sizes.length ?? 0) > 0;
   const control = controlOf();
+  const { growth, maxVolume, innerShells } = options;
+  const sizing = { ...remeshSettings(options), growth, maxVolume, innerShells };
+  const sized = parts.map((part) => ({ surface: part, options: sizing }));
+  const finerBall = async ({ factor, share }: FinerPart): Promise<SizeBall> =>
+    ballOf(surface.points, await largestAutomaticSize(mesher, sized, factor), share);
   const run = async (sizeFactor: number, ofRun: RunControl, finer?: FinerPart): Promise<Made> => {
-    const ball = finer && (await finerBall(mesher, surface, options, finer));
+    const ball = finer && (await finerBall(finer));
     const mesh = scaled(meshPart(options), sizeFactor);
     const ofStep = (step?: string): RunControl =>
       step === "remesh" ? controlOfPart(ofRun, 0, TREATMENT_SHARE) : controlOfPart(ofRun, TREATMENT_SHARE, 1);
@@ -56,7 +63,7 @@ export async function filledToElements<Made extends MeshResult>(
       controlOf: (step) => ({ ...controlOf(step), ...ofStep(step) }),
     });
   };
-  const expected = isRemeshed && !hasGrid ? await expectedElements(mesher, surface, options, control) : null;
+  const expected = isRemeshed && !hasGrid ? await expectedElements(mesher, sized, control) : null;
   const hasFinerParts = isRemeshed && !hasGrid;
   return elementsReached({ elements, expected, hasFinerParts, run }, control);
 }
@@ -74,34 +81,45 @@ function refiningOptions(
   });
 }
 
-/** Returns a ball with the largest size that a remeshing with the finer factor would have. */
-async function finerBall(
-  mesher: Mesher,
-  surface: Mesh,
-  options: SurfaceMeshOptions,
-  { factor, share }: FinerPart,
-): Promise<SizeBall> {
-  const { size } = await mesher.proposeSurfaceSizes(surface, automaticSizes(options, factor));
-  return ballOf(surface.points, size, share);
+/** A surface that is remeshed, and the options that decide its automatic sizes. */
+export interface SizedSurface {
+  readonly surface: SurfaceInput;
+  readonly options: RemeshOptions;
 }
 
-/** Returns the number of elements that a remeshing with automatic sizes is expected to lead to. */
-async function expectedElements(
-  mesher: Mesher,
-  surface: Mesh,
-  options: SurfaceMeshOptions,
+type SizeMesher = Pick<Mesher, "proposeSurfaceSizes">;
+
+/** Returns the largest size that remeshings of surfaces with a factor on automatic sizes would have. */
+export async function largestAutomaticSize(
+  mesher: SizeMesher,
+  surfaces: readonly SizedSurface[],
+  factor: number,
+): Promise<number> {
+  const found = await proposals(mesher, surfaces, factor);
+  return Math.max(...found.map(({ size }) => size));
+}
+
+/** Returns the number of elements that remeshings of surfaces with automatic sizes are expected to lead to. */
+export async function expectedElements(
+  mesher: SizeMesher,
+  surfaces: readonly SizedSurface[],
   { signal }: RunControl,
 ): Promise<number> {
-  const { tetrahedra } = await mesher.proposeSurfaceSizes(surface, automaticSizes(options, 1), { signal });
-  return tetrahedra;
+  const found = await proposals(mesher, surfaces, 1, { signal });
+  return found.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
 }
 
-function automaticSizes(options: SurfaceMeshOptions, factor: number) {
-  const { dropDetails: _, ...settings } = remeshSettings(options);
-  const { growth, maxVolume, innerShells } = options;
-  const { background: __, ...sizes } = scaledRemeshOptions(
-    { ...settings, growth, maxVolume, innerShells },
-    factor,
-  );
-  return sizes;
+async function proposals(
+  mesher: SizeMesher,
+  surfaces: readonly SizedSurface[],
+  factor: number,
+  control: RunControl = {},
+): Promise<SurfaceSizeProposal[]> {
+  const found: SurfaceSizeProposal[] = [];
+  for (const { surface, options } of surfaces) {
+    const { dropDetails: _, ...settings } = options;
+    const { background: __, ...sizes } = scaledRemeshOptions(settings, factor);
+    found.push(await mesher.proposeSurfaceSizes(surface, sizes, control));
+  }
+  return found;
 }

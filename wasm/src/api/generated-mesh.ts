@@ -3,11 +3,13 @@ import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import type { EngineMesh } from "../engine/engine-mesh.js";
 import { countOf, hasGenericName, numbered } from "../formats/groups.js";
-import { carriedRegions, type MeshRegions } from "../formats/region-names.js";
+import { carriedRegions, type NamedRegions } from "../formats/region-names.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import { namesOfSolids } from "../formats/solid-names.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { type Project, patchesOf } from "../project/project-types.js";
+import { NO_REGION } from "../generated/constants.js";
+import { bodyRegions } from "./body-regions.js";
 import { patchesIn } from "./carried-mesh.js";
 
 /** What was meshed; it names the mesh. */
@@ -16,9 +18,17 @@ export interface NameSource {
   readonly surface?: SurfaceInput | undefined;
 }
 
+/** A mesh of a run, and per region of the run the index of its region. */
+export interface NamedMesh extends Pick<NamedRegions, "indices"> {
+  readonly mesh: Mesh;
+}
+
 /** Returns the mesh of a run with the names of its patches and regions, as `MeshResult` says. */
-export function namedMesh({ surface, volume }: EngineMesh, { project, surface: given }: NameSource): Mesh {
-  const { triangles, triangleRegions } = surface;
+export function namedMesh(
+  { surface, volume }: EngineMesh,
+  { project, surface: given }: NameSource,
+): NamedMesh {
+  const { triangles } = surface;
   const isSame = given !== undefined && given.triangles.length === triangles.length;
   const own = isSame ? patchesIn(given) : undefined;
   const kept = own !== undefined && hasNamedPatches(own) ? own : undefined;
@@ -29,22 +39,29 @@ export function namedMesh({ surface, volume }: EngineMesh, { project, surface: g
     trianglePatch: surface.trianglePatch,
     patches: numbered(word, countOf(surface.trianglePatch), project && patchNames(project)),
   };
-  const flat = { triangleRegions, tetrahedronRegion: volume.regions };
-  const named = (): MeshRegions => {
-    const names =
-      kept === undefined || count < 2 ? [] : namesOfSolids(surface, kept.trianglePatch, kept.patches, count);
-    return { ...flat, regions: numbered("region", count, names) };
-  };
-  return {
+  const stated =
+    surfaceRegions === undefined
+      ? project && bodyRegions(surface, project, count)
+      : carriedRegions(surface.triangleRegions, surfaceRegions, count);
+  const names = () => kept && namesOfSolids(surface, kept.trianglePatch, kept.patches, count);
+  const regions = stated?.regions ?? numbered("region", count, names());
+  const indices = stated?.indices ?? regions.map((_, region) => region);
+  const isMoved = indices.some((index, region) => index !== region);
+  const indicesOf = (all: Uint32Array, none: number) =>
+    isMoved ? all.map((region) => indices[region] ?? none) : all;
+  const mesh = {
     points: volume.points.length > 0 ? volume.points : surface.points,
     triangles,
     trianglePatch,
     patches,
     tetrahedra: volume.tetrahedra,
-    ...(surfaceRegions === undefined ? named() : carriedRegions(flat, surfaceRegions, count)),
+    tetrahedronRegion: indicesOf(volume.regions, 0),
+    regions,
+    triangleRegions: indicesOf(surface.triangleRegions, NO_REGION),
     nodeData: new Map(),
     ...(unit && { unit }),
   };
+  return { mesh, indices };
 }
 
 /** Returns whether the patches of a surface carry information. */

@@ -33,6 +33,7 @@ import { projectNamer, withMissingId, withPatchOfTriangle } from "../project/nam
 import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground } from "../project/project-types.js";
 import {
+  automaticBodies,
   type BodyOptions,
   bodyProblems,
   bodyWithId,
@@ -42,8 +43,10 @@ import {
   preparedBodies,
   preparedBody,
 } from "./body-preparation.js";
+import { unlessFailed } from "./best-repair.js";
 import { beginCall } from "./call-checks.js";
 import type { FinerPart } from "./element-count.js";
+import { expectedElements, largestAutomaticSize } from "./counted-surface.js";
 import { elementsReached } from "./element-target.js";
 import {
   checkControl,
@@ -145,6 +148,11 @@ export async function createMesher(control: AbortControl = {}): Promise<Mesher> 
   }
 }
 
+/** A mesh, and the bodies that were prepared for it. */
+interface ElementsMade extends MeshResult {
+  readonly bodies: readonly PreparedBody[];
+}
+
 class WorkerMesher implements Mesher {
   readonly #client = new EngineClient();
   readonly #surfaces = new SurfaceTools(this.#client);
@@ -155,7 +163,8 @@ class WorkerMesher implements Mesher {
     if (early !== undefined) return early;
     const unusable = [...checkProject(project), ...checkProjectOptions(options)];
     if (unusable.length > 0) return emptyResult("invalid-input", unusable);
-    const { preparedBodies: known = [], ...own } = options;
+    const { preparedBodies = [], ...own } = options;
+    const known = preparedBodies.filter(({ sizeFactor }) => sizeFactor === undefined);
     const settled = withSettings(own, project);
     const wrong = checkOptions(settled);
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
@@ -186,20 +195,39 @@ class WorkerMesher implements Mesher {
   ): Promise<MeshResult> {
     const points = pointsOf(project);
     const size = options.size ?? largestSize(project, options);
-    const scaledRun = (factor: number, ofRun: RunControl, finer?: FinerPart): Promise<MeshResult> => {
+    const automatic =
+      size === undefined && hasBodies(project) ? automaticBodies(project, options) : undefined;
+    const sizeOf = async (factor: number): Promise<number | undefined> =>
+      automatic ? largestAutomaticSize(this, automatic, factor) : size && size * factor;
+    // With a number of elements, triangles to be refined are replaced.
+    const usable = known.filter(({ body }) => bodyWithId(project, body).surface !== "refine");
+    const run = async (factor: number, ofRun: RunControl, finer?: FinerPart): Promise<ElementsMade> => {
       const isSame = factor === 1 && finer === undefined;
       const ofFactor = { ...scaledMeshOptions(options, factor), sizeFactor: factor };
-      const ball = finer && size !== undefined ? ballOf(points, size * finer.factor, finer.share) : undefined;
+      const finerSize = finer && (await sizeOf(finer.factor));
+      const ball = finer && finerSize !== undefined ? ballOf(points, finerSize, finer.share) : undefined;
       const scaled = { ...ofFactor, background: withBall(ofFactor.background, ball) };
-      const onBody = isSame ? ofRun.onBody : undefined;
-      return this.#meshSettled(scaledProject(project, factor), scaled, isSame ? known : [], {
+      const bodies: PreparedBody[] = [];
+      const onBody = (body: PreparedBody) => bodies.push({ ...body, sizeFactor: factor });
+      const result = await this.#meshSettled(scaledProject(project, factor), scaled, isSame ? usable : [], {
         ...ofRun,
         onBody,
       });
+      return { ...result, bodies };
     };
-    const expected = hasBodies(project) ? null : await this.#expected(project, options, control);
-    const hasFinerParts = size !== undefined;
-    return elementsReached({ elements, expected, run: scaledRun, hasFinerParts }, control);
+    const expected =
+      automatic !== undefined
+        ? await unlessFailed(expectedElements(this, automatic, control))
+        : hasBodies(project)
+          ? null
+          : await this.#expected(project, options, control);
+    const hasFinerParts = size !== undefined || automatic !== undefined;
+    const { bodies, ...result } = await elementsReached({ elements, expected, run, hasFinerParts }, control);
+    const isDone = result.report.status === "done";
+    for (const body of isDone ? bodies : []) {
+      await untilCancelled<unknown>(() => control.onBody?.(body), control.signal);
+    }
+    return result;
   }
 
   /** Returns the expected number of elements of a drawn model; null if it is not known. */
@@ -544,7 +572,7 @@ class WorkerMesher implements Mesher {
   ): Promise<MeshResult> {
     const result = await this.#client.run(request, {
       ...control,
-      onUnoptimized: onUnoptimized && ((mesh) => onUnoptimized(namedMesh(mesh, names))),
+      onUnoptimized: onUnoptimized && ((mesh) => onUnoptimized(namedMesh(mesh, names).mesh)),
     });
     return "cancelledAfterSeconds" in result
       ? emptyResult("cancelled", [], result.cancelledAfterSeconds)

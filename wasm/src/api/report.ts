@@ -2,13 +2,14 @@
  * Assembles results: statistics of the engine, and diagnostics with their sentences. Also makes results without a
  * mesh.
  */
+import { plural } from "../base/plural.js";
 import { describeAll } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EntityNamer } from "../diagnostics/entity-names.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { EnginePreview } from "../engine/loader.js";
 import type { EngineResult } from "../engine/protocol.js";
-import { NO_QUALITY } from "../engine/quality-report.js";
+import { NO_QUALITY, withRegions } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
@@ -21,8 +22,11 @@ import { namedMesh, type NameSource } from "./generated-mesh.js";
 /** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {
   const { status, surface, volume, metricShapes, statistics, hasFoundNothingBetter, recording } = result;
+  const { mesh, indices } = namedMesh(result, names);
+  const quality = withRegions(statistics.quality, indices);
+  const named = quality.regions.length;
   return {
-    mesh: namedMesh(result, names),
+    mesh,
     surfaceNodes: surface.points.length / 3,
     front: volume.front,
     sides: surface.sides,
@@ -32,9 +36,10 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
     report: {
       status,
       ...statistics,
+      quality,
       diagnostics: [
-        ...describeAll(result.diagnostics, name),
-        ...poorElementWarnings(statistics.quality),
+        ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, named)),
+        ...poorElementWarnings(quality),
         ...(hasFoundNothingBetter ? [nothingBetter()] : []),
       ],
     },
@@ -113,6 +118,20 @@ export function withPreparation(
       diagnostics: [...diagnostics, ...result.report.diagnostics],
     },
   };
+}
+
+/**
+ * Returns a note on the number of regions that counts solids in several parts once, as the list of regions does. `named`: number
+ * of regions with names of their own.
+ */
+function withNamedRegions(found: Diagnostic, named: number): Diagnostic {
+  if (found.code !== "nested-regions" || found.data.regions <= named) return found;
+  const { regions } = found.data;
+  const message = found.message.replace(
+    `The model has ${plural(regions, "region")}`,
+    `The model has ${plural(named, "region")} in ${regions} separate parts`,
+  );
+  return { ...found, message, data: { ...found.data, regions: named } };
 }
 
 /** Returns a result without a mesh, for a run that was rejected, or cancelled before it made any element. */

@@ -7,6 +7,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
+import { unitedSurfaces } from "../formats/solid-units.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
 import { filledToElements } from "./counted-surface.js";
@@ -30,7 +31,13 @@ import { type SurfaceMesher, withControl } from "./surface-mesher.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withoutCracks } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
-import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
+import {
+  type ControlOf,
+  type TreatedSurface,
+  treatedSurface,
+  type Treatment,
+  unitedTreated,
+} from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { completeSurface } from "./carried-mesh.js";
@@ -40,6 +47,14 @@ import { withInterfacePatches } from "./interface-patches.js";
 /** A surface whose options are decided, ready for its treatment. */
 export interface ReadySurface extends ChangedSurface {
   readonly treatment: Treatment;
+  /** Solids of which the surface consists, if they are treated by themselves. */
+  readonly parts?: readonly ReadyPart[] | undefined;
+}
+
+/** Solids that are ready by themselves, and their given surface. */
+interface ReadyPart {
+  readonly given: Mesh;
+  readonly ready: ReadySurface;
 }
 
 /** What is known of a surface beside its options. */
@@ -61,13 +76,55 @@ export async function readySurface(
   mesher: SurfaceMesher,
   given: Mesh,
   options: SurfaceMeshOptions,
-  { isCad = false }: SurfaceOrigin,
+  origin: SurfaceOrigin,
   isExact = false,
+): Promise<ReadySurface> {
+  const { innerShells, surface: wanted = origin.isCad ? "remesh" : "auto" } = options;
+  const asked = await decided(given, wanted, options);
+  const mayBeDivided =
+    (asked.kind === "smaller" || asked.kind === "remesh") &&
+    repairPart(options) === undefined &&
+    splitPart(options) === undefined &&
+    innerShells !== "cavities" &&
+    given.patches.length > 1;
+  const parts = mayBeDivided ? await (await import("./solid-parts.js")).solidParts(mesher, given) : undefined;
+  if (parts === undefined) return readyWhole(mesher, given, asked, options, origin, isExact);
+  const ready: ReadyPart[] = [];
+  for (const part of parts)
+    ready.push({ given: part, ready: await readyWhole(mesher, part, asked, options, origin, isExact) });
+  return unitedParts(ready, asked);
+}
+
+/** Returns the surface of several solids that are ready. */
+function unitedParts(parts: readonly ReadyPart[], treatment: Treatment): ReadySurface {
+  const all = parts.map(({ ready }) => ready);
+  const changes = all.flatMap((one) => one.changes ?? []);
+  const deviations = all.flatMap(({ repairDeviation }) => repairDeviation ?? []);
+  return {
+    surface: unitedSurfaces(all.map(({ surface }) => surface)),
+    treatment,
+    parts,
+    ...(all.some((one) => one.changes !== undefined) && {
+      changes,
+      repairDeviation: Math.max(0, ...deviations),
+    }),
+    diagnostics: all.flatMap(({ diagnostics }) => diagnostics),
+  };
+}
+
+/** As `readySurface`, for a surface of which all solids are treated alike. `asked`: what becomes of triangles that do not touch others. */
+async function readyWhole(
+  mesher: SurfaceMesher,
+  given: Mesh,
+  asked: Treatment,
+  options: SurfaceMeshOptions,
+  { isCad = false }: SurfaceOrigin,
+  isExact: boolean,
 ): Promise<ReadySurface> {
   const { innerShells, surface: wanted = isCad ? "remesh" : "auto" } = options;
   const repair = repairPart(options);
   const stated = await withTouchingSolids(mesher, given, innerShells);
-  const first = await decidedForSolids(mesher, stated, wanted, options);
+  const first = await decidedForSolids(mesher, stated, asked, options);
   const isRemeshed = first.kind === "remesh";
   const isRepairImplied = repair === undefined && (isRemeshed || isCad);
   const preparation = { repair, innerShells, isRepairImplied, isRemeshed, isExact };
@@ -94,14 +151,13 @@ export async function readySurface(
   };
 }
 
-/** As `decided`; solids that touch in faces that are triangulated differently are remeshed too, which gives both the same face. */
+/** Returns the treatment; solids that touch in faces that are triangulated differently are remeshed too, which gives both the same face. */
 async function decidedForSolids(
   mesher: SurfaceMesher,
   surface: Mesh,
-  wanted: NonNullable<SurfaceMeshOptions["surface"]>,
+  treatment: Treatment,
   options: SurfaceMeshOptions,
 ): Promise<Treatment> {
-  const treatment = await decided(surface, wanted, options);
   const isAsked = treatment.kind !== "smaller" || repairPart(options) !== undefined;
   if (isAsked) return treatment;
   const touching = await countTouching(mesher, surface, options.innerShells);
@@ -155,7 +211,8 @@ export async function filledSurface(
   const { elements } = filling.options;
   // The call that fills a kept surface reaches the number itself.
   if (elements === undefined || treatment.kind === "keep") return filledOnce(mesher, given, ready, filling);
-  const counted = { surface, isRemeshed: treatment.kind === "remesh" };
+  const parts = ready.parts?.map((part) => part.ready.surface) ?? [surface];
+  const counted = { surface, parts, isRemeshed: treatment.kind === "remesh" };
   try {
     return await filledToElements(mesher, counted, { ...filling, elements }, (scaled) =>
       filledOnce(mesher, given, ready, { ...filling, ...scaled }),
@@ -175,38 +232,66 @@ async function filledOnce(
   ready: ReadySurface,
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
-  const { options, controlOf, sizeFactor } = filling;
+  if (ready.parts !== undefined) return partsFilled(mesher, ready, ready.parts, filling);
+  const { options, controlOf } = filling;
   const mesh = meshPart(options);
   const again = () => readySurface(withControl(mesher, controlOf()), given, options, filling, true);
   const isExactPossible = repairPart(options) === undefined && ready.treatment.kind === "remesh";
   const exact = isExactPossible && hasWelded(given, ready) ? again : undefined;
-  const treat = ({ surface, treatment }: ReadySurface) =>
-    treatedSurface(mesher, surface, {
-      treatment,
-      remeshing: remeshSettings(options),
-      options: mesh,
-      sizeFactor,
-      controlOf,
-    });
   try {
-    const best = await remeshedBest(ready, exact, treat);
+    const best = await remeshedBest(ready, exact, (one) => treated(mesher, one, filling));
     const tried = filling.isRecorded === true ? { ...best, welded: undefined, exact: undefined } : best;
     const filled = await filledBest(tried, (made) => fill(mesher, made, mesh, controlOf()));
     const { made, prepared, result, isExact } = filled;
     const { treatment: _, ...done } = prepared;
-    const { invalid, diagnostics: __, ...counts } = made;
-    const all = { ...done, ...(invalid === undefined && counts), isExact };
-    const named = filling.hasInterfacePatches === true ? withInterfaces(result, all.surface) : result;
-    return { ...named, ...all };
+    return meshed(result, done, made, { ...filling, isExact });
   } catch (failure) {
     return cancelled(failure, ready);
   }
+}
+
+/** As `filledOnce`, for solids that are treated by themselves and filled together. */
+async function partsFilled(
+  mesher: Mesher,
+  { treatment: _, parts: __, ...ready }: ReadySurface,
+  parts: readonly ReadyPart[],
+  filling: FillingOptions,
+): Promise<MeshedSurface> {
+  const made: TreatedSurface[] = [];
+  for (const { ready: part } of parts) made.push(await treated(mesher, part, filling));
+  const united = unitedTreated(made);
+  const result = await fill(mesher, united, meshPart(filling.options), filling.controlOf());
+  return meshed(result, ready, united, { ...filling, isExact: false });
+}
+
+function treated(
+  mesher: Mesher,
+  { surface, treatment }: ReadySurface,
+  { options, sizeFactor, controlOf }: FillingOptions,
+): Promise<TreatedSurface> {
+  const remeshing = remeshSettings(options);
+  const treating = { treatment, remeshing, options: meshPart(options), sizeFactor, controlOf };
+  return treatedSurface(mesher, surface, treating);
 }
 
 /** Returns what a run that was cancelled has made; throws other failures. */
 function cancelled(failure: unknown, ready: ReadySurface): MeshedSurface {
   if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
   return { ...emptyResult("cancelled"), ...ready, isExact: false };
+}
+
+/** Returns the mesh of a surface, and what was done to the surface before. */
+function meshed(
+  result: MeshResult,
+  ready: ChangedSurface,
+  { invalid, diagnostics: _, ...treated }: TreatedSurface,
+  {
+    hasInterfacePatches,
+    isExact,
+  }: Pick<FillingOptions, "hasInterfacePatches"> & { readonly isExact: boolean },
+): MeshedSurface {
+  const all = { ...ready, ...(invalid === undefined && treated), isExact };
+  return { ...(hasInterfacePatches === true ? withInterfaces(result, all.surface) : result), ...all };
 }
 
 /** Returns the result with patches for interfaces, if the surface states its regions. */

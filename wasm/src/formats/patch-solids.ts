@@ -25,7 +25,9 @@ export function* solidsOfPatches(given: Mesh): Steps<Mesh | undefined> {
     const own = owned[p] ?? [];
     const triangles = Uint32Array.from(own.flatMap((t) => [...given.triangles.subarray(3 * t, 3 * t + 3)]));
     const trianglePatch = new Uint32Array(own.length);
-    const surface = { ...noVolume(), points: given.points, triangles, trianglePatch, patches: [patch] };
+    // The name is that of the solid.
+    const named = [{ ...patch, name: "" }];
+    const surface = { ...noVolume(), points: given.points, triangles, trianglePatch, patches: named };
     if (own.length > 0) parts.push({ name: patch.name, surface });
   }
   const { unit } = given;

@@ -28,16 +28,18 @@ export function* surfaceRegionsOf(mesh: Mesh): Steps<SurfaceRegions | undefined>
   return { regions, triangleRegions };
 }
 
-/** Regions of a mesh, beside its triangles and of its tetrahedra. */
-export type MeshRegions = Pick<Mesh, "regions" | "tetrahedronRegion"> &
-  Pick<SurfaceRegions, "triangleRegions">;
+/** Regions with names, and per region of a run the index of that which it is, or is a part of. */
+export interface NamedRegions {
+  readonly regions: readonly MeshGroup[];
+  readonly indices: readonly number[];
+}
 
 /** Returns the regions of a mesh generated from the surface, with the tags and names of their matches. */
 export function carriedRegions(
-  { triangleRegions, tetrahedronRegion }: Omit<MeshRegions, "regions">,
+  triangleRegions: Uint32Array,
   given: SurfaceRegions,
   count: number,
-): MeshRegions {
+): NamedRegions {
   const found = matches(triangleRegions, given, count);
   const used = [...new Set(found)].filter((region) => region !== NO_REGION).sort((a, b) => a - b);
   // Several volumes of a file may be one region: they have the same tag and name.
@@ -52,11 +54,7 @@ export function carriedRegions(
     regions.push({ name: `region ${own + 1}`, tag: lastTag + ++added, isTagChosen: true });
     return regions.length - 1;
   });
-  return {
-    regions,
-    tetrahedronRegion: tetrahedronRegion.map((region) => indices[region] ?? 0),
-    triangleRegions: triangleRegions.map((region) => indices[region] ?? NO_REGION),
-  };
+  return { regions, indices };
 }
 
 /** Triangles with the same regions on their sides, in the mesh and in the file. */

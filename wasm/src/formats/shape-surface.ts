@@ -144,8 +144,8 @@ class SharedPatches {
   }
 }
 
-/** Returns the name of a patch; `own`: that of the face, empty if the whole shape is one face. */
+/** Returns the name of a patch; `own`: that of the face, empty or the same if the whole shape is one face. */
 function labelOf(own: string, shape: string, isOnlyShape: boolean): string {
   if (own === "") return isOnlyShape ? "surface" : shape;
-  return isOnlyShape ? own : `${shape} ${own}`;
+  return isOnlyShape || own === shape ? own : `${shape} ${own}`;
 }

@@ -1,5 +1,11 @@
 /** Names of regions from the solids or groups of a file that bound them: the format states no regions. */
-import type { MeshGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
+import {
+  isColorName,
+  isNumberedSolid,
+  type Mesh,
+  type MeshGroup,
+  type SurfaceRegions,
+} from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
 import { differentNames, hasGenericName } from "./groups.js";
 
@@ -21,7 +27,8 @@ export function namesOfSolids(
   const patchOfShell = patchesOfShells(shells, trianglePatch);
   const found = outer.map((shell) => {
     const patch = patches[patchOfShell.get(shell) ?? -1];
-    return patch === undefined || hasGenericName(patch) ? undefined : patch.name;
+    const isNamed = patch !== undefined && !hasGenericName(patch) && !isColorName(patch.name);
+    return isNamed && !(patches.length === 1 && isNumberedSolid(patch.name)) ? patch.name : undefined;
   });
   return differentNames(found);
 }

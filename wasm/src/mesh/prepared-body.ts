@@ -17,6 +17,8 @@ export interface PreparedBody extends Partial<Omit<SurfaceRemesh, "mesh" | "orig
   readonly trianglePatch: Uint32Array;
   /** Per triangle: index of a given triangle of the same patch, near it. */
   readonly origin: Uint32Array;
+  /** Factor on all sizes, if a number of elements was reached with it; the run of another number cannot use the body. */
+  readonly sizeFactor?: number | undefined;
   /** Warnings; a surface with errors cannot be prepared. */
   readonly diagnostics: readonly Diagnostic[];
 }

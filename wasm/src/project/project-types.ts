@@ -69,6 +69,8 @@ export interface ProjectBodyPatch {
   readonly name?: string | undefined;
   /** Red, green and blue from 0 to 1, in sRGB, as in the file of the body. */
   readonly color?: readonly [number, number, number] | undefined;
+  /** Name of the solid that the patch bounds, in a body of several solids. */
+  readonly solid?: string | undefined;
 }
 
 /** What is done to the triangles of a body before it is filled. */

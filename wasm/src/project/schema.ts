@@ -73,7 +73,12 @@ const patchSchema = v.pipe(
 );
 
 const bodyPatchSchema = v.pipe(
-  objectWith({ id, name, color: v.optional(described(WORDS.patchColor, color)) }),
+  objectWith({
+    id,
+    name,
+    color: v.optional(described(WORDS.patchColor, color)),
+    solid: v.optional(described(WORDS.patchSolid, v.string())),
+  }),
   v.readonly(),
 );
 

@@ -3,6 +3,7 @@ import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { integers } from "../calls/schemas.js";
 import { NO_REGION } from "../generated/constants.js";
+import { partOfSolids, type SolidsSurface } from "../formats/solid-units.js";
 import { type MeshGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/mesh.js";
 import { createBody, type GivenTriangles, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
 import type { ProjectBody } from "./project-types.js";
@@ -33,14 +34,38 @@ export function createBodies(surface: SolidSurface, body: NewBody): ProjectBody[
   if (surfaceRegions === undefined) return [createBody(surface, body)];
   const { regions, triangleRegions } = surfaceRegions;
   const groups = joinedRegions(regions.length, triangleRegions);
-  if (groups.length <= 1) return [withName(createBody(surface, body), groups[0] ?? [], regions)];
+  if (groups.length <= 1) {
+    const only = withSolids(createBody(surface, body), surface, surfaceRegions);
+    return [withName(only, groups[0] ?? [], regions)];
+  }
   let [id, firstPatchId] = [body.id, body.firstPatchId];
   return trianglesOfGroups(groups, surface.triangles.length / 3, triangleRegions).flatMap((owned, g) => {
     if (owned.length === 0) return [];
-    const part = createBody(partOf(surface, owned), { ...body, id, firstPatchId });
+    const own = partOf(surface, owned);
+    const sides = Uint32Array.from({ length: 2 * owned.length }, (_, side) => {
+      return triangleRegions[2 * (owned[side >>> 1] ?? 0) + (side % 2)] ?? NO_REGION;
+    });
+    const ofPart = { regions, triangleRegions: sides };
+    const part = withSolids(createBody(own, { ...body, id, firstPatchId }), own, ofPart);
     id++;
     firstPatchId += part.patches.length;
     return [withName(part, groups[g] ?? [], regions)];
+  });
+}
+
+/** Returns one body per unit of solids, which `solidUnits` finds; ids continue from those of `body`. O(n). */
+export function createUnitBodies(
+  given: SolidsSurface,
+  units: readonly (readonly number[])[],
+  body: NewBody,
+): ProjectBody[] {
+  let [id, firstPatchId] = [body.id, body.firstPatchId];
+  return units.map((unit) => {
+    const part = partOfSolids(given, unit);
+    const made = withSolids(createBody(part, { ...body, id, firstPatchId }), part, part.surfaceRegions);
+    id++;
+    firstPatchId += made.patches.length;
+    return withName(made, unit, given.surfaceRegions.regions);
   });
 }
 
@@ -85,6 +110,28 @@ function joinedRegions(count: number, triangleRegions: Uint32Array): number[][] 
     else group.push(region);
   });
   return [...groups.values()];
+}
+
+/** Returns a body whose patches state their solids, if it has several; a patch between two solids belongs to either. */
+function withSolids(
+  body: ProjectBody,
+  { trianglePatch }: Pick<SolidSurface, "trianglePatch">,
+  { regions, triangleRegions }: SurfaceRegions,
+): ProjectBody {
+  const used = new Set(triangleRegions);
+  used.delete(NO_REGION);
+  if (used.size < 2) return body;
+  const regionOf = new Map<number, number>();
+  trianglePatch.forEach((patch, t) => {
+    const [one = NO_REGION, other = NO_REGION] = triangleRegions.subarray(2 * t, 2 * t + 2);
+    const isOutside = one === NO_REGION || other === NO_REGION;
+    if (isOutside || !regionOf.has(patch)) regionOf.set(patch, Math.min(one, other));
+  });
+  const patches = body.patches.map((patch, p) => {
+    const solid = regions[regionOf.get(p) ?? NO_REGION]?.name ?? "";
+    return solid === "" ? patch : { ...patch, solid };
+  });
+  return { ...body, patches };
 }
 
 /** Largest number of solids in the name of a body. */

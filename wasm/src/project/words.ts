@@ -46,6 +46,7 @@ export const WORDS = {
   bodyTriangles: "Given triangles: base64 of three node indices each, as little-endian 32-bit integers",
   trianglePatch:
     "Base64 of the index in `patches` of each triangle, as little-endian 32-bit integers; may be omitted if there is one patch",
+  patchSolid: "Name of the solid that the patch bounds, in a body of several solids",
   patchColor: "Red, green and blue from 0 to 1, in sRGB, as in the file of the body",
   bodyPatches: "Patches of the body; their ids differ from those of all other patches of the project",
   bodySurface:

@@ -4,6 +4,7 @@ import type { RegionChoice } from "../../document/quality-counts";
 import { formatCount } from "../../ui/format";
 import { strings } from "../../strings";
 import styles from "./quality-report.module.css";
+import { useRun } from "../shared/app-context";
 import { RegionSwatch } from "../shared/region-list";
 
 const texts = strings.report;
@@ -16,6 +17,7 @@ export interface RegionSelectProps {
 
 /** Chooses the region that the charts show. */
 export function RegionSelect({ quality, choice, onChoose }: RegionSelectProps) {
+  const groups = useRun((state) => state.mesh?.mesh.regions);
   const all = quality.regions.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
   return (
     <Select
@@ -28,7 +30,7 @@ export function RegionSelect({ quality, choice, onChoose }: RegionSelectProps) {
         { value: "all", label: texts.allRegions(formatCount(all)) },
         ...quality.regions.map(({ region, tetrahedra }) => ({
           value: String(region),
-          label: texts.oneRegion(region + 1, formatCount(tetrahedra)),
+          label: texts.oneRegion(region + 1, groups?.[region]?.name, formatCount(tetrahedra)),
         })),
       ]}
       value={choice === null ? "all" : String(choice)}

@@ -1,8 +1,8 @@
 import { UnstyledButton } from "@mantine/core";
 import { formatCount } from "../../ui/format";
 import { regionColor } from "../../ui/theme/region-colors";
-import { strings } from "../../strings";
-import { useApp, useRegions, useView } from "./app-context";
+import { ownRegionName, strings } from "../../strings";
+import { useApp, useRegions, useRun, useView } from "./app-context";
 import styles from "./region-list.module.css";
 
 /** The colour in which the view draws a region. */
@@ -19,6 +19,7 @@ export interface RegionListProps {
 export function RegionList({ testId }: RegionListProps) {
   const app = useApp();
   const regions = useRegions();
+  const groups = useRun((state) => state.mesh?.mesh.regions);
   const hidden = useView((state) => state.hiddenRegions);
   return (
     <ul className={styles["list"]}>
@@ -27,13 +28,14 @@ export function RegionList({ testId }: RegionListProps) {
           <UnstyledButton
             className={styles["region"]}
             aria-pressed={!hidden.has(region)}
-            aria-label={strings.report.oneRegion(region + 1, formatCount(tetrahedra))}
+            aria-label={strings.report.oneRegion(region + 1, groups?.[region]?.name, formatCount(tetrahedra))}
             title={hidden.has(region) ? strings.regions.show : strings.regions.hide}
             data-testid={`${testId}-${region + 1}`}
             onClick={() => app.view.toggleRegion(region)}
           >
             <RegionSwatch region={region} />
             <b>{region + 1}</b>
+            <span className={styles["name"]}>{ownRegionName(region + 1, groups?.[region]?.name)}</span>
             <span>{formatCount(tetrahedra)}</span>
           </UnstyledButton>
         </li>

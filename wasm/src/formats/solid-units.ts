@@ -1,0 +1,211 @@
+/**
+ * Solids of a file that are prepared together, with common sizes, so that the package and the application make the same mesh of
+ * one file. Solids that may touch are prepared one by one until it is known which of them do: these become one surface. All
+ * others are free, and one surface too.
+ */
+import { NO_REGION } from "../generated/constants.js";
+import type { SurfaceRegions, Mesh } from "../mesh/mesh.js";
+import { noVolume } from "./boundary.js";
+
+/** A box that contains a solid. */
+export interface Box {
+  readonly low: readonly number[];
+  readonly high: readonly number[];
+}
+
+/** A surface whose solids are known. */
+export interface SolidsSurface extends Omit<Mesh, "surfaceRegions"> {
+  readonly surfaceRegions: SurfaceRegions;
+}
+
+/** Returns the pairs of boxes that are not apart, as indices, the smaller first. */
+export function nearPairs(boxes: readonly Box[]): (readonly [number, number])[] {
+  return boxes.flatMap(({ low, high }, i) =>
+    boxes.slice(i + 1).flatMap((other, k) => {
+      const isApart = low.some((x, axis) => {
+        const [from = x, to = x] = [other.low[axis], other.high[axis]];
+        return x > to || (high[axis] ?? x) < from;
+      });
+      return isApart ? [] : [[i, i + 1 + k] as const];
+    }),
+  );
+}
+
+/** Returns whether a box lies inside another one and touches none of its sides. */
+export function isWithin(inner: Box, outer: Box): boolean {
+  return inner.low.every((x, k) => x > (outer.low[k] ?? x) && (inner.high[k] ?? x) < (outer.high[k] ?? x));
+}
+
+/** Returns the indices below `count` in groups that are connected by pairs, by their first ones; each is in one group. */
+export function connectedGroups(count: number, pairs: readonly (readonly [number, number])[]): number[][] {
+  const groupOf = Array.from({ length: count }, (_, index) => [index]);
+  for (const [one, other] of pairs) {
+    const [into = [], from = []] = [groupOf[one], groupOf[other]];
+    if (into === from) continue;
+    into.push(...from);
+    for (const index of from) groupOf[index] = into;
+  }
+  return [...new Set(groupOf)]
+    .map((group) => group.toSorted((a, b) => a - b))
+    .sort(([a = 0], [b = 0]) => a - b);
+}
+
+/**
+ * Returns the solids of a surface in units, by their first ones: each solid that may touch another is one, with those that it
+ * shares triangles with; all others are one together. Boxes decide: solids within others do not touch. O(n).
+ */
+export function solidUnits({ points, triangles, surfaceRegions }: SolidsSurface): number[][] {
+  const { regions, triangleRegions } = surfaceRegions;
+  const boxes = boxesOf({ points, triangles }, regions.length, triangleRegions);
+  const isNear = new Set(
+    nearPairs(boxes)
+      .filter(([a, b]) => {
+        const [one, other] = [boxes[a], boxes[b]];
+        return one !== undefined && other !== undefined && !isWithin(one, other) && !isWithin(other, one);
+      })
+      .flat(),
+  );
+  const free = regions.flatMap((_, region) => (isNear.has(region) ? [] : [region]));
+  const ofFree = free.slice(1).map((region) => [free[0] ?? 0, region] as const);
+  return connectedGroups(regions.length, [...sharedPairs(triangleRegions), ...ofFree]);
+}
+
+/** Returns the pairs of regions with common triangles. */
+export function sharedPairs(triangleRegions: Uint32Array): (readonly [number, number])[] {
+  const pairs = new Map<string, readonly [number, number]>();
+  for (let side = 0; side < triangleRegions.length; side += 2) {
+    const [a, b] = [triangleRegions[side] ?? NO_REGION, triangleRegions[side + 1] ?? NO_REGION];
+    if (a === NO_REGION || b === NO_REGION || a === b) continue;
+    pairs.set(`${a} ${b}`, [a, b]);
+  }
+  return [...pairs.values()];
+}
+
+/** Returns the box of points. */
+export function boxOf(points: Float64Array): Box {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  points.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3] ?? x, x);
+    high[i % 3] = Math.max(high[i % 3] ?? x, x);
+  });
+  return { low, high };
+}
+
+function boxesOf(
+  { points, triangles }: Pick<Mesh, "points" | "triangles">,
+  count: number,
+  triangleRegions: Uint32Array,
+): Box[] {
+  const boxes = Array.from({ length: count }, () => ({
+    low: [Infinity, Infinity, Infinity],
+    high: [-Infinity, -Infinity, -Infinity],
+  }));
+  triangleRegions.forEach((region, side) => {
+    const box = boxes[region];
+    if (box === undefined) return;
+    const t = side >>> 1;
+    for (const node of triangles.subarray(3 * t, 3 * t + 3)) {
+      for (let k = 0; k < 3; k++) {
+        const x = points[3 * node + k] ?? 0;
+        box.low[k] = Math.min(box.low[k] ?? x, x);
+        box.high[k] = Math.max(box.high[k] ?? x, x);
+      }
+    }
+  });
+  return boxes;
+}
+
+/** Returns these solids of a surface, with the nodes and patches that they use, in the order of the triangles. O(n). */
+export function partOfSolids(given: SolidsSurface, solids: readonly number[]): SolidsSurface {
+  const { points, triangles, trianglePatch, patches, surfaceRegions } = given;
+  const indexOf = new Map(solids.map((region, index) => [region, index]));
+  const nodes = new Numbering();
+  const usedPatches = new Numbering();
+  const corners: number[] = [];
+  const owners: number[] = [];
+  const sides: number[] = [];
+  for (let t = 0; t < trianglePatch.length; t++) {
+    const beside = [0, 1].map((side) =>
+      indexOf.get(surfaceRegions.triangleRegions[2 * t + side] ?? NO_REGION),
+    );
+    if (beside.every((region) => region === undefined)) continue;
+    for (const node of triangles.subarray(3 * t, 3 * t + 3)) corners.push(nodes.of(node));
+    owners.push(usedPatches.of(trianglePatch[t] ?? 0));
+    for (const region of beside) sides.push(region ?? NO_REGION);
+  }
+  const kept = nodes.given;
+  const triangleRegions = Uint32Array.from(sides);
+  const maxVolumes = Float64Array.from(solids, (region) => given.givenRegions?.maxVolumes[region] ?? 0);
+  return {
+    ...noVolume(),
+    points: Float64Array.from({ length: 3 * kept.length }, (_, i) => {
+      return points[3 * (kept[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0;
+    }),
+    triangles: Uint32Array.from(corners),
+    trianglePatch: Uint32Array.from(owners),
+    patches: usedPatches.given.flatMap((patch) => patches[patch] ?? []),
+    surfaceRegions: {
+      regions: solids.flatMap((region) => surfaceRegions.regions[region] ?? []),
+      triangleRegions,
+    },
+    ...(given.givenRegions && { givenRegions: { triangleRegions: triangleRegions.slice(), maxVolumes } }),
+    ...(given.unit && { unit: given.unit }),
+  };
+}
+
+/** Numbers indices in the order in which they first appear. */
+class Numbering {
+  readonly given: number[] = [];
+  readonly #indices = new Map<number, number>();
+
+  of(index: number): number {
+    const known = this.#indices.get(index);
+    if (known !== undefined) return known;
+    this.#indices.set(index, this.given.length);
+    return this.given.push(index) - 1;
+  }
+}
+
+/** Returns surfaces as one; its nodes, patches and regions are those of the first, then of the next. O(n). */
+export function unitedSurfaces(parts: readonly Mesh[]): Mesh {
+  const sum = (of: (part: Mesh) => number): number => parts.reduce((all, part) => all + of(part), 0);
+  const points = new Float64Array(sum((part) => part.points.length));
+  const triangles = new Uint32Array(sum((part) => part.triangles.length));
+  const trianglePatch = new Uint32Array(triangles.length / 3);
+  const triangleRegions = new Uint32Array(2 * trianglePatch.length).fill(NO_REGION);
+  let [node, triangle, patch, region] = [0, 0, 0, 0];
+  for (const part of parts) {
+    const count = part.trianglePatch.length;
+    points.set(part.points, 3 * node);
+    triangles.set(
+      part.triangles.map((corner) => node + corner),
+      3 * triangle,
+    );
+    trianglePatch.set(
+      part.trianglePatch.map((own) => patch + own),
+      triangle,
+    );
+    const sides = part.surfaceRegions?.triangleRegions;
+    sides?.forEach((own, side) => {
+      if (own !== NO_REGION) triangleRegions[2 * triangle + side] = region + own;
+    });
+    node += part.points.length / 3;
+    triangle += count;
+    patch += part.patches.length;
+    region += part.surfaceRegions?.regions.length ?? 0;
+  }
+  const [first] = parts;
+  return {
+    ...noVolume(),
+    points,
+    triangles,
+    trianglePatch,
+    patches: parts.flatMap(({ patches }) => patches),
+    surfaceRegions: {
+      regions: parts.flatMap(({ surfaceRegions }) => surfaceRegions?.regions ?? []),
+      triangleRegions,
+    },
+    ...(first?.unit && { unit: first.unit }),
+  };
+}
