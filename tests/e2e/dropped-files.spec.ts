@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { meshFile } from "tetrafront";
+import { meshFile, type SurfaceInput } from "tetrafront";
 import { boundaryTriangles, measured } from "../support/mesh-measures";
 import { parseVtu } from "../support/mesh-files";
 import { boxSolid, stepFile } from "../support/step-files";
@@ -67,6 +67,30 @@ test("solids of one STL file that touch, share a volume, are apart or nested giv
     expect([tets, fingerprint]).toEqual([made.report.tetrahedra, made.report.fingerprint]);
     await expect(page.getByTestId("log")).toContainText(`The model has ${solids.length + 1} regions`);
   }
+});
+
+test("solids that touch are a calm note; those that share a volume are a warning that names them and the volume", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const fileOf = (other: SurfaceInput): Uint8Array =>
+    Uint8Array.of(...stlText(boxSurface(1, [0, 0, 0], [2, 2, 2]), "base"), ...stlText(other, "other"));
+  await dropBytes(page, fileOf(boxSurface(1, [0.5, 0.5, 2], [1.5, 1.5, 3.5])), "touching.stl");
+  await page.getByRole("tab", { name: /Problems/ }).click();
+  const note = page.getByTestId("problems-touching-bodies");
+  await expect(note).toContainText("1 note");
+  await expect(note).toContainText("base and other touch or intersect");
+  await app.generate();
+  await expect(page.getByTestId("problem-list")).toContainText("No problems found.");
+  await dropBytes(page, fileOf(boxSurface(1, [1, 1, 1], [3, 3, 3])), "overlapping.stl");
+  await expect(note).toContainText("1 note");
+  await app.generate();
+  const warning = page.getByTestId("problems-touching-solids");
+  await expect(warning).toContainText("1 warning");
+  await expect(warning).toContainText(
+    "base and other overlap by a volume of 1, 13 % of the smallest of them",
+  );
 });
 
 test("a number of elements is reached by the search of the package; the body's figures are those of the mesh", async ({

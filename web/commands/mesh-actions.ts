@@ -5,7 +5,7 @@ import { hasSizes, proposedSize } from "../document/operations/sizes";
 import { setMeshing } from "../document/size-edits";
 import { type BodiesState, canBeFilled, isFillable } from "../session/bodies";
 import { hideMeshNotices, hideNotice, showNotice } from "../session/shell";
-import type { RunPreparation } from "../session/run";
+import type { RunNote, RunPreparation } from "../session/run";
 import type { Improvement } from "../session/shown-mesh";
 import { inputMode } from "../tools/input-mode";
 import { untilState } from "../session/until-state";
@@ -45,7 +45,7 @@ const isTyping = (): boolean =>
 async function validBodies(
   app: App,
   { signal, onPart }: Parameters<RunPreparation>[0],
-): Promise<readonly string[] | null> {
+): Promise<readonly RunNote[] | null> {
   const documentId = (): string => app.documents.state.getState().id;
   const id = documentId();
   const inspect = async (): Promise<void> => {
@@ -59,7 +59,7 @@ async function validBodies(
   await inspect();
   if (documentId() === id) {
     onPart(parts.join);
-    await joinTouchingBodies(app, signal, (sentence) => notes.push(sentence)).catch((error: unknown) => {
+    await joinTouchingBodies(app, signal, (note) => notes.push(note)).catch((error: unknown) => {
       if (signal.aborted) throw error;
       showFailure(app, parts.join, error);
     });
@@ -76,13 +76,13 @@ async function validBodies(
 const parts = strings.bodies.preparing;
 
 /** Applies the proposed repairs that make bodies valid. Returns what they did. */
-async function repairBodies(app: App, signal: AbortSignal): Promise<string[]> {
-  const notes: string[] = [];
+async function repairBodies(app: App, signal: AbortSignal): Promise<RunNote[]> {
+  const notes: RunNote[] = [];
   for (const id of repairableBodies(app)) {
     signal.throwIfAborted();
     await comparisonOfRepairs(app, id, signal);
     signal.throwIfAborted();
-    notes.push(...repairNotes(app, id));
+    notes.push(...repairNotes(app, id).map((text) => ({ level: "information", text }) as const));
     await repairBody(app, id);
   }
   return notes;

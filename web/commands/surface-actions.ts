@@ -7,6 +7,7 @@ import { inProjectUnit, unitOf } from "../document/length-units";
 import { bodiesOf, bodyLabel, bodyOfPatch, findRecord, type Entity } from "../document/entities";
 import { failureLines, openDocumentFile } from "../session/files";
 import { fillableBodies } from "../session/bodies";
+import type { RunNote } from "../session/run";
 import { joinedBody } from "../session/touching-bodies";
 import { bodyStepNames, strings } from "../strings";
 import { formatShort } from "../ui/format";
@@ -100,13 +101,13 @@ export async function repairBody(app: App, id: number): Promise<void> {
 
 /**
  * Joins bodies that touch or intersect, each group as one step of undo, so that they have common triangles there. Calls
- * `onJoined` with a sentence for each group. Bodies that cannot be joined stay as they are: a run reports why. So do those
+ * `onJoined` with what was done to each group, and with a warning about a volume that they share. Bodies that cannot be joined stay as they are: a run reports why. So do those
  * that were changed meanwhile.
  */
 export async function joinTouchingBodies(
   app: App,
   signal: AbortSignal,
-  onJoined: (sentence: string) => void,
+  onJoined: (note: RunNote) => void,
 ): Promise<void> {
   const { byId } = app.bodies.state.getState();
   if (byId.size < 2) return;
@@ -124,8 +125,17 @@ export async function joinTouchingBodies(
     const ids = bodies.map(({ id }) => id);
     app.documents.edit(replaceByJoined(project, bodyStepNames.join(bodies.map(bodyLabel)), body, ids));
     app.view.selectAll([{ kind: "body", id: body.id }]);
-    onJoined(strings.bodies.touching.joined(bodies.map(bodyLabel), regions, formatShort(shared)));
+    const names = bodies.map(bodyLabel);
+    onJoined({ level: "information", text: strings.bodies.touching.joined(names, regions) });
+    if (shared > 0) onJoined(overlapNote(names, shared, Math.min(...group.map(({ volume }) => volume))));
   }
+}
+
+/** Warns that bodies which were joined share a volume. `smallest`: that of the smallest body. */
+function overlapNote(names: readonly string[], shared: number, smallest: number): RunNote {
+  const { overlap, overlapRemedy: remedy } = strings.bodies.touching;
+  const percent = String(Number(((100 * shared) / smallest).toPrecision(2)));
+  return { level: "warning", text: overlap(names, formatShort(shared), percent), remedy };
 }
 
 /** Replaces a body as one step of undo, unless it has changed meanwhile. Returns whether it was replaced. */

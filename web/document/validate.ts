@@ -129,6 +129,25 @@ export function touchingProblem(bodies: readonly ProjectBody[]): Problem {
   };
 }
 
+/** Warns of what a run has found while it joined bodies. */
+export function overlapProblem({
+  text,
+  remedy = "",
+}: {
+  readonly text: string;
+  readonly remedy?: string;
+}): Problem {
+  const nothing = { entities: [], triangles: [], body: null, position: null };
+  return {
+    key: `touching-solids: ${text}`,
+    severity: "warning",
+    code: "touching-solids",
+    message: text,
+    remedy,
+    ...nothing,
+  };
+}
+
 /** Entities and triangles to emphasize in the view. */
 export interface Defects {
   /** Indices of triangles in the surface that the last run rejected. */

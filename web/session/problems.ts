@@ -9,6 +9,7 @@ import { type DocumentStore } from "./document-store";
 import { bodiesOf, isEmptyProject, recordsOf } from "../document/entities";
 import {
   bodyProblems,
+  overlapProblem,
   problemsByEntity,
   sorted,
   toProblems,
@@ -48,6 +49,7 @@ export class ProblemList {
       const current = checked === project;
       if (!current && checked !== null && previews.busy) return;
       const areBodiesChecked = check.state.getState().key === meshKey(project);
+      const isPresent = outcome !== null && [meshKey(project), shownMeshKey(content)].includes(outcome.key);
       const ofDrawn = toProblems(project, [
         // An empty project lacks everything; only a run reports that. Bodies need no patches beside them.
         ...(current && !isEmptyProject(project) && !hasBodiesOnly(project)
@@ -58,9 +60,7 @@ export class ProblemList {
           ({ id }) => bodies.state.getState().byId.get(id)?.preparationErrors ?? [],
         ),
         // A run finds more than the checks do.
-        ...(outcome && [meshKey(project), shownMeshKey(content)].includes(outcome.key)
-          ? outcome.result.report.diagnostics
-          : []),
+        ...(isPresent ? outcome.result.report.diagnostics : []),
       ]);
       const { byId } = bodies.state.getState();
       const touching = (areBodiesChecked ? check.state.getState().touching : []).map((ids) =>
@@ -70,7 +70,8 @@ export class ProblemList {
         const inspection = byId.get(body.id)?.inspection;
         return inspection ? bodyProblems(body, inspection) : [];
       });
-      const others = [...touching, ...ofBodies];
+      const overlaps = isPresent ? outcome.warnings.map(overlapProblem) : [];
+      const others = [...overlaps, ...touching, ...ofBodies];
       const problems = others.length > 0 ? sorted([...ofDrawn, ...others]) : ofDrawn;
       this.state.setState({ problems, byEntity: problemsByEntity(problems), areBodiesChecked });
     };

@@ -32,6 +32,8 @@ export interface RunOutcome {
   readonly result: MeshResult;
   /** Number of tetrahedra that the run expected; 0 if it ended before that, or if no run has made the mesh. */
   readonly expectedTetrahedra: number;
+  /** Warnings of its preparation. */
+  readonly warnings: readonly RunNote[];
 }
 
 export interface RunState {
@@ -86,6 +88,13 @@ export interface PreparedBodies {
   readonly keep: (project: Project, prepared: PreparedBody) => void;
 }
 
+/** What was done to the model before a run, or what the user should know of it: a warning is a problem of the run too. */
+export interface RunNote {
+  readonly level: "information" | "warning";
+  readonly text: string;
+  readonly remedy?: string;
+}
+
 /**
  * Changes the model before a run meshes it. Calls `onPart` with what it does next, and with its progress from 0 to 1 if it takes long. Returns what was done, for the log; null if
  * the model must not be meshed. Rejects if it is aborted.
@@ -93,7 +102,7 @@ export interface PreparedBodies {
 export type RunPreparation = (control: {
   readonly signal: AbortSignal;
   readonly onPart: (text: string, fraction?: number) => void;
-}) => Promise<readonly string[] | null>;
+}) => Promise<readonly RunNote[] | null>;
 
 /** Who has asked for a run. Only the runs of the user are steps of undo. */
 export type RunOrigin = "user" | "app";
@@ -188,7 +197,7 @@ export class MeshRun {
   }
 
   /** Prepares the model. Returns null if it must not be meshed. */
-  async #prepared(prepare: RunPreparation, signal: AbortSignal): Promise<readonly string[] | null> {
+  async #prepared(prepare: RunPreparation, signal: AbortSignal): Promise<readonly RunNote[] | null> {
     const began = performance.now();
     // A part may have begun before the run.
     let first: number | null = null;
@@ -209,14 +218,16 @@ export class MeshRun {
     }
   }
 
-  async #mesh(by: RunOrigin, notes: readonly string[], signal: AbortSignal): Promise<void> {
+  async #mesh(by: RunOrigin, notes: readonly RunNote[], signal: AbortSignal): Promise<void> {
     const project = settledProject(this.#documents.state.getState());
     // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
     let expectedTetrahedra = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
     log("information", logStrings.meshing(project.name));
-    for (const note of notes) log("information", note);
+    for (const { level, text, remedy } of notes)
+      log(level, remedy === undefined ? text : `${sentence(text)} ${remedy}`);
+    const warnings = notes.filter(({ level }) => level === "warning");
     try {
       const [input, options] = engineInput(project);
       const preparedBodies = this.#preparations.allOf(project);
@@ -243,7 +254,7 @@ export class MeshRun {
       );
       elapsedSeconds = result.report.seconds.total;
       const key = meshKey(project);
-      this.#finish(project, { result, expectedTetrahedra }, log);
+      this.#finish(project, { result, expectedTetrahedra, warnings }, log);
       await this.#documents.afterGesture();
       if (isShowable(result)) this.#replaceVersion(key, by);
     } catch (error) {
@@ -437,7 +448,7 @@ export class MeshRun {
     const shown = this.#cache.get(key);
     if (!shown) return;
     const meshedBodies = placedSurfacesKey(bodiesOf(content.project));
-    const outcome = { key, result: shown.mesh, expectedTetrahedra: 0 };
+    const outcome = { key, result: shown.mesh, expectedTetrahedra: 0, warnings: [] };
     this.state.setState({ ...shown, meshKey: key, meshedBodies, outcome, failure: null });
   }
 
@@ -457,7 +468,7 @@ function isDue(before: CallProgress | null, { phase, elapsedSeconds }: CallProgr
 const sizeOf = ({ report }: MeshResult): string =>
   logStrings.size(count(report.tetrahedra), count(report.nodes));
 
-function summary({ result, expectedTetrahedra }: Omit<RunOutcome, "key">): string {
+function summary({ result, expectedTetrahedra }: Pick<RunOutcome, "result" | "expectedTetrahedra">): string {
   const { report } = result;
   const size = sizeOf(result);
   const seconds = `${report.seconds.total.toFixed(2)} s`;

@@ -222,12 +222,13 @@ export const bodyStrings = {
     message: (names: readonly string[]) => `${listed(names)} touch or intersect`,
     remedy:
       "“Generate mesh” joins them into one body with common triangles where they touch. To keep them apart, move one under Placement.",
-    /** `shared`: the volume that several bodies enclose. */
-    joined: (names: readonly string[], regions: number, shared: string) =>
-      [
-        `${listed(names)} touch or intersect: they became one body with ${counted(regions, "region", "regions")}.`,
-        ...(shared === "0" ? [] : [`They share a volume of ${shared}, which counts once.`]),
-      ].join(" "),
+    joined: (names: readonly string[], regions: number) =>
+      `${listed(names)} touch or intersect: they became one body with ${counted(regions, "region", "regions")}.`,
+    /** `shared`: the volume that several bodies enclose; `percent`: its share of the smallest body. */
+    overlap: (names: readonly string[], shared: string, percent: string) =>
+      `${listed(names)} overlap by a volume of ${shared}, ${percent} % of the smallest of them, which counts once`,
+    overlapRemedy:
+      "It became a part of the first of them. If they are meant to touch only, undo, and subtract one from the other or move them apart.",
   },
   conflict: "Move the body under Placement, or change the patches, so that they neither touch nor intersect.",
   generate: "Generate mesh",

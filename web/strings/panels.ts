@@ -364,7 +364,7 @@ export const panelStrings = {
     all: "Show all",
   },
   positions: { more: (count: number) => `and ${count.toLocaleString("en-US")} more` },
-  severities: { error: "Error", warning: "Warning", expected: "To do" },
+  severities: { error: "Error", warning: "Warning", expected: "To do", note: "Note" },
   bottom: {
     title: "Log and problems",
     log: "Log",
@@ -374,7 +374,7 @@ export const panelStrings = {
     show: "Show",
     at: (position: string) => `at ${position}`,
     showPosition: (position: string) => `Go to ${position}`,
-    count: (count: number, severity: "error" | "warning" | "expected") => {
+    count: (count: number, severity: "error" | "warning" | "expected" | "note") => {
       if (severity === "expected") return `${count} to do`;
       return count === 1 ? `1 ${severity}` : `${count} ${severity}s`;
     },

@@ -226,3 +226,16 @@ test.each([
     expect(other.report.fingerprint).toBe(plain.report.fingerprint);
   },
 );
+
+test("too few elements for good ones in a thin wall are said, with the number that suffices", async () => {
+  const plate = stlText(boxSurface(1, [0, 0, 0], [100, 60, 0.8]));
+  const few = await meshFile(plate, { fileName: "a.stl", elements: 3000, mesher });
+  const told = few.report.diagnostics.find(({ code }) => code === "element-count");
+  expect(told?.message).toMatch(
+    /elements are too few for good shapes, as in thin walls: the smallest dihedral/,
+  );
+  const number = Number(/about (\d+) elements/.exec(told?.remedy ?? "")?.[1]);
+  const enough = await meshFile(plate, { fileName: "a.stl", elements: number, mesher });
+  expect(codes(enough.report)).not.toContain("element-count");
+  expect(enough.report.dihedral.min).toBeGreaterThan(20);
+});

@@ -176,7 +176,7 @@ describe("the mesh just made", () => {
   const endRun = (status: "done" | "cancelled"): void => {
     vi.spyOn(app.run, "generate").mockImplementation(() => {
       const result = { report: { status } } as unknown as MeshResult;
-      app.run.state.setState({ outcome: { key: "a", result, expectedTetrahedra: 0 } });
+      app.run.state.setState({ outcome: { key: "a", result, expectedTetrahedra: 0, warnings: [] } });
       return Promise.resolve();
     });
   };

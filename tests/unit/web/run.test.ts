@@ -305,7 +305,7 @@ it("a run says what became of each body, and leaves it as its preview", async ()
     keep: (_, prepared) => void kept.push(prepared),
   });
   const texts = () => run.state.getState().log.map(({ text }) => text);
-  await run.generate("user", () => Promise.resolve(["box, repaired"]));
+  await run.generate("user", () => Promise.resolve([{ level: "information", text: "box, repaired" }]));
   expect(kept).toHaveLength(1);
   const count = ((kept[0]?.triangles.length ?? 0) / 3).toLocaleString("en-US");
   const line = texts().find((text) => text.startsWith("box: remeshed"));
@@ -406,7 +406,7 @@ describe("a run that prepares the model", () => {
     const running = run.generate("user", ({ onPart }) => {
       onPart("Adding a body");
       documents.edit({ label: "Add", replace: { bodies: [bodyOf(1)] } });
-      return Promise.resolve(["a body was added"]);
+      return Promise.resolve([{ level: "information", text: "a body was added" } as const]);
     });
     expect(run.state.getState()).toMatchObject({ busy: true, preparing: "Adding a body" });
     await running;

@@ -1,11 +1,12 @@
 /** Runs that reach a number of elements: their common progress, and what the report says about the number. */
 import type { CallProgress } from "../base/progress.js";
 import { plural } from "../base/plural.js";
+import { short } from "../base/short.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
-import type { ElementCount, MeshResult } from "../mesh/report.js";
+import type { ElementCount, MeshReport, MeshResult } from "../mesh/report.js";
 import { type CountResult, type FinerPart, meshedToCount, type SearchEnd } from "./element-count.js";
 
 export interface ElementTarget<Made extends MeshResult> {
@@ -88,14 +89,14 @@ function isLimit(error: unknown): boolean {
 function reported<Made extends MeshResult>(
   made: Made,
   { end, runs, best }: CountResult<unknown>,
-  { elements, isKept = false }: ElementTarget<Made>,
+  { elements, expected, isKept = false }: ElementTarget<Made>,
   seconds: number,
 ): Made {
   const { report } = made;
   const reached = report.tetrahedra;
   const counted: ElementCount = { asked: elements, reached, sizeFactor: best.factor, runs };
-  const all =
-    report.status === "done" ? [...report.diagnostics, ...missed(counted, end, isKept)] : report.diagnostics;
+  const found = [...missed(counted, end, isKept), ...tooFew(report, counted, expected)];
+  const all = report.status === "done" ? [...report.diagnostics, ...found] : report.diagnostics;
   return {
     ...made,
     report: {
@@ -105,6 +106,26 @@ function reported<Made extends MeshResult>(
       diagnostics: all,
     },
   };
+}
+
+/** Smallest dihedral angle, in degrees, and mean radius ratio below which a mesh is unfit as a whole. */
+const UNFIT_ANGLE = 10;
+const UNFIT_RATIO = 0.6;
+/** Number that is expected without a factor / number that was asked for, above which the number is to blame for shapes. */
+const TOO_FEW = 1.5;
+
+/** Returns a warning if elements are poor because there are so few, as in thin walls, with the number that suffices. */
+function tooFew(
+  { tetrahedra, dihedral, radiusRatio }: MeshReport,
+  { asked, sizeFactor }: ElementCount,
+  expected: number | null | undefined,
+): Diagnostic[] {
+  const isUnfit = dihedral.min < UNFIT_ANGLE || radiusRatio.mean < UNFIT_RATIO;
+  if (!isUnfit || sizeFactor <= 1 || expected == null || expected < TOO_FEW * asked) return [];
+  const good = Number(expected.toPrecision(2));
+  const message = `${plural(tetrahedra, "element")} are too few for good shapes, as in thin walls: the smallest dihedral angle is ${short(dihedral.min, 2)}°, and the mean radius ratio ${short(radiusRatio.mean, 2)}`;
+  const remedy = `Ask for about ${good} elements, which the automatic sizes lead to, or omit the number; or compute thin walls with shell elements.`;
+  return [packageDiagnostic("element-count", message, remedy, "warning")];
 }
 
 /** Returns a warning if the number was not reached. */

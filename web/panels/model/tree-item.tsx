@@ -8,7 +8,7 @@ import type { Problem } from "../../document/validate";
 import { formatCount } from "../../ui/format";
 import { entityWords, strings } from "../../strings";
 import { useApp, useProblems, useProject, useView } from "../shared/app-context";
-import { useShownSeverity } from "../shared/problem-severity";
+import { isCalm, useShownSeverity } from "../shared/problem-severity";
 import { useEntityHover } from "../shared/use-entity-hover";
 import { EntityIcon } from "../shared/entity-icon";
 import styles from "./model-tree.module.css";
@@ -126,12 +126,12 @@ function EntityItem({ row, common, onToggle }: EntityItemProps) {
 
 function ProblemIcon({ problems }: { readonly problems: readonly Problem[] }) {
   const severityOf = useShownSeverity();
-  const isCalm = problems.every((problem) => severityOf(problem) === "expected");
-  const Icon = isCalm ? IconCircleDashed : IconAlertTriangle;
+  const areCalm = problems.every((problem) => isCalm(severityOf(problem)));
+  const Icon = areCalm ? IconCircleDashed : IconAlertTriangle;
   return (
     <span
       className={styles["problem"]}
-      data-severity={isCalm ? "expected" : undefined}
+      data-severity={areCalm ? "expected" : undefined}
       role="img"
       aria-label={strings.tree.problems(problems.length)}
     >

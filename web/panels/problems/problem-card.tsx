@@ -1,5 +1,10 @@
 import { Button, Text, UnstyledButton } from "@mantine/core";
-import { IconAlertTriangle, IconCircleDashed, IconExclamationCircle } from "@tabler/icons-react";
+import {
+  IconAlertTriangle,
+  IconCircleDashed,
+  IconExclamationCircle,
+  IconInfoCircle,
+} from "@tabler/icons-react";
 import { showEntities, showProblem } from "../../commands/selection-actions";
 import type { Problem } from "../../document/validate";
 import { formatPosition } from "../../ui/format";
@@ -15,6 +20,7 @@ const icons = {
   error: IconExclamationCircle,
   warning: IconAlertTriangle,
   expected: IconCircleDashed,
+  note: IconInfoCircle,
 } as const;
 
 export interface ProblemCardProps {

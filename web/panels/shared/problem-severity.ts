@@ -3,8 +3,17 @@ import { meshKey } from "../../document/content-keys";
 import type { Problem } from "../../document/validate";
 import { useProject, useRun } from "./app-context";
 
-/** How a problem is shown. One that is `expected` while a model is drawn does not alarm before a mesh is asked for. */
-export type ShownSeverity = Problem["severity"] | "expected";
+/**
+ * How a problem is shown. One that is `expected` while a model is drawn does not alarm before a mesh is asked for; a `note` needs
+ * no action.
+ */
+export type ShownSeverity = Problem["severity"] | "expected" | "note";
+
+/** Whether a problem is shown without alarm. */
+export const isCalm = (severity: ShownSeverity): boolean => severity === "expected" || severity === "note";
+
+/** Bodies that touch are joined by a run. */
+const notes: ReadonlySet<string> = new Set(["touching-bodies"]);
 
 /** While it is drawn, a model need not be closed yet, nor have sizes. */
 const expectedWhileDrawn: ReadonlySet<string> = new Set([
@@ -24,5 +33,8 @@ export function useIsMeshed(): boolean {
 /** Returns a function that tells how a problem of the present model is shown. */
 export function useShownSeverity(): (problem: Pick<Problem, "code" | "severity">) => ShownSeverity {
   const isMeshed = useIsMeshed();
-  return ({ code, severity }) => (!isMeshed && expectedWhileDrawn.has(code) ? "expected" : severity);
+  return ({ code, severity }) => {
+    if (notes.has(code)) return "note";
+    return !isMeshed && expectedWhileDrawn.has(code) ? "expected" : severity;
+  };
 }

@@ -4,7 +4,7 @@ import type { App } from "../../app/app";
 import { showProblem } from "../../commands/selection-actions";
 import type { Viewer } from "../../viewer/viewer";
 import { useApp, useProblems, useView } from "../shared/app-context";
-import { useShownSeverity } from "../shared/problem-severity";
+import { isCalm, useShownSeverity } from "../shared/problem-severity";
 import { useMarkers } from "./use-markers";
 import styles from "./problem-markers.module.css";
 
@@ -18,7 +18,7 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   const severityOf = useShownSeverity();
   const isToolActive = useView(({ tool }) => tool !== "select");
   const placed = problems
-    .filter((problem) => problem.position !== null && severityOf(problem) !== "expected")
+    .filter((problem) => problem.position !== null && !isCalm(severityOf(problem)))
     .slice(0, maxMarkers);
   const box = useMarkers(
     viewer,
