@@ -17,7 +17,11 @@ const margin = 1e-5;
  * and leaves something behind the element. It takes away all elements that reach into the sight of the element and beyond its
  * far end, so that nothing covers it; the highlight draws the element itself. O(nodes + elements).
  */
-export function cutToElement(mesh: VolumeMesh, element: number, toEye: Position): Cut {
+export function cutToElement(
+  mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+  element: number,
+  toEye: Position,
+): Cut {
   const limits = sightLimits(mesh, element, unit(toEye) ?? [0, 0, 1]);
   const facing = axes
     .map((axis, i) => ({ axis, towards: toEye[i] ?? 0, limit: limits[i] ?? 0 }))
@@ -50,7 +54,7 @@ export function cutToElement(mesh: VolumeMesh, element: number, toEye: Position)
  * the element, or the centroid of the farthest of those that reach into its sight and beyond its far end.
  */
 function sightLimits(
-  { points, tetrahedra }: VolumeMesh,
+  { points, tetrahedra }: Pick<VolumeMesh, "points" | "tetrahedra">,
   element: number,
   toEye: Position,
 ): readonly number[] {
