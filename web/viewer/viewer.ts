@@ -284,6 +284,13 @@ export class Viewer {
     });
   }
 
+  /** Returns the picture as it is drawn now, for another thread: the page does not wait for it. */
+  bitmap(): Promise<ImageBitmap> {
+    this.#setScale(this.#renderer.sharpScale);
+    this.#renderer.render(this.#view.camera);
+    return createImageBitmap(this.#renderer.webgl.domElement);
+  }
+
   /** Draws the picture now, on a canvas of the same size; by default on the background of the page. */
   drawOn(
     paper: CanvasRenderingContext2D,

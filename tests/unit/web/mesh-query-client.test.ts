@@ -61,3 +61,15 @@ test("a mesh that is released while it is copied does not stay in the worker", a
   await vi.waitFor(() => expect(posted).toHaveLength(3));
   expect(posted.filter(({ name }) => name === "setMesh").at(-1)?.argument).toBeNull();
 });
+
+test("the cut to an element is asked of the worker: the page visits no elements", async () => {
+  const posted = recordCalls();
+  const queries = new MeshQueryClient();
+  const mesh = { volume: gridMesh(2) };
+  void queries.cutTo(mesh, 7, [1, -1, 1]);
+  await vi.waitFor(() => expect(posted).toHaveLength(2));
+  expect(posted.map(({ name, argument }) => [name, name === "cut" && argument])).toEqual([
+    ["setMesh", false],
+    ["cut", { element: 7, toEye: [1, -1, 1] }],
+  ]);
+});

@@ -26,7 +26,7 @@ export function ElementButton({ element: { tetrahedron, centroid }, text, testId
       aria-label={label}
       title={label}
       data-testid={testId}
-      onClick={() => showElement(app, tetrahedron)}
+      onClick={() => void showElement(app, tetrahedron)}
     >
       {text}
     </TextButton>

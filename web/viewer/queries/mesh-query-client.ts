@@ -1,8 +1,10 @@
 import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mesh-quality";
+import type { Position } from "../../document/position";
+import type { Cut } from "../../document/selection";
 import { copyForTransfer } from "../../workers/transfer";
 import { WorkerClient } from "../../workers/worker-client";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
-import type { MeshQueryProtocol } from "./mesh-query-protocol";
+import type { MeshQueryProtocol, PictureSize } from "./mesh-query-protocol";
 import type { SerializedTree } from "../triangle-tree";
 
 const startWorker = (): Worker =>
@@ -47,6 +49,16 @@ export class MeshQueryClient {
     barCount: number,
   ): Promise<Histogram> {
     return this.#query(mesh, () => this.#worker.call("histogram", { measure, space, barCount }));
+  }
+
+  /** Returns the cut that exposes an element to a viewer in a direction. */
+  cutTo(mesh: QueriedMesh, element: number, toEye: Position): Promise<Cut> {
+    return this.#query(mesh, () => this.#worker.call("cut", { element, toEye }));
+  }
+
+  /** Returns a small picture of the middle of a view, which it takes over. */
+  pictureOf(view: ImageBitmap, size: PictureSize): Promise<Blob> {
+    return this.#worker.call("picture", { view, size }, [view]);
   }
 
   /** Builds a tree for hit tests over any triangles, x y z of three corners each. Takes over the array. */
