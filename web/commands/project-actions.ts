@@ -62,7 +62,7 @@ async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile
     const project = {
       ...projectOf(name, read),
       // Shells inside a mesh with several regions are regions too.
-      ...(mesh.regions.length > 1 && innerRegions),
+      ...(mesh.mesh.regions.length > 1 && innerRegions),
     };
     for (const made of read.bodies) app.bodies.keep(made);
     app.run.cancel();

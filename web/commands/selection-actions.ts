@@ -1,4 +1,4 @@
-import type { ElementQuality } from "tetrafront";
+import type { ElementQuality } from "tetrafront/internal";
 import type { App } from "../app/app";
 import { deleteEntities, withDependents } from "../document/edits";
 import { entityKey, entityName, type Entity } from "../document/entities";
@@ -76,7 +76,7 @@ export async function showElement(app: App, tetrahedron: number): Promise<void> 
   app.view.selectElement(tetrahedron);
   app.shell.setState({ drawer: null });
   if (mesh) {
-    const region = mesh.volume.regions[tetrahedron];
+    const region = mesh.mesh.tetrahedronRegion[tetrahedron];
     if (region !== undefined && app.view.state.getState().hiddenRegions.has(region))
       app.view.toggleRegion(region);
     const direction = viewer ? toEye(viewer.pose) : towardsViewer;

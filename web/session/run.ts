@@ -1,4 +1,4 @@
-import type { Mesher, MeshResult, PreparedBody, Progress, UnoptimizedMesh } from "tetrafront";
+import type { Mesher, MeshResult, PreparedBody, CallProgress } from "tetrafront";
 import type { Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, placedSurfacesKey, shownMeshKey, versionedKey } from "../document/content-keys";
@@ -44,7 +44,7 @@ export interface RunState {
   readonly preparedShare: number;
   /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
-  readonly progress: Progress | null;
+  readonly progress: CallProgress | null;
   /** How many seconds the active run still takes, about; null if it is not known. */
   readonly secondsLeft: number | null;
   /**
@@ -53,7 +53,7 @@ export interface RunState {
    */
   readonly front: Float64Array | null;
   /** The mesh that a run is optimizing; null before its front has closed, and without a run. */
-  readonly unoptimized: UnoptimizedMesh | null;
+  readonly unoptimized: Pick<MeshResult, "mesh"> | null;
   /** The shown mesh, which may belong to another state of the project. */
   readonly mesh: MeshResult | null;
   /** As in `ShownMesh`; both null without a mesh. */
@@ -141,8 +141,7 @@ const nameOfBody = (project: Project, id: number): string => {
   return body ? bodyLabel(body) : "";
 };
 
-const isShowable = ({ volume, surface }: MeshResult): boolean =>
-  volume.tetrahedra.length > 0 || surface.triangles.length > 0;
+const isShowable = ({ mesh }: MeshResult): boolean => mesh.tetrahedra.length > 0 || mesh.triangles.length > 0;
 
 const count = (value: number): string => value.toLocaleString("en-US");
 
@@ -239,7 +238,7 @@ export class MeshRun {
             this.#preparations.keep(project, prepared);
           },
           onFront: (front) => this.state.setState({ front }),
-          onUnoptimized: (unoptimized) => this.state.setState({ unoptimized, front: null }),
+          onUnoptimized: (mesh) => this.state.setState({ unoptimized: { mesh }, front: null }),
         },
       );
       elapsedSeconds = result.report.seconds.total;
@@ -371,7 +370,7 @@ export class MeshRun {
     this.#abort.abort();
   }
 
-  #report(progress: Progress, log: (level: LogLevel, text: string) => void): void {
+  #report(progress: CallProgress, log: (level: LogLevel, text: string) => void): void {
     const before = this.state.getState().progress;
     if (before?.phase !== progress.phase) {
       if (before?.phase === "surface")
@@ -381,7 +380,7 @@ export class MeshRun {
     this.#showProgress(progress);
   }
 
-  #showProgress(progress: Progress): void {
+  #showProgress(progress: CallProgress): void {
     if (!isDue(this.state.getState().progress, progress)) return;
     const { preparedShare } = this.state.getState();
     const fraction = preparedShare + (1 - preparedShare) * progress.fraction;
@@ -449,7 +448,7 @@ export class MeshRun {
 }
 
 /** Returns whether to show the progress again. A new phase is shown at once. */
-function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): boolean {
+function isDue(before: CallProgress | null, { phase, elapsedSeconds }: CallProgress): boolean {
   if (before?.phase !== phase) return true;
   const { share, min, max } = progressWait;
   return elapsedSeconds - before.elapsedSeconds >= Math.min(max, Math.max(min, share * elapsedSeconds));
@@ -469,7 +468,7 @@ function summary({ result, expectedTetrahedra }: Omit<RunOutcome, "key">): strin
       return logStrings.cancelled(
         size,
         seconds,
-        result.volume.front.length > 0 ? aboutCount(expectedTetrahedra) : null,
+        result.front.length > 0 ? aboutCount(expectedTetrahedra) : null,
       );
     case "stalled":
       return logStrings.stalled(size, seconds);
@@ -484,7 +483,7 @@ const aboutCount = (expected: number): string | null =>
 
 /** Returns how far the run came whose mesh is shown, if it was cancelled before its front closed; null for any other mesh. */
 export function cancelledText({ mesh, outcome }: Pick<RunState, "mesh" | "outcome">): string | null {
-  if (mesh?.report.status !== "cancelled" || mesh.volume.front.length === 0) return null;
+  if (mesh?.report.status !== "cancelled" || mesh.front.length === 0) return null;
   const expected = outcome?.result === mesh ? outcome.expectedTetrahedra : 0;
   return logStrings.cancelledAt(count(mesh.report.tetrahedra), aboutCount(expected));
 }

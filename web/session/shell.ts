@@ -1,4 +1,4 @@
-import type { Unit } from "tetrafront";
+import type { LengthUnit } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 
 /** Colours of the page, in the order of their commands. */
@@ -58,7 +58,7 @@ export interface ShellState {
   /** Whether the start page is shown beside the model. */
   readonly startPage: boolean;
   /** The length unit that the user has chosen for a project with numbers, until the use of the numbers is decided. */
-  readonly chosenUnit: Unit | null;
+  readonly chosenUnit: LengthUnit | null;
   /** Field of the selected entity that gets the focus as soon as the inspector shows it; null if none. */
   readonly editing: EditedField | null;
   /** Setting of the project whose field gets the focus as soon as the inspector shows it; null if none. */

@@ -12,7 +12,7 @@
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
-#include "topology/tet_mesh.h"
+#include "topology/region_meshes.h"
 #include "volume/volume_mesher.h"
 
 namespace tetrafront {
@@ -40,10 +40,10 @@ class RegionMesher {
   [[nodiscard]] double exactFillFraction() const {
     return current_ ? current_->exactFillFraction() : 0.0;
   }
-  /// Returns the mesh made so far. Its front includes the faces of regions that have not begun.
-  [[nodiscard]] TetMesh mesh() const;
+  /// Returns the meshes made so far: those of the regions that have begun, the last of which may have a front.
+  [[nodiscard]] RegionMeshes meshes() const;
   /// The same without a copy; once, as the last call.
-  [[nodiscard]] TetMesh take();
+  [[nodiscard]] RegionMeshes take();
   /// The faces of the front, x y z of three corners each, including the boundary of regions that have
   /// not begun. O(front).
   [[nodiscard]] std::vector<double> frontCorners() const;
@@ -61,10 +61,8 @@ class RegionMesher {
   void begin(std::uint32_t region);
   void endRegion();
   void boundaryOf(std::uint32_t region);
-  void append(TetMesh& mesh, TetMesh part) const;
   void nameForUser(std::vector<Entity>& entities) const;
   [[nodiscard]] std::vector<NodeTriple> waitingFaces() const;
-  [[nodiscard]] TetMesh completed(TetMesh mesh, TetMesh ofRegion) const;
   [[nodiscard]] std::size_t boundaryNodes() const { return boundary_.points.size() / 3; }
   [[nodiscard]] bool isOne() const { return halvesOf_.size() == 1; }
 
@@ -77,7 +75,7 @@ class RegionMesher {
   std::uint32_t region_ = 0;
   RegionBoundary regionBoundary_;  ///< used if there are several regions
   std::optional<VolumeMesher> current_;
-  TetMesh filled_;  ///< mesh of earlier regions
+  RegionMeshes filled_;  ///< of earlier regions
   RecoverySummary recovery_;
   FrontCounters counters_;
 };

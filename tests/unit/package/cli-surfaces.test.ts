@@ -9,7 +9,7 @@ import {
   readMesh,
   writeMesh,
   type Diagnostic,
-  type FileMesh,
+  type Mesh,
   type MeshReport,
   type SurfaceInput,
 } from "tetrafront";
@@ -29,7 +29,7 @@ const { inFolder, save, run } = folder;
 
 const jsonIn = (name: string): unknown => JSON.parse(readFileSync(inFolder(name), "utf8"));
 
-async function meshIn(name: string): Promise<FileMesh> {
+async function meshIn(name: string): Promise<Mesh> {
   const read = await readMesh(readFileSync(inFolder(name)), { fileName: name });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
@@ -258,7 +258,7 @@ describe("check", () => {
     save("open.off", file);
     const { code, stdout } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", "3"]);
     expect(code).toBe(0);
-    expect(stdout).toContain("repair: open.off: filled a hole with 1 triangle, from ");
+    expect(stdout).toContain("repair: open.off: filled a hole with 1 triangle: from triangle ");
     expect(stdout).toContain("no problems");
     expect(new Uint8Array(readFileSync(inFolder("open.off")))).toEqual(new Uint8Array(file));
   });

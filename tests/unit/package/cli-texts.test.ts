@@ -1,8 +1,10 @@
 /** Texts of the command line whose numbers must agree with each other. */
+import type { RepairChange } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { patchShapes } from "../../../wasm/src/cli/patch-shapes.js";
 import { remeshText } from "../../../wasm/src/api/treatment-texts.js";
+import { printChanges } from "../../../wasm/src/cli/repair.js";
 import { angleText, anglesText, boxText } from "../../../wasm/src/cli/tables.js";
 
 describe("angles as text", () => {
@@ -83,4 +85,26 @@ describe("dropped details as text", () => {
     expect(text).not.toContain("more");
     expect(textOf(0, "--json")).not.toContain("dropped");
   });
+});
+
+test("changes of a repair are one line per kind, with a count and a few examples", () => {
+  const cut = (triangle: number, parts: number): RepairChange => ({
+    kind: "resolved-intersection",
+    triangle,
+    parts,
+    position: [triangle, 0, 0],
+  });
+  const changes: RepairChange[] = [
+    ...[4, 5, 6, 7].map((triangle) => cut(triangle, 3)),
+    cut(9, 0),
+    { kind: "welded-node", node: 3, into: 1, position: [1, 2, 3] },
+  ];
+  const lines: string[] = [];
+  printChanges("a.stl", { changes, repairDeviation: 0.5 }, (line) => lines.push(line));
+  expect(lines).toEqual([
+    "repair: a.stl: cut 4 triangles, which intersected others; 12 parts of them remain: triangle 4 at (4, 0, 0), triangle 5 at (5, 0, 0), triangle 6 at (6, 0, 0) and 1 more.",
+    "repair: a.stl: removed 1 triangle, which intersected others and is inside, or encloses nothing: triangle 9 at (9, 0, 0).",
+    "repair: a.stl: welded 1 node to another: node 3 to node 1 at (1, 2, 3).",
+    "repair: a.stl: 6 changes; nodes were moved by at most 0.5.",
+  ]);
 });

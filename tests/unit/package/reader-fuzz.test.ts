@@ -6,7 +6,7 @@ import {
   readSurface,
   writeMesh,
   type ByteSource,
-  type FileMesh,
+  type Mesh,
 } from "tetrafront";
 import { readProject, writeProject } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
@@ -149,7 +149,7 @@ async function allocatedBy(run: () => Promise<void>): Promise<number> {
   return bytes;
 }
 
-function isConsistent(read: FileMesh): boolean {
+function isConsistent(read: Mesh): boolean {
   const count = read.points.length / 3;
   return (
     Number.isInteger(count) &&
@@ -241,12 +241,12 @@ describe("rejects a hostile file quickly:", () => {
     );
     const file = `<VTKFile type="UnstructuredGrid"><Piece NumberOfPoints="1" NumberOfCells="0">
 <Points><DataArray format="ascii">0 0 0</DataArray></Points><Cells>${none.join("")}</Cells>
-<PointData>${tags}</PointData></Piece><AppendedData encoding="base64">_AQAAAAU=${"AAAA".repeat(100_000)}`;
+<PointData>${tags}</PointData></Piece><AppendedData encoding="base64">_AQAAAAU=${"AAAA".repeat(100_000)}</AppendedData></VTKFile>`;
     expect(await problemOf("a.vtu", encoded(file))).toMatch(/unpack to far more/);
   });
 
   test("an endless attribute", async () => {
-    expect(await problemOf("a.vtu", encoded(`<VTKFile ${"a".repeat(3_000_000)}>`))).toMatch(
+    expect(await problemOf("a.vtu", encoded(`<VTKFile ${"a".repeat(3_000_000)}></VTKFile>`))).toMatch(
       /neither VTU nor/,
     );
   });

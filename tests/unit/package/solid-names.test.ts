@@ -1,7 +1,7 @@
 /** Names of regions: those of the parts of an assembly, and of solids with the same name. */
 import { readFileSync } from "node:fs";
 
-import { createMesher, fileMeshOf, readSurface, type SurfaceFile } from "tetrafront";
+import { createMesher, readSurface, type Mesh } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { withoutPause } from "../../../wasm/dist/base/steps.js";
@@ -10,7 +10,7 @@ import { boxSolid, stepFile } from "../../support/step-files.js";
 import { stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
-async function surfaceIn(file: Uint8Array, fileName: string): Promise<SurfaceFile> {
+async function surfaceIn(file: Uint8Array, fileName: string): Promise<Mesh> {
   const read = await readSurface(file, { fileName });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
@@ -54,7 +54,7 @@ test("solids of an STL file with the same name are numbered", async () => {
   const surface = await surfaceIn(new TextEncoder().encode(text), "x.stl");
   const mesher = await createMesher();
   const result = await mesher.fillSurface(surface, { size: 2 });
-  expect(fileMeshOf(result, { surface }).regions.map(({ name }) => name)).toEqual(["x", "x 2", "x 3"]);
+  expect(result.mesh.regions.map(({ name }) => name)).toEqual(["x", "x 2", "x 3"]);
   mesher.dispose();
 });
 

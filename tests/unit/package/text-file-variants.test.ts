@@ -1,10 +1,10 @@
 /** Text files as editors and shells leave them: byte order marks, any line ends, concatenated files. */
-import { extensionsFor, FILE_FORMATS, formatOf, readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { extensionsFor, FILE_FORMATS, formatOf, readMesh, writeMesh, type Mesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
 import { vtkBinary } from "../../support/mesh-files.js";
-import { plyBinary } from "../../support/surface-files.js";
+import { plyBinary, stlBinary } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
 const MARK = "\u{feff}";
@@ -71,7 +71,7 @@ ${eachPoint((point) => point)}${eachFace((face) => `3 ${face}`)}`,
 /** The .node file that belongs to the .face file. */
 const NODES = poly;
 
-async function meshIn(extension: string, change: (text: string) => string): Promise<FileMesh> {
+async function meshIn(extension: string, change: (text: string) => string): Promise<Mesh> {
   const encode = (text: string) => new TextEncoder().encode(change(text));
   const read = await readMesh(encode(TEXTS[extension] ?? ""), {
     fileName: `a${extension}`,
@@ -101,8 +101,13 @@ describe.each(Object.keys(TEXTS))("a %s text file", (extension) => {
     expect(await meshIn(extension, change)).toEqual(plain);
   });
 
-  test.each(["little", "big"])("in UTF-16, %s-endian, is read the same way", async (order) => {
-    const text = MARK + (TEXTS[extension] ?? "");
+  test.each([
+    ["little", MARK],
+    ["big", MARK],
+    ["little", ""],
+    ["big", ""],
+  ])("in UTF-16, %s-endian, after %j, is read the same way", async (order, mark) => {
+    const text = mark + (TEXTS[extension] ?? "");
     const units = Uint8Array.from({ length: 2 * text.length }, (_, i) => {
       const unit = text.charCodeAt(i >> 1);
       return (i % 2 === 0) === (order === "little") ? unit & 255 : unit >> 8;
@@ -195,4 +200,60 @@ describe("binary data after lines that end with carriage returns only is rejecte
     const read = await readMesh(await bytes(), { fileName: `a${extension}` });
     expect(read.success ? "read" : read.errors[0].message).toMatch(/lone carriage return/);
   });
+});
+
+const errorOf = async (text: string | Uint8Array, fileName: string) => {
+  const bytes = typeof text === "string" ? new TextEncoder().encode(text) : text;
+  const read = await readMesh(bytes, { fileName });
+  return read.success ? undefined : read.errors[0];
+};
+
+describe("a file that is cut", () => {
+  test.each([".stl", ".off", ".obj", ".ply", ".vtu", ".vtp", ".vtk", ".mesh", ".msh", ".msh2"])(
+    "at any number of %s is said to be truncated, unless what is left is complete",
+    async (extension) => {
+      const text = TEXTS[extension] ?? "";
+      const others = new Map<string, number>();
+      for (let length = text.indexOf(POINTS[0] ?? ""); length < text.length; length++) {
+        const error = await errorOf(text.slice(0, length), `a${extension}`);
+        if (error === undefined || /truncated|the file has no faces/.test(error.message)) continue;
+        others.set(error.message, length);
+      }
+      expect([...others]).toEqual([]);
+    },
+  );
+
+  test("as STEP, binary STL or 3MF is said to be truncated", async () => {
+    const step = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n";
+    expect((await errorOf(step, "a.step"))?.message).toBe(
+      "line 4: the file is truncated: it ends without END-ISO-10303-21",
+    );
+    const stl = stlBinary(boxSurface(1));
+    expect((await errorOf(stl.subarray(0, 500), "a.stl"))?.message).toMatch(
+      /^byte 500: the file is truncated: it ends there, but the 12 triangles/,
+    );
+    const zip = Uint8Array.from([0x50, 0x4b, 3, 4, ...new Array<number>(100).fill(7)]);
+    expect((await errorOf(zip, "a.3mf"))?.message).toMatch(/^byte 104: the file is truncated/);
+    expect((await errorOf(zip, "a.stl"))?.message).toBe("this is a ZIP archive, not STL");
+  });
+});
+
+test.each(["stl", "obj", "off", "step", "iges", "vtu", "3mf", "mesh"])(
+  "a web page that was saved as .%s is called so",
+  async (extension) => {
+    const page = "\n<!DOCTYPE html>\n<html><head><title>Sign in</title></head><body></body></html>\n";
+    const error = await errorOf(page, `a.${extension}`);
+    expect(error).toMatchObject({ code: "malformed-file", fileName: `a.${extension}` });
+    expect(error?.message).toMatch(/^this is a web page \(HTML\), not /);
+    expect(error?.remedy).toMatch(/^Download the file itself/);
+  },
+);
+
+test("a missing coordinate is said where it is missing", async () => {
+  const stl = TEXTS[".stl"]?.replace("vertex 1 0 0", "vertex 1 0") ?? "";
+  const line = stl.slice(0, stl.indexOf("vertex 1 0\n")).split("\n").length;
+  const message = `line ${line}: expected a coordinate, found the end of the line`;
+  expect(await errorOf(stl, "a.stl")).toMatchObject({ line, message });
+  const inLine = await errorOf("v 0 0 zero\n", "a.obj");
+  expect(inLine?.message).toBe('line 1: expected a coordinate, found "zero", which is not a number');
 });

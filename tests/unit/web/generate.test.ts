@@ -131,12 +131,7 @@ it("waits for a preview of the present content, whose progress it shows, and abo
   const moved = { ...second, triangles: `${second?.triangles} ` } as unknown as ProjectBody;
   made.documents.edit({
     label: "Move",
-    replace: [
-      [
-        ["project", "bodies"],
-        [box, moved, ...others],
-      ],
-    ],
+    replace: { bodies: [box, moved, ...others].flatMap((body) => body ?? []) },
   });
   const fractions: number[] = [];
   let isOver = false;

@@ -1,5 +1,5 @@
 /** Prepares the surfaces of a project's bodies: their options, their progress and their diagnostics. */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import { shown } from "../base/values.js";
 import { untilCancelled } from "../calls/cancelling.js";
 import { pauseAfterCopy } from "../calls/yielder.js";
@@ -105,8 +105,8 @@ async function treated(
   if (treatment === "remesh") {
     const { innerShells } = options;
     const wanted: RemeshOptions = { ...remeshing, ...sizes, innerShells, sizeFactor };
-    const { surface, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
-    return { ...withPatches(given, surface, origin), ...figures, diagnostics: named(diagnostics) };
+    const { mesh, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
+    return { ...withPatches(mesh, origin), ...figures, diagnostics: named(diagnostics) };
   }
   const { innerShells } = options;
   const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
@@ -115,19 +115,18 @@ async function treated(
     const { elements: _, ...refineOptions } = options;
     const split = await calls.refine(given, { ...refineOptions, ...sizes }, control, name);
     if (hasSizes || areTooLarge(split)) {
-      return { ...withPatches(given, split.surface, split.origin), diagnostics };
+      return { ...withPatches(split.mesh, split.origin), diagnostics };
     }
   }
   const origin = given.trianglePatch.map((_, triangle) => triangle);
-  return { ...withPatches(given, given, origin), diagnostics };
+  return { ...withPatches(given, origin), diagnostics };
 }
 
 function withPatches(
-  { trianglePatch }: PlacedSurface,
-  { points, triangles }: Pick<PreparedBody, "points" | "triangles">,
+  { points, triangles, trianglePatch }: Pick<PreparedBody, "points" | "triangles" | "trianglePatch">,
   origin: Uint32Array,
 ) {
-  return { points, triangles, trianglePatch: origin.map((from) => trianglePatch[from] ?? 0), origin };
+  return { points, triangles, trianglePatch, origin };
 }
 
 /** Returns the sizes of a body: its own, or those of the project; and always the sources. */
@@ -198,7 +197,7 @@ const BODY_SHARE = 0.4;
 export function afterBodies(control: RunControl, seconds: number): RunControl {
   const { onProgress } = control;
   if (onProgress === undefined) return control;
-  const shared = (progress: Progress): void =>
+  const shared = (progress: CallProgress): void =>
     onProgress({
       ...progress,
       fraction: BODY_SHARE + (1 - BODY_SHARE) * progress.fraction,
@@ -223,7 +222,7 @@ export async function preparedBodies(
   for (const [b, body] of missing.entries()) {
     const elapsedSeconds = (performance.now() - began) / 1000;
     const { onProgress } = control;
-    const shared = (progress: Progress): void =>
+    const shared = (progress: CallProgress): void =>
       onProgress?.({
         ...progress,
         fraction: (BODY_SHARE * (b + progress.fraction)) / missing.length,

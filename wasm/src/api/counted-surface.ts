@@ -1,9 +1,8 @@
 /** Fills a surface with a number of elements: remeshes or refines it with one factor on all sizes. */
 import type { RunControl } from "../engine/control.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { FinerPart } from "./element-count.js";
-import { controlOfPart, meshedToElements } from "./element-target.js";
+import { controlOfPart, elementsReached } from "./element-target.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, SurfaceMeshOptions } from "./option-types.js";
 import {
@@ -17,6 +16,7 @@ import {
 } from "./scaled-sizes.js";
 import { meshPart, remeshSettings } from "./surface-mesh-options.js";
 import type { ControlOf } from "./surface-treatment.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** What a run with a factor is given. */
 export interface ScaledFilling {
@@ -28,7 +28,7 @@ export interface ScaledFilling {
 
 /** A surface that is ready, and what becomes of its triangles. */
 export interface CountedSurface {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   readonly isRemeshed: boolean;
 }
 
@@ -36,7 +36,7 @@ export interface CountedSurface {
 const TREATMENT_SHARE = 0.5;
 
 /** Calls `fill` until the mesh has the number of elements. Rejects as `fill` does. */
-export async function filledToElements<Made extends { readonly result: MeshResult }>(
+export async function filledToElements<Made extends MeshResult>(
   mesher: Mesher,
   { surface, isRemeshed }: CountedSurface,
   { elements, options, controlOf }: Omit<ScaledFilling, "sizeFactor"> & { readonly elements: number },
@@ -58,14 +58,12 @@ export async function filledToElements<Made extends { readonly result: MeshResul
   };
   const expected = isRemeshed && !hasGrid ? await expectedElements(mesher, surface, options, control) : null;
   const hasFinerParts = isRemeshed && !hasGrid;
-  const target = { elements, expected, hasFinerParts, run, resultOf: ({ result }: Made) => result };
-  const { made, result } = await meshedToElements(target, control);
-  return { ...made, result };
+  return elementsReached({ elements, expected, hasFinerParts, run }, control);
 }
 
 /** Returns the options with which a surface is refined and filled, by the factor on its longest edge. */
 function refiningOptions(
-  surface: SurfaceFile,
+  surface: Mesh,
   { background }: MeshOptions,
 ): (options: MeshOptions, factor: number) => MeshOptions {
   const longest = longestEdge(surface);
@@ -79,7 +77,7 @@ function refiningOptions(
 /** Returns a ball with the largest size that a remeshing with the finer factor would have. */
 async function finerBall(
   mesher: Mesher,
-  surface: SurfaceFile,
+  surface: Mesh,
   options: SurfaceMeshOptions,
   { factor, share }: FinerPart,
 ): Promise<SizeBall> {
@@ -90,7 +88,7 @@ async function finerBall(
 /** Returns the number of elements that a remeshing with automatic sizes is expected to lead to. */
 async function expectedElements(
   mesher: Mesher,
-  surface: SurfaceFile,
+  surface: Mesh,
   options: SurfaceMeshOptions,
   { signal }: RunControl,
 ): Promise<number> {

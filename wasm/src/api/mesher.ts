@@ -13,12 +13,11 @@ import type {
   SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
-import type { ImproveInput, MeshImprovement } from "../mesh/improvement.js";
-import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { MeshImprovement } from "../mesh/improvement.js";
+import type { SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import { inSteps } from "../calls/yielder.js";
 import { resolutionWarnings } from "../mesh/resolution-warnings.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import { modelWithBodyBoxes, projectArrays } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -62,13 +61,12 @@ import { describedMesh } from "./inspection.js";
 import { describedImprovement, improvementErrors } from "./improvement.js";
 import type {
   Mesher,
+  PatchSplit,
   SizeProposal,
   SizeSamples,
-  SplitInput,
-  SplitSurface,
   SurfaceSizeProposal,
 } from "./mesher-interface.js";
-import { type LocatedSurface, locateRegions } from "./region-location.js";
+import { type RegionLocation, locateRegions } from "./region-location.js";
 import {
   ballOf,
   largestSize,
@@ -79,6 +77,7 @@ import {
   scaledProject,
   withBall,
 } from "./scaled-sizes.js";
+import { sizesAtNodes } from "./node-sizes.js";
 import { sampleSizes } from "./size-samples.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
@@ -120,8 +119,9 @@ import {
   withPreparation,
 } from "./report.js";
 import { givenRegionsOf, surfaceNamer } from "./surface-numbers.js";
-import { meshedSurface } from "./surface-meshing.js";
+import { meshedSurface, unmeshed } from "./surface-meshing.js";
 import { SurfaceTools } from "./surface-tools.js";
+import { namedMesh, type NameSource } from "./generated-mesh.js";
 
 /**
  * Starts a worker with an engine in it; resolves when it is loaded. Call `dispose` when done; in Node, an idle
@@ -129,7 +129,7 @@ import { SurfaceTools } from "./surface-tools.js";
  * if the signal is aborted before; no worker is then left.
  *
  *     const mesher = await createMesher();
- *     const { volume, report } = await mesher.fillSurface({ points, triangles }, { size: 0.1 });
+ *     const { mesh, report } = await mesher.fillSurface({ points, triangles }, { size: 0.1 });
  */
 export async function createMesher(control: AbortControl = {}): Promise<Mesher> {
   refuse(checkControl(control));
@@ -267,7 +267,7 @@ class WorkerMesher implements Mesher {
     } as const;
     const byName = projectNamer(project);
     const name = background === undefined ? byName : gridByIndex(byName);
-    return this.#run(request, control, ({ surface }) =>
+    return this.#run(request, control, { project }, ({ surface }) =>
       bodies === undefined ? name : withPatchOfTriangle(name, surface.trianglePatch),
     );
   }
@@ -307,15 +307,15 @@ class WorkerMesher implements Mesher {
     } as const;
     const name = surfaceNamer(surface);
     // The run takes its place in the queue at once.
-    const running = this.#run(request, control, () => name);
+    const running = this.#run(request, control, { surface }, () => name);
     const [result, coarse] = await Promise.all([running, inSteps(resolutionWarnings(surface))]);
     const diagnostics = [...result.report.diagnostics, ...coarse];
     return coarse.length === 0 ? result : { ...result, report: { ...result.report, diagnostics } };
   }
 
-  async meshSurface(surface: SurfaceFile, options: SurfaceMeshOptions = {}, control: RunControl = {}) {
+  async meshSurface(surface: SurfaceInput, options: SurfaceMeshOptions = {}, control: RunControl = {}) {
     const early = this.#endedEarly(control);
-    if (early !== undefined) return { surface, diagnostics: [], result: early, isExact: false };
+    if (early !== undefined) return unmeshed(early);
     return meshedSurface(this, surface, options, control);
   }
 
@@ -405,13 +405,14 @@ class WorkerMesher implements Mesher {
   }
 
   async backgroundFromMesh(
-    mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+    mesh: VolumeInput,
     options: { readonly sizes?: Float64Array | undefined } = {},
     control: RunControl = {},
   ): Promise<BackgroundArrays> {
     beginCall(this.#client, control);
     refuse(checkGridOptions(options));
-    const { sizes } = options;
+    refuse(checkVolume(mesh, options.sizes));
+    const { sizes, ...stretched } = options.sizes === undefined ? sizesAtNodes(mesh) : options;
     refuse(checkVolume(mesh, sizes));
     const { points, tetrahedra } = mesh;
     const id = this.#client.nextId();
@@ -426,7 +427,7 @@ class WorkerMesher implements Mesher {
       },
       sizes: sizes?.slice() ?? new Float64Array(),
     } as const;
-    return backgroundFrom(await this.#client.ask(question, control));
+    return { ...backgroundFrom(await this.#client.ask(question, control)), ...stretched };
   }
 
   async inspectSurface(
@@ -437,13 +438,13 @@ class WorkerMesher implements Mesher {
     return this.#surfaces.inspect(surface, options, control);
   }
 
-  async locateRegions(surface: SurfaceFile, control: RunControl = {}): Promise<LocatedSurface> {
+  async locateRegions(surface: SurfaceInput, control: RunControl = {}): Promise<RegionLocation> {
     beginCall(this.#client, control);
     return locateRegions(this.#client, surface, control);
   }
 
   async proposeSurfaceSizes(
-    surface: PatchedSurface,
+    surface: SurfaceInput,
     options: SurfaceProposalOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceSizeProposal> {
@@ -468,25 +469,25 @@ class WorkerMesher implements Mesher {
   }
 
   async remeshSurface(
-    surface: PatchedSurface,
+    surface: SurfaceInput,
     options: RemeshOptions = {},
     control: PartialControl = {},
   ): Promise<SurfaceRemesh> {
     return this.#surfaces.remesh(surface, options, control);
   }
 
-  async splitPatches<Surface extends SplitInput>(
-    surface: Surface,
+  async splitPatches(
+    surface: SurfaceInput,
     options: SplitOptions = {},
     control: RunControl = {},
-  ): Promise<Surface & SplitSurface> {
+  ): Promise<PatchSplit> {
     return this.#surfaces.split(surface, options, control);
   }
 
-  async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {
+  async inspectMesh(mesh: VolumeInput, control: RunControl = {}): Promise<MeshInspection> {
     beginCall(this.#client, control);
     refuse(checkMesh(mesh));
-    const { points, tetrahedra, regions = new Uint32Array() } = mesh;
+    const { points, tetrahedra, tetrahedronRegion: regions = new Uint32Array() } = mesh;
     const question = {
       kind: "inspect-mesh",
       id: this.#client.nextId(),
@@ -500,13 +501,14 @@ class WorkerMesher implements Mesher {
   }
 
   async improveMesh(
-    mesh: ImproveInput,
+    mesh: VolumeInput,
     options: ImproveOptions = {},
     control: PartialControl = {},
   ): Promise<MeshImprovement> {
     beginCall(this.#client, control);
     refuse([...checkImproveInput(mesh), ...checkImproveOptions(options)]);
-    const { points, tetrahedra, regions = new Uint32Array(), triangles = new Uint32Array() } = mesh;
+    const { points, tetrahedra, triangles = new Uint32Array() } = mesh;
+    const { tetrahedronRegion: regions = new Uint32Array() } = mesh;
     const question = {
       kind: "improve-mesh",
       id: this.#client.nextId(),
@@ -519,7 +521,7 @@ class WorkerMesher implements Mesher {
     const found = await this.#client.ask(question, control);
     if (!found.isReadable) refuse([unreadableMesh()]);
     refuse(improvementErrors(found));
-    return describedImprovement(found);
+    return describedImprovement(found, mesh);
   }
 
   dispose(): void {
@@ -536,12 +538,16 @@ class WorkerMesher implements Mesher {
 
   async #run(
     request: RunRequest,
-    control: RunControl,
+    { onUnoptimized, ...control }: RunControl,
+    names: NameSource,
     nameFor: (result: EngineResult) => EntityNamer,
   ): Promise<MeshResult> {
-    const result = await this.#client.run(request, control);
+    const result = await this.#client.run(request, {
+      ...control,
+      onUnoptimized: onUnoptimized && ((mesh) => onUnoptimized(namedMesh(mesh, names))),
+    });
     return "cancelledAfterSeconds" in result
       ? emptyResult("cancelled", [], result.cancelledAfterSeconds)
-      : describedResult(result, nameFor(result));
+      : describedResult(result, names, nameFor(result));
   }
 }

@@ -15,13 +15,18 @@ import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { PatchQuality } from "../mesh/quality.js";
 import type { Project } from "../project/project-types.js";
 import type { ProjectPreview } from "../project/preview.js";
+import { noVolume } from "../formats/boundary.js";
+import { namedMesh, type NameSource } from "./generated-mesh.js";
 
-/** Returns the engine's result; its diagnostics use the names given by the user. */
-export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {
+/** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
+export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {
   const { status, surface, volume, metricShapes, statistics, hasFoundNothingBetter, recording } = result;
   return {
-    surface,
-    volume,
+    mesh: namedMesh(result, names),
+    surfaceNodes: surface.points.length / 3,
+    front: volume.front,
+    sides: surface.sides,
+    sideLine: surface.sideLine,
     ...(metricShapes && { metricShapes }),
     ...(recording && { recording }),
     report: {
@@ -117,20 +122,18 @@ export function emptyResult(
   seconds = 0,
 ): MeshResult {
   return {
-    surface: {
+    mesh: {
       points: new Float64Array(),
       triangles: new Uint32Array(),
       trianglePatch: new Uint32Array(),
+      patches: [],
       triangleRegions: new Uint32Array(),
-      sides: new Uint32Array(),
-      sideLine: new Uint32Array(),
+      ...noVolume(),
     },
-    volume: {
-      points: new Float64Array(),
-      tetrahedra: new Uint32Array(),
-      regions: new Uint32Array(),
-      front: new Uint32Array(),
-    },
+    surfaceNodes: 0,
+    front: new Uint32Array(),
+    sides: new Uint32Array(),
+    sideLine: new Uint32Array(),
     report: emptyReport(status, diagnostics, seconds),
   };
 }

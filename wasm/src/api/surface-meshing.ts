@@ -7,12 +7,11 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
 import { filledToElements } from "./counted-surface.js";
 import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
-import { checkControl, checkFileSurface as checkSurface } from "./input-checks.js";
+import { checkControl, checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
 import type { ChangedSurface, MeshedSurface } from "./meshed-surface.js";
 import type { Mesher } from "./mesher-interface.js";
@@ -33,6 +32,10 @@ import { preparedSurface, withoutCracks } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
 import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
+import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
+import { completeSurface } from "./carried-mesh.js";
+import { hasNamedPatches } from "./generated-mesh.js";
+import { withInterfacePatches } from "./interface-patches.js";
 
 /** A surface whose options are decided, ready for its treatment. */
 export interface ReadySurface extends ChangedSurface {
@@ -43,6 +46,11 @@ export interface ReadySurface extends ChangedSurface {
 export interface SurfaceOrigin {
   /** Whether it was triangulated from shapes: then it is remeshed, and repaired if it cannot be filled. Default false. */
   readonly isCad?: boolean | undefined;
+  /**
+   * Whether triangles between two regions form patches of their own, "base / post": a repair cuts such interfaces out of the
+   * faces of solids. Default false.
+   */
+  readonly hasInterfacePatches?: boolean | undefined;
 }
 
 /**
@@ -51,7 +59,7 @@ export interface SurfaceOrigin {
  */
 export async function readySurface(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   options: SurfaceMeshOptions,
   { isCad = false }: SurfaceOrigin,
   isExact = false,
@@ -74,7 +82,7 @@ export async function readySurface(
   }
   const treatment = repair === undefined ? first : await decided(whole, wanted, options);
   const split = splitPart(options);
-  const divided = split === undefined ? whole : await mesher.splitPatches(whole, split);
+  const divided = split === undefined ? whole : (await mesher.splitPatches(whole, split)).mesh;
   const { surface, diagnostics } = await located(mesher, divided, innerShells);
   return {
     surface,
@@ -89,7 +97,7 @@ export async function readySurface(
 /** As `decided`; solids that touch in faces that are triangulated differently are remeshed too, which gives both the same face. */
 async function decidedForSolids(
   mesher: SurfaceMesher,
-  surface: SurfaceFile,
+  surface: Mesh,
   wanted: NonNullable<SurfaceMeshOptions["surface"]>,
   options: SurfaceMeshOptions,
 ): Promise<Treatment> {
@@ -103,7 +111,7 @@ async function decidedForSolids(
 /** Returns the number of pairs of solids that touch. If the surface states no solids, its closed shells count. */
 async function countTouching(
   mesher: SurfaceMesher,
-  surface: SurfaceFile,
+  surface: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<number> {
   if (!hasSolids(surface)) return touchingShells(mesher, surface, innerShells);
@@ -113,7 +121,7 @@ async function countTouching(
 
 /** Decides what becomes of the triangles: needles, and those for which options of a remeshing are given, are replaced. */
 async function decided(
-  surface: SurfaceFile,
+  surface: Mesh,
   wanted: NonNullable<SurfaceMeshOptions["surface"]>,
   options: SurfaceMeshOptions,
 ): Promise<Treatment> {
@@ -139,7 +147,7 @@ export interface FillingOptions extends SurfaceOrigin {
 /** As `filledOnce`, until the mesh has the number of elements, if that is asked for. */
 export async function filledSurface(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   ready: ReadySurface,
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
@@ -163,7 +171,7 @@ export async function filledSurface(
  */
 async function filledOnce(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   ready: ReadySurface,
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
@@ -186,10 +194,10 @@ async function filledOnce(
     const filled = await filledBest(tried, (made) => fill(mesher, made, mesh, controlOf()));
     const { made, prepared, result, isExact } = filled;
     const { treatment: _, ...done } = prepared;
-    const { surface, invalid, diagnostics: __, ...counts } = made;
-    return invalid === undefined
-      ? { ...done, ...counts, surface, result, isExact }
-      : { ...done, result, isExact };
+    const { invalid, diagnostics: __, ...counts } = made;
+    const all = { ...done, ...(invalid === undefined && counts), isExact };
+    const named = filling.hasInterfacePatches === true ? withInterfaces(result, all.surface) : result;
+    return { ...named, ...all };
   } catch (failure) {
     return cancelled(failure, ready);
   }
@@ -198,7 +206,13 @@ async function filledOnce(
 /** Returns what a run that was cancelled has made; throws other failures. */
 function cancelled(failure: unknown, ready: ReadySurface): MeshedSurface {
   if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
-  return { ...ready, result: emptyResult("cancelled"), isExact: false };
+  return { ...emptyResult("cancelled"), ...ready, isExact: false };
+}
+
+/** Returns the result with patches for interfaces, if the surface states its regions. */
+function withInterfaces(result: MeshResult, surface: Mesh): MeshResult {
+  const isStated = surface.surfaceRegions !== undefined && hasNamedPatches(surface);
+  return isStated ? { ...result, mesh: { ...result.mesh, ...withInterfacePatches(result.mesh) } } : result;
 }
 
 async function fill(
@@ -214,21 +228,23 @@ async function fill(
   return { ...result, report: { ...report, diagnostics: [...diagnostics, ...report.diagnostics] } };
 }
 
+/** Returns the end of a run in which nothing became of the surface. */
+export function unmeshed(result: MeshResult, surface = result.mesh): MeshedSurface {
+  return { ...result, surface, diagnostics: [], isExact: false };
+}
+
 /** Implements `meshSurface` of the mesher. */
 export async function meshedSurface(
   mesher: Mesher,
-  given: SurfaceFile,
+  surface: SurfaceInput,
   options: SurfaceMeshOptions,
   control: RunControl,
   origin: SurfaceOrigin = {},
 ): Promise<MeshedSurface> {
   refuse(checkControl(control));
-  const refused = (diagnostics: readonly Diagnostic[]): MeshedSurface => {
-    const result = emptyResult("invalid-input", diagnostics);
-    return { surface: given, diagnostics: [], result, isExact: false };
-  };
-  const wrong = [...checkSurface(given), ...checkSurfaceMeshOptions(options)];
-  if (wrong.length > 0) return refused(wrong);
+  const wrong = [...checkSurface(surface), ...checkSurfaceMeshOptions(options)];
+  if (wrong.length > 0) return unmeshed(emptyResult("invalid-input", wrong));
+  const given = completeSurface(surface);
   const controlOf = stagedControl(control);
   const found: Diagnostic[] = [];
   try {
@@ -236,13 +252,12 @@ export async function meshedSurface(
     found.push(...ready.diagnostics);
     const ofRun = (step?: string) => controlOf(step === "remesh" ? step : "run");
     const made = await filledSurface(mesher, given, ready, { options, ...origin, controlOf: ofRun });
-    const { report } = made.result;
-    const diagnostics = [...made.diagnostics, ...report.diagnostics];
-    return { ...made, result: { ...made.result, report: { ...report, diagnostics } } };
+    const diagnostics = [...made.diagnostics, ...made.report.diagnostics];
+    return { ...made, report: { ...made.report, diagnostics } };
   } catch (failure) {
     if (!(failure instanceof MesherError)) throw failure;
-    if (failure.code === "cancelled") return { ...refused([]), result: emptyResult("cancelled", found) };
+    if (failure.code === "cancelled") return unmeshed(emptyResult("cancelled", found), given);
     if (failure.code !== "invalid-input") throw failure;
-    return refused([...failure.data.diagnostics, ...found]);
+    return unmeshed(emptyResult("invalid-input", [...failure.data.diagnostics, ...found]), given);
   }
 }

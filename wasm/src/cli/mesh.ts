@@ -1,6 +1,6 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
-import { fileMeshOf, regionSummaries, type RegionSummary } from "../api/generated-mesh.js";
+import { regionSummaries, type RegionSummary } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
 import { emptyReport, emptyResult } from "../api/report.js";
@@ -14,9 +14,8 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/project-types.js";
@@ -134,10 +133,8 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const made = await meshInput(input, options, () => checkMeshPaths(input, options));
   const { given, result, model: meshed, found } = made;
   const { changes, repairDeviation, refinement, remesh } = made.made ?? {};
-  const { report } = result;
+  const { mesh, report } = result;
   const shouldWrite = mayWrite(result, options);
-  const isAssembly = isAnyCad(input, options) || (options.joined ?? []).length > 1;
-  const mesh = fileMeshOf(result, { ...meshed, interfacePatches: isAssembly });
   const written = shouldWrite && (await writeResult(input, options, mesh, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(subject, report, written, options));
   const isLost = shouldWrite && written === null;
@@ -206,14 +203,21 @@ export async function meshInput(
     const isCad = isAnyCad(input, options);
     const ready = await readySurface(withControl(mesher, controlOf("check")), surface, all, { isCad });
     if (!isQuiet) printReady(subject, surface, ready);
-    const filling = { options: all, isCad, controlOf: control, isRecorded: recording.onTrace !== undefined };
+    const hasInterfacePatches = isCad || (options.joined ?? []).length > 1;
+    const filling = {
+      options: all,
+      isCad,
+      hasInterfacePatches,
+      controlOf: control,
+      isRecorded: recording.onTrace !== undefined,
+    };
     const made = await filledSurface(mesher, surface, ready, filling).catch((failure: unknown) => {
       // Warnings of the repair say why the surface is invalid.
       printWithGrid({ input: subject, background: options.background }, ready.diagnostics, isQuiet);
       throw failure;
     });
     const model = { kind: "surface", surface: made.surface } as const;
-    return { result: made.result, model, found: [...read, ...made.diagnostics], made };
+    return { result: made, model, found: [...read, ...made.diagnostics], made };
   }).catch((failure: unknown) => cancelledOr(failure, given, read));
   if (meshed.made !== undefined) printMade(subject, meshed.made, isQuiet);
   const { diagnostics } = meshed.result.report;
@@ -254,7 +258,7 @@ function isAnyCad(
 }
 
 /** Prints what was done before the surface is meshed. */
-function printReady(subject: string, given: SurfaceFile, ready: ReadySurface): void {
+function printReady(subject: string, given: Mesh, ready: ReadySurface): void {
   printChanges(subject, ready);
   const { split } = ready;
   if (split !== undefined) print(`${subject}: ${splitText(split)}`);
@@ -340,14 +344,14 @@ async function checkReportPath(input: string, options: MeshCommandOptions): Prom
   await checkNoOverwrite(kept, [{ words: "the report", file: report }]);
 }
 
-function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {
-  return report.status === "done" || (keepPartial === true && volume.tetrahedra.length > 0);
+function mayWrite({ report, mesh }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {
+  return report.status === "done" || (keepPartial === true && mesh.tetrahedra.length > 0);
 }
 
 async function writeResult(
   input: string,
   options: MeshCommandOptions,
-  mesh: FileMesh,
+  mesh: Mesh,
   model: Input,
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;

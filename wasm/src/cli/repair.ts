@@ -40,57 +40,92 @@ export function refuseRepair(options: RepairOptions | undefined, what: string): 
   refuseOptions([invalidOption("--repair", message, remedy)]);
 }
 
-/** Largest number of lines per kind of change; `--json` and `--report` list all. */
-const MAX_PER_KIND = 5;
+/** Largest number of changes of a kind that are named; `--json` and `--report` list all. */
+const EXAMPLES = 3;
 
-/** Prints one line per change, one per kind that has more, and the largest distance by which a node was moved. */
+/** Prints one line per kind of change, and the largest distance by which a node was moved. */
 export function printChanges(
   input: string,
   { changes, repairDeviation = 0 }: Pick<PreparedSurface, "changes" | "repairDeviation">,
   onLine: (line: string) => void = print,
 ): void {
   if (changes === undefined) return;
-  const kinds = new Map<RepairChange["kind"], RepairChange[]>();
+  const kinds = new Map<string, RepairChange[]>();
   for (const change of changes) {
-    const known = kinds.get(change.kind);
-    if (known === undefined) kinds.set(change.kind, [change]);
+    const isRemoval = change.kind === "resolved-intersection" && change.parts === 0;
+    const key = isRemoval ? `${change.kind} removal` : change.kind;
+    const known = kinds.get(key);
+    if (known === undefined) kinds.set(key, [change]);
     else known.push(change);
   }
-  for (const [kind, all] of kinds) {
-    for (const change of all.slice(0, MAX_PER_KIND)) onLine(`repair: ${input}: ${sentenceOf(change)}.`);
-    const rest = all.length - MAX_PER_KIND;
-    if (rest > 0) onLine(`repair: ${input}: and ${rest} more "${kind}".`);
-  }
+  for (const alike of kinds.values()) onLine(`repair: ${input}: ${changesText(alike)}.`);
   onLine(`repair: ${input}: ${repairText(changes, repairDeviation)}`);
 }
 
-/** Describes a change with ids and position. */
-export function sentenceOf(change: RepairChange): string {
-  return `${words()} at ${positionText(change.position)}`;
+/** Describes changes of one kind: their number, and the first of them with ids and positions. */
+export function changesText(alike: readonly RepairChange[]): string {
+  const [change] = alike;
+  if (change === undefined) return "";
+  const examples = alike
+    .slice(0, EXAMPLES)
+    .map((one) => `${exampleOf(one)} at ${positionText(one.position)}`);
+  const rest = alike.length - examples.length;
+  return `${summaryOf(change, alike)}: ${examples.join(", ")}${rest > 0 ? ` and ${rest} more` : ""}`;
+}
 
-  function words(): string {
-    switch (change.kind) {
-      case "welded-node":
-        return `welded node ${change.node} to node ${change.into}`;
-      case "removed-node":
-        return `removed node ${change.node}, which no triangle uses`;
-      case "removed-triangle":
-        return `removed triangle ${change.triangle}, which has no area`;
-      case "removed-duplicate":
-        return `removed triangle ${change.triangle}, a duplicate of triangle ${change.sameAs}`;
-      case "split-triangle":
-        return `split triangle ${change.beyond} to replace triangle ${change.triangle}, which has no area`;
-      case "filled-hole":
-        return `filled a hole with ${plural(change.triangles, "triangle")}, from triangle ${change.firstTriangle} on`;
-      case "flipped-triangle":
-        return `flipped triangle ${change.triangle}`;
-      case "resolved-intersection":
-        return change.parts === 0
-          ? `removed triangle ${change.triangle}, which intersected others and is inside, or encloses nothing`
-          : `cut triangle ${change.triangle}, which intersected others; ${plural(change.parts, "part")} of it remain${change.parts === 1 ? "s" : ""}`;
-      case "removed-sheet":
-        return `removed triangle ${change.triangle}, which enclosed nothing`;
+/** Describes all changes of the kind of the first one. */
+function summaryOf(change: RepairChange, alike: readonly RepairChange[]): string {
+  const count = alike.length;
+  const triangles = plural(count, "triangle");
+  const have = (one: string, several: string): string => (count === 1 ? one : several);
+  switch (change.kind) {
+    case "welded-node":
+      return `welded ${plural(count, "node")} to ${have("another", "others")}`;
+    case "removed-node":
+      return `removed ${plural(count, "node")}, which no triangle uses`;
+    case "removed-triangle":
+      return `removed ${triangles}, which ${have("has", "have")} no area`;
+    case "removed-duplicate":
+      return `removed ${triangles}, ${have("a duplicate", "duplicates")} of ${have("another", "others")}`;
+    case "split-triangle":
+      return `split ${triangles} to replace ${have("another", "others")}, which ${have("has", "have")} no area`;
+    case "filled-hole": {
+      const filled = alike.reduce((sum, one) => sum + (one.kind === "filled-hole" ? one.triangles : 0), 0);
+      return `filled ${have("a hole", `${count} holes`)} with ${plural(filled, "triangle")}`;
     }
+    case "flipped-triangle":
+      return `flipped ${triangles}`;
+    case "resolved-intersection": {
+      const parts = alike.reduce(
+        (sum, one) => sum + (one.kind === "resolved-intersection" ? one.parts : 0),
+        0,
+      );
+      return parts === 0
+        ? `removed ${triangles}, which intersected others and ${have("is inside, or encloses", "are inside, or enclose")} nothing`
+        : `cut ${triangles}, which intersected others; ${plural(parts, "part")} of ${have("it", "them")} remain${parts === 1 ? "s" : ""}`;
+    }
+    case "removed-sheet":
+      return `removed ${triangles}, which enclosed nothing`;
+  }
+}
+
+function exampleOf(change: RepairChange): string {
+  switch (change.kind) {
+    case "welded-node":
+      return `node ${change.node} to node ${change.into}`;
+    case "removed-node":
+      return `node ${change.node}`;
+    case "removed-duplicate":
+      return `triangle ${change.triangle} (as triangle ${change.sameAs})`;
+    case "split-triangle":
+      return `triangle ${change.beyond} for triangle ${change.triangle}`;
+    case "filled-hole":
+      return `from triangle ${change.firstTriangle} on`;
+    case "removed-triangle":
+    case "flipped-triangle":
+    case "resolved-intersection":
+    case "removed-sheet":
+      return `triangle ${change.triangle}`;
   }
 }
 

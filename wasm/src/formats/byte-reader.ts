@@ -11,7 +11,7 @@ import { Yielder } from "../calls/yielder.js";
 import { type ByteSource, piecesOf } from "./byte-source.js";
 import { joined } from "./bytes.js";
 import { decimalIn, otherNumber } from "./decimal.js";
-import { failureAt, type FileLocation, ReadFailure } from "./read-result.js";
+import { failureAt, type FileLocation, ReadFailure, truncatedAt } from "./read-result.js";
 import { inUtf8 } from "./utf16.js";
 import { indexOf, MARK_BYTES, startsWithMark, textOf } from "./text-bytes.js";
 
@@ -216,7 +216,37 @@ export class ByteReader {
   /** Consumes the next word like `accepts`; any other word is a failure. */
   expect(word: string): void {
     if (this.accepts(word)) return;
-    this.fail(`expected "${word}", found ${this.#shown()}`);
+    this.failAtWord(`"${word}"`, [word]);
+  }
+
+  /** Fails at the next word; `words`: what could be there, of which a part may be left at the end of the file. */
+  failAtWord(expected: string, words: readonly string[] = []): never {
+    if (this.#wordEnd() === this.#at || this.#isCutFrom(words)) this.failAtEnd(expected);
+    return this.fail(`expected ${expected}, found ${this.#shown()}`);
+  }
+
+  /** Fails because the file ends where something should follow. */
+  failAtEnd(expected: string): never {
+    throw truncatedAt(this.location, `where ${expected} should follow`);
+  }
+
+  /** Fails because of the word that was read last, of which a part may be left at the end of the file. */
+  failUnknown(what: string, word: string): never {
+    if (this.isAtEnd) this.failAtEnd(`the rest of a ${what}`);
+    return this.fail(`unknown ${what} "${word.slice(0, SHOWN)}"`);
+  }
+
+  /** Returns whether the next word is the last of the file, without a line end, and the beginning of one of these. */
+  #isCutFrom(words: readonly string[]): boolean {
+    const end = this.#wordEnd();
+    if (!this.#isCutAt(end)) return false;
+    const found = textOf(this.#bytes.subarray(this.#at, end)).toLowerCase();
+    return words.some((word) => word.startsWith(found));
+  }
+
+  /** Returns whether the file ends with a word that ends at `end`. */
+  #isCutAt(end: number): boolean {
+    return this.#isWhole && end === this.#bytes.length && end > this.#at;
   }
 
   /**
@@ -224,19 +254,29 @@ export class ByteReader {
    * accepted. `what` names the number in messages.
    */
   number(what: string, mayBeNone = false): number {
+    const before = this.#lastLine;
     this.#skipBlanks(true);
     const end = this.#wordEnd();
-    if (end === this.#at) this.fail(`expected ${what}, found the end of the file`);
+    if (end === this.#at) this.failAtEnd(what);
     let value: number | undefined = decimalIn(this.#bytes, this.#at, end);
     if (!Number.isFinite(value)) value = mayBeNone ? otherNumber(this.#bytes, this.#at, end) : undefined;
-    if (value === undefined) return this.#failAtNumber(what, end);
+    if (value === undefined) return this.#failAtNumber(what, end, before);
     this.#at = end;
     return value;
   }
 
-  #failAtNumber(what: string, end: number): never {
+  /** `before`: line of the item before the number. */
+  #failAtNumber(what: string, end: number, before: number): never {
     const expected = `expected ${what}, found ${this.#shown()}`;
-    const points = textOf(this.#bytes.subarray(this.#at, end)).replace(",", ".");
+    const found = textOf(this.#bytes.subarray(this.#at, end));
+    if (this.#isCutAt(end) && /^[-+]?\d*\.?\d*(e[-+]?\d*)?$/i.test(found))
+      this.failAtEnd(`the rest of ${what}`);
+    if (/^[a-z_]/i.test(found) && !/^(nan|inf)/i.test(found)) {
+      const isMissing = this.#isText && this.#lastLine > before;
+      if (isMissing) this.fail(`expected ${what}, found the end of the line`, { line: before });
+      this.fail(`${expected}, which is not a number`);
+    }
+    const points = found.replace(",", ".");
     if (points.includes(".") && Number.isFinite(Number(points))) {
       this.fail(`${expected}, which has a decimal comma`, this.location, "Export it with decimal points.");
     }
@@ -291,7 +331,7 @@ export class ByteReader {
   /** Consumes the line end between a text header and binary numbers. */
   endLine(): void {
     this.#skipBlanks(false);
-    if (!this.#isLineEnd(this.#at)) this.fail(`expected the end of the line, found ${this.#shown()}`);
+    if (!this.#isLineEnd(this.#at)) this.failAtWord("the end of the line");
     this.#passLineEnd();
     this.#lastLine = this.#line++;
   }
@@ -310,7 +350,7 @@ export class ByteReader {
       }
       // Keep the bytes at the end of the window that may be the beginning of `text`.
       this.#moveTo(Math.max(this.#at, this.#bytes.length - encoded.length + 1));
-      if (this.#isWhole) this.fail(`expected "${text}", found the end of the file`);
+      if (this.#isWhole) this.failAtEnd(`"${text}"`);
     }
   }
 
@@ -396,7 +436,7 @@ export class ByteReader {
     this.#leaveText();
     if (this.#bytes.length - this.#at < bytes) {
       this.#checkEdge();
-      this.fail("the file ends in the middle of a number");
+      throw truncatedAt(this.location, "in the middle of a number");
     }
     this.#at += bytes;
     return this.#at - bytes;
@@ -474,7 +514,6 @@ export class ByteReader {
   #shown(): string {
     const end = this.#wordEnd();
     const text = String.fromCharCode(...this.#bytes.subarray(this.#at, Math.min(end, this.#at + SHOWN)));
-    if (text === "") return "the end of the file";
     return end - this.#at > SHOWN ? `"${text}…"` : `"${text}"`;
   }
 }

@@ -7,15 +7,16 @@ import { GENERIC } from "../cad/opencascade.js";
 import type { CadFormat, CadReply, CadShape, Deflection } from "../cad/protocol.js";
 import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { damagedBrep } from "./brep-counts.js";
-import { allBytes, type ByteSource } from "./byte-source.js";
+import { allBytes, type ByteSource, piecesOf } from "./byte-source.js";
 import type { MeshReader } from "./file-format.js";
 import { diagonalOf } from "./near-points.js";
 import { ReadFailure } from "./read-result.js";
 import { joinedSurface } from "./shape-surface.js";
 import { productSolids, productsOf } from "./step-products.js";
-import { stepNotes, stepText } from "./step-text.js";
+import { damagedStep, stepNotes, stepText } from "./step-text.js";
+import { inUtf8 } from "./utf16.js";
 
 /**
  * The distance is at most 1/5000 of the diagonal of each part, far below the remesher's tolerance of 1/250; the mean
@@ -37,8 +38,8 @@ const PER_SIZE = 1 / 100;
 const FINEST = 1e-5;
 
 function readerOf(format: CadFormat): MeshReader {
-  return async (source: ByteSource, { signal, size, onWork }): Promise<FileMesh> => {
-    const bytes = await allBytes(source);
+  return async (source: ByteSource, { signal, size, onWork }): Promise<Mesh> => {
+    const bytes = await allBytes(inUtf8(piecesOf(source)));
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
     const wrong = format === "brep" ? await inSteps(damagedBrep(bytes), signal) : undefined;
     if (wrong !== undefined) throw wrong;
@@ -104,10 +105,13 @@ async function shapesIn(
   signal: AbortSignal | undefined,
 ): Promise<readonly CadShape[]> {
   const reply = await askForCad(request, signal);
-  if (reply.kind !== "read") throw failureOf(reply, request.format, request.bytes.length);
+  const { format, bytes } = request;
+  const isDamaged = reply.kind === "rejected" || reply.kind === "failed";
+  const damage = isDamaged && format === "step" ? damagedStep(bytes) : undefined;
+  if (reply.kind !== "read") throw damage ?? failureOf(reply, format, bytes.length);
   const shapes = reply.shapes.filter(hasTriangles);
   if (shapes.length > 0) return shapes;
-  const message = `the ${NAMES[request.format]} file contains no solids and no faces`;
+  const message = `the ${NAMES[format]} file contains no solids and no faces`;
   throw new ReadFailure({ code: "no-triangles", message, remedy: "Export the part as solids." });
 }
 

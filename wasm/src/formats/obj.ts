@@ -5,7 +5,7 @@
  * continues it. Polygons are cut into triangles. Free-form curves and surfaces are rejected.
  */
 import { plural } from "../base/plural.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
@@ -13,10 +13,12 @@ import { GroupList, MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OBJ file of triangles.";
+const CORNER_REMEDY =
+  "Correct the number in that line, or export the surface again: points must come before the faces that use them.";
 /** Keywords of free-form geometry, without which the mesh would be incomplete. */
 const FREE_FORM = new Set(["curv", "curv2", "surf", "cstype", "deg", "bmat"]);
 
-export function readObj(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
+export function readObj(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<Mesh> {
   const options = { remedy: REMEDY, comment: "#", continuation: "\\", signal };
   return ByteReader.over(source, options, async (reader) => {
     const builder = new MeshBuilder();
@@ -66,7 +68,7 @@ class Kinds {
   }
 
   /** Merges combinations that end up with the same name, as a group and a material may. */
-  named({ trianglePatch }: FileMesh): Pick<FileMesh, "trianglePatch" | "patches"> {
+  named({ trianglePatch }: Mesh): Pick<Mesh, "trianglePatch" | "patches"> {
     const names = new Map<string, number>();
     for (const { name } of this.#kinds) names.set(name, (names.get(name) ?? 0) + 1);
     const hasGroups = names.size > 1 || this.#kinds.length === 1;
@@ -116,13 +118,17 @@ function readFace(reader: ByteReader, builder: MeshBuilder, patch: number): void
     const given = Number(word.split("/")[0]);
     // Corners count from 1; negative ones count backwards from the last point so far.
     const corner = given < 0 ? count + given : given - 1;
-    if (word.startsWith("/") || !Number.isInteger(corner) || corner < 0 || corner >= count) {
-      reader.fail(
-        `"${word.slice(0, 24)}" is not a valid corner: the file has ${plural(count, "point")} so far`,
-      );
+    const isNumber = !word.startsWith("/") && Number.isInteger(given);
+    if (!isNumber || corner < 0 || corner >= count) {
+      const shown = `"${word.slice(0, 24)}"`;
+      const why = isNumber
+        ? `refers to point ${given}, but the file has ${plural(count, "point")} up to this line`
+        : "is not the number of a point";
+      reader.fail(`a face has the corner ${shown}, which ${why}`, reader.location, CORNER_REMEDY);
     }
     corners.push(corner);
   }
+  if (corners.length < 3 && reader.isAtEnd) reader.failAtEnd("another corner of a face");
   if (corners.length < 3) reader.fail(`a face has ${plural(corners.length, "corner")}`);
   if (!builder.addPolygon(corners, patch)) {
     reader.fail(`a face ${UNCUT}`);

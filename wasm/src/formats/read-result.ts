@@ -53,6 +53,14 @@ export function failureAt(location: FileLocation, message: string, remedy: strin
   return new ReadFailure({ message: `${words}: ${message}`, remedy, ...location });
 }
 
+/** Advice for a file whose end is missing. */
+const TRUNCATED_REMEDY = "Export, copy or download the file again: its end is missing.";
+
+/** Returns a failure of a file that ends too early. `where`: what is missing, after "it ends". */
+export function truncatedAt(location: FileLocation, where: string): ReadFailure {
+  return failureAt(location, `the file is truncated: it ends ${where}`, TRUNCATED_REMEDY);
+}
+
 /** Runs a reader. A ReadFailure becomes a result; anything else is a bug and is rethrown. */
 export function readSafely<T>(read: () => T): ReadResult<T> {
   try {

@@ -5,6 +5,8 @@
 import { plural } from "../base/plural.js";
 import { PAUSE, STEP, type Steps } from "../base/steps.js";
 import { listed } from "./groups.js";
+import { failureAt, type ReadFailure, truncatedAt } from "./read-result.js";
+import { lineAt } from "./xml-tags.js";
 
 /** Entities that are solids. */
 const SOLID = /^(MANIFOLD_SOLID_BREP|BREP_WITH_VOIDS|FACETED_BREP|FACETED_BREP_AND_BREP_WITH_VOIDS)\b/;
@@ -49,9 +51,26 @@ export function* stepText(bytes: Uint8Array): Steps<StepText> {
     solids,
     withoutUnit: withoutUnit.map(({ id }) => id),
     hasSchema: /FILE_SCHEMA\s*\(\s*\(\s*'[^']+'/.test(text.slice(0, text.indexOf("DATA;"))),
-    isComplete: /END-ISO-10303-21\s*;\s*$/.test(text.slice(-END_LENGTH)),
+    isComplete: isComplete(text),
   };
 }
+
+/** Returns what is wrong with the frame of a STEP file that cannot be read; undefined if it is complete. O(bytes). */
+export function damagedStep(bytes: Uint8Array): ReadFailure | undefined {
+  const text = new TextDecoder("latin1").decode(bytes);
+  if (!/^[^A-Z]*ISO-10303-21\s*;/.test(text)) {
+    const message = 'a STEP file must begin with "ISO-10303-21;"';
+    return failureAt(
+      { line: 1 },
+      message,
+      "Export the part as STEP; this file is damaged or of another format.",
+    );
+  }
+  if (isComplete(text)) return undefined;
+  return truncatedAt({ line: lineAt(bytes, bytes.length) }, "without END-ISO-10303-21");
+}
+
+const isComplete = (text: string): boolean => /END-ISO-10303-21\s*;\s*$/.test(text.slice(-END_LENGTH));
 
 /** Number of bytes at the end among which the last statement is. */
 const END_LENGTH = 1000;

@@ -5,11 +5,11 @@
 import { unzipSync } from "fflate";
 import { type Steps, stepwise } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
 import type { Shape, ShapeFace } from "./joined-shapes.js";
-import { failureAt, ReadFailure } from "./read-result.js";
+import { failureAt, ReadFailure, truncatedAt } from "./read-result.js";
 import { surfaceOfShapes } from "./shape-surface.js";
 import {
   failInModel,
@@ -20,6 +20,7 @@ import {
   type Transform,
   type Use,
 } from "./threemf-model.js";
+import { indexOf } from "./text-bytes.js";
 import { xmlInUtf8 } from "./xml-encoding.js";
 import { withShortSizes } from "./zip64.js";
 
@@ -32,7 +33,7 @@ const MAX_TRIANGLES = 20_000_000;
 /** Work per use of an object, in triangles. */
 const PER_USE = 1000;
 
-export async function readThreeMf(source: ByteSource, { signal }: ReadContext): Promise<FileMesh> {
+export async function readThreeMf(source: ByteSource, { signal }: ReadContext): Promise<Mesh> {
   const bytes = await allBytes(source);
   if (bytes.length === 0) {
     const message = "the file is empty";
@@ -41,7 +42,7 @@ export async function readThreeMf(source: ByteSource, { signal }: ReadContext): 
   return inSteps(meshIn(bytes), signal);
 }
 
-function* meshIn(file: Uint8Array): Steps<FileMesh> {
+function* meshIn(file: Uint8Array): Steps<Mesh> {
   const bytes = modelIn(file);
   const model = yield* parseModel(bytes);
   const shapes: Shape[] = [];
@@ -71,6 +72,7 @@ function modelIn(file: Uint8Array): Uint8Array {
     const bytes = found[model ?? ""];
     if (bytes !== undefined) return xmlInUtf8(bytes);
   } catch {
+    if (isCutZip(file)) throw truncatedAt({ offset: file.length }, "without the list of files of a zip file");
     throw failureAt({ offset: 0 }, "the file is not a zip file, or it is damaged", THREE_MF_REMEDY);
   }
   const message =
@@ -78,6 +80,15 @@ function modelIn(file: Uint8Array): Uint8Array {
       ? "the model unpacks to far more than the size of the file"
       : "the file is a zip file without a 3D model";
   throw failureAt({ offset: 0 }, message, THREE_MF_REMEDY);
+}
+
+/** Returns whether a zip file begins, but has no list of its files, which is at its end. */
+function isCutZip(file: Uint8Array): boolean {
+  const [local, list] = [
+    [0x50, 0x4b, 3, 4],
+    [0x50, 0x4b, 1, 2],
+  ].map((bytes) => indexOf(file, Uint8Array.from(bytes), 0));
+  return local === 0 && list === -1;
 }
 
 const unitOf = ({ scale }: Model): Transform => [scale, 0, 0, 0, scale, 0, 0, 0, scale, 0, 0, 0];

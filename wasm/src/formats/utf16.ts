@@ -1,14 +1,29 @@
 /** Text in UTF-16, as some editors and shells of Windows write it, in UTF-8. */
 import { joined } from "./bytes.js";
 
-/** Bytes by which UTF-16 is recognized: the byte-order mark, and one more character of ASCII. */
-const SNIFFED_BYTES = 4;
+/** Number of bytes by which UTF-16 without a byte-order mark is recognized; the header of a binary STL file is shorter. */
+const SNIFFED_BYTES = 256;
+/** Fewer characters do not tell. */
+const MIN_BYTES = 16;
+
+type Encoding = "utf-16le" | "utf-16be";
 
 /** Returns the name of the encoding; undefined for other files. */
-function utf16In([a, b, c, d]: Uint8Array): "utf-16le" | "utf-16be" | undefined {
+function utf16In(head: Uint8Array): Encoding | undefined {
+  const [a, b, c, d] = head;
   if (a === 0xff && b === 0xfe && c !== 0 && d === 0) return "utf-16le";
   if (a === 0xfe && b === 0xff && c === 0 && d !== 0) return "utf-16be";
-  return undefined;
+  if (head.length < MIN_BYTES) return undefined;
+  if (isAsciiBeside(head, 1)) return "utf-16le";
+  return isAsciiBeside(head, 0) ? "utf-16be" : undefined;
+}
+
+/** Returns whether every second byte, from `first` on, is zero, and the others are text in ASCII. */
+function isAsciiBeside(head: Uint8Array, first: 0 | 1): boolean {
+  return head.every((byte, at) => {
+    if (at % 2 === first) return byte === 0;
+    return (byte >= 0x20 && byte < 0x7f) || (byte >= 0x09 && byte <= 0x0d);
+  });
 }
 
 /** Yields the pieces of a file; if it is text in UTF-16, in UTF-8. */
@@ -20,7 +35,7 @@ export async function* inUtf8(pieces: AsyncGenerator<Uint8Array, void>): AsyncGe
       if (next.done === true) break;
       first = joined([first, next.value]);
     }
-    const encoding = utf16In(first);
+    const encoding = utf16In(first.subarray(0, SNIFFED_BYTES));
     if (encoding === undefined) {
       yield first;
       yield* pieces;

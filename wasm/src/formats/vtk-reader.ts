@@ -5,7 +5,7 @@
 import { plural } from "../base/plural.js";
 import { type Steps, stepwise } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";
@@ -59,7 +59,7 @@ interface CellList {
   readonly nodes: Float64Array;
 }
 
-export function readVtk(source: ByteSource, { signal }: ReadContext): Promise<FileMesh> {
+export function readVtk(source: ByteSource, { signal }: ReadContext): Promise<Mesh> {
   return ByteReader.over(source, { remedy: REMEDY }, (reader) => new VtkReader(reader, signal).read());
 }
 
@@ -88,7 +88,7 @@ class VtkReader {
     this.#signal = signal;
   }
 
-  async read(): Promise<FileMesh> {
+  async read(): Promise<Mesh> {
     this.#readHead();
     for (;;) {
       await this.#reader.fill();
@@ -162,7 +162,7 @@ class VtkReader {
       case "METADATA":
         return this.#skipMetadata();
       default:
-        return reader.fail(`unknown section "${section.slice(0, 24)}"`);
+        return reader.failUnknown("section", section);
     }
   }
 
@@ -188,8 +188,7 @@ class VtkReader {
   /** Ends the current line and reads `count` numbers. */
   async #eachNumber(type: string, count: number, use: (value: number) => void): Promise<void> {
     const reader = this.#reader;
-    const { bytes, kind } =
-      TYPES[type.toLowerCase()] ?? reader.fail(`unknown number type "${type.slice(0, 24)}"`);
+    const { bytes, kind } = TYPES[type.toLowerCase()] ?? reader.failUnknown("number type", type);
     const mayBeNone = this.#attributesOf === "points";
     if (this.#isBinary) reader.endLine();
     let bits = 0;
@@ -219,7 +218,7 @@ class VtkReader {
     else reader.line();
     for (let i = 0; i < count; i++) {
       await reader.fill();
-      if (reader.isAtEnd) reader.fail("expected text, found the end of the file");
+      if (reader.isAtEnd) reader.failAtEnd("text");
       if (!this.#isBinary) {
         reader.line();
         continue;

@@ -2,7 +2,7 @@
  * Finds the tags of a VTU or VTP file in its bytes. It does not decode the text between them, which may exceed the
  * longest possible string.
  */
-import { failureAt } from "./read-result.js";
+import { failureAt, truncatedAt } from "./read-result.js";
 import { indexOf } from "./text-bytes.js";
 import { type Attributes, attributesIn, LESS, lineAt, tagsIn } from "./xml-tags.js";
 
@@ -92,8 +92,20 @@ function checkedHead(
   return { file, pieces, fields, appended };
 }
 
-/** Fails at byte `at`. The message states its line, or its offset if it is in the binary data. */
+/** Number of bytes at the end among which the last tag is. */
+const END_BYTES = 1000;
+const LAST_TAG = "</VTKFile>";
+
+/**
+ * Fails at byte `at`. The message states its line, or its offset if it is in the binary data. A file without its last tag is
+ * truncated, which explains any other failure.
+ */
 export function failIn(bytes: Uint8Array, message: string, at: number, dataBegin = Infinity): never {
+  const isOfVtk = indexOf(bytes, encoded("<VTKFile"), 0) >= 0;
+  if (isOfVtk && indexOf(bytes, encoded(LAST_TAG), Math.max(0, bytes.length - END_BYTES)) < 0) {
+    const end = bytes.length < dataBegin ? { line: lineAt(bytes, bytes.length) } : { offset: bytes.length };
+    throw truncatedAt(end, `without ${LAST_TAG}`);
+  }
   throw failureAt(at < dataBegin ? { line: lineAt(bytes, at) } : { offset: at }, message, REMEDY);
 }
 

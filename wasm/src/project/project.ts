@@ -5,6 +5,7 @@ import type { SchemaProblem } from "../calls/schemas.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import type { ReadError, ReadResult } from "../diagnostics/read-error.js";
+import { truncatedAt } from "../formats/read-result.js";
 import { parsedProject } from "./schema.js";
 import { type Project, PROJECT_FORMAT, type ProjectBackground } from "./project-types.js";
 import { PROJECT_VERSION, upgraded } from "./versions.js";
@@ -151,6 +152,11 @@ function describeSyntaxError(text: string, failure: unknown): ReadError {
   const reason = failure instanceof Error ? failure.message : String(failure);
   const position = /position (\d+)/.exec(reason)?.[1];
   const offset = position === undefined ? undefined : Number(position);
+  if (/unexpected end|unterminated|end of data/i.test(reason)) {
+    const line = text.split("\n").length;
+    const { error } = truncatedAt({ line }, "in the middle of its JSON");
+    return error;
+  }
   return {
     code: "malformed-file",
     message: `this is not JSON: ${reason.replace(/ in JSON at position.*| \(line \d+ column \d+\)/, "")}`,

@@ -1,4 +1,4 @@
-import type { ElementQuality } from "tetrafront";
+import type { ElementQuality } from "tetrafront/internal";
 import { showElement } from "../../commands/selection-actions";
 import { formatAngle, formatCount, formatPosition } from "../../ui/format";
 import { strings } from "../../strings";

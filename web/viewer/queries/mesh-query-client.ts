@@ -94,11 +94,11 @@ export class MeshQueryClient {
   /** Copies a mesh in slices and posts it, after the one before. */
   async #send(mesh: QueriedMesh, before: Promise<void>): Promise<void> {
     await before.catch(() => undefined);
-    const { points, tetrahedra, regions } = mesh.volume;
-    const volume = await copyForTransfer({ points, tetrahedra, regions });
+    const { points, tetrahedra, tetrahedronRegion } = mesh.mesh;
+    const elements = await copyForTransfer({ points, tetrahedra, tetrahedronRegion });
     const shapes = mesh.metricShapes && (await copyForTransfer(mesh.metricShapes));
-    const copy = { volume: volume.copy, metricShapes: shapes?.copy };
-    const buffers = [...volume.buffers, ...(shapes?.buffers ?? [])];
+    const copy = { mesh: elements.copy, metricShapes: shapes?.copy };
+    const buffers = [...elements.buffers, ...(shapes?.buffers ?? [])];
     // If this call fails, the query after it fails too.
     this.#worker.call("setMesh", copy, buffers).catch(() => undefined);
   }

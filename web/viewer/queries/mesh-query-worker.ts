@@ -5,7 +5,7 @@ import { MeshQueries, type QueriedMesh } from "./mesh-queries";
 import type { MeshQueryProtocol, PictureSize } from "./mesh-query-protocol";
 
 const noMesh = {
-  volume: { points: new Float64Array(), tetrahedra: new Uint32Array(), regions: new Uint32Array() },
+  mesh: { points: new Float64Array(), tetrahedra: new Uint32Array(), tetrahedronRegion: new Uint32Array() },
 };
 let shown: QueriedMesh = noMesh;
 let queries = new MeshQueries(shown);
@@ -21,7 +21,7 @@ serveCalls<MeshQueryProtocol>({
     const { faces, onBoundary, corners, values } = answer;
     return { answer, transfer: [faces.buffer, onBoundary.buffer, corners.buffer, values.buffer] };
   },
-  cut: ({ element, toEye }) => ({ answer: cutToElement(shown.volume, element, toEye) }),
+  cut: ({ element, toEye }) => ({ answer: cutToElement(shown.mesh, element, toEye) }),
   picture: async ({ view, size }) => ({ answer: await smallPicture(view, size) }),
   tree: async (corners) => {
     // Load the library on demand: it is large, and no picture needs it.
