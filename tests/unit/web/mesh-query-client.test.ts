@@ -65,7 +65,7 @@ test("a mesh that is released while it is copied does not stay in the worker", a
 test("the cut to an element is asked of the worker: the page visits no elements", async () => {
   const posted = recordCalls();
   const queries = new MeshQueryClient();
-  const mesh = { volume: gridMesh(2) };
+  const mesh = { mesh: gridMesh(2) };
   void queries.cutTo(mesh, 7, [1, -1, 1]);
   await vi.waitFor(() => expect(posted).toHaveLength(2));
   expect(posted.map(({ name, argument }) => [name, name === "cut" && argument])).toEqual([
