@@ -69,7 +69,9 @@ test.each([
 test("a number that jumps past the wanted one ends with the nearest", async () => {
   // 6 tetrahedra per cube: 6, 48, 162, 384, 750.
   const law = (factor: number) => 6 * Math.max(1, Math.round(1 / factor)) ** 3;
-  const { end, count } = await search(270, law);
+  const { reachable, end, count } = await search(270, law);
+  expect(reachable).toHaveLength(2);
+  expect(reachable).toContain(count);
   expect(end).toBe("nearest");
   expect([162, 384]).toContain(count);
 });

@@ -37,6 +37,8 @@ export interface CountResult<Made> {
   readonly best: CountedMesh<Made>;
   readonly end: SearchEnd;
   readonly runs: number;
+  /** The nearest numbers on both sides of the wanted one, in ascending order; for the end `nearest`. */
+  readonly reachable?: readonly number[] | undefined;
 }
 
 export interface CountSearch<Made> {
@@ -269,7 +271,10 @@ export async function meshedToCount<Made>(searched: CountSearch<Made>): Promise<
       if (error <= COUNT_TOLERANCE) return { best, end: "reached", runs };
       const { above, below } = search;
       const isBetween = next === "nearest" && hasFinerParts && above !== undefined && below !== undefined;
-      if (!isBetween) return { best, end: next, runs };
+      const sides = [below, above, withPart && { y: Math.log(withPart.count ?? 1) }];
+      const counts = sides.flatMap((side) => (side ? [Math.round(Math.exp(side.y))] : []));
+      const reachable = [...new Set(counts)].sort((a, b) => a - b);
+      if (!isBetween) return { best, end: next, runs, reachable };
       const found = await withFinerPart(searched, { best, end: next, runs }, above, below);
       if (found.end !== "nearest") return found;
       ({ best: withPart, runs } = found);

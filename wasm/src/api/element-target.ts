@@ -88,14 +88,14 @@ function isLimit(error: unknown): boolean {
 
 function reported<Made extends MeshResult>(
   made: Made,
-  { end, runs, best }: CountResult<unknown>,
+  { end, runs, best, reachable = [] }: CountResult<unknown>,
   { elements, expected, isKept = false }: ElementTarget<Made>,
   seconds: number,
 ): Made {
   const { report } = made;
   const reached = report.tetrahedra;
   const counted: ElementCount = { asked: elements, reached, sizeFactor: best.factor, runs };
-  const found = [...missed(counted, end, isKept), ...tooFew(report, counted, expected)];
+  const found = [...missed(counted, end, { isKept, reachable }), ...tooFew(report, counted, expected)];
   const all = report.status === "done" ? [...report.diagnostics, ...found] : report.diagnostics;
   return {
     ...made,
@@ -129,9 +129,13 @@ function tooFew(
 }
 
 /** Returns a warning if the number was not reached. */
-function missed({ asked, reached }: ElementCount, end: SearchEnd, isKept: boolean): Diagnostic[] {
+function missed(
+  { asked, reached }: ElementCount,
+  end: SearchEnd,
+  { isKept, reachable }: { readonly isKept: boolean; readonly reachable: readonly number[] },
+): Diagnostic[] {
   if (end === "reached" || end === "failed") return [];
-  const [why, remedy] = reasons(end, isKept, reached);
+  const [why, remedy] = reasons(end, isKept, reached, reachable);
   const message = `${plural(asked, "element")} asked for, ${reached} reached: ${why}`;
   return [packageDiagnostic("element-count", message, remedy, "warning")];
 }
@@ -142,6 +146,7 @@ function reasons(
   end: Exclude<SearchEnd, "reached" | "failed">,
   isKept: boolean,
   reached: number,
+  reachable: readonly number[],
 ): [string, string] {
   switch (end) {
     case "least":
@@ -166,8 +171,8 @@ function reasons(
           ];
     case "nearest":
       return [
-        "this is the nearest number found: the number changes in jumps with the sizes, for example where edges and faces get one element more",
-        "Ask for another number, or accept this one.",
+        `the number changes in jumps with the sizes, for example where a thin wall gets a further layer, or edges and faces one element more${reachable.length > 1 ? `; the nearest numbers found are ${reachable.join(" and ")}` : ""}`,
+        "Ask for one of these numbers, or accept this one.",
       ];
   }
 }

@@ -35,11 +35,13 @@ export async function solidParts(mesher: SurfaceMesher, given: Mesh): Promise<re
   }
   const groups = connectedGroups(units.length, touching);
   if (groups.length < 2) return undefined;
-  const parts = groups.map((group) => {
+  const parts: SurfaceFile[] = [];
+  for (const group of groups) {
     const own = group.flatMap((unit) => units[unit] ?? []).sort((a, b) => a - b);
-    return { surface: partOfSolids(solids, own), isJoined: group.length > 1 };
-  });
-  return Promise.all(parts.map(({ surface, isJoined }) => (isJoined ? surface : apart(mesher, surface))));
+    const surface = partOfSolids(solids, own);
+    parts.push(group.length > 1 ? surface : await apart(mesher, surface));
+  }
+  return parts;
 }
 
 /** Returns solids that do not touch, with the regions on both sides of their triangles: one may lie within another. */

@@ -8,7 +8,8 @@ import { ReadFailure } from "./read-result.js";
 const HEAD_BYTES = 256;
 
 interface OtherContent {
-  readonly begins: RegExp;
+  /** Text, or a pattern of it. */
+  readonly begins: string | RegExp;
   readonly what: string;
   /** Name of the format that has this content. */
   readonly format?: string;
@@ -22,22 +23,25 @@ const OTHERS: readonly OtherContent[] = [
     remedy: "Download the file itself: what was saved is a page that shows or announces it.",
   },
   {
-    begins: /^%PDF-/,
+    begins: "%PDF-",
     what: "a PDF document",
     remedy: "Export the part from the CAD program in one of the formats that can be read.",
   },
   {
-    begins: /^\x1f\x8b/,
+    begins: "\x1f\x8b",
     what: "compressed by gzip",
     remedy: "Unpack it first, for example by gunzip.",
   },
   {
-    begins: /^PK\x03\x04/,
+    begins: "PK\x03\x04",
     what: "a ZIP archive",
     format: "3MF",
     remedy: "Unpack it first, and use the file inside.",
   },
 ];
+
+const isAt = (begins: string | RegExp, text: string): boolean =>
+  typeof begins === "string" ? text.startsWith(begins) : begins.test(text);
 
 /** Remembers how a file begins while it is read. */
 export class FileHead {
@@ -68,7 +72,7 @@ export class FileHead {
   explained(failure: unknown, format: string): unknown {
     if (!(failure instanceof ReadFailure)) return failure;
     const text = new TextDecoder("latin1").decode(this.#bytes).replace(/^\xef\xbb\xbf/, "");
-    const other = OTHERS.find(({ begins, format: own }) => own !== format && begins.test(text));
+    const other = OTHERS.find(({ begins, format: own }) => own !== format && isAt(begins, text));
     if (other === undefined) return failure;
     return new ReadFailure({ message: `this is ${other.what}, not ${format}`, remedy: other.remedy });
   }
