@@ -319,7 +319,7 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 /**
  * Functions tested elsewhere: `readTrace` and `loadTrace` with damaged files (trace.test.ts); `recordTrace` passes its
  * arguments on to methods of the mesher; `liveNotes` takes a project that was checked; `hasWelded`
- * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader.
+ * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader; units of solids are tested in solid-units.test.ts.
  */
 const TESTED_ELSEWHERE = [
   "MesherError",
@@ -332,6 +332,12 @@ const TESTED_ELSEWHERE = [
   "remeshedBest",
   "regionSummaries",
   "withSolidsOfPatches",
+  "connectedGroups",
+  "createUnitBodies",
+  "isWithin",
+  "nearPairs",
+  "sharedPairs",
+  "solidUnits",
 ];
 
 test("every exported function and every method is tested", () => {

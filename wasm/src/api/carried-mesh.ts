@@ -2,7 +2,7 @@
 import { noVolume } from "../formats/boundary.js";
 import { countOf, numbered } from "../formats/groups.js";
 import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
-import type { MeshGroup, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
+import type { Mesh, MeshGroup, SurfaceInput } from "../mesh/mesh.js";
 import { chainedOrigins } from "./surface-numbers.js";
 
 /** A repaired, refined or remeshed surface. */
@@ -69,37 +69,4 @@ export function carriedSurface(given: SurfaceInput, changed: ChangedTriangles): 
     ...(regionPoints && { regionPoints }),
     ...(unit && { unit }),
   };
-}
-
-/** Elements that were improved. */
-interface ImprovedElements extends Pick<Mesh, "points" | "tetrahedra" | "nodeOrigin"> {
-  /** Per tetrahedron: its region, with the given numbers. */
-  readonly regions: Uint32Array;
-  readonly nodeOrigin: Uint32Array;
-}
-
-/** Returns improved elements with the triangles, patches and regions of the given mesh, whose nodes were kept. */
-export function carriedVolume(given: VolumeInput, improved: ImprovedElements): Mesh {
-  const { points, tetrahedra, regions: tetrahedronRegion, nodeOrigin } = improved;
-  const { triangles = new Uint32Array(), regions = [] } = given;
-  const { reversedTetrahedra: _r, invertedTetrahedra: _i, duplicateTetrahedra: _d, ...rest } = given;
-  return {
-    ...rest,
-    points,
-    triangles: renumbered(triangles, nodeOrigin, given.points.length / 3),
-    ...patchesIn({ ...given, triangles }),
-    tetrahedra,
-    tetrahedronRegion,
-    regions: regions.length > 0 ? regions : numbered("region", countOf(tetrahedronRegion)),
-    nodeData: new Map(),
-  };
-}
-
-/** Returns node indices after a change that kept these nodes. `count`: number of nodes before. */
-export function renumbered(nodes: Uint32Array, nodeOrigin: Uint32Array, count: number): Uint32Array {
-  const indexOf = new Uint32Array(count).fill(NO_ORIGIN);
-  nodeOrigin.forEach((origin, node) => {
-    if (origin !== NO_ORIGIN) indexOf[origin] = node;
-  });
-  return nodes.map((node) => indexOf[node] ?? NO_ORIGIN);
 }

@@ -123,3 +123,5 @@ async function proposals(
   }
   return found;
 }
+
+export { elementsReached } from "./element-target.js";

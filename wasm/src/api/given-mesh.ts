@@ -18,7 +18,7 @@ import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { PatchQuality } from "../mesh/quality.js";
 import type { MeshReport, MeshResult } from "../mesh/report.js";
 import { emptyReport, emptyResult } from "./report.js";
-import { renumbered } from "./carried-mesh.js";
+import { renumbered } from "./improvement.js";
 
 /** A volume mesh with the triangles between its regions, and around them. */
 export interface MeshWithBoundary {

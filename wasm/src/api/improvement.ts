@@ -5,9 +5,10 @@ import { describeAll } from "../diagnostics/describe.js";
 import { nameByIndex } from "../diagnostics/entity-names.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { EngineImprovement } from "../engine/loader.js";
-import { IMPROVE_DEFAULTS } from "../generated/constants.js";
-import type { VolumeInput } from "../mesh/mesh.js";
-import { carriedVolume } from "./carried-mesh.js";
+import { IMPROVE_DEFAULTS, NO_ORIGIN } from "../generated/constants.js";
+import type { Mesh, VolumeInput } from "../mesh/mesh.js";
+import { countOf, numbered } from "../formats/groups.js";
+import { patchesIn } from "./carried-mesh.js";
 import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
 
 export function improvementErrors({ diagnostics }: EngineImprovement): Diagnostic[] {
@@ -62,3 +63,36 @@ const NOTHING_BETTER = packageDiagnostic(
   "",
   "information",
 );
+
+/** Elements that were improved. */
+interface ImprovedElements extends Pick<Mesh, "points" | "tetrahedra" | "nodeOrigin"> {
+  /** Per tetrahedron: its region, with the given numbers. */
+  readonly regions: Uint32Array;
+  readonly nodeOrigin: Uint32Array;
+}
+
+/** Returns improved elements with the triangles, patches and regions of the given mesh, whose nodes were kept. */
+export function carriedVolume(given: VolumeInput, improved: ImprovedElements): Mesh {
+  const { points, tetrahedra, regions: tetrahedronRegion, nodeOrigin } = improved;
+  const { triangles = new Uint32Array(), regions = [] } = given;
+  const { reversedTetrahedra: _r, invertedTetrahedra: _i, duplicateTetrahedra: _d, ...rest } = given;
+  return {
+    ...rest,
+    points,
+    triangles: renumbered(triangles, nodeOrigin, given.points.length / 3),
+    ...patchesIn({ ...given, triangles }),
+    tetrahedra,
+    tetrahedronRegion,
+    regions: regions.length > 0 ? regions : numbered("region", countOf(tetrahedronRegion)),
+    nodeData: new Map(),
+  };
+}
+
+/** Returns node indices after a change that kept these nodes. `count`: number of nodes before. */
+export function renumbered(nodes: Uint32Array, nodeOrigin: Uint32Array, count: number): Uint32Array {
+  const indexOf = new Uint32Array(count).fill(NO_ORIGIN);
+  nodeOrigin.forEach((origin, node) => {
+    if (origin !== NO_ORIGIN) indexOf[origin] = node;
+  });
+  return nodes.map((node) => indexOf[node] ?? NO_ORIGIN);
+}

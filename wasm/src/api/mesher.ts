@@ -46,8 +46,6 @@ import {
 import { unlessFailed } from "./best-repair.js";
 import { beginCall } from "./call-checks.js";
 import type { FinerPart } from "./element-count.js";
-import { expectedElements, largestAutomaticSize } from "./counted-surface.js";
-import { elementsReached } from "./element-target.js";
 import {
   checkControl,
   checkImproveInput,
@@ -62,6 +60,7 @@ import {
 } from "./input-checks.js";
 import { describedMesh } from "./inspection.js";
 import { describedImprovement, improvementErrors } from "./improvement.js";
+import { sizesAtNodes } from "./node-sizes.js";
 import type {
   Mesher,
   PatchSplit,
@@ -80,7 +79,6 @@ import {
   scaledProject,
   withBall,
 } from "./scaled-sizes.js";
-import { sizesAtNodes } from "./node-sizes.js";
 import { sampleSizes } from "./size-samples.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
@@ -153,6 +151,9 @@ interface ElementsMade extends MeshResult {
   readonly bodies: readonly PreparedBody[];
 }
 
+/** Loaded when a number of elements is asked for. */
+const ofElements = () => import("./counted-surface.js");
+
 class WorkerMesher implements Mesher {
   readonly #client = new EngineClient();
   readonly #surfaces = new SurfaceTools(this.#client);
@@ -193,6 +194,7 @@ class WorkerMesher implements Mesher {
     { elements, known }: { readonly elements: number; readonly known: readonly PreparedBody[] },
     control: RunControl,
   ): Promise<MeshResult> {
+    const { elementsReached, expectedElements, largestAutomaticSize } = await ofElements();
     const points = pointsOf(project);
     const size = options.size ?? largestSize(project, options);
     const automatic =
@@ -314,6 +316,7 @@ class WorkerMesher implements Mesher {
       const ball = finer && ballOf(surface.points, longest * finer.factor, finer.share);
       return this.#fill(surface, { ...scaled, background: withBall(scaled.background, ball) }, ofRun);
     };
+    const { elementsReached } = await ofElements();
     return elementsReached({ elements, run, isKept: true, hasFinerParts }, control);
   }
 

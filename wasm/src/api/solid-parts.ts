@@ -1,4 +1,4 @@
-/** The solids of an STL file that are prepared by themselves, because others of the file touch. */
+/** The solids of an STL file that are prepared by themselves, because others of the file touch; and what became of all of them. */
 import { inSteps } from "../calls/yielder.js";
 import { solidsOfPatches } from "../formats/patch-solids.js";
 import {
@@ -10,9 +10,11 @@ import {
   type SolidsSurface,
   unitedSurfaces,
 } from "../formats/solid-units.js";
+import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 import { withSolidRegions } from "./solids.js";
 import { withoutRegions } from "./stated-solids.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
+import type { TreatedSurface } from "./surface-treatment.js";
 import type { Mesh } from "../mesh/mesh.js";
 
 /**
@@ -56,3 +58,58 @@ async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Pro
   const surface = surfaces.length === 1 && first !== undefined ? first : unitedSurfaces(surfaces);
   return (await mesher.inspectSurface(surface)).isFillable;
 }
+
+/** Returns what became of several surfaces as one: counts are sums, and shapes and distances the worst. */
+export function unitedTreated(all: readonly TreatedSurface[]): TreatedSurface {
+  const invalid = all.flatMap((one) => one.invalid ?? []);
+  const diagnostics = all.flatMap((one) => one.diagnostics ?? []);
+  const [refinement] = [all.flatMap((one) => one.refinement ?? [])].map(unitedRefinements);
+  const [remesh] = [all.flatMap((one) => one.remesh ?? [])].map(unitedRemeshes);
+  return {
+    surface: unitedSurfaces(all.map(({ surface }) => surface)),
+    ...(refinement && { refinement }),
+    ...(remesh && { remesh }),
+    ...(invalid.length > 0 && { invalid }),
+    diagnostics: diagnostics.filter(
+      ({ code, message }, d) =>
+        diagnostics.findIndex((one) => one.code === code && one.message === message) === d,
+    ),
+  };
+}
+
+const sumOf = (numbers: readonly number[]): number => numbers.reduce((sum, number) => sum + number, 0);
+
+function unitedRefinements(all: readonly RefinementCounts[]): RefinementCounts | undefined {
+  if (all.length === 0) return undefined;
+  return {
+    given: sumOf(all.map(({ given }) => given)),
+    triangles: sumOf(all.map(({ triangles }) => triangles)),
+    splitEdges: sumOf(all.map(({ splitEdges }) => splitEdges)),
+    lengthRatio: Math.max(...all.map(({ lengthRatio }) => lengthRatio)),
+  };
+}
+
+function unitedRemeshes(all: readonly RemeshReport[]): RemeshReport | undefined {
+  const [first] = all;
+  if (first === undefined) return undefined;
+  const triangles = sumOf(all.map((one) => one.triangles));
+  return {
+    ...first,
+    given: sumOf(all.map(({ given }) => given)),
+    triangles,
+    patches: sumOf(all.map(({ patches }) => patches)),
+    featureLines: sumOf(all.map(({ featureLines }) => featureLines)),
+    size: Math.max(...all.map(({ size }) => size)),
+    minSize: Math.min(...all.map(({ minSize }) => minSize)),
+    tolerance: Math.max(...all.map(({ tolerance }) => tolerance)),
+    deviation: Math.max(...all.map(({ deviation }) => deviation)),
+    smallestAngle: Math.min(...all.map(({ smallestAngle }) => smallestAngle)),
+    meanRadiusRatio: sumOf(all.map((one) => one.meanRadiusRatio * one.triangles)) / triangles,
+    givenVolume: sumOf(all.map(({ givenVolume }) => givenVolume)),
+    volume: sumOf(all.map(({ volume }) => volume)),
+    mergedDetails: all.flatMap(({ mergedDetails }) => mergedDetails),
+    isPartial: all.some(({ isPartial }) => isPartial),
+  };
+}
+
+export { unitedSurfaces } from "../formats/solid-units.js";

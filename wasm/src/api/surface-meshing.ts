@@ -7,10 +7,8 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
-import { unitedSurfaces } from "../formats/solid-units.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
-import { filledToElements } from "./counted-surface.js";
 import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
 import { checkControl, checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
@@ -31,18 +29,15 @@ import { type SurfaceMesher, withControl } from "./surface-mesher.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withoutCracks } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
-import {
-  type ControlOf,
-  type TreatedSurface,
-  treatedSurface,
-  type Treatment,
-  unitedTreated,
-} from "./surface-treatment.js";
+import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { completeSurface } from "./carried-mesh.js";
 import { hasNamedPatches } from "./generated-mesh.js";
 import { withInterfacePatches } from "./interface-patches.js";
+
+/** Loaded when it is needed: most files have one solid, or state what is joined. */
+const ofParts = () => import("./solid-parts.js");
 
 /** A surface whose options are decided, ready for its treatment. */
 export interface ReadySurface extends ChangedSurface {
@@ -87,7 +82,7 @@ export async function readySurface(
     splitPart(options) === undefined &&
     innerShells !== "cavities" &&
     given.patches.length > 1;
-  const parts = mayBeDivided ? await (await import("./solid-parts.js")).solidParts(mesher, given) : undefined;
+  const parts = mayBeDivided ? await (await ofParts()).solidParts(mesher, given) : undefined;
   if (parts === undefined) return readyWhole(mesher, given, asked, options, origin, isExact);
   const ready: ReadyPart[] = [];
   for (const part of parts)
@@ -96,10 +91,11 @@ export async function readySurface(
 }
 
 /** Returns the surface of several solids that are ready. */
-function unitedParts(parts: readonly ReadyPart[], treatment: Treatment): ReadySurface {
+async function unitedParts(parts: readonly ReadyPart[], treatment: Treatment): Promise<ReadySurface> {
   const all = parts.map(({ ready }) => ready);
   const changes = all.flatMap((one) => one.changes ?? []);
   const deviations = all.flatMap(({ repairDeviation }) => repairDeviation ?? []);
+  const { unitedSurfaces } = await ofParts();
   return {
     surface: unitedSurfaces(all.map(({ surface }) => surface)),
     treatment,
@@ -214,6 +210,7 @@ export async function filledSurface(
   const parts = ready.parts?.map((part) => part.ready.surface) ?? [surface];
   const counted = { surface, parts, isRemeshed: treatment.kind === "remesh" };
   try {
+    const { filledToElements } = await import("./counted-surface.js");
     return await filledToElements(mesher, counted, { ...filling, elements }, (scaled) =>
       filledOnce(mesher, given, ready, { ...filling, ...scaled }),
     );
@@ -259,7 +256,7 @@ async function partsFilled(
 ): Promise<MeshedSurface> {
   const made: TreatedSurface[] = [];
   for (const { ready: part } of parts) made.push(await treated(mesher, part, filling));
-  const united = unitedTreated(made);
+  const united = (await ofParts()).unitedTreated(made);
   const result = await fill(mesher, united, meshPart(filling.options), filling.controlOf());
   return meshed(result, ready, united, { ...filling, isExact: false });
 }
