@@ -37,7 +37,7 @@ export async function solidParts(mesher: SurfaceMesher, given: Mesh): Promise<re
   }
   const groups = connectedGroups(units.length, touching);
   if (groups.length < 2) return undefined;
-  const parts: SurfaceFile[] = [];
+  const parts: Mesh[] = [];
   for (const group of groups) {
     const own = group.flatMap((unit) => units[unit] ?? []).sort((a, b) => a - b);
     const surface = partOfSolids(solids, own);
