@@ -41,7 +41,9 @@ export async function solidParts(mesher: SurfaceMesher, given: Mesh): Promise<re
     const own = group.flatMap((unit) => units[unit] ?? []).sort((a, b) => a - b);
     return { surface: partOfSolids(solids, own), isJoined: group.length > 1 };
   });
-  return Promise.all(parts.map(({ surface, isJoined }) => (isJoined ? surface : apart(mesher, surface))));
+  return Promise.all(
+    parts.map(async ({ surface, isJoined }) => (isJoined ? surface : apart(mesher, surface))),
+  );
 }
 
 /** Returns solids that do not touch, with the regions on both sides of their triangles: one may lie within another. */
