@@ -13,7 +13,10 @@ import {
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { withSolidRegions } from "./solids.js";
 import { withoutRegions } from "./stated-solids.js";
+import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
+import type { ReadyPart, ReadySurface } from "./surface-meshing.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
+import type { TreatedSurface, Treatment } from "./surface-treatment.js";
 
 /**
  * Returns the surfaces of solids that are prepared together, by their first solids; undefined if all are, or if the file states
@@ -58,4 +61,74 @@ async function isFillable(mesher: SurfaceMesher, surfaces: readonly SurfaceFile[
   const [first] = surfaces;
   const surface = surfaces.length === 1 && first !== undefined ? first : unitedSurfaces(surfaces);
   return (await mesher.inspectSurface(surface)).isFillable;
+}
+
+/** Returns the surface of several solids that are ready. */
+export function unitedParts(parts: readonly ReadyPart[], treatment: Treatment): ReadySurface {
+  const all = parts.map(({ ready }) => ready);
+  const changes = all.flatMap((one) => one.changes ?? []);
+  const deviations = all.flatMap(({ repairDeviation }) => repairDeviation ?? []);
+  return {
+    surface: unitedSurfaces(all.map(({ surface }) => surface)),
+    treatment,
+    parts,
+    ...(all.some((one) => one.changes !== undefined) && {
+      changes,
+      repairDeviation: Math.max(0, ...deviations),
+    }),
+    diagnostics: all.flatMap(({ diagnostics }) => diagnostics),
+  };
+}
+
+/** Returns what became of several surfaces as one: counts are sums, and shapes and distances the worst. */
+export function unitedTreated(all: readonly TreatedSurface[]): TreatedSurface {
+  const invalid = all.flatMap((one) => one.invalid ?? []);
+  const diagnostics = all.flatMap((one) => one.diagnostics ?? []);
+  const [refinement] = [all.flatMap((one) => one.refinement ?? [])].map(unitedRefinements);
+  const [remesh] = [all.flatMap((one) => one.remesh ?? [])].map(unitedRemeshes);
+  return {
+    surface: unitedSurfaces(all.map(({ surface }) => surface)),
+    ...(refinement && { refinement }),
+    ...(remesh && { remesh }),
+    ...(invalid.length > 0 && { invalid }),
+    diagnostics: diagnostics.filter(
+      ({ code, message }, d) =>
+        diagnostics.findIndex((one) => one.code === code && one.message === message) === d,
+    ),
+  };
+}
+
+const sumOf = (numbers: readonly number[]): number => numbers.reduce((sum, number) => sum + number, 0);
+
+function unitedRefinements(all: readonly RefinementCounts[]): RefinementCounts | undefined {
+  if (all.length === 0) return undefined;
+  return {
+    given: sumOf(all.map(({ given }) => given)),
+    triangles: sumOf(all.map(({ triangles }) => triangles)),
+    splitEdges: sumOf(all.map(({ splitEdges }) => splitEdges)),
+    lengthRatio: Math.max(...all.map(({ lengthRatio }) => lengthRatio)),
+  };
+}
+
+function unitedRemeshes(all: readonly RemeshReport[]): RemeshReport | undefined {
+  const [first] = all;
+  if (first === undefined) return undefined;
+  const triangles = sumOf(all.map((one) => one.triangles));
+  return {
+    ...first,
+    given: sumOf(all.map(({ given }) => given)),
+    triangles,
+    patches: sumOf(all.map(({ patches }) => patches)),
+    featureLines: sumOf(all.map(({ featureLines }) => featureLines)),
+    size: Math.max(...all.map(({ size }) => size)),
+    minSize: Math.min(...all.map(({ minSize }) => minSize)),
+    tolerance: Math.max(...all.map(({ tolerance }) => tolerance)),
+    deviation: Math.max(...all.map(({ deviation }) => deviation)),
+    smallestAngle: Math.min(...all.map(({ smallestAngle }) => smallestAngle)),
+    meanRadiusRatio: sumOf(all.map((one) => one.meanRadiusRatio * one.triangles)) / triangles,
+    givenVolume: sumOf(all.map(({ givenVolume }) => givenVolume)),
+    volume: sumOf(all.map(({ volume }) => volume)),
+    mergedDetails: all.flatMap(({ mergedDetails }) => mergedDetails),
+    isPartial: all.some(({ isPartial }) => isPartial),
+  };
 }

@@ -8,7 +8,6 @@ import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
 import { carriedRegions } from "../formats/region-names.js";
-import { unitedSurfaces } from "../formats/solid-units.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
@@ -33,14 +32,11 @@ import { type SurfaceMesher, withControl } from "./surface-mesher.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withoutCracks } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
-import {
-  type ControlOf,
-  type TreatedSurface,
-  treatedSurface,
-  type Treatment,
-  unitedTreated,
-} from "./surface-treatment.js";
+import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
+
+/** Loaded when it is needed: most surfaces have one solid. */
+const ofParts = () => import("./solid-parts.js");
 
 /** A surface whose options are decided, ready for its treatment. */
 export interface ReadySurface extends ChangedSurface {
@@ -50,7 +46,7 @@ export interface ReadySurface extends ChangedSurface {
 }
 
 /** Solids that are ready by themselves, and their given surface. */
-interface ReadyPart {
+export interface ReadyPart {
   readonly given: SurfaceFile;
   readonly ready: ReadySurface;
 }
@@ -85,24 +81,7 @@ export async function readySurface(
   const ready: ReadyPart[] = [];
   for (const part of parts)
     ready.push({ given: part, ready: await readyWhole(mesher, part, asked, options, origin, isExact) });
-  return unitedParts(ready, asked);
-}
-
-/** Returns the surface of several solids that are ready. */
-function unitedParts(parts: readonly ReadyPart[], treatment: Treatment): ReadySurface {
-  const all = parts.map(({ ready }) => ready);
-  const changes = all.flatMap((one) => one.changes ?? []);
-  const deviations = all.flatMap(({ repairDeviation }) => repairDeviation ?? []);
-  return {
-    surface: unitedSurfaces(all.map(({ surface }) => surface)),
-    treatment,
-    parts,
-    ...(all.some((one) => one.changes !== undefined) && {
-      changes,
-      repairDeviation: Math.max(0, ...deviations),
-    }),
-    diagnostics: all.flatMap(({ diagnostics }) => diagnostics),
-  };
+  return (await ofParts()).unitedParts(ready, asked);
 }
 
 /** As `readySurface`, for a surface of which all solids are treated alike. `asked`: what becomes of triangles that do not touch others. */
@@ -255,7 +234,7 @@ async function partsFilled(
 ): Promise<MeshedSurface> {
   const made: TreatedSurface[] = [];
   for (const { ready: part } of parts) made.push(await treated(mesher, part, filling));
-  const united = unitedTreated(made);
+  const united = (await ofParts()).unitedTreated(made);
   const result = await fill(mesher, united, meshPart(filling.options), filling.controlOf());
   const { surface, invalid, diagnostics: ___, ...counts } = united;
   return invalid === undefined

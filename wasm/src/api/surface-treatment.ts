@@ -4,7 +4,6 @@ import { short } from "../base/short.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
-import { unitedSurfaces } from "../formats/solid-units.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceInspection, SurfaceRefinement } from "../mesh/inspection.js";
 import { type TriangleShapes } from "../mesh/triangle-shapes.js";
@@ -185,57 +184,4 @@ export async function remeshed(
   const surface = repairedSurface(given, made);
   const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
   return { surface, remesh, diagnostics };
-}
-
-/** Returns what became of several surfaces as one: counts are sums, and shapes and distances the worst. */
-export function unitedTreated(all: readonly TreatedSurface[]): TreatedSurface {
-  const invalid = all.flatMap((one) => one.invalid ?? []);
-  const diagnostics = all.flatMap((one) => one.diagnostics ?? []);
-  const [refinement] = [all.flatMap((one) => one.refinement ?? [])].map(unitedRefinements);
-  const [remesh] = [all.flatMap((one) => one.remesh ?? [])].map(unitedRemeshes);
-  return {
-    surface: unitedSurfaces(all.map(({ surface }) => surface)),
-    ...(refinement && { refinement }),
-    ...(remesh && { remesh }),
-    ...(invalid.length > 0 && { invalid }),
-    diagnostics: diagnostics.filter(
-      ({ code, message }, d) =>
-        diagnostics.findIndex((one) => one.code === code && one.message === message) === d,
-    ),
-  };
-}
-
-const sumOf = (numbers: readonly number[]): number => numbers.reduce((sum, number) => sum + number, 0);
-
-function unitedRefinements(all: readonly RefinementCounts[]): RefinementCounts | undefined {
-  if (all.length === 0) return undefined;
-  return {
-    given: sumOf(all.map(({ given }) => given)),
-    triangles: sumOf(all.map(({ triangles }) => triangles)),
-    splitEdges: sumOf(all.map(({ splitEdges }) => splitEdges)),
-    lengthRatio: Math.max(...all.map(({ lengthRatio }) => lengthRatio)),
-  };
-}
-
-function unitedRemeshes(all: readonly RemeshReport[]): RemeshReport | undefined {
-  const [first] = all;
-  if (first === undefined) return undefined;
-  const triangles = sumOf(all.map((one) => one.triangles));
-  return {
-    ...first,
-    given: sumOf(all.map(({ given }) => given)),
-    triangles,
-    patches: sumOf(all.map(({ patches }) => patches)),
-    featureLines: sumOf(all.map(({ featureLines }) => featureLines)),
-    size: Math.max(...all.map(({ size }) => size)),
-    minSize: Math.min(...all.map(({ minSize }) => minSize)),
-    tolerance: Math.max(...all.map(({ tolerance }) => tolerance)),
-    deviation: Math.max(...all.map(({ deviation }) => deviation)),
-    smallestAngle: Math.min(...all.map(({ smallestAngle }) => smallestAngle)),
-    meanRadiusRatio: sumOf(all.map((one) => one.meanRadiusRatio * one.triangles)) / triangles,
-    givenVolume: sumOf(all.map(({ givenVolume }) => givenVolume)),
-    volume: sumOf(all.map(({ volume }) => volume)),
-    mergedDetails: all.flatMap(({ mergedDetails }) => mergedDetails),
-    isPartial: all.some(({ isPartial }) => isPartial),
-  };
 }
