@@ -21,7 +21,7 @@
 #include "surface/surface_trace.h"
 #include "tetrafront/mesher.h"
 #include "topology/mesh_access.h"
-#include "topology/tet_mesh.h"
+#include "topology/region_meshes.h"
 #include "volume/region_mesher.h"
 
 namespace tetrafront {
@@ -73,10 +73,10 @@ class MeshRun::Impl {
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return patches_; }
 
   [[nodiscard]] const VolumeMesh& volume() const {
-    if (front_) return snapshotOf(front_->mesh());
-    if (optimizer_) return snapshotOf(optimizer_->mesh());
-    if (limiter_) return snapshotOf(limiter_->mesh());
-    return mesh_.points.empty() ? result_ : snapshotOf(mesh_);
+    if (front_) return snapshotOf(front_->meshes());
+    if (optimizer_) return snapshotOf(withRegion(optimizer_->mesh()));
+    if (limiter_) return snapshotOf(withRegion(limiter_->mesh()));
+    return meshes_.regions.empty() ? result_ : snapshotOf(meshes_);
   }
 
   [[nodiscard]] std::vector<double> front() const {
@@ -125,15 +125,18 @@ class MeshRun::Impl {
       progress.tetrahedra = static_cast<std::uint32_t>(tetrahedra);
       progress.frontFaces = static_cast<std::uint32_t>(frontFaces);
     };
+    // The region that is worked on is not among the meshes meanwhile.
+    const auto addRegion = [&](std::size_t nodes, std::size_t tetrahedra) {
+      progress.nodes += static_cast<std::uint32_t>(nodes);
+      progress.tetrahedra += static_cast<std::uint32_t>(tetrahedra);
+    };
     if (front_) {
       count(front_->nodeCount(), front_->tetrahedronCount(), front_->frontFaceCount());
       progress.exactFillFraction = front_->exactFillFraction();
-    } else if (optimizer_) {
-      count(optimizer_->pointCount(), optimizer_->tetrahedronCount(), 0);
-    } else if (limiter_) {
-      count(limiter_->nodeCount(), limiter_->tetrahedronCount(), 0);
-    } else if (!mesh_.points.empty()) {
-      count(mesh_.points.size(), mesh_.tetrahedra.size(), mesh_.front.size());
+    } else if (!meshes_.regions.empty()) {
+      count(meshes_.nodeCount(), meshes_.tetrahedronCount(), meshes_.frontFaceCount());
+      if (optimizer_) addRegion(optimizer_->innerNodeCount(), optimizer_->tetrahedronCount());
+      if (limiter_) addRegion(limiter_->innerNodeCount(), limiter_->tetrahedronCount());
     } else if (!result_.points.empty()) {
       count(countNodes(result_), countTetrahedra(result_), result_.front.size() / 3);
     }
@@ -153,9 +156,17 @@ class MeshRun::Impl {
   void addBodies();
   void summarizeBodies();
   bool limitElements();
+  [[nodiscard]] double frontShare() const;
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
-  Task<bool> limitVolumes(Work& work, VolumeLimits limits);
+  Task<bool> limitVolumes(Work& work);
+  void reportLimits(std::size_t before, std::size_t others);
+  [[nodiscard]] RegionMesh& region() { return meshes_.regions[region_]; }
+  [[nodiscard]] RegionMeshes withRegion(TetMesh mesh) const {
+    RegionMeshes all = meshes_;
+    all.regions[region_].mesh = std::move(mesh);
+    return all;
+  }
   Task<> measure(Work& work);
   Task<MeshStatus> verify(Work& work);
 
@@ -163,8 +174,8 @@ class MeshRun::Impl {
   void takeResult();
   void end();
 
-  [[nodiscard]] const VolumeMesh& snapshotOf(TetMesh mesh) const {
-    return snapshot_ = toVolumeMesh(std::move(mesh));
+  [[nodiscard]] const VolumeMesh& snapshotOf(RegionMeshes meshes) const {
+    return snapshot_ = joined(std::move(meshes));
   }
 
   void report(const std::vector<Diagnostic>& found) {
@@ -198,10 +209,11 @@ class MeshRun::Impl {
   std::uint64_t frontFingerprint_ = 0;
   std::optional<RegionMesher> front_;        ///< while it fills
   std::unique_ptr<SweepObserver> observer_;  ///< of the optimizer, if the run is recorded
-  std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes
-  std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements
+  std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes a region
+  std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements of a region
+  std::size_t region_ = 0;                   ///< of these two
   bool hasFoundNothingBetter_ = false;
-  TetMesh mesh_;                 ///< between these stages
+  RegionMeshes meshes_;          ///< after the front
   VolumeMesh result_;            ///< after the last of them
   mutable VolumeMesh snapshot_;  ///< what volume() has returned while the run works
   RecoverySummary recovery_;

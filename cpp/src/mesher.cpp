@@ -3,6 +3,7 @@
 #include "mesh_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -40,15 +41,38 @@ constexpr StageEnds kBodyEnds{.input = 0.01, .surface = 0.09, .boundary = 0.11, 
 constexpr StageEnds kSurfaceEnds{
     .input = 0.004, .surface = 0.004, .boundary = 0.015, .sizes = 0.02};
 
-/// Progress at the end of the volume if the front leaves everything to recovery.
+/// Progress at the end of the volume if the front leaves everything to recovery, and the share of the front in it: larger where
+/// few elements per triangle are expected, because the optimization has then little to do.
 constexpr double kVolumeEnd = 0.75;
+constexpr double kFrontShareOfThin = 0.5;
+constexpr double kElementsPerTriangle = 6.0;
+constexpr double kElementsPerTriangleOfThin = 1.5;
 
 constexpr double kOptimizeEnd = 0.97;
+/// Share of the optimization in which elements are put in order.
+constexpr double kOrderShare = 0.01;
 constexpr double kLimitedOptimizeEnd = 0.9;  ///< if volumes are limited
 constexpr double kMeasureEnd = 0.98;
 
 bool isAboutRegions(DiagnosticCode code) {
   return code == DiagnosticCode::kNestedRegions || code == DiagnosticCode::kSurfaceContact;
+}
+
+/// Returns the smaller of two limits, of which 0 is none.
+double smallerLimit(double a, double b) {
+  return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
+}
+
+/// Returns per region the share of the elements in it and in those before it.
+std::vector<double> shareEnds(const RegionMeshes& meshes) {
+  const auto all = static_cast<double>(meshes.tetrahedronCount());
+  std::vector<double> ends;
+  double sum = 0.0;
+  for (const RegionMesh& region : meshes.regions) {
+    sum += static_cast<double>(region.mesh.tetrahedra.size());
+    ends.push_back(sum / all);
+  }
+  return ends;
 }
 
 bool hasVolumeLimits(const std::vector<double>& volumes) {
@@ -82,14 +106,14 @@ Task<MeshStatus> MeshRun::Impl::run(Work& work) {
   const MeshStatus filled = co_await fill(work);
   if (filled != MeshStatus::kDone) co_return filled;
 
-  VolumeLimits limits{.everywhere = options_.maxVolume, .ofRegions = maxVolumes_};
+  const bool isLimited = options_.maxVolume > 0.0 || hasVolumeLimits(maxVolumes_);
   if (options_.optimization != Optimization::kNone) {
-    begin(work, Phase::kOptimize, limits.areGiven() ? kLimitedOptimizeEnd : kOptimizeEnd);
+    begin(work, Phase::kOptimize, isLimited ? kLimitedOptimizeEnd : kOptimizeEnd);
     co_await optimize(work);
   }
-  if (limits.areGiven()) {
+  if (isLimited) {
     begin(work, Phase::kOptimize, kOptimizeEnd);
-    const bool isWithinLimits = co_await limitVolumes(work, std::move(limits));
+    const bool isWithinLimits = co_await limitVolumes(work);
     if (!isWithinLimits) co_return MeshStatus::kStalled;
   }
   begin(work, Phase::kVerify, kMeasureEnd);
@@ -216,9 +240,7 @@ bool MeshRun::Impl::limitElements() {
     expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
     return true;
   }
-  Diagnostic tooMany;
-  tooMany.code = DiagnosticCode::kTooManyElements;
-  tooMany.values = {cappedCount(expected), static_cast<double>(options_.maxTetrahedra)};
+  Diagnostic tooMany = tooManyElements(expected, options_.maxTetrahedra);
   if (forSizes >= forVolumes) {
     nameMostDemanding(tooMany, grid_, options_, boundsOf(surface_));
   }
@@ -226,10 +248,19 @@ bool MeshRun::Impl::limitElements() {
   return false;
 }
 
+double MeshRun::Impl::frontShare() const {
+  const double perTriangle =
+      static_cast<double>(expectedTetrahedra_) /
+      static_cast<double>(std::max<std::size_t>(countTriangles(surface_), 1));
+  const double fullness = (perTriangle - kElementsPerTriangleOfThin) /
+                          (kElementsPerTriangle - kElementsPerTriangleOfThin);
+  return std::lerp(kFrontShareOfThin, RegionMesher::kFrontShare, std::clamp(fullness, 0.0, 1.0));
+}
+
 Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
   front_.emplace(surface_, *field_, options_, *frontMaker_);
   work.beginPart(1.0);
-  const MeshStatus status = co_await front_->run(work);
+  const MeshStatus status = co_await front_->run(work, frontShare());
   // The progress stays where it is: the rest was for recovery.
   work.beginPart(0.0);
   std::vector<Diagnostic> found = front_->diagnostics();
@@ -249,20 +280,20 @@ void MeshRun::Impl::keepUnfinished() {
   if (front_) {
     recovery_ = front_->recovery();
     counters_ = front_->counters();
-    mesh_ = front_->take();
+    meshes_ = front_->take();
     front_.reset();
   } else if (optimizer_) {
-    mesh_ = optimizer_->take();
+    region().mesh = optimizer_->take();
     optimizer_.reset();
   } else if (limiter_) {
-    mesh_ = limiter_->take();
+    region().mesh = limiter_->take();
     limiter_.reset();
   }
 }
 
 /// Makes the mesh the result.
 void MeshRun::Impl::takeResult() {
-  if (!mesh_.points.empty()) result_ = toVolumeMesh(std::exchange(mesh_, {}));
+  if (!meshes_.regions.empty()) result_ = joined(std::exchange(meshes_, {}));
 }
 
 void MeshRun::Impl::end() {
@@ -272,28 +303,63 @@ void MeshRun::Impl::end() {
   takeResult();
 }
 
+/// Optimizes each region by itself: none depends on another.
 Task<> MeshRun::Impl::optimize(Work& work) {
-  work.beginPart(0.01);
-  co_await orderAlongMortonCurve(work, mesh_);
-  work.beginPart(1.0);
-  optimizer_.emplace(std::exchange(mesh_, {}), *field_, options_.optimization);
+  const std::vector<double> ends = shareEnds(meshes_);
+  for (region_ = 0; region_ < ends.size(); ++region_) {
+    work.beginPart(kOrderShare * ends[region_]);
+    co_await orderAlongMortonCurve(work, region().mesh);
+  }
   if (makeObserver_ != nullptr) {
     observer_ = makeObserver_(recorder_.bytes());
-    optimizer_->observe(*observer_);
+    observer_->begun(meshes_, *field_);
   }
-  co_await optimizer_->run(work);
-  hasFoundNothingBetter_ = optimizer_->hasFoundNothingBetter();
-  keepUnfinished();
+  hasFoundNothingBetter_ = true;
+  for (region_ = 0; region_ < ends.size(); ++region_) {
+    work.beginPart(kOrderShare + (1.0 - kOrderShare) * ends[region_]);
+    optimizer_.emplace(std::exchange(region().mesh, {}), *field_, options_.optimization);
+    if (observer_) optimizer_->observe(*observer_);
+    co_await optimizer_->run(work);
+    hasFoundNothingBetter_ = hasFoundNothingBetter_ && optimizer_->hasFoundNothingBetter();
+    keepUnfinished();
+  }
 }
 
 /// Splits the elements that are larger than permitted; false, with a diagnostic, if that makes too many.
-Task<bool> MeshRun::Impl::limitVolumes(Work& work, VolumeLimits limits) {
-  limiter_.emplace(std::exchange(mesh_, {}), std::move(limits), options_.maxTetrahedra);
-  co_await limiter_->run(work);
-  report(limiter_->diagnostics());
-  keepUnfinished();
-  co_await work.yield();
-  co_return !anyError(diagnostics_);
+Task<bool> MeshRun::Impl::limitVolumes(Work& work) {
+  const std::vector<double> ends = shareEnds(meshes_);
+  std::size_t before = 0;
+  for (region_ = 0; region_ < ends.size(); ++region_) {
+    work.beginPart(ends[region_]);
+    const double ofRegion = region_ < maxVolumes_.size() ? maxVolumes_[region_] : 0.0;
+    const double maxVolume = smallerLimit(options_.maxVolume, ofRegion);
+    if (maxVolume > 0.0) {
+      TetMesh mesh = std::exchange(region().mesh, {});
+      const std::size_t others = meshes_.tetrahedronCount();
+      const std::size_t left =
+          options_.maxTetrahedra - std::min<std::size_t>(options_.maxTetrahedra, others);
+      limiter_.emplace(std::move(mesh), maxVolume, left);
+      co_await limiter_->run(work);
+      reportLimits(before, others);
+      keepUnfinished();
+    }
+    before += region().mesh.tetrahedra.size();
+    co_await work.yield();
+    if (anyError(diagnostics_)) co_return false;
+  }
+  co_return true;
+}
+
+/// Reports what the limiter has found in a region, with elements and counts of all regions. `before`: elements of earlier regions;
+/// `others`: those of all other ones.
+void MeshRun::Impl::reportLimits(std::size_t before, std::size_t others) {
+  std::vector<Diagnostic> found = limiter_->diagnostics();
+  for (Diagnostic& diagnostic : found) {
+    for (Entity& entity : diagnostic.entities) entity.index += static_cast<std::uint32_t>(before);
+    if (diagnostic.code != DiagnosticCode::kTooManyElements) continue;
+    for (double& count : diagnostic.values) count += static_cast<double>(others);
+  }
+  report(found);
 }
 
 Task<> MeshRun::Impl::measure(Work& work) {
@@ -311,11 +377,7 @@ Task<MeshStatus> MeshRun::Impl::verify(Work& work) {
   co_await work.finish(verifier);
   const MeshDefects& defects = verifier.defects();
   if (defects.count() == 0) co_return MeshStatus::kDone;
-  Diagnostic failed;
-  failed.code = DiagnosticCode::kVerificationFailed;
-  failed.entities = defects.examples;
-  failed.values = {static_cast<double>(defects.count())};
-  report({failed});
+  report({diagnose<DiagnosticCode::kVerificationFailed>(defects.count()).about(defects.examples)});
   statistics_ = {};
   co_return MeshStatus::kStalled;
 }

@@ -22,13 +22,13 @@ function App() {
     stop.current = new AbortController();
     const onProgress = ({ phase, fraction }) => setState({ words: phase, fraction });
     const { signal } = stop.current;
-    const { volume, report } = await mesher.fillSurface(
+    const { mesh: made, report } = await mesher.fillSurface(
       icosphere(12),
       { size: 0.15 },
       { signal, onProgress },
     );
     setState({ words: `${report.status}: ${report.tetrahedra} tetrahedra`, fraction: 1 });
-    if (report.status === "done") scene.current.show(volume);
+    if (report.status === "done") scene.current.show(made);
   }
 
   return (

@@ -12,8 +12,8 @@ const button = document.querySelector("#mesh");
 button.addEventListener("click", async () => {
   const size = Number(document.querySelector("#size").value);
   // `fillSurface` keeps all triangles, so first split those that are larger than the size.
-  const { surface } = await mesher.refineSurface({ points, triangles }, { size });
-  const { report } = await mesher.fillSurface(surface, { size });
+  const { mesh } = await mesher.refineSurface({ points, triangles }, { size });
+  const { report } = await mesher.fillSurface(mesh, { size });
   status.textContent = `${report.status}: ${report.tetrahedra} tetrahedra of volume ${report.volume.toFixed(6)}`;
 });
 button.disabled = false;

@@ -22,6 +22,8 @@ export function apiReport(name) {
         reportFileName: `${name}.api.md`,
         reportFolder: folder,
         reportTempFolder: folder,
+        // What the types of the first entry refer to is promised with them; the others share it.
+        includeForgottenExports: name === "tetrafront",
       },
       docModel: { enabled: false },
       dtsRollup: { enabled: false },

@@ -15,7 +15,7 @@ async function run(surface) {
   try {
     const repaired = async (weldIntersections) => {
       const {
-        surface: one,
+        mesh: one,
         deviation,
         diagnostics,
       } = await mesher.repairSurface(surface, {
@@ -31,7 +31,7 @@ async function run(surface) {
       isWelded ? () => repaired(0) : undefined,
       async ({ surface: one }) => ({ remesh: await mesher.remeshSurface(one) }),
     );
-    const { report } = await mesher.fillSurface(made.remesh.surface);
+    const { report } = await mesher.fillSurface(made.remesh.mesh);
     const seconds = (performance.now() - began) / 1000;
     if (report.status !== "done") return { failure: report.diagnostics[0]?.code ?? report.status, seconds };
     return { angle: report.dihedral.min, ratio: report.radiusRatio.mean, seconds };

@@ -84,7 +84,7 @@ try {
     row("", "measured", "paper");
     showMesh(result, project, paper);
     for (const order of ["layered", "smallest-first"]) {
-      showFront(order, clockFront(order, "on", result.surface, project.background));
+      showFront(order, clockFront(order, "on", result.mesh, project.background));
     }
   }
 } finally {

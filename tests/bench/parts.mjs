@@ -11,7 +11,7 @@ import {
   installMissingPartPeers,
   runPartPeer,
 } from "./support/peers.mjs";
-import { createMesher, repairedSurface } from "../../wasm/dist/index.js";
+import { createMesher } from "../../wasm/dist/index.js";
 import { readSurfaceFile } from "../../wasm/dist/node.js";
 
 /** Length of dropped details / diagonal. */
@@ -52,14 +52,14 @@ async function runOurs(mesher, surface, options) {
   try {
     const remesh = await mesher.remeshSurface(surface, options);
     const remeshed = performance.now();
-    const { report } = await mesher.fillSurface(repairedSurface(surface, remesh));
+    const { report } = await mesher.fillSurface(remesh.mesh);
     if (report.status !== "done") return { failure: report.diagnostics[0]?.code ?? report.status };
     return {
-      triangles: remesh.surface.triangles.length / 3,
+      triangles: remesh.mesh.triangles.length / 3,
       smallestAngle: remesh.smallestAngle,
       deviation: remesh.deviation / diagonalOf(surface),
-      volumeError: Math.abs(volumeOf(remesh.surface) / volumeOf(surface) - 1),
-      perSecond: remesh.surface.triangles.length / 3 / ((remeshed - began) / 1000),
+      volumeError: Math.abs(volumeOf(remesh.mesh) / volumeOf(surface) - 1),
+      perSecond: remesh.mesh.triangles.length / 3 / ((remeshed - began) / 1000),
       tetrahedra: report.tetrahedra,
       minDihedral: report.dihedral.min,
       meanRadiusRatio: report.radiusRatio.mean,

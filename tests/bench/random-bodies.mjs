@@ -52,13 +52,13 @@ for (let seed = FIRST; seed < FIRST + COUNT; seed++) {
   const subject = `${seed} (${words})`;
   counts.bodies++;
   const repair = await call(`${subject} repair`, (control) => mesher.repairSurface(surface, {}, control));
-  const repaired = repair?.surface ?? surface;
+  const repaired = repair?.mesh ?? surface;
   const canBeFilled = (await call(`${subject} inspect`, () => isFillable(repaired))) === true;
   if (canBeFilled) counts.repaired++;
   const remesh = await call(`${subject} remesh`, (control) => mesher.remeshSurface(repaired, {}, control));
   if (remesh === undefined) continue;
   counts.remeshed++;
-  if (await isFillable(remesh.surface)) continue;
+  if (await isFillable(remesh.mesh)) continue;
   counts.invalid++;
   console.log(`${subject}: the remeshed surface is not valid`);
 }

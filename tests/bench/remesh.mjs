@@ -22,7 +22,7 @@ async function measure({ createMesher, points, triangles, size, runs }) {
     const began = performance.now();
     const remesh = await mesher.remeshSurface(surface, { size });
     seconds.push((performance.now() - began) / 1000);
-    made = remesh.surface.triangles.length / 3;
+    made = remesh.mesh.triangles.length / 3;
   }
   mesher.dispose();
   return { triangles: made, seconds: Math.min(...seconds) };

@@ -336,6 +336,31 @@ struct Parts {
   }
 };
 
+struct Shares {
+  static Task<> root(Work& work) {
+    work.beginShare(1.0, 4.0);
+    co_await Parts::leaf(work, 4);
+    // It ends early: what it leaves is for those after it.
+    work.beginShare(2.0, 3.0);
+    work.setFraction(0.1);
+    co_await work.yield();
+    work.beginShare(0.5, 1.0);
+    co_await Parts::leaf(work, 4);
+  }
+};
+
+TEST(Work, LeavesTheProgressOfPartsThatEndEarlyToTheOthers) {
+  Job job([](Work& work) { return Shares::root(work); });
+  EXPECT_FALSE(job.advance(2));
+  EXPECT_DOUBLE_EQ(job.fraction(), 0.125);
+  EXPECT_FALSE(job.advance(3));
+  EXPECT_DOUBLE_EQ(job.fraction(), 0.3);
+  EXPECT_FALSE(job.advance(2));
+  EXPECT_DOUBLE_EQ(job.fraction(), 0.3 + 0.5 * 0.35);
+  job.finish();
+  EXPECT_EQ(job.fraction(), 1.0);
+}
+
 TEST(Work, DividesItsProgressIntoNestedParts) {
   Job job([](Work& work) { return Parts::root(work); });
   EXPECT_EQ(job.fraction(), 0.0);

@@ -14,6 +14,7 @@
 
 #include "boundary/boundary.h"
 #include "field/size_field.h"
+#include "optimize/optimizer.h"
 #include "quality/verify_mesh.h"
 #include "support/mesh_validator.h"
 #include "support/models.h"
@@ -138,7 +139,7 @@ std::vector<double> cornersOfRegion(const VolumeMesh& mesh, std::uint32_t region
   return corners;
 }
 
-/// Returns the mesh of all regions of closed surfaces, before its optimization.
+/// Returns the mesh of all regions of closed surfaces, each optimized as in a run.
 VolumeMesh meshOfRegions(SurfaceMesh boundary) {
   std::vector<Diagnostic> diagnostics;
   EXPECT_TRUE(closeBoundary(boundary, BoundarySource::kGivenSurface, diagnostics).isValid);
@@ -147,7 +148,14 @@ VolumeMesh meshOfRegions(SurfaceMesh boundary) {
   RegionMesher mesher(boundary, field, {}, maker);
   Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
   EXPECT_EQ(job.finish(), MeshStatus::kDone);
-  return toVolumeMesh(mesher.take());
+  RegionMeshes meshes = mesher.take();
+  for (RegionMesh& region : meshes.regions) {
+    MeshOptimizer optimizer(std::move(region.mesh), field, Optimization::kDefault);
+    Job<> optimizing([&optimizer](Work& work) { return optimizer.run(work); });
+    optimizing.finish();
+    region.mesh = optimizer.take();
+  }
+  return joined(std::move(meshes));
 }
 
 /// The second cube is far away and much coarser: a common front would have other buckets of sizes and another grid.

@@ -34,12 +34,15 @@ struct StallOutcome {
   VolumeMesh mesh;
 };
 
+VolumeMesh meshOf(const VolumeMesher& mesher) { return toVolumeMesh(mesher.mesh()); }
+VolumeMesh meshOf(const RegionMesher& mesher) { return joined(mesher.meshes()); }
+
 template <class Mesher>
 StallOutcome runToEnd(Mesher& mesher, std::uint32_t budget) {
   Job<MeshStatus> job([&mesher](Work& work) { return mesher.run(work); });
   while (!job.advance(budget)) {
   }
-  return {job.take(), mesher.diagnostics(), toVolumeMesh(mesher.mesh())};
+  return {job.take(), mesher.diagnostics(), meshOf(mesher)};
 }
 
 StallOutcome outcomeOf(const SurfaceMesh& boundary, const MeshOptions& options,

@@ -333,8 +333,6 @@ async function savedMesh(page: Page) {
   const mesh = {
     points: Float64Array.from(points),
     tetrahedra: Uint32Array.from(tetrahedra.flat()),
-    regions: new Uint32Array(),
-    front: new Uint32Array(),
   };
   const { extraFaces, ...defects } = defectsOf(mesh, {
     points: new Float64Array(),

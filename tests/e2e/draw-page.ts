@@ -76,8 +76,6 @@ export class DrawPage extends AppPage {
     const mesh = {
       points: Float64Array.from(points),
       tetrahedra: Uint32Array.from(tetrahedra.flat()),
-      regions: new Uint32Array(),
-      front: new Uint32Array(),
     };
     const { extraFaces: _, ...defects } = defectsOf(mesh, {
       points: new Float64Array(),

@@ -126,8 +126,8 @@ test("dropping a file without a surface shows what is wrong with it and what to 
   await app.open();
   await dropProject(page, "solid part", "part.STL");
   const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
-  await expect(surface).toContainText("line 2: expected");
-  await expect(surface).toContainText("Export the surface again");
+  await expect(surface).toContainText("line 2: the file is truncated");
+  await expect(surface).toContainText("Export, copy or download the file again");
   await dropProject(page, "1 4 0\n1 1 2 3 4\n", "part.ele");
   const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });
   await expect(volume).toContainText("part.node");

@@ -1,5 +1,5 @@
 import { expect, test, type Page } from "@playwright/test";
-import { createMesher, fileMeshOf, writeMesh, type FileMesh } from "tetrafront";
+import { createMesher, writeMesh, type Mesh } from "tetrafront";
 import { parseMsh } from "../support/mesh-files";
 import { sphereSurface } from "../support/surfaces";
 import { AppPage } from "./app-page";
@@ -7,11 +7,11 @@ import { dropBytes } from "./drop-bytes";
 import { downloadMesh } from "./downloads";
 
 /** A sphere as the front left it, with two named patches. */
-async function roughMesh(size: number): Promise<FileMesh> {
+async function roughMesh(size: number): Promise<Mesh> {
   const mesher = await createMesher();
   const made = await mesher.fillSurface(sphereSurface(8), { size, optimization: "none" });
   mesher.dispose();
-  const mesh = fileMeshOf(made);
+  const mesh = made.mesh;
   const trianglePatch = mesh.trianglePatch.map((_, t) => {
     const [a = 0] = mesh.triangles.subarray(3 * t, 3 * t + 1);
     return (mesh.points[3 * a + 2] ?? 0) > 0 ? 1 : 0;
@@ -20,7 +20,7 @@ async function roughMesh(size: number): Promise<FileMesh> {
   return { ...mesh, trianglePatch, patches, regions: [{ name: "core", tag: 3 }] };
 }
 
-async function openMesh(page: Page, size: number): Promise<{ app: AppPage; mesh: FileMesh }> {
+async function openMesh(page: Page, size: number): Promise<{ app: AppPage; mesh: Mesh }> {
   const mesh = await roughMesh(size);
   const [file] = await writeMesh(mesh, "ball.msh");
   const app = new AppPage(page);

@@ -1,6 +1,6 @@
 /** Lessons in class and on paper: presenter mode, the laser pointer, and the print view. */
 import AxeBuilder from "@axe-core/playwright";
-import { expect, test, type Page } from "@playwright/test";
+import { expect, test, type Locator, type Page } from "@playwright/test";
 import { AppPage } from "./app-page";
 
 async function openLesson(page: Page, number: number): Promise<void> {
@@ -69,12 +69,84 @@ test("presenter mode enlarges the labels of the view, and knows the keys of a cl
   await page.getByTestId("player-back").click();
   await page.keyboard.press("ArrowLeft");
   await expect.poll(step).toBe(first - 1);
+  await page.getByTestId("player-more").click();
   await page.getByTestId("player-speed").selectOption({ index: 0 });
   await page.getByTestId("player-speed").focus();
   await page.keyboard.press("PageDown");
   await expect.poll(step).toBe(first);
   await page.keyboard.press("F5");
   await expect(page.getByTestId("player-play")).toHaveAttribute("aria-label", /Pause/);
+});
+
+async function present(page: Page): Promise<void> {
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
+  await expect(page.getByTestId("presenter")).toBeVisible();
+}
+
+const boxOf = async (part: Locator) =>
+  (await part.boundingBox()) ?? { x: NaN, y: NaN, width: NaN, height: NaN };
+
+for (const [width, height] of [
+  [1280, 720],
+  [1440, 900],
+  [1920, 1080],
+] as const)
+  test(`at ${width} × ${height}, an audience sees the player in two rows, a large plane, and no label under a bar or the cube`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height });
+    await openLesson(page, 3);
+    await present(page);
+    const player = page.getByTestId("player");
+    const rows = new Set<number>();
+    for (const part of [...(await player.getByRole("button").all()), player.getByTestId("player-counter")]) {
+      const { y, height } = await boxOf(part);
+      rows.add(Math.round((y + height / 2) / 10));
+    }
+    expect(rows.size).toBe(1);
+    await expect(player.getByTestId("player-scrub")).toBeInViewport({ ratio: 1 });
+    const view = await boxOf(page.getByRole("main"));
+    expect((await boxOf(page.getByTestId("presenter"))).y).toBeGreaterThanOrEqual(view.y + view.height);
+    await expect
+      .poll(async () => (await boxOf(page.getByTestId("plane-view").locator("svg g").first())).height)
+      .toBeGreaterThan(0.55 * view.height);
+    const canvas = await boxOf(page.getByTestId("viewport-canvas"));
+    const cube = { left: canvas.x + canvas.width - 102, bottom: canvas.y + 102 };
+    const cut = await boxOf(page.getByRole("group", { name: "Cut" }));
+    expect(cut.x + cut.width).toBeLessThan(cube.left);
+    for (const label of await page.getByTestId("lens-labels").locator("span").all()) {
+      const { x, y, width } = await boxOf(label);
+      const text = await label.innerText();
+      expect(x + width < cube.left || y > cube.bottom, `${text} beside the cube`).toBe(true);
+      expect(x > cut.x + cut.width || y > cut.y + cut.height, `${text} beside the bar`).toBe(true);
+    }
+  });
+
+test("no formula of the lens is broken across lines", async ({ page }) => {
+  await openLesson(page, 3);
+  const lens = page.getByTestId("lens");
+  const broken = () =>
+    lens.locator(".katex-html").evaluateAll((formulas) =>
+      formulas
+        .filter((formula) => {
+          const middles = [...formula.children].map((part) => {
+            const { top, bottom } = part.getBoundingClientRect();
+            return (top + bottom) / 2;
+          });
+          return Math.max(...middles) - Math.min(...middles) > 12;
+        })
+        .map(({ textContent }) => textContent),
+    );
+  await expect(lens.locator(".katex").first()).toBeVisible();
+  for (let step = 0; step < 12; ++step) {
+    expect(await broken()).toEqual([]);
+    const widths = await lens
+      .locator("p:has(.katex)")
+      .evaluateAll((all) => all.map(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth));
+    expect(Math.max(0, ...widths)).toBe(0);
+    await page.getByTestId("player-forward").click();
+  }
 });
 
 for (const number of [4, 5, 10])
@@ -116,6 +188,7 @@ test("Escape ends presenter mode, but first a menu, a selection or text in a fie
   await page.keyboard.press("Escape");
   await expect(presenter).toBeVisible();
   // A list stays focused after a choice.
+  await page.getByTestId("player-more").click();
   await page.getByTestId("player-kind").selectOption("crosses");
   await page.getByTestId("player-kind").focus();
   await page.keyboard.press("Escape");
@@ -236,4 +309,25 @@ test("a lesson is printed with its text, the view, its figures and tasks, and no
   await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
   await expect(sheet).toHaveCount(0);
   await expect(page.getByTestId("lesson-page")).toBeVisible();
+});
+
+test("on a phone, the lens of lesson 10 shows its formulas without scrolling, and no label of further candidates", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openLesson(page, 10);
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Log and problems" }).click();
+  const formulas = page.getByTestId("lens-formula").locator(".katex");
+  await expect(formulas.first()).toBeVisible();
+  for (const formula of await formulas.all()) await expect(formula).toBeInViewport({ ratio: 1 });
+  await expect(page.getByTestId("player-counter")).toBeInViewport({ ratio: 1 });
+  const labels = page.getByTestId("lens-labels").locator("span").filter({ visible: true });
+  await expect
+    .poll(async () => (await labels.allInnerTexts()).filter((text) => /^node/.test(text)))
+    .toEqual(["node 137"]);
+  // What is used less is behind a button.
+  await page.getByTestId("player-more").click();
+  await expect(page.getByTestId("player-speed")).toBeVisible();
+  await expect(page.getByTestId("player-kind")).toBeVisible();
 });

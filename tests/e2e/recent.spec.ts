@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage, sampleProject } from "./app-page";
 
@@ -247,3 +248,53 @@ test("saving never writes a project into another project's file, even after a re
   await page.keyboard.press("Control+s");
   await expectFiles({ "a.json": "A", "b.json": "B", "b-copy.json": "B again" });
 });
+
+test("a document that an earlier version of the app has stored opens with its steps, and keeps them", async ({
+  page,
+}) => {
+  const fixture = new URL("../fixtures/kept-document-with-patches.json", import.meta.url);
+  const { kept: document } = JSON.parse(readFileSync(fixture, "utf8")) as { readonly kept: object };
+  // A page of the site without the app.
+  await page.goto("./index.json");
+  await page.evaluate(storeAsVersion2, document);
+  await page.goto("./?test=1");
+  await expect(projectName(page)).toHaveValue("Random");
+  const app = new AppPage(page);
+  const points = (): Promise<string | null> => app.viewport.getAttribute("data-points");
+  await expect.poll(points).toBe("6");
+  const undo = page.getByTestId("undo");
+  const last = await undo.getAttribute("aria-label");
+  await undo.click();
+  await renameProject(page, "Renamed");
+  await kept(app);
+  await page.reload();
+  await expect(projectName(page)).toHaveValue("Renamed");
+  await expect(undo).toHaveAttribute("aria-label", /Rename project/);
+  await undo.click();
+  await expect(projectName(page)).toHaveValue("Random");
+  await expect(undo).not.toHaveAttribute("aria-label", last ?? "");
+  for (let step = 0; step < 14; ++step) await undo.click();
+  await expect(undo).toBeDisabled();
+  await expect.poll(points).toBe("0");
+});
+
+/** Makes the database of version 2 with one document, in the page. */
+function storeAsVersion2(document: object): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const opening = indexedDB.open("tetrafront", 2);
+    opening.onerror = () => reject(new Error("The database cannot be opened"));
+    opening.onupgradeneeded = () => {
+      const store = opening.result.createObjectStore("documents", { keyPath: "id" });
+      store.createIndex("recent", ["listed", "at", "name"]);
+    };
+    opening.onsuccess = () => {
+      const { result } = opening;
+      const transaction = result.transaction("documents", "readwrite");
+      transaction.objectStore("documents").put(document);
+      transaction.oncomplete = () => {
+        result.close();
+        resolve();
+      };
+    };
+  });
+}

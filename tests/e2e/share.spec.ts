@@ -142,7 +142,7 @@ test("on a phone, a link shows its step and the lens, and the view follows the s
   await page.goto("./?test=1&model=unit-cube&step=258&candidate=0");
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "258");
   await expect(page.getByTestId("lens-sentence")).toBeInViewport({ ratio: 1 });
-  await expect(page.getByTestId("player-follow")).toBeInViewport({ ratio: 1 });
+  await page.getByTestId("player-more").click();
   await expect(page.getByTestId("player-follow")).toBeChecked();
   // Labels in the view have the numbers of the sentence, and are above the drawer.
   const labels = page.getByTestId("lens-labels");

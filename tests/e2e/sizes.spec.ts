@@ -86,8 +86,6 @@ class SizesPage extends AppPage {
     const mesh = {
       points: Float64Array.from(points),
       tetrahedra: Uint32Array.from(tetrahedra.flat()),
-      regions: new Uint32Array(),
-      front: new Uint32Array(),
     };
     const empty = { points: new Float64Array(), triangles: new Uint32Array() };
     const { extraFaces: _, ...defects } = defectsOf(mesh, empty);

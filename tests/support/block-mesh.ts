@@ -1,7 +1,7 @@
 /**
  * A block of tetrahedra whose patches and regions have difficult names and tags, for tests of file formats.
  */
-import type { FileMesh } from "tetrafront";
+import type { Mesh } from "tetrafront";
 
 type Triple = readonly [number, number, number];
 
@@ -33,7 +33,7 @@ const AXIS_ORDERS: readonly Triple[] = [
 ];
 
 /** Returns n × n × n cubes of six tetrahedra; the lower half is one region, the upper half another. */
-export function blockMesh(n = 2): FileMesh {
+export function blockMesh(n = 2): Mesh {
   const m = n + 1;
   const node = (p: Triple) => p[0] + m * (p[1] + m * p[2]);
   const points: number[] = [];

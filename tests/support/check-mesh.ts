@@ -2,7 +2,7 @@
  * An independent check of tetrahedral meshes. It shares no code with the mesher: faces are paired by sorting,
  * signs are exact, and volumes come from the divergence theorem.
  */
-import { NO_REGION, type SurfaceInput, type SurfaceMesh, type VolumeMesh } from "tetrafront";
+import { type Mesh, NO_REGION } from "tetrafront";
 
 import { orientation } from "./exact.js";
 
@@ -37,17 +37,19 @@ export const NO_DEFECTS: MeshDefects = {
   unusedNodes: 0,
 };
 
+/** Tetrahedra, and the region of each if there are several. */
+export type Elements = Pick<Mesh, "points" | "tetrahedra"> & Partial<Pick<Mesh, "tetrahedronRegion">>;
+/** Triangles, and the regions on their sides if there are interfaces. */
+export type Boundary = Pick<Mesh, "points" | "triangles"> & Pick<Mesh, "triangleRegions">;
+
 type Tetrahedron = readonly [number, number, number, number];
 type Triangle = readonly [number, number, number];
-
-/** A surface with the regions on both sides of its triangles, or without interfaces. */
-export type BoundarySurface = SurfaceInput & Partial<Pick<SurfaceMesh, "triangleRegions">>;
 
 /**
  * Compares a mesh with the surface that bounds it; nodes are matched by their coordinates. An interface must
  * have faces on both sides, each in the region that the surface gives.
  */
-export function defectsOf(mesh: VolumeMesh, surface: BoundarySurface): MeshDefects {
+export function defectsOf(mesh: Elements, surface: Boundary): MeshDefects {
   const { points } = mesh;
   const nodeCount = points.length / 3;
   const tetrahedra = rows(mesh.tetrahedra, 4) as unknown as Tetrahedron[];
@@ -56,7 +58,7 @@ export function defectsOf(mesh: VolumeMesh, surface: BoundarySurface): MeshDefec
     mesh.tetrahedra.filter((node) => node >= nodeCount).length;
   const faces = new FaceTable(nodeCount);
   for (const [t, tetrahedron] of tetrahedra.entries())
-    for (const face of outwardFaces(tetrahedron)) faces.add(face, mesh.regions[t] ?? 0);
+    for (const face of outwardFaces(tetrahedron)) faces.add(face, mesh.tetrahedronRegion?.[t] ?? 0);
   const nodeAt = new Map(rows(points, 3).map((position, node) => [positionKey(position), node]));
   const expected = rows(surface.triangles, 3).map((triangle) =>
     triangle.map((node) => nodeAt.get(positionKey(surface.points.subarray(3 * node, 3 * node + 3))) ?? NaN),
@@ -80,12 +82,12 @@ export function defectsOf(mesh: VolumeMesh, surface: BoundarySurface): MeshDefec
   };
 }
 
-function isInterface({ triangleRegions }: BoundarySurface, triangle: number): boolean {
+function isInterface({ triangleRegions }: Boundary, triangle: number): boolean {
   return triangleRegions !== undefined && triangleRegions[2 * triangle + 1] !== NO_REGION;
 }
 
 /** Returns the volume that a closed surface encloses, by the divergence theorem about its first node. */
-export function enclosedVolume(surface: BoundarySurface): number {
+export function enclosedVolume(surface: Boundary): number {
   const terms = rows(surface.triangles, 3).map(([a = 0, b = 0, c = 0], t) =>
     isInterface(surface, t) ? 0 : sixVolumes(surface.points, [0, a, b, c]),
   );
@@ -93,7 +95,11 @@ export function enclosedVolume(surface: BoundarySurface): number {
 }
 
 /** Returns the volume of each region of a surface with regions. */
-export function regionVolumes({ points, triangles, triangleRegions }: SurfaceMesh): number[] {
+export function regionVolumes({
+  points,
+  triangles,
+  triangleRegions = new Uint32Array(),
+}: Boundary): number[] {
   const terms: number[][] = [];
   for (const [side, region] of triangleRegions.entries()) {
     if (region === NO_REGION) continue;
@@ -104,14 +110,11 @@ export function regionVolumes({ points, triangles, triangleRegions }: SurfaceMes
   return terms.map((ofRegion) => preciseSum(ofRegion) / 6);
 }
 
-export function tetrahedronVolumes({
-  points,
-  tetrahedra,
-}: Pick<VolumeMesh, "points" | "tetrahedra">): number[] {
+export function tetrahedronVolumes({ points, tetrahedra }: Elements): number[] {
   return rows(tetrahedra, 4).map((nodes) => sixVolumes(points, nodes as unknown as Tetrahedron) / 6);
 }
 
-export function meshVolume(mesh: VolumeMesh): number {
+export function meshVolume(mesh: Elements): number {
   return preciseSum(tetrahedronVolumes(mesh));
 }
 

@@ -4,7 +4,7 @@
  */
 import { inflateSync } from "node:zlib";
 
-export interface FileMesh {
+export interface Mesh {
   readonly points: Float64Array;
   /** Node indices of each tetrahedron, from 0. */
   readonly tetrahedra: number[][];
@@ -14,7 +14,7 @@ export interface FileMesh {
 }
 
 /** Reads a VTU file with appended data compressed in blocks, as VTK's file format guide describes it. */
-export function parseVtu(bytes: Uint8Array): FileMesh {
+export function parseVtu(bytes: Uint8Array): Mesh {
   const text = new TextDecoder("latin1").decode(bytes);
   const begin = text.indexOf("_", text.indexOf("<AppendedData")) + 1;
   const view = new DataView(bytes.buffer, bytes.byteOffset);

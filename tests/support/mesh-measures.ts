@@ -1,8 +1,8 @@
 /** Measures of a mesh, independent of the package. */
-import type { FileMesh } from "./mesh-files.js";
+import type { Mesh } from "./mesh-files.js";
 
 /** Returns the number of tetrahedra at each face, by its nodes in order. */
-function tetrahedraAtFaces(tetrahedra: FileMesh["tetrahedra"]): Map<string, number> {
+function tetrahedraAtFaces(tetrahedra: Mesh["tetrahedra"]): Map<string, number> {
   const faces = new Map<string, number>();
   for (const nodes of tetrahedra) {
     for (const left of nodes) {
@@ -17,12 +17,12 @@ function tetrahedraAtFaces(tetrahedra: FileMesh["tetrahedra"]): Map<string, numb
 }
 
 /** Returns the number of faces of one tetrahedron only. */
-export function boundaryTriangles({ tetrahedra }: FileMesh): number {
+export function boundaryTriangles({ tetrahedra }: Mesh): number {
   return [...tetrahedraAtFaces(tetrahedra).values()].filter((count) => count === 1).length;
 }
 
 /** Returns the volume of a mesh, and how many elements, faces and edges of its boundary are invalid. */
-export function measured({ points, tetrahedra }: FileMesh) {
+export function measured({ points, tetrahedra }: Mesh) {
   const at = (node: number): number[] => [...points.subarray(3 * node, 3 * node + 3)];
   const sixfold = tetrahedra.map((nodes) => {
     const [a = [], b = [], c = [], d = []] = nodes.map(at);

@@ -2,8 +2,7 @@
  * What the application shares with the package. No part of the package's promise: it may change in any version.
  */
 export { ENGINE_CODES, type EngineNumbers, PROPOSAL_DEFAULTS, SOURCE_GROWTH } from "./generated/constants.js";
-export { regionNames } from "./api/body-regions.js";
-export { unusedData } from "./api/volume-background.js";
+export { unusedData } from "./api/node-sizes.js";
 export {
   type BestRepair,
   type BestRepairOptions,
@@ -29,4 +28,13 @@ export {
   meshWithBoundary,
   type MeshWithBoundary,
 } from "./api/given-mesh.js";
+export { patchNames } from "./api/generated-mesh.js";
+export type { MeshShapes } from "./mesh/improvement.js";
+export type {
+  ElementQuality,
+  MetricShapes,
+  PatchQuality,
+  RegionQuality,
+  ShapeStatistics,
+} from "./mesh/quality.js";
 export { isInterface } from "./mesh/interfaces.js";

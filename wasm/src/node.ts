@@ -22,9 +22,7 @@ import type { ReadResult } from "./diagnostics/read-error.js";
 import type { RunControl } from "./engine/control.js";
 import type { ByteSource } from "./formats/byte-source.js";
 import type { WrittenFile } from "./formats/file-format.js";
-import type { SurfaceFile } from "./formats/surface-file.js";
-import type { VolumeFile } from "./formats/volume-file.js";
-import type { FileMesh } from "./mesh/file-mesh.js";
+import type { Mesh } from "./mesh/mesh.js";
 import { readProject, writeProject } from "./project/project.js";
 import type { Project } from "./project/project-types.js";
 
@@ -38,17 +36,17 @@ export type ReadPathOptions = Omit<ReadFileOptions, "fileName" | "openOther">;
  *     const read = await readSurfaceFile("part.stl");
  *     if (!read.success) throw new Error(read.errors[0].message);
  */
-export function readSurfaceFile(file: string, options?: ReadPathOptions): Promise<ReadResult<SurfaceFile>> {
+export function readSurfaceFile(file: string, options?: ReadPathOptions): Promise<ReadResult<Mesh>> {
   return readFrom(readSurface, file, options);
 }
 
 /** As `readVolume`, for the file at a path; see `readSurfaceFile`. */
-export function readVolumeFile(file: string, options?: ReadPathOptions): Promise<ReadResult<VolumeFile>> {
+export function readVolumeFile(file: string, options?: ReadPathOptions): Promise<ReadResult<Mesh>> {
   return readFrom(readVolume, file, options);
 }
 
 /** As `readMesh`, for the file at a path; see `readSurfaceFile`. */
-export function readMeshFile(file: string, options?: ReadPathOptions): Promise<ReadResult<FileMesh>> {
+export function readMeshFile(file: string, options?: ReadPathOptions): Promise<ReadResult<Mesh>> {
   return readFrom(readMesh, file, options);
 }
 
@@ -67,7 +65,7 @@ export async function readProjectFile(file: string): Promise<ReadResult<Project>
  * folder. Resolves to the written files, with their notes. Rejects with the error of Node if writing fails.
  */
 export async function writeMeshFile(
-  mesh: FileMesh,
+  mesh: Mesh,
   file: string,
   options?: WriteFileOptions,
 ): Promise<readonly WrittenFile[]> {

@@ -34,6 +34,7 @@ export {
   type ProjectSource,
   type SourceId,
 } from "./project/project-types.js";
+export type { LineType, PatchType, SourceType } from "./generated/constants.js";
 export { liveNotes } from "./project/live-notes.js";
 export { EXPRESSION_KINDS, GROUP_KINDS } from "./project/project-types.js";
 export { PROJECT_VERSION } from "./project/versions.js";

@@ -4,7 +4,7 @@ import { Player } from "../player/player";
 import { DocumentPictures } from "../session/document-pictures";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
-import { createShell, showNotice, type Shell } from "../session/shell";
+import { createShell, hideMeshNotices, showNotice, type Shell } from "../session/shell";
 import { lessonStrings } from "../strings/lessons";
 import { Drawing } from "../tools/drawing/drawing";
 import { MeshQueryClient } from "../viewer/queries/mesh-query-client";
@@ -69,6 +69,10 @@ export class App extends Session {
       this.shell.setState(({ leftTab }) => ({
         leftTab: trace ? "lens" : leftTab === "lens" ? "model" : leftTab,
       }));
+    });
+    this.documents.state.subscribe(({ history }, before) => {
+      // What was said of a file may be wrong after the first change, for example of what becomes of its triangles.
+      if (history.present.project !== before.history.present.project) hideMeshNotices(this.shell);
     });
     this.run.state.subscribe((state, before) => {
       const hasFailed =

@@ -42,7 +42,7 @@ export async function extendGrid(app: App, label: string): Promise<void> {
     await app.documents.afterGesture();
     const { background } = app.documents.project;
     const coverageMargin = Math.max(margin, background.coverageMargin ?? 0);
-    app.documents.edit({ label, replace: [[["project", "background"], { ...background, coverageMargin }]] });
+    app.documents.edit({ label, replace: { background: { ...background, coverageMargin } } });
     app.view.setLayer("background", true);
   } catch (error) {
     showFailure(app, label, error);
@@ -54,7 +54,7 @@ export async function takeBackgroundFromMesh(app: App): Promise<void> {
   const { mesh } = app.run.state.getState();
   if (!mesh) return;
   try {
-    const arrays = await (await app.mesher).backgroundFromMesh(mesh.volume);
+    const arrays = await (await app.mesher).backgroundFromMesh(mesh.mesh);
     const grid = await documentGrid(packArrays(arrays));
     await app.documents.afterGesture();
     const { sources } = app.documents.project.background;

@@ -1,6 +1,7 @@
 import { REMESH_DEFAULTS } from "tetrafront";
 import type { ProjectBody } from "tetrafront/project";
 import type { App } from "../app/app";
+import { setCommonSurface } from "../document/body-edits";
 import { newBrush } from "../document/brush";
 import { bodiesOf, bodyOfEntity } from "../document/entities";
 import { isFillable } from "../session/bodies";
@@ -46,6 +47,18 @@ function toggleBrush(app: App): void {
   app.view.setBrush(newBrush(body, inspection?.box ?? null, preparation?.prepared.size));
 }
 
+/** Sets that meshing replaces the triangles of the selected bodies, or of all, and shows this setting. */
+function remeshBodies({ documents, view, shell }: App): void {
+  const { project } = documents;
+  const selected = new Set(view.state.getState().selection.map((entity) => bodyOfEntity(project, entity)));
+  const all = bodiesOf(project).map(({ id }) => id);
+  const some = all.filter((id) => selected.has(id));
+  const ids = some.length > 0 ? some : all;
+  documents.edit(setCommonSurface(ids, "remesh"));
+  view.selectAll(ids.map((id) => ({ kind: "body", id })));
+  shell.setState({ rightTab: "inspector", drawer: "right" });
+}
+
 /** Returns the body if a repair is proposed that changes it. */
 function repairableSubject(app: App): ProjectBody | undefined {
   const body = subjectOf(app);
@@ -74,4 +87,9 @@ export const bodyCommands: readonly Command[] = [
     },
     { enabled: (app) => repairableSubject(app) !== undefined, needs: paletteStrings.needs.repair },
   ),
+  define("mesh", 4)("remesh-bodies", commandLabels.remeshBodies, remeshBodies, {
+    inMenu: false,
+    enabled: ({ documents }) => bodiesOf(documents.project).length > 0,
+    needs: paletteStrings.needs.bodies,
+  }),
 ];

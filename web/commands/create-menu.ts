@@ -1,5 +1,4 @@
-import type { LineType, PatchType, SourceType } from "tetrafront";
-import type { Project } from "tetrafront/project";
+import type { LineType, PatchType, SourceType, Project } from "tetrafront/project";
 import { create, takeOffer } from "./creation-actions";
 import type { App } from "../app/app";
 import { commandLabels } from "../strings";

@@ -1,7 +1,6 @@
 /** Keeps a small picture of the open document for lists of documents. Loaded after the first picture. */
 import type { App } from "../app/app";
 import { isListed } from "../session/document-store";
-import type { Viewer } from "../viewer/viewer";
 
 /** Size of a picture in pixels, that of the examples. */
 const size = { width: 240, height: 150 } as const;
@@ -26,31 +25,19 @@ export function keepPictures(app: App): void {
   later();
 }
 
-async function take({ documents, run, viewer: { getState }, library, pictures }: App): Promise<void> {
+async function take({
+  documents,
+  run,
+  viewer: { getState },
+  library,
+  pictures,
+  meshQueries,
+}: App): Promise<void> {
   const state = documents.state.getState();
   const { viewer } = getState();
   if (!viewer || !library || !isListed(state) || run.state.getState().busy || document.hidden) return;
-  const picture = await pictureOf(viewer);
+  const picture = await meshQueries.pictureOf(await viewer.bitmap(), size).catch(() => null);
   if (!picture) return;
   const listed = await library.list().catch(() => []);
   await pictures.write(state.id, picture, [...listed.map(({ id }) => id), state.id]);
-}
-
-/** Returns the middle of the view, as large as it fits. */
-function pictureOf(viewer: Viewer): Promise<Blob | null> {
-  const view = document.createElement("canvas").getContext("2d");
-  const paper = Object.assign(document.createElement("canvas"), size).getContext("2d");
-  if (!view || !paper) return Promise.resolve(null);
-  viewer.drawOn(view, null);
-  const { width, height } = view.canvas;
-  const scale = Math.max(size.width / width, size.height / height);
-  paper.imageSmoothingQuality = "high";
-  paper.drawImage(
-    view.canvas,
-    (size.width - scale * width) / 2,
-    (size.height - scale * height) / 2,
-    scale * width,
-    scale * height,
-  );
-  return new Promise((resolve) => paper.canvas.toBlob(resolve, "image/webp", 0.85));
 }

@@ -10,13 +10,12 @@ export async function downloadMesh(
   extension: string,
   { elementOrder = 1, unit = null }: Partial<Omit<FileChoice, "fileName">> = {},
 ): Promise<void> {
-  const { mesh, origin } = app.run.state.getState();
+  const { mesh } = app.run.state.getState();
   const { project } = app.documents;
   if (!mesh) return;
   try {
-    const regions = origin?.regions ?? null;
     const fileName = `${fileStem(project.name)}.${extension}`;
-    const files = await writeMeshFiles(mesh, project, regions, { fileName, elementOrder, unit });
+    const files = await writeMeshFiles(mesh.mesh, project, { fileName, elementOrder, unit });
     for (const { fileName: name, content } of files) download([content], name, "application/octet-stream");
   } catch (error) {
     showMessage(app, strings.messages.downloadFailed, [String(error)]);

@@ -37,13 +37,13 @@ export const frontCommands: readonly Command[] = [
     (app) => app.player.move(jump),
     {
       // The second one is Shift and the key of the full stop on a German keyboard.
-      keys: ["shift+>", "shift+:"],
+      keys: [">", "shift+:"],
       ...needsFront,
     },
   ),
   define("mesh", 4)("front-far-back", commandLabels.front.farBack(jump), (app) => app.player.move(-jump), {
     // On a German keyboard, < has a key of its own, and Shift and the key of the comma make a semicolon.
-    keys: ["shift+<", "<", "shift+;"],
+    keys: ["<", "shift+;"],
     ...needsFront,
   }),
   define("mesh", 4)("front-start", commandLabels.front.start, (app) => app.player.move(-Infinity), {

@@ -14,7 +14,7 @@ export const helpMenu: readonly Command[] = [
     { checked: (app) => app.shell.getState().isPresenting },
   ),
   define("help", 0)("help", commandLabels.help, (app) => app.shell.setState({ dialog: "help" }), {
-    keys: ["shift+?"],
+    keys: ["?", "F1"],
   }),
   define("help", 1)("keep-offline", commandLabels.keepOffline, (app) => void keepOffline(app), {
     enabled: () => canWorkOffline(),

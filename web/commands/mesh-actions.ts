@@ -4,7 +4,7 @@ import { bodyLabel } from "../document/entities";
 import { hasSizes, proposedSize } from "../document/operations/sizes";
 import { setMeshing } from "../document/size-edits";
 import { type BodiesState, canBeFilled, isFillable } from "../session/bodies";
-import { hideNotice, showNotice } from "../session/shell";
+import { hideMeshNotices, hideNotice, showNotice } from "../session/shell";
 import type { RunNote, RunPreparation } from "../session/run";
 import type { Improvement } from "../session/shown-mesh";
 import { inputMode } from "../tools/input-mode";
@@ -20,6 +20,7 @@ import { joinTouchingBodies, repairBody } from "./surface-actions";
  */
 export async function generateMesh(app: App): Promise<void> {
   app.view.setLayer("mesh", true);
+  hideMeshNotices(app.shell);
   const hasBodies = app.bodies.state.getState().byId.size > 0;
   if (!hasBodies) proposeSize(app);
   const before = app.run.state.getState().outcome;
@@ -153,7 +154,7 @@ export async function improveMesh(app: App): Promise<void> {
 }
 
 function showGain(app: App, improvement: Improvement): void {
-  hideNotice(app.shell, "file-notes");
+  hideMeshNotices(app.shell);
   showNotice(app.shell, {
     key: "improvement",
     tone: "information",

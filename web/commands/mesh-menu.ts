@@ -71,5 +71,11 @@ export const meshMenu: readonly Command[] = [
   define("mesh", 3)("problems", commandLabels.problems, (app) =>
     app.shell.setState({ bottomTab: "problems", drawer: "bottom" }),
   ),
+  define("mesh", 3)(
+    "log",
+    commandLabels.log,
+    (app) => app.shell.setState({ bottomTab: "log", drawer: "bottom" }),
+    { inMenu: false },
+  ),
   ...bodyCommands,
 ];

@@ -5,6 +5,7 @@ import { templates } from "../document/templates";
 import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
 import { shareStrings } from "../strings/share";
 import { openExample, openTemplate } from "./project-actions";
+import type { Command } from "./command";
 import { commands, runCommand } from "./registry";
 import { showEntities } from "./selection-actions";
 
@@ -37,7 +38,7 @@ function commandItems(app: App): PaletteItem[] {
     .map(({ command, needs }) => ({
       id: command.id,
       group: strings.menus[command.menu],
-      label: command.label(app),
+      label: labelOf(app, command),
       words: synonyms[command.id] ?? "",
       hotkey: command.keys[0] ?? null,
       needs,
@@ -45,6 +46,10 @@ function commandItems(app: App): PaletteItem[] {
       takesFocus: command.id === "start",
     }));
 }
+
+/** Returns the label of a command without its menu: those of layers are nouns. */
+const labelOf = (app: App, command: Command): string =>
+  command.id.startsWith("layer-") ? paletteStrings.layer(command.label(app)) : command.label(app);
 
 /** Returns whether a setting has a field that gets the focus. */
 const isField = (id: string): id is EditedSetting =>
@@ -115,6 +120,33 @@ function stepItems(app: App, query: string): PaletteItem[] {
   return [{ ...item, label: label(step, trace.stepCount), needs: null, run: () => app.player.seek(step) }];
 }
 
+/**
+ * Returns the lessons. Before their titles are known, returns the one whose number a query has: "lesson 10".
+ * Throws nothing: an unknown number opens the list of lessons.
+ */
+function lessonItems(app: App, query: string, titles: readonly (string | null)[] | null): PaletteItem[] {
+  const typed = Number(/\blesson\s+(\d+)\s*$/i.exec(query)?.[1] ?? 0);
+  const known = titles?.map((title, index) => ({ title, number: index + 1 }));
+  const lessons = known?.filter(({ title }) => title !== null) ?? [{ title: null, number: typed }];
+  return lessons
+    .filter(({ number }) => number > 0)
+    .map(({ title, number }) => ({
+      id: `lesson-${number}`,
+      group: paletteStrings.lessons,
+      label: paletteStrings.lesson(number, title),
+      words: "",
+      hotkey: null,
+      needs: null,
+      takesFocus: true,
+      run: () => {
+        app.shell.setState({ startPage: false });
+        void import("./lesson-actions").then(({ openLessonNumber }) =>
+          openLessonNumber(app, { number, runs: [], step: null }),
+        );
+      },
+    }));
+}
+
 function exampleItems(app: App): PaletteItem[] {
   return app.gallery.models.map((model) => ({
     id: `example-${model.id}`,
@@ -164,12 +196,13 @@ function entityItems(app: App): PaletteItem[] {
 }
 
 /**
- * Returns all entries. Disabled commands, entities, examples and settings are only found, never listed. `query`: may have the number of
- * a step.
+ * Returns all entries. Disabled commands, entities, examples, lessons and settings are only found, never listed. `query`: may
+ * have the number of a step or lesson. `lessons`: their titles, null for one that cannot be read; null before they are loaded.
  */
 export function paletteItems(
   app: App,
   query = "",
+  lessons: readonly (string | null)[] | null = null,
 ): { readonly listed: PaletteItem[]; readonly found: PaletteItem[] } {
   const ofCommands = commandItems(app);
   return {
@@ -179,6 +212,7 @@ export function paletteItems(
       ...settingItems(app),
       ...templateItems(app),
       ...exampleItems(app),
+      ...lessonItems(app, query, lessons),
       ...entityItems(app),
       ...ofCommands.filter(({ needs }) => needs !== null),
       ...sharingItems(app),

@@ -2,7 +2,7 @@ import type { PaletteItem } from "./palette-items";
 import { isSimilarWord } from "./similar-words";
 
 /** Entries shown per group, of those that are only found. */
-const maxPerGroup = 8;
+const maxPerGroup = 10;
 
 const wordsOf = (text: string): string[] => text.toLowerCase().split(/\s+/).filter(Boolean);
 
@@ -16,11 +16,13 @@ const beginsWords = (text: string, words: readonly string[]): boolean => {
   );
 };
 
-/** Returns whether a text has all words of a query as whole words. */
+/** Returns whether a text has all words of a query as whole words, in the singular or the plural. */
 const hasWholeWords = (text: string, words: readonly string[]): boolean => {
   const parts = partsOf(text);
-  return words.every((word) => parts.includes(word));
+  return words.every((word) => parts.some((part) => singular(part) === singular(word)));
 };
+
+const singular = (word: string): string => (word.length > 2 ? word.replace(/s$/, "") : word);
 
 /** Returns whether a text has a word like each word of a query, which may be mistyped. */
 const hasSimilarWords = (text: string, words: readonly string[]): boolean => {
@@ -28,17 +30,23 @@ const hasSimilarWords = (text: string, words: readonly string[]): boolean => {
   return words.every((word) => parts.some((part) => part.startsWith(word) || isSimilarWord(word, part)));
 };
 
-/** Returns how well an entry fits a query: 0 is best, 3 is not at all. */
+/** Rank of entries that a query does not find. */
+const unranked = 4;
+
+/** Returns how well an entry fits a query: 0 is best. */
 function rankOf({ label, words: others }: PaletteItem, words: readonly string[]): number {
   const both = `${label} ${others}`;
-  if (beginsWords(label, words)) return 0;
+  if (hasWholeWords(label, words)) return 0;
   if (hasWholeWords(both, words)) return 1;
-  return beginsWords(both, words) ? 2 : 3;
+  if (beginsWords(label, words)) return 2;
+  return beginsWords(both, words) ? 3 : unranked;
 }
 
 /**
- * Returns the entries that a query finds, the best first: those with a label whose words begin with those of the query, then
- * those with other words that do; only without any, those with words that differ by a mistake in typing. Nothing is better than a loose match. Entries that can be run come before disabled ones. O(entries).
+ * Returns the entries that a query finds, the best first: those with its words in the label, those with its words in all, and
+ * those with words that begin with its words; disabled ones one rank later. Of equal ones, those come first that can be run,
+ * then those that are listed without a query, of which first those whose label begins with it or whose group has this name. Only
+ * without any, those with words that differ by a mistake in typing. Nothing is better than a loose match. O(entries).
  */
 export function searchPalette(
   query: string,
@@ -47,21 +55,39 @@ export function searchPalette(
 ): readonly PaletteItem[] {
   const words = wordsOf(query);
   if (words.length === 0) return listed;
-  const all = [...listed, ...found];
-  const ranked = all.map((item) => ({ item, rank: rankOf(item, words) })).filter(({ rank }) => rank < 3);
-  const exact = ranked.toSorted((a, b) => a.rank - b.rank).map(({ item }) => item);
+  const isListed = new Set(listed);
+  const all = [...listed, ...found].map((item) => ({ item, rank: rankOf(item, words) }));
+  const exact = all.filter(({ rank }) => rank < unranked);
   const best = exact.length > 0 ? exact : similar(words, all);
-  const isDisabled = ({ needs }: PaletteItem): boolean => needs !== null;
-  const ordered = [...best.filter((item) => !isDisabled(item)), ...best.filter(isDisabled)];
-  return limited(ordered, new Set(listed));
+  const sorted = best
+    .map(({ item, rank }) => {
+      const { label, group } = item;
+      const isDisabled = Number(item.needs !== null);
+      const begins = label.toLowerCase().startsWith(words.join(" ")) || hasWholeWords(group, words);
+      const place = !isListed.has(item) ? 2 : begins ? 0 : 1;
+      return { item, order: [rank + isDisabled, isDisabled, place] };
+    })
+    .toSorted((a, b) => compared(a.order, b.order))
+    .map(({ item }) => item);
+  return limited(sorted, isListed);
 }
 
-/** Returns the entries that have a similar word for each word of the query: those with all of them in the label first. */
-function similar(words: readonly string[], items: readonly PaletteItem[]): PaletteItem[] {
-  const isIn = (text: string): boolean => hasSimilarWords(text, words);
-  const inLabel = items.filter(({ label }) => isIn(label));
-  const elsewhere = items.filter(({ label, words: others }) => !isIn(label) && isIn(`${label} ${others}`));
-  return [...inLabel, ...elsewhere];
+/** Compares two lists of numbers by the first in which they differ. */
+const compared = (a: readonly number[], b: readonly number[]): number =>
+  a.map((value, i) => value - (b[i] ?? 0)).find((difference) => difference !== 0) ?? 0;
+
+interface Ranked {
+  readonly item: PaletteItem;
+  readonly rank: number;
+}
+
+/** Returns the entries that have a similar word for each word of the query: those with all of them in the label rank first. */
+function similar(words: readonly string[], all: readonly Ranked[]): readonly Ranked[] {
+  return all.flatMap(({ item }) => {
+    const { label, words: others } = item;
+    if (hasSimilarWords(label, words)) return [{ item, rank: 0 }];
+    return hasSimilarWords(`${label} ${others}`, words) ? [{ item, rank: 1 }] : [];
+  });
 }
 
 /** Keeps all commands, disabled ones too, and the first entries of each group of others. */

@@ -17,7 +17,7 @@ import {
   type OpenResult,
 } from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
-import { hideNotice, showNotice } from "../session/shell";
+import { hideDocumentNotices, hideNotice, showNotice } from "../session/shell";
 import { reasonsOf, openedMesh } from "../session/shown-mesh";
 import { strings } from "../strings";
 import type { ReadSurface } from "../workers/surface-files";
@@ -62,7 +62,7 @@ async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile
     const project = {
       ...projectOf(name, read),
       // Shells inside a mesh with several regions are regions too.
-      ...(mesh.regions.length > 1 && innerRegions),
+      ...(mesh.mesh.regions.length > 1 && innerRegions),
     };
     for (const made of read.bodies) app.bodies.keep(made);
     app.run.cancel();
@@ -160,6 +160,7 @@ async function reopen(app: App, document: DocumentState): Promise<void> {
 
 function finishOpening(app: App, before: DocumentState): void {
   app.viewer.getState().viewer?.framing.reset();
+  hideDocumentNotices(app.shell);
   app.shell.setState({ drawer: null, dialog: null, startPage: false, leftTab: "model", message: null });
   if (!hasUnsavedChanges(before)) hideNotice(app.shell, "document-left");
   else offerReopening(app, settledProject(before).name, () => reopen(app, before));

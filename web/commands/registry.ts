@@ -66,7 +66,16 @@ export function runCommand(app: App, command: Command): void {
   command.run(app);
 }
 
-const byHotkey = new Map(commands.flatMap((command) => command.keys.map((key) => [key, command] as const)));
+/** A digit or sign: some keyboards type it with Shift, others without. */
+const sign = /^(?:alt\+)?[^\p{L}\s]$/u;
+
+/** Returns the hotkeys of a command on all keyboards. */
+export const hotkeysOf = ({ keys }: Command): readonly string[] =>
+  keys.flatMap((key) => (sign.test(key) ? [key, `shift+${key}`] : [key]));
+
+const byHotkey = new Map(
+  commands.flatMap((command) => hotkeysOf(command).map((key) => [key, command] as const)),
+);
 
 /** Returns the command that a key runs without Ctrl and Alt; undefined if there is none. */
 export const commandOfKey = ({

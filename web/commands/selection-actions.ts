@@ -1,4 +1,4 @@
-import type { ElementQuality } from "tetrafront";
+import type { ElementQuality } from "tetrafront/internal";
 import type { App } from "../app/app";
 import { deleteEntities, withDependents } from "../document/edits";
 import { entityKey, entityName, type Entity } from "../document/entities";
@@ -10,7 +10,6 @@ import { showNotice, type EditedField } from "../session/shell";
 import type { RunState } from "../session/run";
 import { entityNouns, strings } from "../strings";
 import type { CameraPose } from "../viewer/camera";
-import { cutToElement } from "../viewer/cut-to-element";
 
 export function deleteSelection(app: App): void {
   const { selection } = app.view.state.getState();
@@ -69,7 +68,7 @@ export function showProblem(app: App, problem: Problem): void {
  * Highlights an element of the shown mesh, opens a cut to it, and moves the view to it. What covers it gives way: target
  * sizes, and its region if that is hidden.
  */
-export function showElement(app: App, tetrahedron: number): void {
+export async function showElement(app: App, tetrahedron: number): Promise<void> {
   const { mesh } = app.run.state.getState();
   const { viewer } = app.viewer.getState();
   app.view.setLayer("mesh", true);
@@ -77,10 +76,15 @@ export function showElement(app: App, tetrahedron: number): void {
   app.view.selectElement(tetrahedron);
   app.shell.setState({ drawer: null });
   if (mesh) {
-    const region = mesh.volume.regions[tetrahedron];
+    const region = mesh.mesh.tetrahedronRegion[tetrahedron];
     if (region !== undefined && app.view.state.getState().hiddenRegions.has(region))
       app.view.toggleRegion(region);
-    app.view.setCut(cutToElement(mesh.volume, tetrahedron, viewer ? toEye(viewer.pose) : towardsViewer));
+    const direction = viewer ? toEye(viewer.pose) : towardsViewer;
+    const cut = await app.meshQueries.cutTo(mesh, tetrahedron, direction).catch(() => null);
+    const isPresent = app.run.state.getState().mesh === mesh;
+    // Another element, or another mesh, was chosen meanwhile.
+    if (!isPresent || app.view.state.getState().element !== tetrahedron) return;
+    if (cut) app.view.setCut(cut);
   }
   viewer?.framing.fitSelectedFaces();
 }
@@ -97,7 +101,7 @@ const toEye = ({ eye, target }: CameraPose): Position => [
 /** Shows the worst element of the mesh. */
 export function showWorstElement(app: App): void {
   const worst = worstElement(app.run.state.getState());
-  if (worst) showElement(app, worst.tetrahedron);
+  if (worst) void showElement(app, worst.tetrahedron);
 }
 
 /** Returns the worst element of the shown mesh: that with the smallest angle; undefined without elements. */

@@ -42,7 +42,7 @@ function writeSurface(body: { surface?: BodySurface | undefined }, surface: Body
 
 const replaceBodies = (label: string, bodies: readonly ProjectBody[]): ProjectEdit => ({
   label,
-  replace: [[["project", "bodies"], bodies]],
+  replace: { bodies },
 });
 
 /** Adds bodies as one step. */

@@ -1,7 +1,7 @@
 import type { SurfaceInspection } from "tetrafront";
 import type { ProjectBody, ProjectSource } from "tetrafront/project";
 import { stepNames } from "../strings";
-import type { Change, DocumentContent } from "./edit";
+import type { Change } from "./edit";
 import type { Position } from "./position";
 
 /** What a brush paints. */
@@ -63,7 +63,7 @@ export function strokeSources(
 }
 
 /** Adds the sources of a stroke to the project. */
-export function addStroke(stroke: readonly StrokePosition[], brush: Brush): Change<DocumentContent> {
+export function addStroke(stroke: readonly StrokePosition[], brush: Brush): Change {
   return {
     change: ({ project }) => {
       project.background.sources ??= [];

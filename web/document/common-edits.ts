@@ -1,6 +1,5 @@
-import type { LineType, PatchType } from "tetrafront";
 import { SOURCE_GROWTH } from "tetrafront/internal";
-import type { BodySurface, Project } from "tetrafront/project";
+import type { LineType, PatchType, BodySurface, Project } from "tetrafront/project";
 import { namesIn, readNumber, withNameReplaced } from "../expressions/expression";
 import { formulaText, operandText, plus, quantity, valueOf, type Quantity } from "../expressions/quantity";
 import { stepNames } from "../strings";

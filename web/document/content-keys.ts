@@ -16,7 +16,7 @@ import type {
 } from "tetrafront/project";
 import type { DocumentContent } from "./edit";
 import { bodiesOf } from "./entities";
-import { addReal, Hash, hashText } from "./hash";
+import { addReal, Hash, hashText, listHasher } from "./hash";
 import { textKey } from "./long-texts";
 import { numbersPerNode, packedNodes, packedTetrahedra, partsOf } from "./packed-grid";
 import { forEachInSlices } from "./slices";
@@ -24,7 +24,7 @@ import { forEachInSlices } from "./slices";
 /**
  * Keys that are equal for projects of equal content, even if the objects differ. `documentKey` shows whether a file
  * contains the project, `meshKey` whether a mesh was made from it. Each list is hashed once and remembered, so that
- * moving a point costs nothing for a large background grid.
+ * moving a point costs nothing for a large background grid, and little for a long list of points.
  */
 
 /** Long lists are hashed number by number, without a text in between. */
@@ -128,6 +128,10 @@ const withoutName = (fields: readonly string[]): string[] => fields.filter((fiel
 const hashRecords = (records: readonly object[], fields: string[]): string =>
   hashText(JSON.stringify(records, fields));
 
+/** As `hashRecords`, for lists of which edits change a few records. */
+const hasherOf = <Item extends object>(fields: string[]) =>
+  listHasher<Item>((item) => JSON.stringify(item, fields));
+
 /** Returns what `compute` makes of an object; computes it once per object. */
 function remembering<In extends object, Out>(compute: (input: In) => Out): (input: In) => Out {
   const known = new WeakMap<In, Out>();
@@ -151,19 +155,20 @@ function gridHash<List extends object>(list: List, compute: (list: List) => stri
 }
 
 const hashesOf = {
-  points: remembering((list: readonly ProjectPoint[]) => hashRecords(list, pointFields)),
-  lines: remembering((list: readonly ProjectLine[]) => hashRecords(list, lineFields)),
-  patches: remembering((list: readonly ProjectPatch[]) => hashRecords(list, patchFields)),
-  sources: remembering((list: readonly ProjectSource[]) => hashRecords(list, sourceFields)),
-  groups: remembering((list: readonly ProjectGroup[]) => hashRecords(list, groupFields)),
-  parameters: remembering((list: readonly ProjectParameter[]) => hashRecords(list, parameterFields)),
-  expressions: remembering((list: readonly ProjectExpression[]) => hashRecords(list, expressionFields)),
+  points: hasherOf<ProjectPoint>(pointFields),
+  lines: hasherOf<ProjectLine>(lineFields),
+  patches: hasherOf<ProjectPatch>(patchFields),
+  sources: hasherOf<ProjectSource>(sourceFields),
+  groups: hasherOf<ProjectGroup>(groupFields),
+  parameters: hasherOf<ProjectParameter>(parameterFields),
+  expressions: hasherOf<ProjectExpression>(expressionFields),
 };
 
 const namelessHashesOf = {
-  lines: remembering((list: readonly ProjectLine[]) => hashRecords(list, withoutName(lineFields))),
-  patches: remembering((list: readonly ProjectPatch[]) => hashRecords(list, withoutName(patchFields))),
-  sources: remembering((list: readonly ProjectSource[]) => hashRecords(list, withoutName(sourceFields))),
+  points: hasherOf<ProjectPoint>(withoutName(pointFields)),
+  lines: hasherOf<ProjectLine>(withoutName(lineFields)),
+  patches: hasherOf<ProjectPatch>(withoutName(patchFields)),
+  sources: hasherOf<ProjectSource>(withoutName(sourceFields)),
 };
 
 /** Returns the key of the given triangles of a body and their patches. */
@@ -215,10 +220,7 @@ function usedPointHash({ points, lines }: Project): string {
   const known = usedPointHashes.get(points);
   if (known?.lines === lines) return known.hash;
   const used = usedPoints(lines);
-  const hash = hashRecords(
-    points.filter(({ id }) => used.has(id)),
-    withoutName(pointFields),
-  );
+  const hash = namelessHashesOf.points(points.filter(({ id }) => used.has(id)));
   usedPointHashes.set(points, { lines, hash });
   return hash;
 }

@@ -1,5 +1,4 @@
-import type { LineType, PatchType, SourceType } from "tetrafront";
-import type { Project } from "tetrafront/project";
+import type { LineType, PatchType, SourceType, Project } from "tetrafront/project";
 import { type Entity, entityName, findRecord, recordsOf, type DrawnKind } from "./entities";
 import { keepCoordinates } from "./expression-edits";
 import { rangeAlong, smallestSize } from "./extent";

@@ -1,5 +1,4 @@
-import type { LineType } from "tetrafront";
-import type { Project, ProjectLine, ProjectPoint } from "tetrafront/project";
+import type { LineType, Project, ProjectLine, ProjectPoint } from "tetrafront/project";
 import { entityNouns, stepNames } from "../strings";
 import { nextId, type Creation } from "./create";
 import { findRecord } from "./entities";

@@ -1,4 +1,4 @@
-import type { PatchedSurface } from "tetrafront";
+import type { SurfaceInput } from "tetrafront";
 import type { Position } from "./position";
 
 /** Triangles of a surface in the form in which the view draws and hits them. */
@@ -31,7 +31,7 @@ export function boxOf(points: Float64Array): { readonly low: Position; readonly 
 
 /** Returns the drawn triangles of a surface with `patchCount` patches and one value per triangle, if it has values. */
 export function drawnSurface(
-  { points, triangles, trianglePatch }: PatchedSurface,
+  { points, triangles, trianglePatch }: SurfaceInput,
   patchCount: number,
   triangleValues: ArrayLike<number> | null = null,
 ): DrawnSurface {

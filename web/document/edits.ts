@@ -146,21 +146,20 @@ export function deleteEntities(project: Project, entities: readonly Entity[]): P
   const nodes = idsOf("background-node");
   return {
     label: stepNames.delete(subject, doomed.length - entities.length),
-    replace: [
-      [["project", "points"], rest(project.points, "point")],
-      [["project", "lines"], rest(project.lines, "line")],
-      [["project", "patches"], rest(project.patches, "patch")],
-      ...(project.bodies ? [[["project", "bodies"], rest(project.bodies, "body")] as const] : []),
-      [["project", "background", "nodes"], rest(background.nodes, "background-node")],
-      [
-        ["project", "background", "tetrahedra"],
-        nodes.size === 0
-          ? background.tetrahedra
-          : without(background.tetrahedra, (corners) => corners.some((id) => nodes.has(id))),
-      ],
-      ...(background.sources
-        ? [[["project", "background", "sources"], rest(background.sources, "source")] as const]
-        : []),
-    ],
+    replace: {
+      points: rest(project.points, "point"),
+      lines: rest(project.lines, "line"),
+      patches: rest(project.patches, "patch"),
+      ...(project.bodies && { bodies: rest(project.bodies, "body") }),
+      background: {
+        ...background,
+        nodes: rest(background.nodes, "background-node"),
+        tetrahedra:
+          nodes.size === 0
+            ? background.tetrahedra
+            : without(background.tetrahedra, (corners) => corners.some((id) => nodes.has(id))),
+        ...(background.sources && { sources: rest(background.sources, "source") }),
+      },
+    },
   };
 }

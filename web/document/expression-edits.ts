@@ -2,7 +2,7 @@ import { current, isDraft } from "mutative";
 import type { Project, ProjectExpression } from "tetrafront/project";
 import { isPlainNumber, readNumber } from "../expressions/expression";
 import { draftFinder, type ProjectDraft } from "./draft-records";
-import type { DocumentContent, DraftChange, DraftEdit } from "./edit";
+import type { DraftChange, DraftEdit } from "./edit";
 import { projectNumbers } from "./length-units";
 import { holderFinder, isAllowed, numberAt, pathKey, setNumberAt, type NumberPath } from "./number-paths";
 
@@ -106,7 +106,7 @@ export function withKept(
  * expression or a parameter has changed. An expression is forgotten if its number was changed in another way, or if its
  * parameter is gone. Undefined if nothing is to be done. O(expressions + entities of their kinds).
  */
-export function agreement(before: Project, after: Project): DraftChange<DocumentContent> | undefined {
+export function agreement(before: Project, after: Project): DraftChange | undefined {
   const { expressions = [] } = after;
   if (expressions.length === 0) return undefined;
   const [oldValues, values] = [projectNumbers(before), projectNumbers(after)];

@@ -81,13 +81,7 @@ export function offerSplit(project: Project, selection: readonly Entity[]): Offe
       entities: [{ kind: "background-node", id }],
       edit: {
         label: stepNames.splitTetrahedra(around.length),
-        replace: [
-          [
-            ["project", "background", "nodes"],
-            [...nodes, node],
-          ],
-          [["project", "background", "tetrahedra"], split],
-        ],
+        replace: { background: { ...project.background, nodes: [...nodes, node], tetrahedra: split } },
       },
     },
   };

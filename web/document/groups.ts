@@ -64,12 +64,7 @@ export function addGroup({ groups = [] }: Project, entities: readonly Entity[]):
   const group = { id, name, ...(color && { color }), members: groupableMembers(entities) };
   return {
     label: stepNames.addGroup(name),
-    replace: [
-      [
-        ["project", "groups"],
-        [...groups, group],
-      ],
-    ],
+    replace: { groups: [...groups, group] },
   };
 }
 
@@ -85,7 +80,7 @@ function changeGroup(
   return {
     label: label(name),
     ...(mergeKey !== undefined && { mergeKey }),
-    replace: [[["project", "groups"], groups.map((group) => (group.id === id ? change(group) : group))]],
+    replace: { groups: groups.map((group) => (group.id === id ? change(group) : group)) },
   };
 }
 
@@ -126,7 +121,7 @@ export function removeGroup({ groups = [] }: Project, id: number): ProjectEdit {
   const rest = groups.filter((group) => group.id !== id);
   return {
     label: stepNames.removeGroup(groups.find((group) => group.id === id)?.name ?? ""),
-    replace: [[["project", "groups"], rest.length > 0 ? rest : undefined]],
+    replace: { groups: rest.length > 0 ? rest : undefined },
   };
 }
 

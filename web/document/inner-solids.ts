@@ -1,4 +1,4 @@
-import { NO_REGION, type SurfaceFile } from "tetrafront";
+import { NO_REGION, type Mesh } from "tetrafront";
 import { isWithin } from "tetrafront/internal";
 import { boxOf } from "./drawn-surface";
 import type { Position } from "./position";
@@ -9,10 +9,7 @@ import { cornerOf, windingNumber, type Triangles } from "./winding-number";
  * its faces: shells inside a region are then regions. Otherwise they are cavities, but a solid inside a void is still
  * meshed. `bodies`: the surfaces made of the file. O(n) per pair of bodies whose boxes are nested.
  */
-export function hasInnerSolid(
-  bodies: readonly Triangles[],
-  surfaceRegions: SurfaceFile["surfaceRegions"],
-): boolean {
+export function hasInnerSolid(bodies: readonly Triangles[], surfaceRegions: Mesh["surfaceRegions"]): boolean {
   if (surfaceRegions !== undefined && hasEnclosedRegion(surfaceRegions)) return true;
   const boxes = bodies.map(({ points }) => boxOf(points));
   return bodies.some((inner, i) =>
@@ -25,10 +22,7 @@ export function hasInnerSolid(
 }
 
 /** Returns whether there is a region with other regions beyond all its triangles. */
-function hasEnclosedRegion({
-  regions,
-  triangleRegions,
-}: NonNullable<SurfaceFile["surfaceRegions"]>): boolean {
+function hasEnclosedRegion({ regions, triangleRegions }: NonNullable<Mesh["surfaceRegions"]>): boolean {
   const isOuter = new Uint8Array(regions.length);
   const hasTriangles = new Uint8Array(regions.length);
   for (let side = 0; side < triangleRegions.length; side++) {

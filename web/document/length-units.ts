@@ -1,4 +1,4 @@
-import { LIMITS, UNITS, type Unit } from "tetrafront";
+import { LIMITS, LENGTH_UNITS, type LengthUnit } from "tetrafront";
 import type { BodyPlacement, Project, ProjectBody } from "tetrafront/project";
 import { namesIn, readNumber, unitsIn, type NamedNumbers } from "../expressions/expression";
 import { dependentParameters, parameterValues } from "../expressions/parameters";
@@ -7,7 +7,7 @@ import { setPlacement } from "./body-edits";
 import type { ProjectEdit } from "./edit";
 
 /** Micrometres per unit, all whole numbers: ratios of them are as exact as a double. */
-const micrometres: Readonly<Record<Unit, number>> = {
+const micrometres: Readonly<Record<LengthUnit, number>> = {
   um: 1,
   mm: 1e3,
   cm: 1e4,
@@ -20,16 +20,17 @@ const micrometres: Readonly<Record<Unit, number>> = {
 const tolerance = 1e-9;
 
 /** Returns the unit that a text names; undefined for any other text. */
-export const unitOf = (text: string | undefined): Unit | undefined => UNITS.find((unit) => unit === text);
+export const unitOf = (text: string | undefined): LengthUnit | undefined =>
+  LENGTH_UNITS.find((unit) => unit === text);
 
 /** Returns the number of `to` in one `from`. */
-export const unitFactor = (from: Unit, to: Unit): number => micrometres[from] / micrometres[to];
+export const unitFactor = (from: LengthUnit, to: LengthUnit): number => micrometres[from] / micrometres[to];
 
 /**
  * Returns the function that converts lengths: it multiplies by a whole number and divides by another one, so that millimetres
  * become metres like the decimal number.
  */
-export function lengthConverter(from: Unit, to: Unit): (length: number) => number {
+export function lengthConverter(from: LengthUnit, to: LengthUnit): (length: number) => number {
   const [numerator, denominator] = [micrometres[from], micrometres[to]];
   const divisor = greatestDivisor(numerator, denominator);
   return (length) => (length * (numerator / divisor)) / (denominator / divisor);
@@ -38,8 +39,8 @@ export function lengthConverter(from: Unit, to: Unit): (length: number) => numbe
 const greatestDivisor = (a: number, b: number): number => (b === 0 ? a : greatestDivisor(b, a % b));
 
 /** The values of all units in a unit. */
-const unitValues = new Map<Unit, ReadonlyMap<string, number>>(
-  UNITS.map((to) => [to, new Map(UNITS.map((unit) => [unit, unitFactor(unit, to)]))]),
+const unitValues = new Map<LengthUnit, ReadonlyMap<string, number>>(
+  LENGTH_UNITS.map((to) => [to, new Map(LENGTH_UNITS.map((unit) => [unit, unitFactor(unit, to)]))]),
 );
 
 /** Returns the numbers that expressions of a project may use: its parameters, and units of length if it has one itself. */
@@ -49,18 +50,22 @@ export function projectNumbers({ parameters, units }: Pick<Project, "parameters"
 }
 
 /** Returns the unit of the given coordinates of a body, from its scale; undefined if no unit has this scale. */
-export function unitOfBody({ placement }: ProjectBody, units: Unit): Unit | undefined {
+export function unitOfBody({ placement }: ProjectBody, units: LengthUnit): LengthUnit | undefined {
   const { scale = 1 } = placement ?? {};
-  return UNITS.find((unit) => Math.abs(unitFactor(unit, units) / scale - 1) < tolerance);
+  return LENGTH_UNITS.find((unit) => Math.abs(unitFactor(unit, units) / scale - 1) < tolerance);
 }
 
 /** Returns a placement with the scale of a unit: its position and rotation stay. */
-export function placementInUnit(placement: BodyPlacement | undefined, from: Unit, to: Unit): BodyPlacement {
+export function placementInUnit(
+  placement: BodyPlacement | undefined,
+  from: LengthUnit,
+  to: LengthUnit,
+): BodyPlacement {
   return { ...placement, scale: unitFactor(from, to) };
 }
 
 /** Sets the unit of the coordinates of a body; the body is scaled to the unit of the project. */
-export function setBodyUnit(body: ProjectBody, from: Unit, to: Unit): ProjectEdit {
+export function setBodyUnit(body: ProjectBody, from: LengthUnit, to: LengthUnit): ProjectEdit {
   const { mergeKey: _, ...edit } = setPlacement(body.id, placementInUnit(body.placement, from, to));
   return { ...edit, label: bodyStepNames.setUnit(body.id) };
 }
@@ -68,7 +73,7 @@ export function setBodyUnit(body: ProjectBody, from: Unit, to: Unit): ProjectEdi
 /**
  * Sets the length unit of the project; its numbers stay, so expressions with units become numbers. Null removes the unit.
  */
-export function setProjectUnit(units: Unit | null): ProjectEdit {
+export function setProjectUnit(units: LengthUnit | null): ProjectEdit {
   return {
     label: stepNames.setUnits,
     change: ({ project }) => {
@@ -97,14 +102,14 @@ export const hasLengths = ({ points, bodies = [], background, meshing }: Project
  * Converts all lengths of a project to another unit: the model stays as large as it is. Expressions with units stay; others
  * are multiplied. Parameters without units stay, because they may be no lengths.
  */
-export function convertProject(project: Project, from: Unit, to: Unit): ProjectEdit {
+export function convertProject(project: Project, from: LengthUnit, to: LengthUnit): ProjectEdit {
   const factor = unitFactor(from, to);
   const convert = (x: number): number => Number((x * factor).toPrecision(15));
   const place = ([x, y, z]: readonly [number, number, number]) =>
     [convert(x), convert(y), convert(z)] as const;
   const { points, bodies, background, meshing, expressions } = project;
   const { nodes, sources } = background;
-  const converted: Partial<Project> = {
+  const replace: Partial<Project> = {
     units: to,
     points: points.map((point) => ({ ...point, position: place(point.position) })),
     ...(bodies && { bodies: bodies.map((body) => convertedBody(body, convert)) }),
@@ -123,10 +128,7 @@ export function convertProject(project: Project, from: Unit, to: Unit): ProjectE
     ...(meshing?.size !== undefined && { meshing: { ...meshing, size: convert(meshing.size) } }),
     ...(expressions && { expressions: convertedExpressions(project, to, factor) }),
   };
-  return {
-    label: stepNames.convertUnits(from, to),
-    replace: Object.entries(converted).map(([key, value]) => [["project", key], value]),
-  };
+  return { label: stepNames.convertUnits(from, to), replace };
 }
 
 /** The triangles of a body stay: its placement converts them. */
@@ -159,7 +161,7 @@ const agreementTolerance = 1e-12;
 
 function convertedExpressions(
   project: Project,
-  to: Unit,
+  to: LengthUnit,
   factor: number,
 ): NonNullable<Project["expressions"]> {
   const [before, after] = [projectNumbers(project), projectNumbers({ ...project, units: to })];

@@ -1,4 +1,4 @@
-import type { LineType } from "tetrafront";
+import type { LineType } from "tetrafront/project";
 import { arcThrough, circleThrough, onArc } from "./arcs";
 import type { Position } from "./position";
 import { addScaled, dot, length, scale, subtract } from "./vectors";

@@ -1,5 +1,4 @@
-import type { LineType } from "tetrafront";
-import type { Project, ProjectLine } from "tetrafront/project";
+import type { LineType, Project, ProjectLine } from "tetrafront/project";
 import { arcThrough, circleThrough, onArc } from "./arcs";
 import { findRecord } from "./entities";
 import type { Position } from "./position";

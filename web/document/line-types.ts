@@ -1,4 +1,4 @@
-import type { LineType } from "tetrafront";
+import type { LineType } from "tetrafront/project";
 
 /** Types of lines, in the order in which the app offers them. */
 export const lineTypes = [

@@ -1,4 +1,5 @@
-import type { MetricShapes, VolumeMesh } from "tetrafront";
+import type { Mesh } from "tetrafront";
+import type { MetricShapes } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
 
 /** The measures a mesh can be shaded by. Both are per tetrahedron, higher is better. */
@@ -33,11 +34,11 @@ export function asksForStretching({ background, meshing }: Project): boolean {
 }
 
 /** The part of a mesh that quality in space depends on. */
-export type Elements = Pick<VolumeMesh, "points" | "tetrahedra">;
+export type Elements = Pick<Mesh, "points" | "tetrahedra">;
 
 /** Mesh whose quality is also known in its metric, if that is stretched. */
 export interface MeasuredMesh {
-  readonly volume: Elements;
+  readonly mesh: Elements;
   readonly metricShapes?: MetricShapes | undefined;
 }
 
@@ -48,13 +49,13 @@ export function qualityOf(mesh: Elements, measure: QualityMeasure, tetrahedron: 
 
 /** Returns the quality of one tetrahedron, given its index in the mesh. Without a stretched metric, in space. */
 export function qualityIn(
-  { volume, metricShapes }: MeasuredMesh,
+  { mesh, metricShapes }: MeasuredMesh,
   space: QualitySpace,
   measure: QualityMeasure,
   tetrahedron: number,
 ): number {
   const known = space === "metric" ? metricShapes : undefined;
-  return known ? (metricValues(known, measure)[tetrahedron] ?? 0) : qualityOf(volume, measure, tetrahedron);
+  return known ? (metricValues(known, measure)[tetrahedron] ?? 0) : qualityOf(mesh, measure, tetrahedron);
 }
 
 /** Returns the measure of every tetrahedron in the metric. */

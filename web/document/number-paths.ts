@@ -1,6 +1,6 @@
 import { LIMITS } from "tetrafront";
 import type { Project, ProjectExpression } from "tetrafront/project";
-import { recordsOf, type Entity } from "./entities";
+import { indexById, recordsOf, type DrawnKind, type Entity } from "./entities";
 
 type WithoutExpression<Expression> = Expression extends unknown ? Omit<Expression, "expression"> : never;
 
@@ -16,16 +16,21 @@ export const uniformSizePath = { kind: "meshing", field: "size" } as const satis
 export const pathKey = (path: NumberPath): string =>
   `${path.kind}-${path.kind === "meshing" ? "" : path.id}-${path.field}`;
 
-/** Returns a function that finds the records of a project by kind and id; it indexes each kind once. */
+/** Indices by id, per list of records. */
+const indicesOf = new WeakMap<object, ReadonlyMap<number, number>>();
+/** The indices found last, by kind: they hold for most records of a list that an edit has made of another one. */
+const lastIndices = new Map<DrawnKind, ReadonlyMap<number, number>>();
+
+/** Returns a function that finds the records of a project by kind and id; it indexes a list once, if need be. */
 export function recordFinder(project: Project): (entity: Entity) => object | undefined {
-  const indices = new Map<string, ReadonlyMap<number, object>>();
   return ({ kind, id }) => {
-    let index = indices.get(kind);
-    if (!index) {
-      index = new Map(recordsOf(project, kind).map((record) => [record.id, record]));
-      indices.set(kind, index);
-    }
-    return index.get(id);
+    const records = recordsOf(project, kind);
+    const guess = records[lastIndices.get(kind)?.get(id) ?? -1];
+    if (guess?.id === id) return guess;
+    const indices = indicesOf.get(records) ?? indexById(project, kind);
+    indicesOf.set(records, indices);
+    lastIndices.set(kind, indices);
+    return records[indices.get(id) ?? -1];
   };
 }
 

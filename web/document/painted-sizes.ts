@@ -1,4 +1,10 @@
-import type { BodyPlacement, Project, ProjectBody, ProjectSource } from "tetrafront/project";
+import {
+  liveNotes,
+  type BodyPlacement,
+  type Project,
+  type ProjectBody,
+  type ProjectSource,
+} from "tetrafront/project";
 import type { Replacement } from "./edit";
 import { bodiesOf } from "./entities";
 import { carried } from "./placement";
@@ -23,7 +29,14 @@ export function paintedSizes(before: Project, after: Project): Replacement | und
     return oldBody && isUnchanged ? moved(source, oldBody, body) : source;
   });
   const isSame = followed.every((source, s) => source === sources[s]);
-  return isSame ? undefined : { replace: [[["project", "background", "sources"], followed]] };
+  return isSame ? undefined : { replace: { background: { ...after.background, sources: followed } } };
+}
+
+/** Returns a project without some of its bodies, and without what it notes about them. Sizes that were painted on them stay. */
+export function withoutBodies(project: Project, ids: ReadonlySet<number>): Project {
+  const rest = { ...project, bodies: bodiesOf(project).filter(({ id }) => !ids.has(id)) };
+  const unpainted = { ...rest, ...paintedSizes(project, rest)?.replace };
+  return { ...unpainted, ...liveNotes(unpainted) };
 }
 
 function withoutBody({ body: _, ...source }: ProjectSource): ProjectSource {

@@ -1,5 +1,4 @@
-import type { LineType, PatchType } from "tetrafront";
-import type { Project } from "tetrafront/project";
+import type { LineType, PatchType, Project } from "tetrafront/project";
 import { entityNouns, patchMisfits } from "../strings";
 import { entityName, findRecord } from "./entities";
 import { cross, dot, subtract } from "./vectors";

@@ -1,4 +1,5 @@
-import type { QualityReport, ShapeStatistics } from "tetrafront";
+import type { QualityReport } from "tetrafront";
+import type { ShapeStatistics } from "tetrafront/internal";
 
 /** Measures for which a report has a histogram per region. */
 export type CountedMeasure = "dihedral" | "radiusRatio" | "edge";

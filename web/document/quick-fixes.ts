@@ -10,7 +10,7 @@ import { drawnLoops, keyOf } from "./loop-search";
 import { orderLoops } from "./loops";
 import { loopsToFill } from "./loops-to-fill";
 import { cutsAtCrossings, sampledPath } from "./splits/line-crossings";
-import { replacingLists, splitLines, type Cut } from "./splits/split-line";
+import { changedLists, splitLines, type Cut } from "./splits/split-line";
 import { joinLinePair, joinPair } from "./transforms/join-points";
 import type { Problem } from "./validate";
 
@@ -66,13 +66,12 @@ export function quickFixOf(problem: Problem, context: FixContext): QuickFix | nu
 /** Returns the edit that makes a fix; null if it changes nothing. */
 export function fixEdit(project: Project, label: string, fixes: readonly QuickFix[]): ProjectEdit | null {
   const fixed = fixes.reduce((current, { apply }) => apply(current), project);
-  const replace = [
-    ...replacingLists(project, fixed),
-    ...(fixed.background === project.background
-      ? []
-      : [[["project", "background"], fixed.background] as const]),
-  ];
-  return replace.length > 0 ? { label, replace } : null;
+  const { background } = fixed;
+  const replace = {
+    ...changedLists(project, fixed),
+    ...(background !== project.background && { background }),
+  };
+  return Object.keys(replace).length > 0 ? { label, replace } : null;
 }
 
 const idsOf = ({ entities }: Problem, of: DrawnKind): readonly number[] =>

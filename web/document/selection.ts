@@ -1,5 +1,4 @@
-import type { Project } from "tetrafront/project";
-import type { LineType, SourceType } from "tetrafront";
+import type { Project, LineType, SourceType } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Brush } from "./brush";
 import type { QualitySpace } from "./mesh-quality";

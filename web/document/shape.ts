@@ -1,4 +1,4 @@
-import type { LineType, PatchType } from "tetrafront";
+import type { LineType, PatchType } from "tetrafront/project";
 import type { Position } from "./position";
 import { fromFrame, type Frame } from "./vectors";
 

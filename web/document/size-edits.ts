@@ -109,7 +109,7 @@ export function setMeshing<Field extends keyof ProjectMeshing>(
 
 /** Replaces the sources and keeps the background grid. A uniform size stays in force. */
 export function replaceSources(label: string, background: ProjectBackground): ProjectEdit {
-  return { label, replace: [[["project", "background"], background]] };
+  return { label, replace: { background } };
 }
 
 /** Replaces the background grid with its sources. It also replaces a uniform size. */
@@ -118,13 +118,7 @@ export function replaceBackground(
   project: Project,
   background: ProjectBackground,
 ): ProjectEdit {
-  return {
-    label,
-    replace: [
-      [["project", "background"], background],
-      [["project", "meshing"], changed(project, "size", null)],
-    ],
-  };
+  return { label, replace: { background, meshing: changed(project, "size", null) } };
 }
 
 /** Multiplies all sizes: of background nodes, of sources, and the uniform one. Above 1, the mesh gets coarser. */
@@ -133,14 +127,13 @@ export function scaleSizes({ background, meshing }: Project, factor: number): Pr
     list.map((item) => ({ ...item, size: factor * item.size }));
   return {
     label: factor < 1 ? stepNames.refineSizes : stepNames.coarsenSizes,
-    replace: [
-      [["project", "background", "nodes"], scaled(background.nodes)],
-      ...(background.sources
-        ? [[["project", "background", "sources"], scaled(background.sources)] as const]
-        : []),
-      ...(meshing?.size === undefined
-        ? []
-        : [[["project", "meshing"], { ...meshing, size: factor * meshing.size }] as const]),
-    ],
+    replace: {
+      background: {
+        ...background,
+        nodes: scaled(background.nodes),
+        ...(background.sources && { sources: scaled(background.sources) }),
+      },
+      ...(meshing?.size !== undefined && { meshing: { ...meshing, size: factor * meshing.size } }),
+    },
   };
 }

@@ -117,20 +117,18 @@ export function replaceByJoined(
     body.id === ids[0] ? [joined] : isJoined(body.id) ? [] : [body],
   );
   const { sources } = project.background;
-  const isPainted = sources?.some(({ body }) => isJoined(body)) === true;
   const painted = sources?.map((source) => (isJoined(source.body) ? { ...source, body: joined.id } : source));
   const groups = project.groups?.map((group) => {
     const others = group.members.filter(({ kind, id }) => kind !== "body" || !isJoined(id));
     if (others.length === group.members.length) return group;
     return { ...group, members: [...others, { kind: "body", id: joined.id } as const] };
   });
-  const isGrouped = groups?.some((group, index) => group !== project.groups?.[index]) === true;
   return {
     label,
-    replace: [
-      [["project", "bodies"], bodies],
-      ...(isGrouped ? [[["project", "groups"], groups] as const] : []),
-      ...(isPainted ? [[["project", "background", "sources"], painted] as const] : []),
-    ],
+    replace: {
+      bodies,
+      ...(groups && { groups }),
+      ...(painted && { background: { ...project.background, sources: painted } }),
+    },
   };
 }

@@ -1,9 +1,9 @@
-import type { SurfaceMesh } from "tetrafront";
+import type { Mesh } from "tetrafront";
 import type { Position } from "./position";
 
 /** Returns the centroid of a triangle; null if the surface has no such triangle. */
 export function triangleCentroid(
-  { points, triangles }: Pick<SurfaceMesh, "points" | "triangles">,
+  { points, triangles }: Pick<Mesh, "points" | "triangles">,
   triangle: number,
 ): Position | null {
   const nodes = triangles.subarray(3 * triangle, 3 * triangle + 3);

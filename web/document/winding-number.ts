@@ -1,8 +1,8 @@
-import type { PatchedSurface } from "tetrafront";
+import type { SurfaceInput } from "tetrafront";
 import type { Position } from "./position";
 import { dot } from "./vectors";
 
-export type Triangles = Pick<PatchedSurface, "points" | "triangles">;
+export type Triangles = Pick<SurfaceInput, "points" | "triangles">;
 
 /** Returns the position of a node. */
 export const cornerOf = (points: Float64Array, node: number): Position => [

@@ -21,6 +21,8 @@ export interface LensLabel {
   readonly kind: MarkKind;
   readonly position: Position;
   readonly text: string;
+  /** Whether a small view is without it: it names no part of the step that is examined. */
+  readonly isMinor?: true;
 }
 
 /** Faces and parts of faces are triangles, three positions each; sides are segments, two positions each. */
@@ -68,7 +70,7 @@ export function lensMarks(scene: LensScene): LensMarks {
     ...(showsIdeal ? [{ kind: "ideal", position: step.idealPoint, text: texts.ideal } as const] : []),
     { kind: "base", position: tip[1] ?? base[0], text: texts.normal },
     ...others.flatMap(({ node, isNew, position }) =>
-      isNew ? [] : [{ kind: "candidate" as const, position, text: texts.node(node) }],
+      isNew ? [] : [{ kind: "candidate" as const, position, text: texts.node(node), isMinor: true as const }],
     ),
   ];
   return {

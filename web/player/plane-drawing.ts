@@ -3,10 +3,12 @@ import type { EdgeStep, PlanarFront, PlanePosition } from "tetrafront/trace";
 import { edgesAt, endsOf, planeOf, targetLength } from "./planar-judge";
 import { trianglesMadeAt } from "./surface-scene";
 
-/** A square of the plane: its left and upper border, and its width. */
+/** A rectangle of the plane: its left and upper border, its width and height, and the larger of them. */
 export interface PlaneWindow {
   readonly left: number;
   readonly top: number;
+  readonly width: number;
+  readonly height: number;
   readonly size: number;
 }
 
@@ -15,7 +17,7 @@ const margin = 0.06;
 /** Width of the window around a base edge, in target sizes there. */
 const closeUp = 9;
 
-/** Returns the square around a patch. */
+/** Returns the rectangle around a patch. */
 export function windowOf({ plane, boundaryNodes }: PlanarFront): PlaneWindow {
   let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
   for (let node = 0; node < boundaryNodes; node++) {
@@ -25,11 +27,9 @@ export function windowOf({ plane, boundaryNodes }: PlanarFront): PlaneWindow {
     bottom = Math.min(bottom, y);
     top = Math.max(top, y);
   }
-  return squareAround(
-    (left + right) / 2,
-    (bottom + top) / 2,
-    (1 + 2 * margin) * Math.max(right - left, top - bottom),
-  );
+  const border = margin * Math.max(right - left, top - bottom);
+  const [width, height] = [right - left + 2 * border, top - bottom + 2 * border];
+  return { left: left - border, top: top + border, width, height, size: Math.max(width, height) };
 }
 
 /** Name, position and node of a corner of the quadrilateral that a curved patch is mapped to. */
@@ -68,14 +68,10 @@ export function cornersOfPlane({ plane, boundaryNodes, isCurved, seamNodes }: Pl
 /** Returns the square around a base edge. */
 export function windowAround(front: PlanarFront, step: EdgeStep): PlaneWindow {
   const { rx, ry } = ellipseOf(step, targetLength(front, step));
-  return squareAround(step.ideal[0], step.ideal[1], closeUp * Math.max(rx, ry));
+  const size = closeUp * Math.max(rx, ry);
+  const [x, y] = step.ideal;
+  return { left: x - size / 2, top: y + size / 2, width: size, height: size, size };
 }
-
-const squareAround = (x: number, y: number, size: number): PlaneWindow => ({
-  left: x - size / 2,
-  top: y + size / 2,
-  size,
-});
 
 /**
  * Returns the ellipse of all steps of the plane that are as long in space, in target sizes: half axes, and the angle of

@@ -1,4 +1,4 @@
-import type { Mesher, Progress } from "tetrafront";
+import type { Mesher, CallProgress } from "tetrafront";
 import { loadTrace, type Trace } from "tetrafront/trace";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../session/document-store";
@@ -23,7 +23,7 @@ export type ShownElements = (typeof shownElements)[number];
 
 export interface PlayerState {
   /** A recording that is under way. */
-  readonly recording: { readonly progress: Progress | null; readonly isStopping: boolean } | null;
+  readonly recording: { readonly progress: CallProgress | null; readonly isStopping: boolean } | null;
   /** Fraction of a trace that has been read, 0 to 1; null while none is read. */
   readonly reading: number | null;
   /** Why nothing was recorded or read last; null without a failure. */
@@ -160,7 +160,7 @@ export class Player {
     this.close();
     this.state.setState({ recording: { progress: null, isStopping: false }, failure: null });
     const { documents, mesher, preparedOf } = this.#options;
-    const onProgress = (progress: Progress): void => {
+    const onProgress = (progress: CallProgress): void => {
       if (this.#abort !== abort) return;
       this.state.setState({ recording: { progress, isStopping: abort.signal.aborted } });
     };

@@ -16,7 +16,10 @@ export interface PoorElement {
 
 /** Returns the elements with a dihedral angle below `poorAngle` as seen in space, the worst first. O(elements). */
 export function poorElements(mesh: SweptMesh): readonly PoorElement[] {
-  return Array.from(mesh.regions, (_, element) => ({ element, angle: qualityOf(mesh, "dihedral", element) }))
+  return Array.from(mesh.tetrahedronRegion, (_, element) => ({
+    element,
+    angle: qualityOf(mesh, "dihedral", element),
+  }))
     .filter(({ angle }) => angle < poorAngle)
     .sort((a, b) => a.angle - b.angle);
 }

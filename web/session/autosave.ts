@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { isListed, type DocumentState, type DocumentStore } from "./document-store";
 import type { DocumentStorage } from "./document-storage";
-import { keptDocument } from "./kept-document";
+import { documentWrite, type Stored } from "./document-write";
 
 export interface AutosaveState {
   /**
@@ -40,6 +40,12 @@ export class Autosave {
   readonly #queue = new Map<string, DocumentState>();
   /** The state last put into the queue. */
   #noted: DocumentState | null = null;
+  /** The states written last, by document, until they are stored. */
+  readonly #writing = new Map<string, DocumentState>();
+  /** What the storage has of the document that was written last; null if that is not known, or about to be replaced. */
+  #stored: Stored | null = null;
+  /** What it will have when the last write is complete. */
+  #issued: Stored | null = null;
   #running = 0;
   #timer: ReturnType<typeof setTimeout> | null = null;
   #lastBlockingTime = 0;
@@ -95,6 +101,7 @@ export class Autosave {
   /** Removes a document from the queue, because it is about to be removed from the storage. */
   forget(id: string): void {
     this.#queue.delete(id);
+    if (this.#issued?.id === id) this.#stored = this.#issued = null;
     this.#update();
   }
 
@@ -113,14 +120,20 @@ export class Autosave {
 
   async #write(state: DocumentState): Promise<void> {
     this.#running += 1;
+    this.#writing.set(state.id, state);
     try {
-      await this.#issue(state);
+      const stored = await this.#issue(state);
+      // A write that was issued meanwhile begins where this one did.
+      if (stored === this.#issued) this.#stored = stored;
+      if (this.#writing.get(state.id) === state) this.#writing.delete(state.id);
       this.#failures = 0;
       this.#update(null);
     } catch (error) {
       this.#failures += 1;
+      this.#stored = null;
       // A later change of the same document replaces it.
-      if (!this.#queue.has(state.id)) this.#queue.set(state.id, state);
+      const last = this.#writing.get(state.id);
+      if (last && !this.#queue.has(state.id)) this.#queue.set(state.id, last);
       this.#update(error instanceof Error ? error.message : String(error));
     } finally {
       this.#running -= 1;
@@ -130,11 +143,15 @@ export class Autosave {
   }
 
   /** Starts to write. Only this part blocks the page; the storage does the rest in the background. */
-  #issue(state: DocumentState): Promise<void> {
+  async #issue(state: DocumentState): Promise<Stored> {
     const started = performance.now();
-    const writing = this.#storage.write(keptDocument(state, Date.now(), isListed(state)));
+    const { write, stored } = documentWrite(state, this.#stored, Date.now(), isListed(state));
+    this.#issued = stored;
+    if ("content" in write) this.#stored = null;
+    const writing = this.#storage.write(write);
     this.#lastBlockingTime = performance.now() - started;
-    return writing;
+    await writing;
+    return stored;
   }
 
   #nextDelay(): number {

@@ -3,7 +3,6 @@ import {
   type Diagnostic,
   type Mesher,
   type PreparedBody,
-  type SplitSurface,
   type SurfaceInspection,
 } from "tetrafront";
 import { bodyPatchGroups, type Project, type ProjectBody } from "tetrafront/project";
@@ -14,7 +13,7 @@ import { defaultRepair, placedVolume, type RepairProposal, type RepairWishes } f
 import { bodiesOf } from "../document/entities";
 import { nextTurn } from "../document/slices";
 import type { PatchArrays } from "../document/patch-arrays";
-import { SurfaceClient, type LoadedSurface, type NewBody } from "../workers/surface-files";
+import { SurfaceClient, type LoadedSurface, type NewBody, type NewPatches } from "../workers/surface-files";
 import { BodyPairs, type GivenBody } from "./touching-bodies";
 import { BodyPreparations, type Preparation } from "./body-preparations";
 import { canCompare, comparedRepair, proposedRepair } from "./body-repairs";
@@ -81,7 +80,7 @@ export function fillableBodies(states: Iterable<BodyState>): GivenBody[] {
 export interface BodySplit {
   /** Id of the patch that is split; null for all. */
   readonly patch: number | null;
-  readonly split: SplitSurface;
+  readonly split: NewPatches;
   /** The body after the split. */
   readonly after: NewBody;
 }
@@ -259,7 +258,7 @@ export class BodyFeed {
   }
 
   /** Returns a body with the patches of a split. Its arrays are then known. */
-  async withSplit(body: ProjectBody, split: SplitSurface): Promise<ProjectBody> {
+  async withSplit(body: ProjectBody, split: NewPatches): Promise<ProjectBody> {
     const made = await this.#split(body, split, false);
     this.keep(made);
     return made.body;
@@ -327,7 +326,7 @@ export class BodyFeed {
       const mesher = await this.#mesher;
       const patches = patch === null ? undefined : [body.patches.findIndex(({ id }) => id === patch)];
       const given = { ...surface, patches: bodyPatchGroups(body) };
-      const split = await mesher.splitPatches(given, { angle, patches }, { signal });
+      const { mesh: split } = await mesher.splitPatches(given, { angle, patches }, { signal });
       const after = await this.#split(body, split, true);
       const present = this.state.getState().byId.get(body.id)?.body;
       if (signal.aborted || present?.patches !== body.patches) return;
@@ -342,7 +341,7 @@ export class BodyFeed {
     this.#set(id, { split: null });
   }
 
-  #split(body: ProjectBody, split: SplitSurface, isPreview: boolean): Promise<NewBody> {
+  #split(body: ProjectBody, split: NewPatches, isPreview: boolean): Promise<NewBody> {
     const { firstPatchId } = nextBodyIds(this.#documents.project);
     return this.#client.split(body, split, firstPatchId, isPreview);
   }

@@ -4,6 +4,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, namesKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, recordsOf } from "../document/entities";
+import { withoutBodies } from "../document/painted-sizes";
 import { strings } from "../strings";
 import { fillableBodies, type BodyFeed } from "./bodies";
 import { settledProject, type DocumentStore } from "./document-store";
@@ -138,19 +139,6 @@ async function errorsOf(
   signal.throwIfAborted();
   if (report.status !== "invalid-input") return [];
   return report.diagnostics.filter(({ severity }) => severity === "error").map(withoutTriangles);
-}
-
-/** Returns a project without some of its bodies. Sizes that were painted on them stay. */
-function withoutBodies(project: Project, ids: ReadonlySet<number>): Project {
-  const { groups: _, expressions: __, background, ...rest } = project;
-  const sources = background.sources?.map(({ body, ...source }) =>
-    body === undefined || ids.has(body) ? source : { ...source, body },
-  );
-  return {
-    ...rest,
-    bodies: bodiesOf(project).filter(({ id }) => !ids.has(id)),
-    background: { ...background, ...(sources && { sources }) },
-  };
 }
 
 /** Leaves out triangles and nodes of a surface that the page does not have. */

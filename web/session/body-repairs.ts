@@ -1,4 +1,4 @@
-import { repairedSurface, type Mesher } from "tetrafront";
+import type { Mesher } from "tetrafront";
 import { hasWelded, remeshedBest, type RemeshShapes } from "tetrafront/internal";
 import type { ProjectBody } from "tetrafront/project";
 import {
@@ -21,11 +21,15 @@ export async function proposedRepair(
 ): Promise<RepairProposal> {
   const patches = body.patches.map(({ id, name = "" }) => ({ name, tag: id }));
   const weldIntersections = isExact ? 0 : weldBeforeRemeshing(body, drawn);
-  const repair = await mesher.repairSurface(surface, { ...wishes, weldIntersections }, { signal });
+  const repair = await mesher.repairSurface(
+    { ...surface, patches },
+    { ...wishes, weldIntersections },
+    { signal },
+  );
   const treated = withTreatmentAfter(repair.changes, body);
   if (treated !== body)
     return proposedRepair(mesher, treated, { surface, drawn }, wishes, { isExact, signal });
-  const repaired = repairedSurface({ ...surface, patches }, repair);
+  const repaired = repair.mesh;
   const after = await mesher.inspectSurface(repaired, {}, { signal });
   const { points, triangles, trianglePatch } = repaired;
   const isCut = repair.changes.some(({ kind }) => kind === "resolved-intersection");

@@ -1,6 +1,7 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import { strings } from "../strings";
-import type { DocumentSummary, KeptDocument } from "./kept-document";
+import type { DocumentWrite } from "./document-write";
+import type { DocumentHead, DocumentSummary, KeptChange, KeptContent, KeptDocument } from "./kept-document";
 
 /** Stores documents between visits, each under its id. */
 export interface DocumentStorage {
@@ -10,23 +11,29 @@ export interface DocumentStorage {
   readonly listUntouched: () => Promise<readonly string[]>;
   readonly read: (id: string) => Promise<KeptDocument | undefined>;
   /**
-   * Writes a document, replacing its earlier state. If the storage is open, the whole transaction is issued
+   * Writes what a document lacks. Rejects if it lacks a content too. If the storage is open, the whole transaction is issued
    * before this returns, so that it completes even if the page is closed.
    */
-  readonly write: (document: KeptDocument) => Promise<void>;
+  readonly write: (write: DocumentWrite) => Promise<void>;
   readonly remove: (ids: readonly string[]) => Promise<void>;
 }
 
 interface Schema extends DBSchema {
   documents: {
     key: string;
-    value: KeptDocument;
+    /** Version 2 has stored the content here. */
+    value: DocumentHead | (DocumentHead & KeptContent);
     /** Contains everything that a list needs, so that listing reads no document. */
     indexes: { recent: [listed: number, at: number, name: string] };
   };
+  contents: { key: string; value: KeptContent };
+  changes: { key: [id: string, number: number]; value: KeptChange };
 }
 
-const databaseVersion = 2;
+const stores = ["documents", "contents", "changes"] as const;
+const databaseVersion = 3;
+
+const changesOf = (id: string): IDBKeyRange => IDBKeyRange.bound([id, 0], [id, Infinity]);
 
 /** The browser has no storage for the page, or refuses it. Its message is a sentence for the user. */
 export class NoStorageError extends Error {
@@ -41,7 +48,7 @@ const refusals = ["SecurityError", "InvalidStateError", "NotAllowedError"];
 
 const isSwitchedOff = (error: unknown): boolean => error instanceof Error && refusals.includes(error.name);
 
-/** Documents in IndexedDB, one record each. If the database cannot be opened, the next call tries again. */
+/** Documents in IndexedDB. If the database cannot be opened, the next call tries again. */
 export class BrowserStorage implements DocumentStorage {
   readonly #name: string;
   #opening: Promise<IDBPDatabase<Schema>> | null = null;
@@ -70,21 +77,48 @@ export class BrowserStorage implements DocumentStorage {
   }
 
   async read(id: string): Promise<KeptDocument | undefined> {
-    return (await this.#open()).get("documents", id);
+    const transaction = (await this.#open()).transaction(stores);
+    const [document, content, changes] = await Promise.all([
+      transaction.objectStore("documents").get(id),
+      transaction.objectStore("contents").get(id),
+      transaction.objectStore("changes").getAll(changesOf(id)),
+    ]);
+    if (document && "text" in document) return { ...document, content: document, changes };
+    return document && content && { ...document, content, changes };
   }
 
-  async write(document: KeptDocument): Promise<void> {
+  async write(write: DocumentWrite): Promise<void> {
     const database = this.#database ?? (await this.#open());
-    const transaction = database.transaction("documents", "readwrite");
-    const put = transaction.store.put(document);
+    const transaction = database.transaction(stores, "readwrite");
+    const [contents, changes] = [transaction.objectStore("contents"), transaction.objectStore("changes")];
+    const requests: Promise<unknown>[] = [];
+    if ("content" in write) {
+      const { content, ...head } = write;
+      requests.push(transaction.objectStore("documents").put(head), contents.put(content, head.id));
+      requests.push(changes.delete(changesOf(head.id)));
+    } else {
+      const { change, ...head } = write;
+      requests.push(
+        transaction.objectStore("documents").put(head),
+        changes.put(change, [head.id, change.number]),
+      );
+    }
+    const hasContent = contents.count(write.id);
     transaction.commit();
-    await Promise.all([put, transaction.done]);
+    await Promise.all([...requests, transaction.done]);
+    // The user may have removed the data of the page.
+    if ((await hasContent) === 0) throw new Error("The document is no longer in the storage");
   }
 
   async remove(ids: readonly string[]): Promise<void> {
     if (ids.length === 0) return;
-    const transaction = (await this.#open()).transaction("documents", "readwrite");
-    await Promise.all([...ids.map((id) => transaction.store.delete(id)), transaction.done]);
+    const transaction = (await this.#open()).transaction(stores, "readwrite");
+    const deletions = ids.flatMap((id) => [
+      transaction.objectStore("documents").delete(id),
+      transaction.objectStore("contents").delete(id),
+      transaction.objectStore("changes").delete(changesOf(id)),
+    ]);
+    await Promise.all([...deletions, transaction.done]);
   }
 
   #open(): Promise<IDBPDatabase<Schema>> {
@@ -101,10 +135,14 @@ export class BrowserStorage implements DocumentStorage {
       this.#database = null;
     };
     if (typeof indexedDB === "undefined") throw new NoStorageError();
-    const upgrade = (database: IDBPDatabase<Schema>): void => {
-      for (const name of database.objectStoreNames) database.deleteObjectStore(name);
-      const store = database.createObjectStore("documents", { keyPath: "id" });
-      store.createIndex("recent", ["listed", "at", "name"]);
+    const upgrade = (database: IDBPDatabase<Schema>, version: number): void => {
+      if (version < 2) {
+        for (const name of database.objectStoreNames) database.deleteObjectStore(name);
+        const store = database.createObjectStore("documents", { keyPath: "id" });
+        store.createIndex("recent", ["listed", "at", "name"]);
+      }
+      database.createObjectStore("contents");
+      database.createObjectStore("changes");
     };
     // A newer version of the app, or the user, wants to change or delete the database.
     const blocking = (): void => {

@@ -1,12 +1,11 @@
-import type { Draft } from "mutative";
 import { liveNotes, type Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { documentKey, shownMeshKey } from "../document/content-keys";
-import type { Change, DocumentContent, ProjectEdit } from "../document/edit";
+import { changedContent, type Change, type DocumentContent, type ProjectEdit } from "../document/edit";
 import { bodiesOf } from "../document/entities";
 import { agreement } from "../document/expression-edits";
 import { paintedSizes } from "../document/painted-sizes";
-import { addStep, commit, redo, startHistory, stepFrom, undo, type History, type Step } from "./history";
+import { commit, goBy, redo, startHistory, undo, type History } from "./history";
 import { untilState } from "./until-state";
 
 /** The file that Save writes to. */
@@ -35,7 +34,7 @@ export interface DocumentState extends OpenDocument {
 /** A continuous change, for example a drag: one undo step, however often it is updated. */
 export interface Gesture {
   /** Replaces the gesture's change so far by a change of the project as it was at the beginning. */
-  readonly update: (change: Change<DocumentContent>) => void;
+  readonly update: (change: Change) => void;
   /** Ends the gesture as one undo step, or as none if nothing has changed. */
   readonly commit: () => void;
   /** Ends the gesture and restores the project as it was at the beginning. */
@@ -63,38 +62,39 @@ export function newDocumentId(): string {
 }
 
 /**
- * Makes the step of a change. It also removes what groups and expressions note about entities that are gone, makes
- * numbers and their expressions agree, and keeps painted sizes on their bodies.
+ * Returns the content after a change. The change also removes what groups and expressions note about entities that are gone,
+ * makes numbers and their expressions agree, and keeps painted sizes on their bodies.
  */
-function stepOfProject(content: DocumentContent, change: Change<DocumentContent>): Step<DocumentContent> {
-  const step = stepFrom(content, change);
-  const notes = Object.entries(liveNotes(step.present.project));
-  const tidy = followedBy(step, { replace: notes.map(([key, list]) => [["project", key], list] as const) });
-  const agreed = agreeing(content, tidy);
-  const painted = paintedSizes(content.project, agreed.present.project);
-  const last = painted ? agreeing(content, followedBy(agreed, painted)) : agreed;
-  return last.present.project.expressions?.length === 0 ? followedBy(last, { change: withoutList }) : last;
+function contentAfter(before: DocumentContent, change: Change): DocumentContent {
+  const after = changedContent(before, change);
+  if (after.project === before.project) return after;
+  const notes = isSameShape(before.project, after.project) ? {} : liveNotes(after.project);
+  const agreed = agreeing(before, { ...after, project: { ...after.project, ...notes } });
+  const painted = paintedSizes(before.project, agreed.project);
+  const { project, ...rest } = painted ? agreeing(before, changedContent(agreed, painted)) : agreed;
+  const { expressions = [], ...bare } = project;
+  // An empty list of expressions says nothing.
+  return { ...rest, project: expressions.length > 0 ? project : bare };
 }
 
-function agreeing({ project }: DocumentContent, step: Step<DocumentContent>): Step<DocumentContent> {
-  const change = agreement(project, step.present.project);
-  return change ? followedBy(step, change) : step;
+/** Returns whether two values of plain data have the same ids, fields and lengths, so that the same notes apply to them. */
+function isSameShape(a: unknown, b: unknown): boolean {
+  if (a === b || typeof a !== "object" || typeof b !== "object" || a === null || b === null)
+    return typeof a === typeof b;
+  if (Array.isArray(a) && Array.isArray(b))
+    return a.length === b.length && a.every((item, i) => item === b[i] || isSameShape(item, b[i]));
+  const [fields, others] = [a, b] as [Readonly<Record<string, unknown>>, Readonly<Record<string, unknown>>];
+  const keys = Object.keys(fields);
+  return (
+    fields["id"] === others["id"] &&
+    keys.length === Object.keys(others).length &&
+    keys.every((key) => key in others && isSameShape(fields[key], others[key]))
+  );
 }
 
-/** An empty list of expressions says nothing. */
-function withoutList({ project }: Draft<DocumentContent>): void {
-  delete project.expressions;
-}
-
-/** Returns a step and a further change as one step. */
-function followedBy(step: Step<DocumentContent>, change: Change<DocumentContent>): Step<DocumentContent> {
-  const next = stepFrom(step.present, change);
-  if (next.forward.length === 0) return step;
-  return {
-    present: next.present,
-    forward: [...step.forward, ...next.forward],
-    backward: [...next.backward, ...step.backward],
-  };
+function agreeing({ project }: DocumentContent, after: DocumentContent): DocumentContent {
+  const change = agreement(project, after.project);
+  return change ? changedContent(after, change) : after;
 }
 
 /** What keeps a document from being edited. */
@@ -146,12 +146,13 @@ export class DocumentStore {
 
   /** Shows a mesh of the project, as a step of undo: null for the one that a run makes. Locks permit it: the model stays as it is. */
   setMeshVersion(label: string, meshVersion: string | null): void {
-    this.#apply({ label, replace: [[["meshVersion"], meshVersion]] });
+    this.#apply({ label, change: (draft) => void (draft.meshVersion = meshVersion) });
   }
 
   #apply(edit: ProjectEdit): void {
     this.#gesture?.commit();
-    this.#set(commit(this.state.getState().history, edit, this.#now(), this.held, stepOfProject));
+    const { history } = this.state.getState();
+    this.#set(commit(history, edit, contentAfter(history.present, edit), this.#now(), this.held));
   }
 
   /** Resolves when no gesture is under way: work that ends during a drag must not cut it short with its edit. */
@@ -175,7 +176,7 @@ export class DocumentStore {
     this.#gesture?.commit();
     const { history } = this.state.getState();
     const start = history.present;
-    let step: Step<DocumentContent> | null = null;
+    let content = start;
     const end = (ended: History<DocumentContent>): void => {
       if (this.#gesture !== gesture) return;
       this.#gesture = null;
@@ -184,10 +185,10 @@ export class DocumentStore {
     const gesture: Gesture = {
       update: (change) => {
         if (this.#gesture !== gesture) return;
-        step = stepOfProject(start, change);
-        this.state.setState({ history: { ...history, present: step.present } });
+        content = contentAfter(start, change);
+        this.state.setState({ history: { ...history, present: content } });
       },
-      commit: () => end(step ? addStep(history, label, step, this.#now()) : history),
+      commit: () => end(commit(history, { label }, content, this.#now())),
       cancel: () => end(history),
     };
     this.#gesture = gesture;
@@ -209,10 +210,8 @@ export class DocumentStore {
   /** Goes to the state after a number of the steps that can be undone or redone; cancels the current gesture. */
   jumpTo(steps: number): void {
     this.#gesture?.cancel();
-    let { history } = this.state.getState();
-    while (history.past.length > steps && history.past.length > 0) history = undo(history);
-    while (history.past.length < steps && history.future.length > 0) history = redo(history);
-    this.#set(history);
+    const { history } = this.state.getState();
+    this.#set(goBy(history, steps - history.past.length));
   }
 
   /** Cancels the current gesture, shows another document, and returns the previous one. */

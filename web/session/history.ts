@@ -1,7 +1,5 @@
-import { create, type Patches } from "mutative";
-import type { Change, Edit, Replacement } from "../document/edit";
 import { memorySize, textSize } from "../document/memory-size";
-import { applyPatches } from "./apply-patches";
+import { differenceOf, reversed, withDifference, type Difference } from "./difference";
 
 /** One step of undo. */
 export interface HistoryEntry {
@@ -9,11 +7,11 @@ export interface HistoryEntry {
   readonly mergeKey: string | undefined;
   /** Time of the last edit in this entry; milliseconds, any origin. */
   readonly at: number;
-  readonly forward: Patches;
-  readonly backward: Patches;
-  /** Estimated memory of the patches without long texts. */
+  /** The state after the step compared with the state before it. */
+  readonly change: Difference;
+  /** Estimated memory of the change without long texts. */
   readonly bytes: number;
-  /** Long texts of the patches, which they share with other steps. */
+  /** Long texts of the change, which it shares with other steps. */
   readonly longTexts?: readonly string[];
 }
 
@@ -36,46 +34,22 @@ export function startHistory<State>(present: State): History<State> {
   return { present, past: [], future: [] };
 }
 
-/** What a change does to a state. Without patches it does nothing. */
-export interface Step<State> {
-  readonly present: State;
-  readonly forward: Patches;
-  readonly backward: Patches;
-}
-
-export function stepFrom<State extends object>(state: State, change: Change<State>): Step<State> {
-  if ("replace" in change) return replaceAll(state, change.replace);
-  const [present, forward, backward] = create(state, change.change, { enablePatches: true });
-  return { present, forward, backward };
-}
+/** What a step of undo is called, and with which other steps it merges. */
+export type StepName = Pick<HistoryEntry, "label"> & { readonly mergeKey?: string | undefined };
 
 /**
- * Returns the history after a step, which removes the steps that could be redone; the same object if the step
- * is empty.
- */
-export function addStep<State>(
-  history: History<State>,
-  label: string,
-  step: Step<State>,
-  now: number,
-): History<State> {
-  return append(history, history.past, { label, mergeKey: undefined, at: now, ...step });
-}
-
-/**
- * Returns the history after an edit at `now`, or the same object if the edit changes nothing. The edit is
- * `held` if it comes from a key that is held down: all repetitions are one step, however slow. `stepOf` makes the step
- * of a change.
+ * Returns the history after a step to another state, which removes the steps that could be redone; the same object if the
+ * states are equal. The step is `held` if it comes from a key that is held down: all repetitions are one step, however slow.
  */
 export function commit<State extends object>(
   history: History<State>,
-  edit: Edit<State>,
+  { label, mergeKey }: StepName,
+  present: State,
   now: number,
   held = false,
-  stepOf: (state: State, change: Change<State>) => Step<State> = stepFrom,
 ): History<State> {
-  const step = stepOf(history.present, edit);
-  const { label, mergeKey } = edit;
+  const change = differenceOf(history.present, present);
+  if (!change) return history;
   const last = history.past.at(-1);
   const merges =
     last !== undefined &&
@@ -84,8 +58,10 @@ export function commit<State extends object>(
     (held || now - last.at <= mergeWindowMs) &&
     // After an undo, the user has gone back to the last step: never merge into it.
     history.future.length === 0;
-  if (!merges) return append(history, history.past, { label, mergeKey, at: now, ...step });
-  return append(history, history.past.slice(0, -1), { label, mergeKey, at: now, ...joined(last, step) });
+  const past = merges ? history.past.slice(0, -1) : history.past;
+  const whole = merges ? differenceOf(undo(history).present, present) : change;
+  const added = whole ? [entryOf({ label, mergeKey, at: now, change: whole })] : [];
+  return { present, past: withinLimit([...past, ...added]), future: [] };
 }
 
 /** Returns the state one step back, or the same object if there is none. */
@@ -93,7 +69,7 @@ export function undo<State extends object>(history: History<State>): History<Sta
   const entry = history.past.at(-1);
   if (entry === undefined) return history;
   return {
-    present: applyPatches(history.present, entry.backward),
+    present: withDifference(history.present, reversed(entry.change)),
     past: history.past.slice(0, -1),
     future: [entry, ...history.future],
   };
@@ -104,33 +80,24 @@ export function redo<State extends object>(history: History<State>): History<Sta
   const [entry, ...rest] = history.future;
   if (entry === undefined) return history;
   return {
-    present: applyPatches(history.present, entry.forward),
+    present: withDifference(history.present, entry.change),
     past: [...history.past, { ...entry, mergeKey: undefined }],
     future: rest,
   };
 }
 
-function append<State>(
-  history: History<State>,
-  past: readonly HistoryEntry[],
-  {
-    present,
-    label,
-    mergeKey,
-    at,
-    forward,
-    backward,
-  }: Omit<HistoryEntry, "bytes" | "longTexts"> & Step<State>,
-): History<State> {
-  if (forward.length === 0) return history;
+/** Redoes a number of steps, or undoes them if it is negative; fewer if there are not so many. */
+export function goBy<State extends object>(history: History<State>, steps: number): History<State> {
+  let moved = history;
+  for (let i = 0; i < Math.abs(steps); ++i) moved = steps < 0 ? undo(moved) : redo(moved);
+  return moved;
+}
+
+/** Returns an entry with its memory. */
+export function entryOf(step: Omit<HistoryEntry, "bytes" | "longTexts">): HistoryEntry {
   const texts = new Set<string>();
-  const bytes = memorySize(forward, texts) + memorySize(backward, texts);
-  const longTexts = texts.size > 0 && { longTexts: [...texts] };
-  return {
-    present,
-    past: withinLimit([...past, { label, mergeKey, at, forward, backward, bytes, ...longTexts }]),
-    future: [],
-  };
+  const bytes = memorySize(step.change, texts);
+  return { ...step, bytes, ...(texts.size > 0 && { longTexts: [...texts] }) };
 }
 
 /** Returns the memory of an entry, in bytes. Each long text counts for the first entry that has it. */
@@ -150,38 +117,4 @@ function withinLimit(entries: readonly HistoryEntry[]): readonly HistoryEntry[] 
     if (bytes > maxHistoryBytes) return entries.slice(Math.min(i + 1, entries.length - 1));
   }
   return entries;
-}
-
-/** Two steps as one. New values of the same fields replace each other, so that a held key takes no more memory. */
-function joined<State>(last: HistoryEntry, step: Step<State>): Step<State> {
-  const replaces = replacesSame(last.forward, step.forward) && replacesSame(last.backward, step.backward);
-  return {
-    present: step.present,
-    forward: replaces ? step.forward : [...last.forward, ...step.forward],
-    backward: replaces ? last.backward : [...step.backward, ...last.backward],
-  };
-}
-
-function replacesSame(first: Patches, second: Patches): boolean {
-  return (
-    first.length === second.length &&
-    first.every(({ op, path }, i) => {
-      const other = second[i];
-      return op === "replace" && other?.op === "replace" && String(path) === String(other.path);
-    })
-  );
-}
-
-function replaceAll<State extends object>(state: State, replace: Replacement["replace"]): Step<State> {
-  const patch = (path: readonly string[], value: unknown): Patches[number] => ({
-    op: "replace",
-    path: [...path],
-    value,
-  });
-  const presentAt = (path: readonly string[]): unknown =>
-    path.reduce<unknown>((value, step) => (value as Readonly<Record<string, unknown>>)[step], state);
-  const changed = replace.filter(([path, value]) => presentAt(path) !== value);
-  const forward = changed.map(([path, value]) => patch(path, value));
-  const backward = changed.map(([path]) => patch(path, presentAt(path)));
-  return { present: applyPatches(state, forward), forward, backward };
 }

@@ -1,28 +1,43 @@
+import { apply, type Patches } from "mutative";
 import { parseProject, type Project } from "tetrafront/project";
+import { documentKey } from "../document/content-keys";
 import type { DocumentContent } from "../document/edit";
 import { manyTetrahedra } from "../document/engine-input";
 import { documentGrid } from "../document/large-grid";
 import { packedGrid, type PackedGrid } from "../document/packed-grid";
 import { blobOf, jsonWithout, parseWith, rememberText } from "../document/long-texts";
+import { differenceOf } from "./difference";
 import type { OpenDocument, ProjectFile } from "./document-store";
-import { entryBytes, type History, type HistoryEntry } from "./history";
+import { entryBytes, entryOf, goBy, startHistory, type History, type HistoryEntry } from "./history";
 
-/** A document in the form of the browser's storage. */
-export interface KeptDocument {
+/** A document in the browser's storage: a small record that every write replaces, its content, and the changes since. */
+export interface KeptDocument extends DocumentHead {
+  readonly content: KeptContent;
+  /** In the order in which they were made. */
+  readonly changes: readonly KeptChange[];
+}
+
+export interface DocumentHead {
   readonly id: string;
   readonly name: string;
   /** Time of the last change; milliseconds since 1970. */
   readonly at: number;
   /** 1 if Recent lists the document, 0 if it is as it was opened. IndexedDB has no keys for booleans. */
   readonly listed: 0 | 1;
+  readonly savedKey: string;
+  readonly file: ProjectFile | null;
+}
+
+type LongTexts = ReadonlyMap<string, Blob>;
+
+/** A project with its steps of undo. */
+export interface KeptContent {
   /** The project as JSON, without a large background grid and without long texts. */
   readonly text: string;
   /** The long texts of the project and of the steps, by their keys. */
-  readonly longTexts?: ReadonlyMap<string, Blob>;
+  readonly longTexts?: LongTexts;
   /** The nodes and tetrahedra of a large background grid. */
   readonly grid?: PackedGrid;
-  readonly savedKey: string;
-  readonly file: ProjectFile | null;
   /** Version of the project file format that the steps refer to; a later version cannot use them. */
   readonly version: number;
   /** Steps of undo as JSON, the oldest first. */
@@ -31,69 +46,120 @@ export interface KeptDocument {
   readonly future: readonly string[];
 }
 
+/** What edits, undo and redo have made of the content and the changes before. */
+export interface KeptChange {
+  /** Counts the changes of a content, from 0. */
+  readonly number: number;
+  /** Number of steps to redo, or to undo if negative. */
+  readonly move: number;
+  /** New steps as JSON, in place of those that could be redone. */
+  readonly steps?: readonly string[];
+  /** Number of new steps that are undone again. */
+  readonly undone?: number;
+  /** The long texts of the new steps that the content and the changes before do not have. */
+  readonly longTexts?: LongTexts;
+}
+
 /** What Recent shows of a document. */
-export type DocumentSummary = Pick<KeptDocument, "id" | "name" | "at">;
+export type DocumentSummary = Pick<DocumentHead, "id" | "name" | "at">;
 
 /**
- * Limit of the steps stored with a document. If a step is larger, for example a new grid, it and the steps
+ * Limit of the steps stored with a content. If a step is larger, for example a new grid, it and the steps
  * beyond it are not stored.
  */
 export const maxKeptHistoryBytes = 4 * 2 ** 20;
 
-export function keptDocument(
+export function documentHead(
   { id, history, savedKey, file }: OpenDocument,
-  now: number,
+  at: number,
   isListed: boolean,
-): KeptDocument {
-  const { project } = history.present;
-  const { background, ...drawn } = project;
-  const isLarge = background.tetrahedra.length > manyTetrahedra;
-  const stored = isLarge ? { ...background, nodes: [], tetrahedra: [] } : background;
+): DocumentHead {
+  return { id, name: history.present.project.name, at, listed: isListed ? 1 : 0, savedKey, file };
+}
+
+export function keptContent({ present: { project }, past, future }: History<DocumentContent>): KeptContent {
+  const isLarge = project.background.tetrahedra.length > manyTetrahedra;
   const texts = new Map<string, string>();
-  const text = jsonWithout({ ...drawn, background: stored }, texts);
+  const text = jsonWithout(isLarge ? withGrid(project, noGrid) : project, texts);
   // The steps share most long texts with the project.
   const counted = new Set(texts.values());
-  const undone = textsOf(history.future, maxKeptHistoryBytes, counted);
-  const done = textsOf([...history.past].reverse(), maxKeptHistoryBytes - undone.bytes, counted);
-  for (const { longTexts } of [undone, done]) longTexts.forEach((long, key) => texts.set(key, long));
+  const undone = keptSteps(future, maxKeptHistoryBytes, counted);
+  const done = keptSteps(past.toReversed(), maxKeptHistoryBytes - undone.bytes, counted);
+  for (const { longTexts } of [...undone.steps, ...done.steps])
+    longTexts.forEach((long, key) => texts.set(key, long));
   return {
-    id,
-    name: project.name,
-    at: now,
-    listed: isListed ? 1 : 0,
     text,
-    ...(texts.size > 0 && { longTexts: new Map([...texts].map(([key, long]) => [key, blobOf(long)])) }),
-    ...(isLarge && { grid: packedGrid(background) }),
-    savedKey,
-    file,
+    ...blobsOf(texts),
+    ...(isLarge && { grid: packedGrid(project.background) }),
     version: project.version,
-    past: done.texts.reverse(),
-    future: undone.texts,
+    past: done.steps.map(({ json }) => json).reverse(),
+    future: undone.steps.map(({ json }) => json),
   };
 }
 
+const noGrid = { nodes: [], tetrahedra: [] };
+
+const withGrid = (
+  project: Project,
+  { nodes, tetrahedra }: Pick<Project["background"], "nodes" | "tetrahedra">,
+): Project => ({ ...project, background: { ...project.background, nodes, tetrahedra } });
+
+/** Returns long texts in the form of the storage; without any, nothing. */
+export const blobsOf = (texts: ReadonlyMap<string, string>): { readonly longTexts?: LongTexts } =>
+  texts.size > 0 ? { longTexts: new Map([...texts].map(([key, long]) => [key, blobOf(long)])) } : {};
+
 /** Returns the document to open, or null if its project cannot be read. */
 export async function openKept(kept: KeptDocument): Promise<OpenDocument | null> {
-  const { id, grid, savedKey, file, version, past, future, longTexts = new Map<string, Blob>() } = kept;
+  const { id, file, content, changes } = kept;
+  const texts = await readTexts([content, ...changes]);
+  const project = parseWith(content.text, texts) as Project;
+  const grid = content.grid && (await documentGrid(content.grid));
+  const stored = historyOf({ project: grid ? withGrid(project, grid) : project }, content, texts);
+  const history = changes.reduce((before, change) => historyAfter(before, change, texts), stored);
+  // The content may have an earlier version, which the changes refer to: only the result can be brought to the present one.
+  const last = history.present.project;
+  const read = parseProject(grid ? withGrid(last, noGrid) : last);
+  if (!read.success) return null;
+  const present = { project: grid ? withGrid(read.value, last.background) : read.value };
+  // An earlier version of the app may have made other keys.
+  const savedKey = kept.listed === 1 ? kept.savedKey : documentKey(present.project);
+  const isUsable = content.version === read.value.version;
+  return { id, history: isUsable ? { ...history, present } : startHistory(present), savedKey, file };
+}
+
+async function readTexts(parts: readonly { readonly longTexts?: LongTexts }[]): Promise<Map<string, string>> {
   const texts = new Map<string, string>();
-  for (const [key, blob] of longTexts) {
+  for (const [key, blob] of parts.flatMap(({ longTexts = new Map<string, Blob>() }) => [...longTexts])) {
     const text = await blob.text();
     texts.set(key, text);
     rememberText(text, key, blob);
   }
-  const read = parseProject(parseWith(kept.text, texts));
-  if (!read.success) return null;
-  const { background } = read.value;
-  const project: Project = grid
-    ? { ...read.value, background: { ...background, ...(await documentGrid(grid)) } }
-    : read.value;
-  const isUsable = version === project.version;
-  const history: History<DocumentContent> = {
-    present: { project },
-    past: isUsable ? past.map((entry) => entryOf(entry, texts)) : [],
-    future: isUsable ? future.map((entry) => entryOf(entry, texts)) : [],
+  return texts;
+}
+
+type Texts = ReadonlyMap<string, string>;
+
+function historyOf(
+  present: DocumentContent,
+  { past, future }: KeptContent,
+  texts: Texts,
+): History<DocumentContent> {
+  return {
+    present,
+    past: entriesFrom(present, stepsOf(past, texts).reverse(), "backward").reverse(),
+    future: entriesFrom(present, stepsOf(future, texts), "forward"),
   };
-  return { id, history, savedKey, file };
+}
+
+function historyAfter(
+  before: History<DocumentContent>,
+  { move, steps, undone = 0 }: KeptChange,
+  texts: Texts,
+): History<DocumentContent> {
+  const moved = goBy(before, move);
+  if (!steps) return moved;
+  const future = entriesFrom(moved.present, stepsOf(steps, texts), "forward");
+  return goBy({ ...moved, future }, future.length - undone);
 }
 
 /** The JSON of an entry without its long texts. */
@@ -105,45 +171,56 @@ interface EntryText {
 /** Entries never change, so the text of each is made only once. */
 const entryTexts = new WeakMap<HistoryEntry, EntryText>();
 
-function textOf(entry: HistoryEntry): EntryText {
+export function textOf(entry: HistoryEntry): EntryText {
   let text = entryTexts.get(entry);
   if (!text) {
     const longTexts = new Map<string, string>();
-    text = { json: entry.longTexts ? jsonWithout(entry, longTexts) : JSON.stringify(entry), longTexts };
+    const { label, at, change } = entry;
+    text = { json: jsonWithout({ label, at, change }, longTexts), longTexts };
     entryTexts.set(entry, text);
   }
   return text;
 }
 
-interface KeptEntries {
-  readonly texts: string[];
-  readonly bytes: number;
-  readonly longTexts: ReadonlyMap<string, string>;
-}
-
 /**
- * Returns the texts of entries that fit into the limit, beginning with those closest to the current state. Long texts
- * that are already `counted` take no more room.
+ * Returns the texts of entries that fit into the limit, beginning with those closest to the current state, and how much of it
+ * they take. Long texts that are already `counted` take no more room.
  */
-function textsOf(entries: readonly HistoryEntry[], limit: number, counted: Set<string>): KeptEntries {
-  const texts: string[] = [];
-  const longTexts = new Map<string, string>();
+function keptSteps(
+  entries: readonly HistoryEntry[],
+  limit: number,
+  counted: Set<string>,
+): { readonly steps: readonly EntryText[]; readonly bytes: number } {
+  const steps: EntryText[] = [];
   let bytes = 0;
   for (const entry of entries) {
     bytes += entryBytes(entry, counted);
-    if (bytes > limit) return { texts, bytes: limit, longTexts };
-    const text = textOf(entry);
-    text.longTexts.forEach((long, key) => longTexts.set(key, long));
-    texts.push(text.json);
+    if (bytes > limit) return { steps, bytes: limit };
+    steps.push(textOf(entry));
   }
-  return { texts, bytes, longTexts };
+  return { steps, bytes };
 }
 
-/** Edits after a reload never merge into a step from before it. */
-function entryOf(json: string, texts: ReadonlyMap<string, string>): HistoryEntry {
-  const entry = { ...(parseWith(json, texts) as HistoryEntry), mergeKey: undefined };
-  const longTexts = new Map<string, string>();
-  if (entry.longTexts) jsonWithout(entry.longTexts, longTexts);
-  entryTexts.set(entry, { json, longTexts });
-  return entry;
+/** A step in the storage; earlier versions of the app have stored patches. */
+type StoredStep = Pick<HistoryEntry, "label" | "at"> &
+  (Pick<HistoryEntry, "change"> | { readonly forward: Patches; readonly backward: Patches });
+
+const stepsOf = (steps: readonly string[], texts: Texts): StoredStep[] =>
+  steps.map((step) => parseWith(step, texts) as StoredStep);
+
+/** Returns the entries of steps, beginning with the one next to the present. Edits after a reload never merge into them. */
+function entriesFrom(
+  present: DocumentContent,
+  steps: readonly StoredStep[],
+  direction: "forward" | "backward",
+): HistoryEntry[] {
+  let state = present;
+  return steps.flatMap((step) => {
+    const { label, at } = step;
+    if ("change" in step) return entryOf({ label, mergeKey: undefined, at, change: step.change });
+    const next = apply(state, step[direction]);
+    const change = direction === "forward" ? differenceOf(state, next) : differenceOf(next, state);
+    state = next;
+    return change ? entryOf({ label, mergeKey: undefined, at, change }) : [];
+  });
 }

@@ -38,8 +38,9 @@ export function changedPart(sampled: Project, project: Project): ChangedPart | n
   const { points, lines, patches } = project;
   if (!isAlike(points, sampled.points) || !isAlike(lines, sampled.lines)) return null;
   if (!isAlike(patches, sampled.patches)) return null;
-  const moved = new Set(points.flatMap((point, i) => (point === sampled.points[i] ? [] : [point.id])));
-  const offset = commonOffset(sampled, project);
+  const moves = movesBetween(sampled.points, points);
+  const moved = new Set(moves.map(({ id }) => id));
+  const offset = commonOffset(moves);
   const bentIds = new Set<number>();
   const shiftedIds = new Set<number>();
   lines.forEach((line, i) => {
@@ -81,15 +82,28 @@ export function changedPart(sampled: Project, project: Project): ChangedPart | n
   };
 }
 
-/** Returns the offset by which all points were moved that were moved; null if there are several, or none was moved. */
-function commonOffset({ points: before }: Project, { points: after }: Project): Position | null {
-  const moves = after.flatMap((point, i) => {
+interface Move {
+  readonly id: number;
+  readonly from: Position;
+  readonly to: Position;
+}
+
+/** Returns how the points of a list differ from those of another one with the same ids. */
+function movesBetween(before: Project["points"], after: Project["points"]): readonly Move[] {
+  const moves: Move[] = [];
+  for (const [i, point] of after.entries()) {
     const old = before[i];
-    return old === undefined || point === old ? [] : [[old.position, point.position] as const];
-  });
+    if (old && point !== old) moves.push({ id: point.id, from: old.position, to: point.position });
+  }
+  return moves;
+}
+
+/** Returns the offset of all moves; null if there are several, or no move. */
+function commonOffset(moves: readonly Move[]): Position | null {
   // The offset of any of them may be rounded as coarsely as its coordinates.
-  const size = moves.flat(2).reduce((most, x) => Math.max(most, Math.abs(x)), 0);
-  const [offset = null, ...others] = moves.map(([from, to]) => subtract(to, from));
+  const coordinates = moves.flatMap(({ from, to }) => [...from, ...to]);
+  const size = coordinates.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+  const [offset = null, ...others] = moves.map(({ from, to }) => subtract(to, from));
   const isSame = (own: Position): boolean =>
     offset !== null && length(subtract(own, offset)) <= sameOffset * size;
   return others.every(isSame) ? offset : null;

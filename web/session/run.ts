@@ -1,5 +1,4 @@
-import type { Mesher, MeshResult, PreparedBody, Progress, UnoptimizedMesh } from "tetrafront";
-import { regionNames } from "tetrafront/internal";
+import type { Mesher, MeshResult, PreparedBody, CallProgress } from "tetrafront";
 import type { Project } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, placedSurfacesKey, shownMeshKey, versionedKey } from "../document/content-keys";
@@ -47,7 +46,7 @@ export interface RunState {
   readonly preparedShare: number;
   /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
-  readonly progress: Progress | null;
+  readonly progress: CallProgress | null;
   /** How many seconds the active run still takes, about; null if it is not known. */
   readonly secondsLeft: number | null;
   /**
@@ -56,11 +55,9 @@ export interface RunState {
    */
   readonly front: Float64Array | null;
   /** The mesh that a run is optimizing; null before its front has closed, and without a run. */
-  readonly unoptimized: UnoptimizedMesh | null;
+  readonly unoptimized: Pick<MeshResult, "mesh"> | null;
   /** The shown mesh, which may belong to another state of the project. */
   readonly mesh: MeshResult | null;
-  /** As in `ShownMesh`; empty without a mesh. */
-  readonly regionNames: ShownMesh["regionNames"];
   /** As in `ShownMesh`; both null without a mesh. */
   readonly origin: ShownMesh["origin"];
   readonly improvement: ShownMesh["improvement"];
@@ -121,7 +118,6 @@ const emptyRun: RunState = {
   front: null,
   unoptimized: null,
   mesh: null,
-  regionNames: [],
   origin: null,
   improvement: null,
   edgeReference: "target",
@@ -154,8 +150,7 @@ const nameOfBody = (project: Project, id: number): string => {
   return body ? bodyLabel(body) : "";
 };
 
-const isShowable = ({ volume, surface }: MeshResult): boolean =>
-  volume.tetrahedra.length > 0 || surface.triangles.length > 0;
+const isShowable = ({ mesh }: MeshResult): boolean => mesh.tetrahedra.length > 0 || mesh.triangles.length > 0;
 
 const count = (value: number): string => value.toLocaleString("en-US");
 
@@ -254,7 +249,7 @@ export class MeshRun {
             this.#preparations.keep(project, prepared);
           },
           onFront: (front) => this.state.setState({ front }),
-          onUnoptimized: (unoptimized) => this.state.setState({ unoptimized, front: null }),
+          onUnoptimized: (mesh) => this.state.setState({ unoptimized: { mesh }, front: null }),
         },
       );
       elapsedSeconds = result.report.seconds.total;
@@ -301,14 +296,7 @@ export class MeshRun {
     return improving;
   }
 
-  async #improve({
-    mesh,
-    regionNames: names,
-    origin,
-    improvement,
-    edgeReference,
-    isValid,
-  }: ShownMesh): Promise<ImprovementEnd> {
+  async #improve({ mesh, origin, improvement, edgeReference, isValid }: ShownMesh): Promise<ImprovementEnd> {
     const abort = this.#begin("improve");
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
@@ -317,7 +305,7 @@ export class MeshRun {
     log("information", logStrings.improving(count(mesh.report.tetrahedra)));
     try {
       const { optimization = "default" } = project.meshing ?? {};
-      const before = { mesh, regionNames: names, origin, improvement, edgeReference, isValid };
+      const before = { mesh, origin, improvement, edgeReference, isValid };
       const after = await improvedMesh(await this.#mesher, before, optimization, {
         signal: abort.signal,
         onProgress: (progress) => {
@@ -374,7 +362,7 @@ export class MeshRun {
     const key = shownMeshKey(settledContent(this.#documents.state.getState()));
     const { mesh, outcome } = this.state.getState();
     if (mesh && this.state.getState().meshKey !== key) {
-      const none = { mesh: null, regionNames: [], origin: null, improvement: null, isValid: null };
+      const none = { mesh: null, origin: null, improvement: null, isValid: null };
       this.state.setState({ ...none, meshKey: null, meshedBodies: null });
     }
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
@@ -393,7 +381,7 @@ export class MeshRun {
     this.#abort.abort();
   }
 
-  #report(progress: Progress, log: (level: LogLevel, text: string) => void): void {
+  #report(progress: CallProgress, log: (level: LogLevel, text: string) => void): void {
     const before = this.state.getState().progress;
     if (before?.phase !== progress.phase) {
       if (before?.phase === "surface")
@@ -403,7 +391,7 @@ export class MeshRun {
     this.#showProgress(progress);
   }
 
-  #showProgress(progress: Progress): void {
+  #showProgress(progress: CallProgress): void {
     if (!isDue(this.state.getState().progress, progress)) return;
     const { preparedShare } = this.state.getState();
     const fraction = preparedShare + (1 - preparedShare) * progress.fraction;
@@ -431,8 +419,7 @@ export class MeshRun {
     log(report.status === "done" ? "success" : "warning", summary(ended));
     this.state.setState({ outcome: { ...ended, key } });
     if (!isShowable(result)) return;
-    const names = regionNames(result, project, report.quality.regions.length);
-    const shown: ShownMesh = { ...madeByRun, mesh: result, regionNames: names };
+    const shown: ShownMesh = { ...madeByRun, mesh: result };
     const meshedBodies = placedSurfacesKey(bodiesOf(project));
     this.state.setState({ ...shown, meshKey: key, meshedBodies, front: null, unoptimized: null });
     if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, shown);
@@ -472,7 +459,7 @@ export class MeshRun {
 }
 
 /** Returns whether to show the progress again. A new phase is shown at once. */
-function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): boolean {
+function isDue(before: CallProgress | null, { phase, elapsedSeconds }: CallProgress): boolean {
   if (before?.phase !== phase) return true;
   const { share, min, max } = progressWait;
   return elapsedSeconds - before.elapsedSeconds >= Math.min(max, Math.max(min, share * elapsedSeconds));
@@ -492,7 +479,7 @@ function summary({ result, expectedTetrahedra }: Pick<RunOutcome, "result" | "ex
       return logStrings.cancelled(
         size,
         seconds,
-        result.volume.front.length > 0 ? aboutCount(expectedTetrahedra) : null,
+        result.front.length > 0 ? aboutCount(expectedTetrahedra) : null,
       );
     case "stalled":
       return logStrings.stalled(size, seconds);
@@ -507,7 +494,7 @@ const aboutCount = (expected: number): string | null =>
 
 /** Returns how far the run came whose mesh is shown, if it was cancelled before its front closed; null for any other mesh. */
 export function cancelledText({ mesh, outcome }: Pick<RunState, "mesh" | "outcome">): string | null {
-  if (mesh?.report.status !== "cancelled" || mesh.volume.front.length === 0) return null;
+  if (mesh?.report.status !== "cancelled" || mesh.front.length === 0) return null;
   const expected = outcome?.result === mesh ? outcome.expectedTetrahedra : 0;
   return logStrings.cancelledAt(count(mesh.report.tetrahedra), aboutCount(expected));
 }

@@ -63,7 +63,7 @@ export class Session {
     this.autosave = library && new Autosave(this.documents, library.storage);
     this.documents.state.subscribe(({ history, gestureStart }, before) => {
       const isLast = history.past !== before.history.past && history.future.length === 0;
-      const isRedone = before.history.future[0]?.forward === history.past.at(-1)?.forward;
+      const isRedone = before.history.future[0]?.change === history.past.at(-1)?.change;
       if (gestureStart !== null || !isLast || isRedone) return;
       // Undo may have removed entities before. What the step has added may have their ids.
       for (const project of [settledProject(before), history.present.project])

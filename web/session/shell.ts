@@ -1,4 +1,4 @@
-import type { Unit } from "tetrafront";
+import type { LengthUnit } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 
 /** Colours of the page, in the order of their commands. */
@@ -58,7 +58,7 @@ export interface ShellState {
   /** Whether the start page is shown beside the model. */
   readonly startPage: boolean;
   /** The length unit that the user has chosen for a project with numbers, until the use of the numbers is decided. */
-  readonly chosenUnit: Unit | null;
+  readonly chosenUnit: LengthUnit | null;
   /** Field of the selected entity that gets the focus as soon as the inspector shows it; null if none. */
   readonly editing: EditedField | null;
   /** Setting of the project whose field gets the focus as soon as the inspector shows it; null if none. */
@@ -67,6 +67,8 @@ export interface ShellState {
   readonly scheme: Scheme;
   /** Whether the page has large type for an audience. */
   readonly isPresenting: boolean;
+  /** Whether the pointer is followed by a red dot. */
+  readonly hasLaser: boolean;
   /** A failure that the user must read before continuing. */
   readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
   readonly notices: readonly Notice[];
@@ -98,6 +100,7 @@ export function createShell(): Shell {
     editedSetting: null,
     scheme: "auto",
     isPresenting: false,
+    hasLaser: false,
     message: null,
     notices: [],
     reading: null,
@@ -111,5 +114,17 @@ export function showNotice(shell: Shell, notice: Notice): void {
 }
 
 export function hideNotice(shell: Shell, hidden: Notice["key"]): void {
-  shell.setState(({ notices }) => ({ notices: notices.filter(({ key }) => key !== hidden) }));
+  hideNotices(shell, [hidden]);
+}
+
+/** Notices about a mesh, or about what becomes of an opened file in the next one: they give way to a run. */
+const ofMesh: readonly Notice["key"][] = ["file-notes", "improvement"];
+/** Notices about the open document, which give way to another one. */
+const ofDocument: readonly Notice["key"][] = [...ofMesh, "deleted", "note", "lesson-model"];
+
+export const hideMeshNotices = (shell: Shell): void => hideNotices(shell, ofMesh);
+export const hideDocumentNotices = (shell: Shell): void => hideNotices(shell, ofDocument);
+
+function hideNotices(shell: Shell, hidden: readonly Notice["key"][]): void {
+  shell.setState(({ notices }) => ({ notices: notices.filter(({ key }) => !hidden.includes(key)) }));
 }

@@ -1,6 +1,5 @@
 import {
   MesherError,
-  type FileGroup,
   type Mesher,
   type MeshImprovement,
   type MeshInspection,
@@ -14,10 +13,6 @@ import type { OpenedMesh } from "../workers/surface-files";
 /** What is known of the file that a mesh was opened from. */
 export interface MeshOrigin {
   readonly fileName: string;
-  /** The regions of the file, with their names. */
-  readonly regions: readonly FileGroup[];
-  /** Elements that were inverted in the file, until the mesh is improved. */
-  readonly invertedTetrahedra: Uint32Array | undefined;
 }
 
 /** What an improvement has gained. */
@@ -26,8 +21,6 @@ export type Improvement = Pick<MeshImprovement, "isImproved" | "isPartial" | "be
 /** A mesh, where it comes from, and what its last improvement has gained. */
 export interface ShownMesh {
   readonly mesh: MeshResult;
-  /** The name of each region. */
-  readonly regionNames: readonly string[];
   /** Length to which its report compares edges. Only runs know target lengths. */
   readonly edgeReference: "target" | "mean";
   /** Null if a run made the mesh. */
@@ -39,13 +32,11 @@ export interface ShownMesh {
 
 /** Returns a mesh that was read from a file. Rejects if its arrays are invalid. */
 export async function openedMesh(mesher: Mesher, fileName: string, opened: OpenedMesh): Promise<ShownMesh> {
-  const { volume, regions, invertedTetrahedra } = opened;
-  const inspection = await mesher.inspectMesh({ ...volume, invertedTetrahedra });
+  const inspection = await mesher.inspectMesh(opened.mesh);
   return {
     mesh: inspectedResult(opened, inspection),
-    regionNames: regions.map(({ name }) => name),
     edgeReference: "mean",
-    origin: { fileName, regions, invertedTetrahedra },
+    origin: { fileName },
     improvement: null,
     isValid: inspection.isValid,
   };
@@ -59,23 +50,16 @@ export async function improvedMesh(
   control: PartialControl,
 ): Promise<ShownMesh> {
   const { mesh, origin } = shown;
-  const { volume, surface } = mesh;
-  const given = {
-    ...volume,
-    triangles: surface.triangles,
-    invertedTetrahedra: origin?.invertedTetrahedra,
-  };
   const options = { optimization: optimization === "none" ? "default" : optimization };
-  const found = await mesher.improveMesh(given, options, { ...control, partial: true });
+  const found = await mesher.improveMesh(mesh.mesh, options, { ...control, partial: true });
   const { isImproved, isPartial, before, after } = found;
   const improvement = { isImproved, isPartial, before, after };
   if (!isImproved) return { ...shown, improvement };
-  const inspection: MeshInspection = await mesher.inspectMesh(found);
+  const inspection: MeshInspection = await mesher.inspectMesh(found.mesh);
   return {
-    ...shown,
     mesh: improvedResult(mesh, found, inspection),
     edgeReference: "mean",
-    origin: origin && { ...origin, invertedTetrahedra: undefined },
+    origin,
     improvement,
     isValid: inspection.isValid,
   };

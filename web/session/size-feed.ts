@@ -1,8 +1,9 @@
 import type { Mesher, PreparedBody } from "tetrafront";
-import { liveNotes, type Project, type ProjectBody } from "tetrafront/project";
+import type { Project, ProjectBody } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, isEmptyProject } from "../document/entities";
+import { withoutBodies } from "../document/painted-sizes";
 import type { SizePlane, ViewStore } from "../document/selection";
 import { sizeSurface, type SizeSurface } from "../document/size-positions";
 import { defaultName } from "../strings";
@@ -165,7 +166,10 @@ export class SizeFeed {
       });
       if (isAborted()) return;
       const missing = unpreparedBodies(project, bodies);
-      const rest = tetrahedra === null && missing.length > 0 ? withoutBodies(project, missing) : null;
+      const rest =
+        tetrahedra === null && missing.length > 0
+          ? withoutBodies(project, new Set(missing.map(({ id }) => id)))
+          : null;
       const counted =
         rest && !isEmptyProject(rest) ? await this.#count(rest, bodies, abort.signal) : tetrahedra;
       if (isAborted()) return;
@@ -198,12 +202,6 @@ export class SizeFeed {
 function unpreparedBodies(project: Project, prepared: readonly PreparedBody[]): readonly ProjectBody[] {
   const known = new Set(prepared.map(({ body }) => body));
   return bodiesOf(project).filter(({ id }) => !known.has(id));
-}
-
-/** Leaves bodies out, and what groups and expressions note about them: the package refuses notes about nothing. */
-function withoutBodies(project: Project, left: readonly ProjectBody[]): Project {
-  const rest = { ...project, bodies: bodiesOf(project).filter((body) => !left.includes(body)) };
-  return { ...rest, ...liveNotes(rest) };
 }
 
 const nameOfBody = ({ id, name }: ProjectBody): string => name ?? defaultName("body", id);

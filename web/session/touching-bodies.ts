@@ -1,10 +1,8 @@
 import {
   type GivenRegions,
-  type LocatedSurface,
   type Mesher,
   NO_REGION,
-  repairedSurface,
-  type SurfaceFile,
+  type Mesh,
   type SurfaceInput,
   type SurfaceRepair,
 } from "tetrafront";
@@ -125,10 +123,10 @@ export async function joinedBody(
   const own = joinedPatches(group);
   const empty = { ...head, ...joinedRepairs(bodies), points: "", triangles: "", patches: own };
   const givenRegions = regionsOf(divided);
-  const input = { ...given, ...(givenRegions && { givenRegions }) };
-  const { body, repair } = await cut(mesher, empty, input, signal);
   const patches = own.map(({ id, name = "" }) => ({ name, tag: id }));
-  const { points, triangles, trianglePatch } = repairedSurface({ ...given, patches }, repair);
+  const input = { ...given, patches, ...(givenRegions && { givenRegions }) };
+  const { body, repair } = await cut(mesher, empty, input, signal);
+  const { points, triangles, trianglePatch } = repair.mesh;
   const after = await mesher.inspectSurface({ points, triangles }, {}, { signal });
   if (!after.isFillable) return null;
   const filled = { id: nextBodyIds(project).firstPatchId, name: strings.bodies.repair.filledPatch };
@@ -184,11 +182,11 @@ async function dividedBody(
 /** Locates the regions of a surface. Null if it is invalid: rounding can make a body that was rotated intersect itself. */
 async function locatedRegions(
   mesher: Mesher,
-  surface: SurfaceFile,
+  surface: SurfaceInput,
   signal: AbortSignal,
-): Promise<LocatedSurface["surface"] | null> {
+): Promise<Mesh | null> {
   try {
-    return (await mesher.locateRegions(surface, { signal })).surface;
+    return (await mesher.locateRegions(surface, { signal })).mesh;
   } catch (error) {
     if (signal.aborted) throw error;
     return null;

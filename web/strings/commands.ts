@@ -37,6 +37,7 @@ export const commandLabels = {
   splitPatches: "Split patches of the body by angle",
   paintSize: "Paint size on the body",
   repairBody: "Repair the body",
+  remeshBodies: "Remesh the triangles of bodies",
 
   tools: {
     select: "Select",
@@ -124,6 +125,7 @@ export const commandLabels = {
   showSizes: "Show target sizes",
   uniformSize: "Uniform size",
   problems: "Show problems",
+  log: "Show log",
   worstElement: "Show worst element",
 
   front: {

@@ -7,7 +7,7 @@ import { quantityPosition } from "../document/quantity-positions";
 import type { ViewStore } from "../document/selection";
 import type { HandleMode } from "../document/tools";
 import { translation, type Affine } from "../document/transforms/affine";
-import { offerTransform, transformStep } from "../document/transforms/transform";
+import { transformer, transformStep } from "../document/transforms/transform";
 import { unit, zero } from "../document/vectors";
 import { projectNumbers } from "../document/length-units";
 import type { DocumentStore, Gesture } from "../session/document-store";
@@ -40,6 +40,7 @@ export interface MotionStart {
 
 interface Run extends MotionStart {
   readonly project: Project;
+  readonly offer: ReturnType<typeof transformer>;
   /** Begins with the first change. */
   gesture: Gesture | null;
   /** What the pointer has done so far. */
@@ -83,7 +84,9 @@ export class Motion implements TypedInput {
     this.cancel();
     // The command of a waiting letter must not run during a drag.
     if (start.isHeld) this.#stores.keys.drop();
-    this.#run = { ...start, project: this.#stores.documents.project, gesture: null, dragged: null };
+    const { project } = this.#stores.documents;
+    const offer = transformer(project, start.selection);
+    this.#run = { ...start, project, offer, gesture: null, dragged: null };
     this.#stores.drawing.beginMotion(this, start.mode);
   }
 
@@ -220,7 +223,7 @@ export class Motion implements TypedInput {
   #show(run: Run, map: Affine, join: boolean): Offer {
     const { documents } = this.#stores;
     const label = transformStep(changes[run.mode], run.selection);
-    const offer = offerTransform(run.project, run.selection, map, { label, join });
+    const offer = run.offer(map, { label, join });
     if (offer.possible) {
       run.gesture ??= documents.begin(label);
       run.gesture.update(offer.creation.edit);

@@ -1,5 +1,5 @@
 import { CatmullRomCurve3, Vector3 } from "three";
-import type { LineType } from "tetrafront";
+import type { LineType } from "tetrafront/project";
 import { samplesAlong } from "../document/line-samples";
 import type { Position } from "../document/position";
 

@@ -1,4 +1,4 @@
-import type { VolumeMesh } from "tetrafront";
+import type { Elements } from "../document/mesh-quality";
 import type { Position } from "../document/position";
 import type { Cut, CutAxis } from "../document/selection";
 import { unit } from "../document/vectors";
@@ -17,7 +17,7 @@ const margin = 1e-5;
  * and leaves something behind the element. It takes away all elements that reach into the sight of the element and beyond its
  * far end, so that nothing covers it; the highlight draws the element itself. O(nodes + elements).
  */
-export function cutToElement(mesh: VolumeMesh, element: number, toEye: Position): Cut {
+export function cutToElement(mesh: Elements, element: number, toEye: Position): Cut {
   const limits = sightLimits(mesh, element, unit(toEye) ?? [0, 0, 1]);
   const facing = axes
     .map((axis, i) => ({ axis, towards: toEye[i] ?? 0, limit: limits[i] ?? 0 }))
@@ -49,11 +49,7 @@ export function cutToElement(mesh: VolumeMesh, element: number, toEye: Position)
  * Returns per axis the coordinate beyond which, towards the viewer, elements must go that could cover an element: the far end of
  * the element, or the centroid of the farthest of those that reach into its sight and beyond its far end.
  */
-function sightLimits(
-  { points, tetrahedra }: VolumeMesh,
-  element: number,
-  toEye: Position,
-): readonly number[] {
+function sightLimits({ points, tetrahedra }: Elements, element: number, toEye: Position): readonly number[] {
   const signs = toEye.map((x) => (x < 0 ? -1 : 1));
   const own = ballOf(points, tetrahedra, element);
   const end = (t: number, axis: number, pick: typeof Math.min): number => {

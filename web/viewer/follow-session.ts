@@ -76,7 +76,7 @@ function runState({ documents, run }: SessionStores) {
   return {
     mesh: state.mesh,
     ...agreementOf(run, documents),
-    checkedSurface: state.outcome?.result.surface ?? null,
+    checkedSurface: state.outcome?.result.mesh ?? null,
     front: state.front,
     unoptimized: state.unoptimized,
   };

@@ -135,7 +135,7 @@ export class Framing {
   fitTarget(target: Target | null): void {
     if (target?.kind !== "element") return this.fit(target && [target]);
     const { mesh } = this.#scene.state;
-    if (mesh) this.#fitBounds(boundsOf(elementCorners(mesh.volume, target.index)));
+    if (mesh) this.#fitBounds(boundsOf(elementCorners(mesh.mesh, target.index)));
   }
 
   /** Moves to the selected element or triangles. */

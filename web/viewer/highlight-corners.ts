@@ -1,4 +1,5 @@
-import type { SurfaceMesh, VolumeMesh } from "tetrafront";
+import type { Mesh } from "tetrafront";
+import type { Elements } from "../document/mesh-quality";
 import type { SceneState } from "./scene-state";
 import { bodyCorners } from "./shown-bodies";
 import { faceNodes } from "./queries/topology";
@@ -8,7 +9,7 @@ function cornersOf(points: Float64Array, nodes: readonly number[]): number[] {
 }
 
 /** Returns the corners of an element's four faces, x y z each. */
-export function elementCorners({ points, tetrahedra }: VolumeMesh, element: number): number[] {
+export function elementCorners({ points, tetrahedra }: Elements, element: number): number[] {
   return cornersOf(
     points,
     faceNodes.map((node) => tetrahedra[4 * element + node] ?? 0),
@@ -16,7 +17,10 @@ export function elementCorners({ points, tetrahedra }: VolumeMesh, element: numb
 }
 
 /** Returns the corners of some triangles, x y z each. Leaves out indices that are out of range. */
-export function triangleCorners({ points, triangles }: SurfaceMesh, indices: readonly number[]): number[] {
+export function triangleCorners(
+  { points, triangles }: Pick<Mesh, "points" | "triangles">,
+  indices: readonly number[],
+): number[] {
   const present = indices.filter((triangle) => 3 * triangle + 2 < triangles.length);
   return cornersOf(
     points,
@@ -33,7 +37,7 @@ export function selectedCorners({
   checkedSurface,
   bodies,
 }: SceneState): number[] {
-  if (element !== null) return mesh ? elementCorners(mesh.volume, element) : [];
+  if (element !== null) return mesh ? elementCorners(mesh.mesh, element) : [];
   if (markedBody !== null) {
     const body = bodies.find(({ id }) => id === markedBody);
     return body ? bodyCorners(body, triangles) : [];

@@ -1,15 +1,17 @@
-import type { SurfaceMesh } from "tetrafront";
+import type { Mesh } from "tetrafront";
+
+type Triangles = Pick<Mesh, "points" | "triangles" | "trianglePatch">;
 
 /** Finds the patch of a boundary face. Built in linear time, about 10 ns per triangle; each search is constant. */
 export class PatchFinder {
-  readonly #surface: SurfaceMesh;
+  readonly #mesh: Triangles;
   /** Corners sorted by node: those of node n are corners[first[n]] to before corners[first[n + 1]]. */
   readonly #first: Uint32Array;
   readonly #corners: Uint32Array;
 
-  constructor(surface: SurfaceMesh) {
-    const { points, triangles } = surface;
-    this.#surface = surface;
+  constructor(mesh: Triangles) {
+    const { points, triangles } = mesh;
+    this.#mesh = mesh;
     this.#first = new Uint32Array(points.length / 3 + 2);
     this.#corners = new Uint32Array(triangles.length);
     // Count two entries ahead, so that after the second pass first[n + 1] is where node n + 1 begins.
@@ -26,7 +28,7 @@ export class PatchFinder {
 
   /** Returns the index of the patch of the triangle with these three nodes, in any order; null without one. */
   patchOf(nodes: readonly number[]): number | null {
-    const { triangles, trianglePatch } = this.#surface;
+    const { triangles, trianglePatch } = this.#mesh;
     const [node = 0] = nodes;
     const isNode = (corner: number): boolean => nodes.includes(triangles[corner] ?? -1);
     for (const corner of this.#corners.subarray(this.#first[node] ?? 0, this.#first[node + 1] ?? 0)) {

@@ -1,4 +1,4 @@
-import type { MeshResult, SurfaceMesh, UnoptimizedMesh } from "tetrafront";
+import type { Mesh, MeshResult } from "tetrafront";
 import type { Project, ProjectPreview } from "tetrafront/project";
 import type { ViewState } from "../document/selection";
 import type { Defects } from "../document/validate";
@@ -37,9 +37,9 @@ export interface ShownState extends ViewState {
   /** Faces of the front of the current run, x y z of three corners each; null if it has not advanced, and without a run. */
   readonly front: Float64Array | null;
   /** The mesh that the current run is optimizing, which is shown instead of `mesh`. */
-  readonly unoptimized: UnoptimizedMesh | null;
+  readonly unoptimized: Pick<MeshResult, "mesh"> | null;
   /** The boundary that the last run checked; `triangles` and `defects` refer to it. */
-  readonly checkedSurface: SurfaceMesh | null;
+  readonly checkedSurface: Mesh | null;
   readonly defects: Defects;
   /** Colours of the groups, by the keys of their members. */
   readonly tints: ReadonlyMap<string, readonly [number, number, number]>;
@@ -67,7 +67,7 @@ export const drawsMesh = ({ layers, unoptimized, isMeshOfOthers }: SceneState): 
 export function showsFaces(state: SceneState): boolean {
   const { layers, front, unoptimized, mesh } = state;
   if (front) return layers.mesh && front.length > 0;
-  return drawsMesh(state) && ((unoptimized ?? mesh)?.volume.tetrahedra ?? []).length > 0;
+  return drawsMesh(state) && ((unoptimized ?? mesh)?.mesh.tetrahedra ?? []).length > 0;
 }
 
 /** A new state of the scene, and the state before it. */

@@ -3,12 +3,9 @@ import type { Quaternion } from "three";
 import { PerspectiveCamera, type Object3D, type WebGLRenderer } from "three";
 import { ViewportGizmo, type GizmoOptions } from "three-viewport-gizmo";
 import type { ViewerColors } from "./colors";
+import { cubePlace } from "./cube-place";
 import { KeptPicture } from "./kept-picture";
 import { prepareShaders } from "./shaders";
-
-/** Size of the cube and its distance from the top right corner of the view, in CSS pixels. */
-const size = 92;
-const offset = 10;
 
 /** Sine of the angle to the z axis below which the view is from above or below: less than a pixel of the cube. */
 const alongZ = 1e-3;
@@ -49,7 +46,7 @@ export class ViewCube {
     this.#renderer = renderer;
     this.#requestFrame = options.onChange;
     this.#fixed = { container: options.container, animated: options.animated };
-    this.#picture = new KeptPicture(renderer, { size, offset });
+    this.#picture = new KeptPicture(renderer, cubePlace);
     this.#gizmo = new ViewportGizmo(camera, renderer, { ...styleOf(colors), ...this.#fixed });
     setUpright(this.#gizmo.children);
     this.#gizmo.addEventListener("start", () => {
@@ -176,9 +173,9 @@ function styleOf(colors: ViewerColors): GizmoOptions {
   const trim = { color: colors.cubeTrim, opacity: 1, hover: { color: colors.cubeHover, opacity: 1 } };
   return {
     type: "cube",
-    size,
+    size: cubePlace.size,
     placement: "top-right",
-    offset: { top: offset, right: offset },
+    offset: { top: cubePlace.offset, right: cubePlace.offset },
     resolution: 128,
     font: { family: "Inter Variable, sans-serif", weight: 600 },
     background: { enabled: false },

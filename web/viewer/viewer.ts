@@ -1,8 +1,10 @@
 import type { PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
 import { entityBounds, roomyBounds } from "./bounds";
+import type { Label } from "./apart";
 import { ViewCamera, type CameraPose, type StandardView } from "./camera";
 import type { ViewerColors } from "./colors";
+import { cubeArea } from "./cube-place";
 import { FrameLoop } from "./frame-loop";
 import { Framing, type FramedScene } from "./framing";
 import type { Hit, Layer } from "./layers/layer";
@@ -255,6 +257,11 @@ export class Viewer {
     return { ...this.size, coveredLeft: this.framing.coveredLeft };
   }
 
+  /** The square under the view cube. */
+  get cubeArea(): Label {
+    return cubeArea(this.size.width);
+  }
+
   /** Draws again, after a layer has changed by itself. */
   requestFrame(): void {
     this.#loop.request();
@@ -275,6 +282,13 @@ export class Viewer {
         else reject(new Error("The browser cannot write this picture"));
       }, "image/png");
     });
+  }
+
+  /** Returns the picture as it is drawn now, for another thread: the page does not wait for it. */
+  bitmap(): Promise<ImageBitmap> {
+    this.#setScale(this.#renderer.sharpScale);
+    this.#renderer.render(this.#view.camera);
+    return createImageBitmap(this.#renderer.webgl.domElement);
   }
 
   /** Draws the picture now, on a canvas of the same size; by default on the background of the page. */

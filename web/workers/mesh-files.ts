@@ -1,5 +1,7 @@
-import type { ElementOrder, FileGroup, MeshResult, Unit } from "tetrafront";
+import type { ElementOrder, Mesh, LengthUnit } from "tetrafront";
+import { patchNames } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
+import { unitOf } from "../document/length-units";
 import { copyForTransfer } from "./transfer";
 import { callOnce } from "./worker-client";
 
@@ -13,16 +15,15 @@ export interface FileChoice {
   readonly fileName: string;
   readonly elementOrder: ElementOrder;
   /** The unit to which lengths are converted; null for that of the project. */
-  readonly unit: Unit | null;
+  readonly unit: LengthUnit | null;
 }
 
 export interface MeshFileProtocol {
   readonly write: {
-    readonly argument: Pick<MeshResult, "surface" | "volume"> & {
-      /** Names the patches. */
-      readonly project: Project;
-      /** The regions of the file that the mesh was opened from; null if a run made it. */
-      readonly regions: readonly FileGroup[] | null;
+    readonly argument: {
+      readonly mesh: Mesh;
+      /** The unit of its lengths, if it is known. */
+      readonly from: LengthUnit | undefined;
     } & FileChoice;
     readonly answer: readonly MeshFile[];
   };
@@ -34,24 +35,18 @@ const startWorker = (): Worker =>
     name: "tetrafront-writer",
   });
 
-/** Returns the files of a mesh in the format of the file name, written in a worker. Rejects if writing fails. */
+/**
+ * Returns the files of a mesh in the format of the file name, written in a worker. The patches have the names that they have in
+ * the project now. Rejects if writing fails.
+ */
 export async function writeMeshFiles(
-  mesh: MeshResult,
+  mesh: Mesh,
   project: Project,
-  regions: readonly FileGroup[] | null,
   choice: FileChoice,
 ): Promise<readonly MeshFile[]> {
-  const surface = await copyForTransfer(mesh.surface);
-  const volume = await copyForTransfer(mesh.volume);
-  const argument = {
-    surface: surface.copy,
-    volume: volume.copy,
-    project: { ...project, background: { nodes: [], tetrahedra: [] } },
-    regions,
-    ...choice,
-  };
-  return callOnce<MeshFileProtocol, "write">(startWorker, "write", argument, [
-    ...surface.buffers,
-    ...volume.buffers,
-  ]);
+  const names = patchNames(project);
+  const patches = mesh.patches.map((patch, p) => ({ ...patch, name: names[p] ?? patch.name }));
+  const { copy, buffers } = await copyForTransfer({ ...mesh, patches });
+  const argument = { mesh: copy, from: unitOf(project.units), ...choice };
+  return callOnce<MeshFileProtocol, "write">(startWorker, "write", argument, buffers);
 }

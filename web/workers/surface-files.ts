@@ -1,4 +1,4 @@
-import type { FileGroup, PatchedSurface, SplitSurface } from "tetrafront";
+import type { Mesh, SurfaceInput } from "tetrafront";
 import type { MeshWithBoundary } from "tetrafront/internal";
 import type { ProjectBody } from "tetrafront/project";
 import type { DrawnSurface } from "../document/drawn-surface";
@@ -47,10 +47,10 @@ export interface ReadSurface {
 }
 
 /** The tetrahedra of a file, with their boundary in the patches of the body. */
-export interface OpenedMesh extends Pick<MeshWithBoundary, "surface" | "volume" | "patchShapes"> {
-  readonly regions: readonly FileGroup[];
-  readonly invertedTetrahedra: Uint32Array | undefined;
-}
+export type OpenedMesh = Pick<MeshWithBoundary, "mesh" | "patchShapes">;
+
+/** Other patches for the triangles of a body. */
+export type NewPatches = Pick<Mesh, "trianglePatch" | "patches">;
 
 /** What a file contains: its surface, or its mesh with a body that is the boundary. */
 export interface FileContent extends ReadSurface {
@@ -84,7 +84,7 @@ export interface SurfaceProtocol {
   readonly split: {
     readonly argument: {
       readonly body: ProjectBody;
-      readonly split: SplitSurface;
+      readonly split: NewPatches;
       readonly nextPatchId: number;
       /** Whether the triangles are drawn by patch even if patches have colours. */
       readonly isPreview: boolean;
@@ -97,7 +97,7 @@ export interface SurfaceProtocol {
   };
   readonly draw: {
     readonly argument: {
-      readonly surface: PatchedSurface;
+      readonly surface: SurfaceInput;
       readonly patchCount: number;
       readonly values: Float32Array | Float64Array | null;
     };
@@ -166,7 +166,7 @@ export class SurfaceClient {
   /** Returns a body with the patches of a split. New patches get ids from `nextPatchId` on. A preview is drawn by patch. */
   async split(
     body: ProjectBody,
-    { trianglePatch, patches }: SplitSurface,
+    { trianglePatch, patches }: NewPatches,
     nextPatchId: number,
     isPreview: boolean,
   ): Promise<NewBody> {
@@ -182,7 +182,7 @@ export class SurfaceClient {
 
   /** Returns the triangles to draw of a surface. */
   async draw(
-    surface: PatchedSurface,
+    surface: SurfaceInput,
     patchCount: number,
     values: Float32Array | Float64Array | null,
   ): Promise<DrawnSurface> {

@@ -4,11 +4,9 @@ import {
   measureTriangles,
   readMesh,
   readSurface,
-  type FileMesh,
-  type PatchedSurface,
-  type ReadError,
-  type SurfaceFile,
+  type Mesh,
   type SurfaceInput,
+  type ReadError,
 } from "tetrafront";
 import {
   createUnitBodies,
@@ -82,9 +80,9 @@ serveCalls<SurfaceProtocol>({
  * one body, with common sizes, as in the package.
  */
 async function bodiesIn(
-  file: SurfaceFile,
+  file: Mesh,
   head: SurfaceProtocol["read"]["argument"]["head"],
-): Promise<{ readonly bodies: readonly ProjectBody[] } & Pick<SurfaceFile, "surfaceRegions">> {
+): Promise<{ readonly bodies: readonly ProjectBody[] } & Pick<Mesh, "surfaceRegions">> {
   const { surfaceRegions, ...divided } = await withSolidsOfPatches(file);
   if (file.surfaceRegions || !surfaceRegions)
     return { bodies: createBodies(file, head), surfaceRegions: file.surfaceRegions };
@@ -111,7 +109,7 @@ async function treatmentOf(
 }
 
 /** Bodies have no points that mark regions and holes. */
-function notesOf({ notes = [], regionPoints }: SurfaceFile): string[] {
+function notesOf({ notes = [], regionPoints }: Mesh): string[] {
   const count = (regionPoints?.holes.length ?? 0) + (regionPoints?.regions.length ?? 0);
   return count === 0 ? [...notes] : [...notes, strings.files.regionPointsUnused(count)];
 }
@@ -131,18 +129,17 @@ function refusal(errors: readonly ReadError[]): Answer<SurfaceProtocol["read"]["
 
 /** Reads the mesh of a file; its boundary is the surface of a body. */
 async function readVolume(
-  file: FileMesh,
+  file: Mesh,
   fileName: string,
   head: SurfaceProtocol["read"]["argument"]["head"],
 ): Promise<Answer<SurfaceProtocol["read"]["answer"]>> {
-  const { surface, volume, patchShapes, outer } = await meshWithBoundary(file);
-  const { regions, invertedTetrahedra, notes = [] } = file;
+  const { mesh, patchShapes, outer } = await meshWithBoundary({ ...file, nodeData: new Map() });
+  const { notes = [] } = file;
   // Nothing is said of the triangles: the mesh itself is shown.
   const { treatment } = await treatmentOf(outer, fileName);
   const made = newBody({ ...createBody(outer, head), ...treatment });
-  const { tetrahedra, regions: regionOf } = volume;
-  const arrays = [surface.points, surface.triangles, surface.trianglePatch, surface.triangleRegions];
-  const buffers = new Set([...arrays, tetrahedra, regionOf].map(({ buffer }) => buffer as ArrayBuffer));
+  const arrays = Object.values(mesh).filter((part) => ArrayBuffer.isView(part));
+  const buffers = new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer));
   return {
     answer: {
       success: true,
@@ -150,7 +147,7 @@ async function readVolume(
       unit: file.unit,
       hasInnerSolid: false,
       notes,
-      mesh: { surface, volume, patchShapes, regions, invertedTetrahedra },
+      mesh: { mesh, patchShapes },
     },
     transfer: [...buffersOf(made), ...buffers],
   };
@@ -178,7 +175,7 @@ function loadedFrom(
   return { surface, drawn: drawnSurface(surface, patches.length, values) };
 }
 
-function withPatches({ points, triangles, trianglePatch }: PatchedSurface): PatchArrays {
+function withPatches({ points, triangles, trianglePatch }: SurfaceInput): PatchArrays {
   return { points, triangles, trianglePatch: trianglePatch ?? new Uint32Array(triangles.length / 3) };
 }
 

@@ -148,6 +148,21 @@ struct Diagnostic {
   bool hasPosition = false;
   Vec3 position{0.0};          ///< in model coordinates, if hasPosition
   std::vector<double> values;  ///< as in valuesOf(code)
+
+  /// Complete a diagnostic where it is made: diagnose<DiagnosticCode::kStalled>(faces).about(entities).at(position).
+  [[nodiscard]] Diagnostic about(std::vector<Entity> named) && {
+    entities = std::move(named);
+    return std::move(*this);
+  }
+  [[nodiscard]] Diagnostic at(const Vec3& where) && {
+    hasPosition = true;
+    position = where;
+    return std::move(*this);
+  }
+  [[nodiscard]] Diagnostic withSeverity(Severity chosen) && {
+    severity = chosen;
+    return std::move(*this);
+  }
 };
 
 /// Default number of diagnostics listed per code. A badly damaged surface can have millions.

@@ -76,6 +76,9 @@ class Work {
   /// that is awaited there divides this part further. A task that declares no parts is one part. The last part is
   /// complete when the task ends; parts that were not begun are left out.
   void beginPart(double end);
+  /// The same, for a part whose work is `work` of the `remaining` work of the task, itself included: parts that end early
+  /// leave their progress to those after them.
+  void beginShare(double work, double remaining);
   /// Sets the progress of the running part, 0 to 1. The progress of the job never decreases.
   void setFraction(double ofPart);
   /// Estimated progress of the job, 0 to 1.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "boundary/centred_surface.h"
 #include "boundary/self_intersection.h"
 #include "boundary/surface_checks.h"
@@ -132,8 +133,9 @@ void BoundaryCheck::reportFlippedPatches(const std::vector<std::uint8_t>& isFlip
     patches.push_back({EntityKind::kPatch, patch});
   }
   if (patches.empty()) return;
-  report_.addInformation(DiagnosticCode::kReorientedPatch, std::move(patches),
-                         centroidOf(cornersOf(mesh_, first)), {});
+  report_.addInformation(diagnose<DiagnosticCode::kReorientedPatch>()
+                             .about(std::move(patches))
+                             .at(centroidOf(cornersOf(mesh_, first))));
 }
 
 void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
@@ -157,15 +159,15 @@ void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
   };
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
     if (isFlipped[t] == 0 || !isRefused(counts[regions.componentOf[t].index()])) continue;
-    report_.addTriangle(DiagnosticCode::kFlippedTriangle, TriangleId(t),
-                        {regions.isBetweenBoundedVolumes(TriangleId(t)) ? 1.0 : 0.0});
+    report_.addTriangle(diagnoseCounted<DiagnosticCode::kFlippedTriangle>(
+                            regions.isBetweenBoundedVolumes(TriangleId(t))),
+                        TriangleId(t));
   }
   for (const Counts& count : counts) {
     if (count.flipped == 0 || isRefused(count)) continue;
-    report_.addInformation(DiagnosticCode::kReorientedPatch,
-                           {{EntityKind::kTriangle, count.firstFlipped.value}},
-                           centroidOf(cornersOf(mesh_, count.firstFlipped)),
-                           {static_cast<double>(count.flipped), static_cast<double>(count.all)});
+    report_.addInformation(diagnose<DiagnosticCode::kReorientedPatch>(count.flipped, count.all)
+                               .about({entityOf(count.firstFlipped)})
+                               .at(centroidOf(cornersOf(mesh_, count.firstFlipped))));
   }
 }
 

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "topology/surface_access.h"
 
 namespace tetrafront {
-namespace {
-
-Entity entityOf(NodeId node) { return {EntityKind::kSurfaceNode, node.value}; }
-Entity entityOf(TriangleId triangle) { return {EntityKind::kTriangle, triangle.value}; }
-Entity entityOf(LineId line) { return {EntityKind::kLine, line.value}; }
-
-}  // namespace
+namespace {}  // namespace
 
 Entity BoundaryReport::patchOf(TriangleId triangle) const {
   return {EntityKind::kPatch, mesh_.trianglePatch[triangle.index()]};
@@ -41,17 +36,17 @@ void BoundaryReport::addTriangles(Entry& entry, std::span<const TriangleId> tria
   }
 }
 
-void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& position,
-                         std::vector<double> values, std::span<const TriangleId> triangles) {
+void BoundaryReport::add(Diagnostic found, const Vec3& position,
+                         std::span<const TriangleId> triangles) {
   ++errors_;
-  Total& total = totalOf(code);
+  Total& total = totalOf(found.code);
   ++total.reported;
   if (isDrawn()) {
     std::vector<std::uint64_t> key;
-    for (const Entity& entity : entities) {
+    for (const Entity& entity : found.entities) {
       key.push_back(static_cast<std::uint64_t>(entity.kind) << 32U | entity.index);
     }
-    const auto [known, isNew] = known_.try_emplace({code, std::move(key)}, entries_.size());
+    const auto [known, isNew] = known_.try_emplace({found.code, std::move(key)}, entries_.size());
     if (!isNew) {
       if (known->second == kNotKept) return;
       ++entries_[known->second].count;
@@ -62,58 +57,51 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
   }
   if (total.kept == maxDiagnostics_) return;
   ++total.kept;
-  Entry entry;
-  entry.diagnostic.code = code;
-  entry.diagnostic.entities = std::move(entities);
-  entry.diagnostic.values = std::move(values);
-  entry.count = 1;
-  addTriangles(entry, triangles);
   if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z)) {
-    entry.diagnostic.hasPosition = true;
-    entry.diagnostic.position = origin_ + position;
+    found = std::move(found).at(origin_ + position);
   }
-  entries_.push_back(std::move(entry));
+  entries_.push_back({.diagnostic = std::move(found), .count = 1});
+  addTriangles(entries_.back(), triangles);
 }
 
-void BoundaryReport::addNode(DiagnosticCode code, NodeId node, std::vector<double> values) {
-  add(code, {entityOf(node)}, pointOf(mesh_, node), std::move(values));
+void BoundaryReport::addNode(Diagnostic found, NodeId node) {
+  add(std::move(found).about({entityOf(node)}), pointOf(mesh_, node));
 }
 
-void BoundaryReport::addNodePair(DiagnosticCode code, NodeId a, NodeId b) {
-  add(code, {entityOf(a), entityOf(b)}, pointOf(mesh_, a), {});
+void BoundaryReport::addNodePair(Diagnostic found, NodeId a, NodeId b) {
+  add(std::move(found).about({entityOf(a), entityOf(b)}), pointOf(mesh_, a));
 }
 
-void BoundaryReport::addTriangle(DiagnosticCode code, TriangleId triangle,
-                                 std::vector<double> values) {
+void BoundaryReport::addTriangle(Diagnostic found, TriangleId triangle) {
   const bool isInRange = std::ranges::all_of(
       nodesOf(mesh_, triangle), [this](NodeId node) { return node.index() < countNodes(mesh_); });
   const Vec3 position = isInRange ? centroidOf(cornersOf(mesh_, triangle)) : Vec3(std::nan(""));
   if (isDrawn()) {
-    add(code, {patchOf(triangle)}, position, std::move(values), std::array{triangle});
+    add(std::move(found).about({patchOf(triangle)}), position, std::array{triangle});
   } else {
-    add(code, {entityOf(triangle)}, position, std::move(values));
+    add(std::move(found).about({entityOf(triangle)}), position);
   }
 }
 
-void BoundaryReport::addTrianglePair(DiagnosticCode code, TriangleId a, TriangleId b,
+void BoundaryReport::addTrianglePair(Diagnostic found, TriangleId a, TriangleId b,
                                      const Vec3& position) {
   if (!isDrawn()) {
-    add(code, {entityOf(a), entityOf(b)}, position, {});
+    add(std::move(found).about({entityOf(a), entityOf(b)}), position);
     return;
   }
   std::vector<Entity> entities{patchOf(a), patchOf(b)};
   if (entities[1].index < entities[0].index) std::swap(entities[0], entities[1]);
   if (entities[1].index == entities[0].index) entities.pop_back();
-  add(code, std::move(entities), position, {}, std::array{a, b});
+  add(std::move(found).about(std::move(entities)), position, std::array{a, b});
 }
 
-void BoundaryReport::addEdge(DiagnosticCode code, NodeId from, NodeId to,
+void BoundaryReport::addEdge(Diagnostic found, NodeId from, NodeId to,
                              std::span<const TriangleId> triangles) {
   const Vec3 middle = 0.5 * (pointOf(mesh_, from) + pointOf(mesh_, to));
   std::vector<Entity> entities;
   if (!isDrawn()) {
     for (const TriangleId triangle : triangles) entities.push_back(entityOf(triangle));
-    add(code, std::move(entities), middle, {});
+    add(std::move(found).about(std::move(entities)), middle);
     return;
   }
   if (const std::optional<LineId> line = lineOf(from, to)) entities.push_back(entityOf(*line));
@@ -121,49 +109,43 @@ void BoundaryReport::addEdge(DiagnosticCode code, NodeId from, NodeId to,
   for (const TriangleId triangle : triangles) patches.push_back(patchOf(triangle).index);
   sortUnique(patches);
   for (const std::uint32_t patch : patches) entities.push_back({EntityKind::kPatch, patch});
-  add(code, std::move(entities), middle, {}, triangles);
+  add(std::move(found).about(std::move(entities)), middle, triangles);
 }
 
-void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> entities,
-                                    const Vec3& position, std::vector<double> values) {
-  Entry entry;
-  entry.diagnostic = {code, Severity::kInformation, std::move(entities),
-                      true, origin_ + position,     std::move(values)};
-  entry.hasTotal = false;
-  Total& total = totalOf(code);
+void BoundaryReport::addInformation(Diagnostic found) {
+  Total& total = totalOf(found.code);
   ++total.reported;
   // A given surface may have a million inverted shells.
   if (total.kept == maxDiagnostics_) return;
   ++total.kept;
-  entries_.push_back(std::move(entry));
+  found.position += origin_;
+  entries_.push_back(
+      {.diagnostic = std::move(found).withSeverity(Severity::kInformation), .hasTotal = false});
 }
 
 void BoundaryReport::addNesting(TriangleId triangle, std::uint32_t regions,
                                 std::uint32_t cavities) {
-  addInformation(DiagnosticCode::kNestedRegions,
-                 {isDrawn() ? patchOf(triangle) : entityOf(triangle)},
-                 centroidOf(cornersOf(mesh_, triangle)),
-                 {static_cast<double>(regions), static_cast<double>(cavities)});
+  addInformation(diagnose<DiagnosticCode::kNestedRegions>(regions, cavities)
+                     .about({isDrawn() ? patchOf(triangle) : entityOf(triangle)})
+                     .at(centroidOf(cornersOf(mesh_, triangle))));
 }
 
 void BoundaryReport::addContact(TriangleId triangle, const Vec3& position, std::size_t edges,
                                 std::size_t nodes) {
-  addInformation(DiagnosticCode::kSurfaceContact,
-                 {isDrawn() ? patchOf(triangle) : entityOf(triangle)}, position,
-                 {static_cast<double>(edges), static_cast<double>(nodes)});
+  addInformation(diagnose<DiagnosticCode::kSurfaceContact>(edges, nodes)
+                     .about({isDrawn() ? patchOf(triangle) : entityOf(triangle)})
+                     .at(position));
 }
 
 void BoundaryReport::addEmpty() {
   ++errors_;
-  Entry entry;
-  entry.diagnostic.code = DiagnosticCode::kEmptyModel;
-  entry.hasTotal = false;
-  entries_.push_back(std::move(entry));
+  entries_.push_back({.diagnostic = diagnose<DiagnosticCode::kEmptyModel>(), .hasTotal = false});
 }
 
 void BoundaryReport::addIncomplete(EntityKind kind, std::size_t index) {
-  add(DiagnosticCode::kIndexOutOfRange, {{kind, static_cast<std::uint32_t>(index)}},
-      Vec3(std::nan("")), {static_cast<double>(index)});
+  add(diagnoseCounted<DiagnosticCode::kIndexOutOfRange>(index).about(
+          {{kind, static_cast<std::uint32_t>(index)}}),
+      Vec3(std::nan("")));
 }
 
 std::vector<Diagnostic> BoundaryReport::take() {

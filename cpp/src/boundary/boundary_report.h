@@ -36,15 +36,15 @@ class BoundaryReport {
   /// Positions of the mesh are relative to `origin` from now on; those that are reported are not.
   void setOrigin(const Vec3& origin) { origin_ = origin; }
 
-  void addNode(DiagnosticCode code, NodeId node, std::vector<double> values);
-  void addNodePair(DiagnosticCode code, NodeId a, NodeId b);
-  void addTriangle(DiagnosticCode code, TriangleId triangle, std::vector<double> values = {});
-  void addTrianglePair(DiagnosticCode code, TriangleId a, TriangleId b, const Vec3& position);
+  /// Those below add an error, made by diagnoseCounted(), about what they name.
+  void addNode(Diagnostic found, NodeId node);
+  void addNodePair(Diagnostic found, NodeId a, NodeId b);
+  void addTriangle(Diagnostic found, TriangleId triangle);
+  void addTrianglePair(Diagnostic found, TriangleId a, TriangleId b, const Vec3& position);
   /// `triangles`: the triangles at the edge.
-  void addEdge(DiagnosticCode code, NodeId from, NodeId to, std::span<const TriangleId> triangles);
-  /// Adds a diagnostic of severity kInformation, without a total.
-  void addInformation(DiagnosticCode code, std::vector<Entity> entities, const Vec3& position,
-                      std::vector<double> values);
+  void addEdge(Diagnostic found, NodeId from, NodeId to, std::span<const TriangleId> triangles);
+  /// Adds a diagnostic with all its values as one of severity kInformation; its position is relative to the origin.
+  void addInformation(Diagnostic found);
   /// Reports the numbers of regions and cavities; `triangle` belongs to the second shell.
   void addNesting(TriangleId triangle, std::uint32_t regions, std::uint32_t cavities);
   /// Reports the numbers of edges and nodes at which the surface touches itself; `triangle` is at the first one.
@@ -76,8 +76,8 @@ class BoundaryReport {
   };
   struct Entry {
     Diagnostic diagnostic;
-    std::uint64_t count = 0;            ///< reports with the same entities; drawn models only
-    std::vector<TriangleId> triangles;  ///< of a drawn model, without duplicates
+    std::uint64_t count = 0;              ///< reports with the same entities; drawn models only
+    std::vector<TriangleId> triangles{};  ///< of a drawn model, without duplicates
     bool hasTotal = true;
   };
   /// A side of a divided line.
@@ -89,8 +89,7 @@ class BoundaryReport {
   };
 
   /// `triangles`: the triangles concerned, if the entities are lines and patches.
-  void add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& position,
-           std::vector<double> values, std::span<const TriangleId> triangles = {});
+  void add(Diagnostic found, const Vec3& position, std::span<const TriangleId> triangles = {});
   static void addTriangles(Entry& entry, std::span<const TriangleId> triangles);
   [[nodiscard]] Total& totalOf(DiagnosticCode code) {
     return totals_[static_cast<std::size_t>(code)];

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "topology/disjoint_sets.h"
 
@@ -66,7 +67,7 @@ class RegionFinder {
       if (!map_.shells[s].isDegenerate || reported != 0) continue;
       if (map_.shellOf[halfFace.index()] == map_.shellOf[oppositeOf(halfFace).index()]) continue;
       reported = 1;
-      report_.addTriangle(DiagnosticCode::kZeroVolume, triangleOf(halfFace));
+      report_.addTriangle(diagnoseCounted<DiagnosticCode::kZeroVolume>(), triangleOf(halfFace));
     }
   }
 
@@ -104,7 +105,8 @@ class RegionFinder {
       const bool isSameVolume =
           back == front ||
           (isNestingKnown && map_.outerShellOf[back.index()] == map_.outerShellOf[front.index()]);
-      if (isSameVolume) report_.addTriangle(DiagnosticCode::kDanglingSheet, TriangleId(t));
+      if (isSameVolume)
+        report_.addTriangle(diagnoseCounted<DiagnosticCode::kDanglingSheet>(), TriangleId(t));
     }
   }
 
@@ -210,7 +212,8 @@ class RegionFinder {
         }
         isConsistent = isConsistent || given != SurfaceMesh::kNoRegion;
       }
-      if (!isConsistent) report_.addTriangle(DiagnosticCode::kInconsistentRegions, TriangleId(t));
+      if (!isConsistent)
+        report_.addTriangle(diagnoseCounted<DiagnosticCode::kInconsistentRegions>(), TriangleId(t));
     }
     map_.givenRegionOf.resize(outside);
     map_.isMeshed.resize(outside);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "base/budget.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
@@ -230,7 +231,8 @@ Task<> checkSelfIntersections(Work& work, const SurfaceMesh& mesh,
       const Vec3 position = report.canKeep(DiagnosticCode::kSelfIntersection)
                                 ? intersectionPosition(cornersOf(mesh, low), cornersOf(mesh, high))
                                 : Vec3(0.0);
-      report.addTrianglePair(DiagnosticCode::kSelfIntersection, low, high, position);
+      report.addTrianglePair(diagnoseCounted<DiagnosticCode::kSelfIntersection>(), low, high,
+                             position);
     }
   });
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
@@ -25,7 +26,7 @@ void checkCoordinates(const SurfaceMesh& mesh, BoundaryReport& report) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double x = mesh.points[3 * std::size_t{i} + k];
       if (!isExact(x)) {
-        report.addNode(DiagnosticCode::kNotFinite, NodeId(i), {x});
+        report.addNode(diagnoseCounted<DiagnosticCode::kNotFinite>(x), NodeId(i));
         isExtentKnown = false;
         break;
       }
@@ -33,7 +34,7 @@ void checkCoordinates(const SurfaceMesh& mesh, BoundaryReport& report) {
     }
   }
   if (isExtentKnown && largest < kSmallestExtent) {
-    report.addNode(DiagnosticCode::kNotFinite, NodeId(0U), {largest});
+    report.addNode(diagnoseCounted<DiagnosticCode::kNotFinite>(largest), NodeId(0U));
   }
 }
 
@@ -51,8 +52,8 @@ void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
   checkCoordinates(mesh, report);
   for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
     if (mesh.triangles[h] < countNodes(mesh)) continue;
-    report.addTriangle(DiagnosticCode::kIndexOutOfRange, triangleOf(HalfEdgeId(h)),
-                       {static_cast<double>(mesh.triangles[h])});
+    report.addTriangle(diagnoseCounted<DiagnosticCode::kIndexOutOfRange>(mesh.triangles[h]),
+                       triangleOf(HalfEdgeId(h)));
   }
 }
 
@@ -65,7 +66,7 @@ InvalidTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report)
     const NodeTriple n = sorted(nodesOf(mesh, t));
     const bool isRepeated = n[0] == n[1] || n[1] == n[2];
     if (isRepeated || collinear(pointOf(mesh, n[0]), pointOf(mesh, n[1]), pointOf(mesh, n[2]))) {
-      report.addTriangle(DiagnosticCode::kDegenerateTriangle, t);
+      report.addTriangle(diagnoseCounted<DiagnosticCode::kDegenerateTriangle>(), t);
       invalid.inTopology[t.index()] = isRepeated ? 1 : 0;
       invalid.inGeometry[t.index()] = 1;
     }
@@ -78,8 +79,8 @@ InvalidTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report)
       for (std::size_t i = 1; i < same.size(); ++i) {
         const TriangleId triangle = same[i].owner;
         if (invalid.inTopology[triangle.index()] != 0) continue;
-        report.addTrianglePair(DiagnosticCode::kDuplicateTriangle, same[i - 1].owner, triangle,
-                               centroidOf(cornersOf(mesh, triangle)));
+        report.addTrianglePair(diagnoseCounted<DiagnosticCode::kDuplicateTriangle>(),
+                               same[i - 1].owner, triangle, centroidOf(cornersOf(mesh, triangle)));
         invalid.inTopology[triangle.index()] = 1;
         invalid.inGeometry[triangle.index()] = 1;
       }
@@ -107,7 +108,8 @@ void checkCoincidentNodes(const SurfaceMesh& mesh, BoundaryReport& report) {
   });
   for (std::size_t i = 1; i < entries.size(); ++i) {
     if (entries[i].position != entries[i - 1].position) continue;
-    report.addNodePair(DiagnosticCode::kCoincidentNodes, entries[i - 1].node, entries[i].node);
+    report.addNodePair(diagnoseCounted<DiagnosticCode::kCoincidentNodes>(), entries[i - 1].node,
+                       entries[i].node);
   }
 }
 
@@ -116,7 +118,7 @@ void checkEdges(const SurfaceMesh& mesh, const EdgeTable& edges, BoundaryReport&
     const std::span<const HalfEdgeId> halfEdges = edges.halfEdgesOf(EdgeId(e));
     if (halfEdges.size() > 1) continue;
     const HalfEdgeNodes nodes = nodesOf(mesh.triangles, halfEdges[0]);
-    report.addEdge(DiagnosticCode::kOpenEdge, nodes.from, nodes.to,
+    report.addEdge(diagnoseCounted<DiagnosticCode::kOpenEdge>(), nodes.from, nodes.to,
                    std::array{triangleOf(halfEdges[0])});
   }
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "base/ids.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
@@ -34,46 +35,27 @@ struct TetrahedronEntry {
   GridTetId tetrahedron;
 };
 
-Entity entityOf(GridNodeId node) { return {EntityKind::kBackgroundNode, node.value}; }
-Entity entityOf(GridTetId tet) { return {EntityKind::kBackgroundTetrahedron, tet.value}; }
-Entity entityOf(SourceId source) { return {EntityKind::kSource, source.value}; }
-
-template <class AnyId>
-Diagnostic about(DiagnosticCode code, AnyId subject) {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.entities = {entityOf(subject)};
-  return diagnostic;
-}
-
 void checkNode(const BackgroundNode& node, GridNodeId id, double smallest,
                std::vector<Diagnostic>& found) {
-  const auto report = [&](DiagnosticCode code, std::vector<double> values) {
-    Diagnostic diagnostic = about(code, id);
-    diagnostic.values = std::move(values);
-    if (isFinite(node.position)) {
-      diagnostic.hasPosition = true;
-      diagnostic.position = node.position;
-    }
-    found.push_back(std::move(diagnostic));
+  const auto report = [&](Diagnostic diagnostic) {
+    found.push_back(std::move(diagnostic).about({entityOf(id)}));
+    if (isFinite(node.position)) found.back() = std::move(found.back()).at(node.position);
   };
   if (!isFinite(node.position))
-    report(DiagnosticCode::kNotFinite, {refusedCoordinate(node.position)});
+    report(diagnose<DiagnosticCode::kNotFinite>(refusedCoordinate(node.position)));
   if (!(node.size > 0.0 && node.size >= smallest && node.size <= kLargestCoordinate))
-    report(DiagnosticCode::kSizeOutOfRange, {node.size});
-  if (!(node.stretching >= 1.0 && node.stretching <= kMaxStretching)) {
-    report(DiagnosticCode::kStretchingOutOfRange, {node.stretching});
-  } else if (node.stretching > 1.0 && (!isFinite(node.direction) || node.direction == Vec3(0.0))) {
-    report(DiagnosticCode::kStretchingOutOfRange, {node.stretching});
-  }
+    report(diagnose<DiagnosticCode::kSizeOutOfRange>(node.size));
+  const bool isInRange = node.stretching >= 1.0 && node.stretching <= kMaxStretching;
+  const bool hasDirection = isFinite(node.direction) && node.direction != Vec3(0.0);
+  if (!isInRange || (node.stretching > 1.0 && !hasDirection))
+    report(diagnose<DiagnosticCode::kStretchingOutOfRange>(node.stretching));
 }
 
 /// Reports sizes that are too small. checkSizeSources() reports those that are not positive.
 void checkSourceSize(const SizeSource& source, SourceId id, double smallest,
                      std::vector<Diagnostic>& found) {
   if (!(source.size > 0.0 && source.size < smallest)) return;
-  found.push_back(about(DiagnosticCode::kSizeOutOfRange, id));
-  found.back().values = {source.size};
+  found.push_back(diagnose<DiagnosticCode::kSizeOutOfRange>(source.size).about({entityOf(id)}));
 }
 
 bool isDegenerate(const std::array<Vec3, 4>& p) {
@@ -91,17 +73,17 @@ bool isDegenerate(const std::array<Vec3, 4>& p) {
 void checkTetrahedron(const BackgroundGrid& grid, GridTetId tet, std::vector<Diagnostic>& found) {
   for (const GridNodeId node : nodesOf(grid, tet)) {
     if (node.index() >= grid.nodes.size()) {
-      found.push_back(about(DiagnosticCode::kIndexOutOfRange, tet));
-      found.back().values = {static_cast<double>(node.value)};
+      found.push_back(
+          diagnose<DiagnosticCode::kIndexOutOfRange>(node.value).about({entityOf(tet)}));
       return;
     }
     if (!isFinite(positionOf(grid, node))) return;  // reported with the node
   }
   const std::array<Vec3, 4> corners = cornersOf(grid, tet);
   if (!isDegenerate(corners)) return;
-  found.push_back(about(DiagnosticCode::kDegenerateBackgroundTetrahedron, tet));
-  found.back().hasPosition = true;
-  found.back().position = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  found.push_back(diagnose<DiagnosticCode::kDegenerateBackgroundTetrahedron>()
+                      .about({entityOf(tet)})
+                      .at(0.25 * (corners[0] + corners[1] + corners[2] + corners[3])));
 }
 
 /// Reports the tetrahedra of a list that have the same four nodes as another.
@@ -111,9 +93,8 @@ void reportDuplicates(std::span<TetrahedronEntry> entries, std::vector<Diagnosti
   });
   for (std::size_t i = 1; i < entries.size(); ++i) {
     if (entries[i].nodes != entries[i - 1].nodes) continue;
-    Diagnostic duplicate = about(DiagnosticCode::kDuplicateTriangle, entries[i].tetrahedron);
-    duplicate.entities.push_back(entityOf(entries[i - 1].tetrahedron));
-    found.push_back(std::move(duplicate));
+    found.push_back(diagnose<DiagnosticCode::kDuplicateTriangle>().about(
+        {entityOf(entries[i].tetrahedron), entityOf(entries[i - 1].tetrahedron)}));
   }
 }
 
@@ -139,7 +120,7 @@ Task<std::vector<Diagnostic>> checkBackgroundGrid(Work& work, const BackgroundGr
   std::vector<Diagnostic> found = checkSizeSources(grid.sources);
   if (part == GridPart::kSources) co_return found;
   if (grid.nodes.empty() || grid.tetrahedra.empty()) {
-    found.emplace_back().code = DiagnosticCode::kEmptyBackgroundGrid;
+    found.push_back(diagnose<DiagnosticCode::kEmptyBackgroundGrid>());
     co_return found;
   }
   const std::size_t nodes = grid.nodes.size();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/diagnostics.h"
 #include "base/ids.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
@@ -134,30 +135,26 @@ double SizeSources::cappedSize(const Vec3& position, double size) const {
 
 std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources) {
   std::vector<Diagnostic> found;
-  const auto report = [&found](DiagnosticCode code, SourceId source) -> Diagnostic& {
-    found.emplace_back();
-    found.back().code = code;
-    found.back().entities = {{EntityKind::kSource, source.value}};
-    return found.back();
-  };
   for (const SourceId id : IdRange<SourceId>(sources.size())) {
     const SizeSource& source = sources[id.index()];
+    const std::vector<Entity> entities{entityOf(id)};
     const std::size_t points = std::min(pointCountOf(source.type), source.points.size());
     const auto end = source.points.begin() + static_cast<std::ptrdiff_t>(points);
     const auto refused = std::find_if_not(source.points.begin(), end, isFinite);
-    if (refused != end)
-      report(DiagnosticCode::kNotFinite, id).values = {refusedCoordinate(*refused)};
+    if (refused != end) {
+      found.push_back(
+          diagnose<DiagnosticCode::kNotFinite>(refusedCoordinate(*refused)).about(entities));
+    }
     // Comparisons with NaN are false.
     const bool isValid = source.size >= kSmallestExtent && source.size <= kLargestCoordinate &&
                          source.distance >= 0.0 && source.distance <= kLargestCoordinate &&
                          source.growth >= 0.0 && source.growth <= kMaxGrowth &&
                          source.type <= SourceType::kTriangle;
     if (isValid) continue;
-    Diagnostic& outOfRange = report(DiagnosticCode::kSourceOutOfRange, id);
-    outOfRange.values = {source.size, source.distance, source.growth};
-    if (refused != end) continue;
-    outOfRange.hasPosition = true;
-    outOfRange.position = source.points[0];
+    Diagnostic& outOfRange = found.emplace_back(
+        diagnose<DiagnosticCode::kSourceOutOfRange>(source.size, source.distance, source.growth)
+            .about(entities));
+    if (refused == end) outOfRange = std::move(outOfRange).at(source.points[0]);
   }
   return found;
 }

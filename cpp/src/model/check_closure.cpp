@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "base/ids.h"
 #include "geom/coordinates.h"
 
@@ -112,38 +113,38 @@ class ClosureCheck {
     return lowest;
   }
 
-  [[nodiscard]] Diagnostic about(DiagnosticCode code, LineId line) const {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
+  /// Reports a defect at a line.
+  void report(Diagnostic found, LineId line) {
+    if (const std::optional<Vec3> position = positionOn(line)) {
+      found = std::move(found).at(*position);
+    }
+    result_.diagnostics.push_back(std::move(found));
+  }
+
+  [[nodiscard]] std::optional<Vec3> positionOn(LineId line) const {
     const std::vector<std::uint32_t>& points = model_->lines[line.index()].points;
     // The midpoint of a straight line; of others, a point on it.
     const std::size_t middle = points.size() / 2;
-    if (points.empty()) return diagnostic;
+    if (points.empty()) return std::nullopt;
     const std::uint32_t from = points.size() == 2 ? points[0] : points[middle];
     const std::uint32_t to = points[middle];
-    if (from >= model_->points.size() || to >= model_->points.size()) return diagnostic;
-    diagnostic.position = 0.5 * (model_->points[from] + model_->points[to]);
-    diagnostic.hasPosition = isFinite(diagnostic.position);
-    if (!diagnostic.hasPosition) diagnostic.position = Vec3(0.0);
-    return diagnostic;
+    if (from >= model_->points.size() || to >= model_->points.size()) return std::nullopt;
+    const Vec3 position = 0.5 * (model_->points[from] + model_->points[to]);
+    return isFinite(position) ? std::optional(position) : std::nullopt;
   }
 
   void reportOpen(LineId line) {
     const Use& use = uses_[line.index()].front();
-    Diagnostic diagnostic = about(DiagnosticCode::kOpenEdge, line);
-    diagnostic.entities = {{EntityKind::kLine, use.line.value},
-                           {EntityKind::kPatch, use.patch.value}};
-    diagnostic.values = {1.0};
-    result_.diagnostics.push_back(std::move(diagnostic));
+    report(diagnose<DiagnosticCode::kOpenEdge>(1).about({entityOf(use.line), entityOf(use.patch)}),
+           line);
   }
 
   void reportTwist(const Joint& joint) {
-    Diagnostic diagnostic = about(DiagnosticCode::kInconsistentOrientation, joint.line);
     const auto [low, high] = std::minmax(joint.first, joint.second);
-    diagnostic.entities = {{EntityKind::kPatch, low.value}};
-    if (high != low) diagnostic.entities.push_back({EntityKind::kPatch, high.value});
-    diagnostic.values = {1.0};
-    result_.diagnostics.push_back(std::move(diagnostic));
+    std::vector<Entity> patches{entityOf(low)};
+    if (high != low) patches.push_back(entityOf(high));
+    report(diagnose<DiagnosticCode::kInconsistentOrientation>(1).about(std::move(patches)),
+           joint.line);
   }
 
   const Model* model_;

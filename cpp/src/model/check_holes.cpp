@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "model/check_loops.h"
 #include "model/patch_projection.h"
@@ -31,29 +32,25 @@ class HoleCheck {
     for (std::size_t hole = 1; hole < drawn_->loops.size(); ++hole) {
       loops.push_back(layOutHole(drawn_->loops[hole]));
       if (worst_ > kHoleTolerance * loopExtent(*model_, {&drawn_->loops[hole], 1}, kHoleSamples))
-        return defect(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPosition_, {worst_});
+        return defect(diagnose<DiagnosticCode::kHoleOffPatch>(worst_), {worstLine_},
+                      worstPosition_);
     }
     if (const std::optional<LoopContact> contact =
             findContact(loops, Tolerance(extentInPlane(loops))))
-      return defect(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
+      return defect(diagnose<DiagnosticCode::kLoopsIntersect>(),
+                    {contact->firstLine, contact->secondLine},
                     surface_->evaluate(contact->position).position);
     if (const std::optional<std::size_t> hole = findMisplacedHole(loops))
-      return defect(DiagnosticCode::kHoleOutside, {LineId(drawn_->loops[*hole].front().line)},
+      return defect(diagnose<DiagnosticCode::kHoleOutside>(),
+                    {LineId(drawn_->loops[*hole].front().line)},
                     surface_->evaluate(loops[*hole].points.front()).position);
     return std::nullopt;
   }
 
  private:
-  [[nodiscard]] Diagnostic defect(DiagnosticCode code, const std::vector<LineId>& lines,
-                                  const Vec3& position, std::vector<double> values = {}) const {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.entities = {{EntityKind::kPatch, patch_.value}};
-    for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
-    diagnostic.hasPosition = true;
-    diagnostic.position = position;
-    diagnostic.values = std::move(values);
-    return diagnostic;
+  [[nodiscard]] Diagnostic defect(Diagnostic found, const std::vector<LineId>& lines,
+                                  const Vec3& position) const {
+    return std::move(found).about(patchAndLines(patch_, lines)).at(position);
   }
 
   /// Checks that holes share no line or point with each other, with themselves, or with the outer
@@ -68,7 +65,8 @@ class HoleCheck {
       appendStarts(*model_, hole, starts);
     const std::optional<RepeatedPoint> twice = findRepeatedPoint(std::move(starts));
     if (!twice) return std::nullopt;
-    return defect(DiagnosticCode::kLoopsIntersect, {twice->firstLine, twice->secondLine},
+    return defect(diagnose<DiagnosticCode::kLoopsIntersect>(),
+                  {twice->firstLine, twice->secondLine},
                   model_->model().points[twice->point.index()]);
   }
 

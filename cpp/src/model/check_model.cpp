@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "base/ids.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
@@ -18,10 +19,6 @@
 namespace tetrafront {
 
 namespace {
-
-Entity entityOf(PointId point) { return {EntityKind::kPoint, point.value}; }
-Entity entityOf(LineId line) { return {EntityKind::kLine, line.value}; }
-Entity entityOf(PatchId patch) { return {EntityKind::kPatch, patch.value}; }
 
 /// Requirements of a patch type on its outer loop.
 struct PatchRule {
@@ -57,7 +54,8 @@ class ModelChecker {
     for (const PointId point : IdRange<PointId>(model_->points.size())) {
       const Vec3& position = positionOf(point);
       if (!isFinite(position))
-        report(DiagnosticCode::kNotFinite, {entityOf(point)}, {refusedCoordinate(position)});
+        report(diagnose<DiagnosticCode::kNotFinite>(refusedCoordinate(position))
+                   .about({entityOf(point)}));
     }
     const std::vector<std::uint8_t> takesPart = usedPoints();
     tolerance_ = toleranceOf(takesPart);
@@ -79,7 +77,7 @@ class ModelChecker {
     resolved_.emplace(*model_, found_.usableLines);
     checkDuplicates(*resolved_);
     checkCourses(*resolved_);
-    if (model_->patches.empty()) report(DiagnosticCode::kEmptyModel, {});
+    if (model_->patches.empty()) report(diagnose<DiagnosticCode::kEmptyModel>());
   }
 
   /// Patches are checked in their order, after the lines.
@@ -90,16 +88,7 @@ class ModelChecker {
   [[nodiscard]] CheckedModel take() { return std::move(found_); }
 
  private:
-  void report(DiagnosticCode code, std::vector<Entity> entities, std::vector<double> values = {},
-              std::optional<Vec3> position = std::nullopt) {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.entities = std::move(entities);
-    diagnostic.values = std::move(values);
-    diagnostic.hasPosition = position.has_value();
-    diagnostic.position = position.value_or(Vec3(0.0));
-    found_.diagnostics.push_back(std::move(diagnostic));
-  }
+  void report(Diagnostic found) { found_.diagnostics.push_back(std::move(found)); }
 
   bool isLargeEnough(const std::vector<std::uint8_t>& takesPart) {
     PointId farthest(0U);
@@ -113,7 +102,7 @@ class ModelChecker {
       largest = magnitudeOf(position);
     }
     if (largest == 0.0 || largest >= kSmallestExtent) return true;
-    report(DiagnosticCode::kNotFinite, {entityOf(farthest)}, {largest});
+    report(diagnose<DiagnosticCode::kNotFinite>(largest).about({entityOf(farthest)}));
     return false;
   }
 
@@ -167,11 +156,11 @@ class ModelChecker {
     const Line& drawn = model_->lines[line.index()];
     bool isUsable = true;
     if (!pointCountFits(drawn)) {
-      report(DiagnosticCode::kWrongPointCount, {entityOf(line)},
-             {static_cast<double>(drawn.points.size())});
+      report(
+          diagnose<DiagnosticCode::kWrongPointCount>(drawn.points.size()).about({entityOf(line)}));
       isUsable = false;
     } else if (drawn.type == LineType::kCircle && drawn.points.front() != drawn.points.back()) {
-      report(DiagnosticCode::kOpenCircle, {entityOf(line)});
+      report(diagnose<DiagnosticCode::kOpenCircle>().about({entityOf(line)}));
       isUsable = false;
     }
     for (const PointId point : pointsOf(line)) {
@@ -179,8 +168,7 @@ class ModelChecker {
         isUsable = isUsable && isFinite(positionOf(point));
         continue;
       }
-      report(DiagnosticCode::kIndexOutOfRange, {entityOf(line)},
-             {static_cast<double>(point.value)});
+      report(diagnose<DiagnosticCode::kIndexOutOfRange>(point.value).about({entityOf(line)}));
       isUsable = false;
     }
     return isUsable && checkPositions(line);
@@ -214,7 +202,9 @@ class ModelChecker {
     const std::vector<PointId> points = pointsOf(line);
     const PointId start = points.front();
     if (std::ranges::all_of(points, [&](PointId point) { return coincide(start, point); })) {
-      report(DiagnosticCode::kZeroLengthLine, {entityOf(line)}, {}, positionOf(start));
+      report(diagnose<DiagnosticCode::kZeroLengthLine>()
+                 .about({entityOf(line)})
+                 .at(positionOf(start)));
       for (const PointId point : points) nameTogether(start, point);
       return false;
     }
@@ -223,8 +213,9 @@ class ModelChecker {
       if (!coincide(a, b)) return;
       distinct = false;
       nameTogether(a, b);
-      report(DiagnosticCode::kCoincidentPoints, {entityOf(line), entityOf(a), entityOf(b)}, {},
-             positionOf(b));
+      report(diagnose<DiagnosticCode::kCoincidentPoints>()
+                 .about({entityOf(line), entityOf(a), entityOf(b)})
+                 .at(positionOf(b)));
     };
     for (std::size_t i = 0; i + 1 < points.size(); ++i) compare(points[i], points[i + 1]);
     // A spline may end at its first point, and a circle must. A line of three points cannot, and two
@@ -245,30 +236,33 @@ class ModelChecker {
     const double longest =
         std::max({glm::length(second), glm::length(third), glm::length(third - second)});
     if (glm::length(glm::cross(second, third)) > Tolerance(longest).area()) return true;
-    report(DiagnosticCode::kCollinearPoints, {entityOf(line)}, {}, start + second);
+    report(diagnose<DiagnosticCode::kCollinearPoints>().about({entityOf(line)}).at(start + second));
     return false;
   }
 
   /// Points and lines drawn twice are harmless unless the surface uses both.
   void checkDuplicates(const ResolvedModel& resolved) {
     found_.duplicates = findDuplicates(resolved, found_.usableLines, tolerance_);
-    const auto reportPair = [&](DiagnosticCode code, auto first, auto second,
-                                const std::vector<std::uint8_t>& matters, const Vec3& position) {
-      report(code, {entityOf(first), entityOf(second)}, {}, position);
-      if (matters[first.index()] == 0 || matters[second.index()] == 0)
-        found_.diagnostics.back().severity = Severity::kWarning;
+    const auto reportPair = [&](Diagnostic found, auto first, auto second,
+                                const std::vector<std::uint8_t>& isUsed, const Vec3& position) {
+      const bool matters = isUsed[first.index()] != 0 && isUsed[second.index()] != 0;
+      report(std::move(found)
+                 .about({entityOf(first), entityOf(second)})
+                 .at(position)
+                 .withSeverity(matters ? Severity::kError : Severity::kWarning));
     };
     stableSort(namedPairs_);
     for (const PointId point : IdRange<PointId>(model_->points.size())) {
       const PointId first = found_.duplicates.points[point.index()];
       if (first == point || std::ranges::binary_search(namedPairs_, std::pair(first, point)))
         continue;
-      reportPair(DiagnosticCode::kDuplicatePoints, first, point, isCorner_, positionOf(point));
+      reportPair(diagnose<DiagnosticCode::kDuplicatePoints>(), first, point, isCorner_,
+                 positionOf(point));
     }
     for (const LineId line : IdRange<LineId>(model_->lines.size())) {
       const LineId first = found_.duplicates.lines[line.index()];
       if (first == line) continue;
-      reportPair(DiagnosticCode::kDuplicateLines, first, line, isUsed_,
+      reportPair(diagnose<DiagnosticCode::kDuplicateLines>(), first, line, isUsed_,
                  resolved.curve(line).position(0.5));
     }
   }
@@ -280,8 +274,11 @@ class ModelChecker {
       const std::optional<Vec3> position = findSelfCrossing(resolved.curve(line));
       if (!position) continue;
       crosses_[line.index()] = 1;
-      report(DiagnosticCode::kLineSelfIntersection, {entityOf(line)}, {}, position);
-      if (isUsed_[line.index()] == 0) found_.diagnostics.back().severity = Severity::kWarning;
+      const bool isUsed = isUsed_[line.index()] != 0;
+      report(diagnose<DiagnosticCode::kLineSelfIntersection>()
+                 .about({entityOf(line)})
+                 .at(*position)
+                 .withSeverity(isUsed ? Severity::kError : Severity::kWarning));
     }
   }
 
@@ -324,8 +321,7 @@ class ModelChecker {
     for (const Loop& loop : model_->patches[patch.index()].loops) {
       for (const OrientedLine& line : loop) {
         if (line.line < model_->lines.size()) continue;
-        report(DiagnosticCode::kIndexOutOfRange, {entityOf(patch)},
-               {static_cast<double>(line.line)});
+        report(diagnose<DiagnosticCode::kIndexOutOfRange>(line.line).about({entityOf(patch)}));
         exist = false;
       }
     }
@@ -336,20 +332,21 @@ class ModelChecker {
     const Patch& drawn = model_->patches[patch.index()];
     const std::size_t given = drawn.loops.empty() ? 0 : drawn.loops.front().size();
     if (drawn.type == PatchType::kTube && drawn.loops.size() != 2) {
-      report(DiagnosticCode::kWrongLoopCount, {entityOf(patch)},
-             {static_cast<double>(drawn.loops.size())});
+      report(
+          diagnose<DiagnosticCode::kWrongLoopCount>(drawn.loops.size()).about({entityOf(patch)}));
       return false;
     }
     bool fits = rule.lines == 0 ? given > 0 : given == rule.lines;
     // A hole without lines is ignored.
     for (const Loop& loop : drawn.loops) fits = fits && !loop.empty();
     if (!fits)
-      report(DiagnosticCode::kWrongLineCount, {entityOf(patch)},
-             {static_cast<double>(given), static_cast<double>(std::max(rule.lines, 1U))});
+      report(diagnose<DiagnosticCode::kWrongLineCount>(given, std::max(rule.lines, 1U))
+                 .about({entityOf(patch)}));
     if (!rule.parabolicOnly || drawn.loops.empty()) return fits;
     for (const OrientedLine& line : drawn.loops.front()) {
       if (model_->lines[line.line].type == LineType::kParabolic) continue;
-      report(DiagnosticCode::kWrongLineType, {entityOf(patch), entityOf(LineId(line.line))});
+      report(diagnose<DiagnosticCode::kWrongLineType>().about(
+          {entityOf(patch), entityOf(LineId(line.line))}));
       fits = false;
     }
     return fits;
@@ -365,13 +362,13 @@ class ModelChecker {
         if (end && next && *end == *next) continue;
         closed = false;
         if (!end || !next) continue;  // a line without points is reported as such
-        std::vector<Entity> entities{entityOf(patch), entityOf(LineId(loop[i].line))};
-        std::optional<Vec3> position;
+        Diagnostic open = diagnose<DiagnosticCode::kLoopNotClosed>().about(
+            {entityOf(patch), entityOf(LineId(loop[i].line))});
         if (exists(*end)) {
-          entities.push_back(entityOf(*end));
-          if (isFinite(positionOf(*end))) position = positionOf(*end);
+          open.entities.push_back(entityOf(*end));
+          if (isFinite(positionOf(*end))) open = std::move(open).at(positionOf(*end));
         }
-        report(DiagnosticCode::kLoopNotClosed, std::move(entities), {}, position);
+        report(std::move(open));
       }
     }
     return closed;

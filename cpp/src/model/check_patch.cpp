@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
 #include "model/check_fold.h"
@@ -42,16 +43,8 @@ class PatchCheck {
   }
 
  private:
-  void report(DiagnosticCode code, const std::vector<LineId>& lines, std::optional<Vec3> position,
-              std::vector<double> values = {}) {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.entities = {{EntityKind::kPatch, patch_.value}};
-    for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
-    diagnostic.hasPosition = position.has_value();
-    diagnostic.position = position.value_or(Vec3(0.0));
-    diagnostic.values = std::move(values);
-    diagnostics_->push_back(std::move(diagnostic));
+  void report(Diagnostic found, const std::vector<LineId>& lines, const Vec3& position) {
+    diagnostics_->push_back(std::move(found).about(patchAndLines(patch_, lines)).at(position));
   }
 
   [[nodiscard]] double extent() const {
@@ -64,7 +57,7 @@ class PatchCheck {
     const LoopPlane plane = loopPlane(*model_, drawn_->loops.front());
     const double size = extent();
     if (!(glm::length(plane.areaVector) > Tolerance(size).area())) {
-      report(DiagnosticCode::kDegeneratePatch, {}, plane.origin);
+      report(diagnose<DiagnosticCode::kDegeneratePatch>(), {}, plane.origin);
       return false;
     }
     const PlanarSurface surface(plane.origin, plane.areaVector, plane.firstDirection);
@@ -92,7 +85,7 @@ class PatchCheck {
     }
     if (!worstLine) return true;
     if (!reportMovedPoints(size))
-      report(DiagnosticCode::kNotPlanar, {*worstLine}, position, {worst});
+      report(diagnose<DiagnosticCode::kNotPlanar>(worst), {*worstLine}, position);
     return false;
   }
 
@@ -101,8 +94,8 @@ class PatchCheck {
     const MovedPoints moved = movedPoints_->find(patch_, size);
     if (moved.points.empty()) return false;
     const PointId farthest = moved.points.front();
-    report(DiagnosticCode::kNotPlanar, linesThrough(farthest),
-           model_->model().points[farthest.index()], {moved.distance});
+    report(diagnose<DiagnosticCode::kNotPlanar>(moved.distance), linesThrough(farthest),
+           model_->model().points[farthest.index()]);
     for (std::size_t i = 0; i < std::min(moved.points.size(), kMaxNamed); ++i)
       diagnostics_->back().entities.push_back({EntityKind::kPoint, moved.points[i].value});
     return true;
@@ -129,12 +122,12 @@ class PatchCheck {
     for (const LineStart& start : starts) lines.push_back(start.line);
     stableSort(lines);
     if (const auto twice = std::ranges::adjacent_find(lines); twice != lines.end()) {
-      report(DiagnosticCode::kLoopsIntersect, {*twice}, model_->curve(*twice).start());
+      report(diagnose<DiagnosticCode::kLoopsIntersect>(), {*twice}, model_->curve(*twice).start());
       return false;
     }
     const std::optional<RepeatedPoint> twice = findRepeatedPoint(std::move(starts));
     if (!twice) return true;
-    report(DiagnosticCode::kLoopsIntersect, {twice->firstLine, twice->secondLine},
+    report(diagnose<DiagnosticCode::kLoopsIntersect>(), {twice->firstLine, twice->secondLine},
            model_->model().points[twice->point.index()]);
     return false;
   }
@@ -143,12 +136,12 @@ class PatchCheck {
     std::vector<PlaneLoop> loops;
     for (const Loop& loop : drawn_->loops) loops.push_back(layOutLoop(*model_, loop, surface));
     if (const std::optional<LoopContact> contact = findContact(loops, Tolerance(size))) {
-      report(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
+      report(diagnose<DiagnosticCode::kLoopsIntersect>(), {contact->firstLine, contact->secondLine},
              surface.evaluate(contact->position).position);
       return;
     }
     if (const std::optional<std::size_t> hole = findMisplacedHole(loops))
-      report(DiagnosticCode::kHoleOutside, {LineId(drawn_->loops[*hole].front().line)},
+      report(diagnose<DiagnosticCode::kHoleOutside>(), {LineId(drawn_->loops[*hole].front().line)},
              surface.evaluate(loops[*hole].points.front()).position);
   }
 
@@ -158,11 +151,13 @@ class PatchCheck {
     if (!checkRepeatedLines()) return false;
     const std::optional<TubeDefect> defect = findTubeDefect(*model_, *drawn_, Tolerance(extent()));
     if (!defect) return true;
-    const bool isContact = defect->code == DiagnosticCode::kLoopsIntersect;
+    if (!defect->isContact) {
+      report(diagnose<DiagnosticCode::kDegeneratePatch>(), {}, defect->position);
+      return false;
+    }
     std::vector<LineId> lines;
-    if (isContact)
-      for (const Loop& loop : drawn_->loops) lines.push_back(LineId(loop.front().line));
-    report(defect->code, lines, defect->position);
+    for (const Loop& loop : drawn_->loops) lines.push_back(LineId(loop.front().line));
+    report(diagnose<DiagnosticCode::kLoopsIntersect>(), lines, defect->position);
     return false;
   }
 
@@ -179,7 +174,7 @@ class PatchCheck {
       checkHoles();
       return true;
     }
-    report(DiagnosticCode::kDegeneratePatch, offCentreLines(), defect->position);
+    report(diagnose<DiagnosticCode::kDegeneratePatch>(), offCentreLines(), defect->position);
     return !defect->hasNoArea;
   }
 
@@ -217,7 +212,7 @@ class PatchCheck {
       for (std::size_t k = i + 1; k < loop.size(); ++k) {
         const bool seam = loop.size() == 4 && k == i + 2 && loop[i].reversed != loop[k].reversed;
         if (loop[i].line != loop[k].line || seam) continue;
-        report(DiagnosticCode::kLoopsIntersect, {LineId(loop[i].line)},
+        report(diagnose<DiagnosticCode::kLoopsIntersect>(), {LineId(loop[i].line)},
                model_->curve(LineId(loop[i].line)).start());
         return false;
       }
@@ -233,8 +228,8 @@ class PatchCheck {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t k = (i + apart) % loop.size();
       if (model_->startPoint(loop[i]) != model_->startPoint(loop[k])) continue;
-      report(DiagnosticCode::kLoopsIntersect, {LineId(loop[i].line), LineId(loop[k].line)},
-             model_->curve(loop[i]).start());
+      report(diagnose<DiagnosticCode::kLoopsIntersect>(),
+             {LineId(loop[i].line), LineId(loop[k].line)}, model_->curve(loop[i]).start());
       return false;
     }
     return true;

@@ -27,16 +27,15 @@ class TubeCheck {
   }
 
   std::optional<TubeDefect> run() {
-    if (const std::optional<Vec3> contact = findContact())
-      return TubeDefect{DiagnosticCode::kLoopsIntersect, *contact};
+    if (const std::optional<Vec3> contact = findContact()) return TubeDefect{true, *contact};
     for (const std::vector<double>& smooth : smoothParts_)
       for (const double xi : smooth)
         for (int row = 0; row < kAlong; ++row)
           longest_ = std::max(longest_, glm::length(normalOf(surface_, {xi, etaOf(row)})));
     if (!(longest_ > tolerance_.area()))
-      return TubeDefect{DiagnosticCode::kDegeneratePatch, surface_.evaluate({0.0, 0.5}).position};
+      return TubeDefect{false, surface_.evaluate({0.0, 0.5}).position};
     if (const std::optional<Vec2> fold = findFold())
-      return TubeDefect{DiagnosticCode::kDegeneratePatch, surface_.evaluate(*fold).position};
+      return TubeDefect{false, surface_.evaluate(*fold).position};
     return std::nullopt;
   }
 

@@ -6,12 +6,12 @@
 
 #include "base/tolerance.h"
 #include "model/resolved_model.h"
-#include "tetrafront/status.h"
+#include "tetrafront/vec3.h"
 
 namespace tetrafront {
 
 struct TubeDefect {
-  DiagnosticCode code = DiagnosticCode::kDegeneratePatch;  ///< or kLoopsIntersect: the rims touch
+  bool isContact = false;  ///< the rims touch
   Vec3 position{0.0};
 };
 

@@ -3,25 +3,9 @@
 #include <algorithm>
 
 #include "base/sort.h"
+#include "optimize/rules.h"
 
 namespace tetrafront {
-namespace {
-
-/// Edges longer than this many target lengths are split; anything in 1.15 .. 1.45 gives the same
-/// meshes.
-constexpr double kMaxEdge = 1.3;
-/// Much too long edges are split even if that makes elements worse, up to this cost (bulk measure:
-/// a mean ratio of 0.4). The following sweeps improve their shape. Without this, interiors that
-/// begin without nodes stay half empty, and others lose mean radius ratio.
-constexpr double kBearable = 3.0;
-/// New edges may have any length if the mean cost of a node's elements exceeds this (bulk measure:
-/// a mean ratio of 0.2). The front may leave nodes against boundary triangles that are much larger
-/// than the target size. All edges are long there, and the mesh only improves without those nodes.
-constexpr double kHopeless = 10.0;
-constexpr std::size_t kMaxSplitRing = kMaxRing - 1;
-
-}  // namespace
-
 template <class Space>
 void EdgeSplitter<Space>::collect(std::size_t first, std::size_t last, std::uint32_t since) {
   EdgeRing ring;
@@ -33,7 +17,7 @@ void EdgeSplitter<Space>::collect(std::size_t first, std::size_t last, std::uint
       const NodeId a = nodes[kTetEdges[e].from];
       const NodeId b = nodes[kTetEdges[e].to];
       const double length = relativeLength<Space>(complex_, a, b);
-      if (length <= kMaxEdge) continue;
+      if (length <= kMaxSparseEdge) continue;
       if (!findClosedRing(complex_, tet, e, kMaxSplitRing, since, ring)) continue;
       edges_.push_back({length, a, b, tet});
     }

@@ -4,19 +4,9 @@
 #include <limits>
 
 #include "base/sort.h"
+#include "optimize/rules.h"
 
 namespace tetrafront {
-namespace {
-
-constexpr std::size_t kRepairRing = 9;
-constexpr double kRepairGain = 1e-3;    // relative, of swaps and collapses
-constexpr double kCompoundGain = 1e-2;  // relative, of the worst of all elements touched
-constexpr std::size_t kMaxRepairCavity = 60;
-
-constexpr EdgeRemovalOptions kRepairOptions{true, kRepairGain};
-
-}  // namespace
-
 template <class Space>
 bool ElementImprover<Space>::stillPoor(TetId tet, const Corners& nodes) const {
   return complex_.isLive(tet) && complex_.cost(tet) > 1.0 && complex_.element(tet).nodes == nodes;

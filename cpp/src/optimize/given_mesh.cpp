@@ -80,30 +80,23 @@ void forEachGroup(Faces& faces, NodeId node, Visit visit) {
 }
 
 /// Counts one kind of defect and describes the first.
+template <DiagnosticCode kCode>
 class DefectCount {
  public:
-  explicit DefectCount(DiagnosticCode code) { first_.code = code; }
-
   void add(std::vector<Entity> entities, const Vec3& position) {
-    if (count_++ > 0) return;
-    first_.entities = std::move(entities);
-    first_.hasPosition = true;
-    first_.position = position;
+    if (count_++ == 0) first_ = Diagnostic().about(std::move(entities)).at(position);
   }
   void set(std::uint64_t count) { count_ = count; }
   [[nodiscard]] bool isEmpty() const { return count_ == 0; }
   void report(std::vector<Diagnostic>& out) {
     if (count_ == 0) return;
-    first_.values = {static_cast<double>(count_)};
-    out.push_back(first_);
+    out.push_back(diagnose<kCode>(count_).about(first_.entities).at(first_.position));
   }
 
  private:
   Diagnostic first_;
   std::uint64_t count_ = 0;
 };
-
-Entity entityOf(TetId tet) { return {EntityKind::kTetrahedron, tet.value}; }
 
 /// Does the work of prepareGivenMesh().
 class GivenMeshMaker {
@@ -419,9 +412,9 @@ class GivenMeshMaker {
       keptInside_;  ///< elements of one region beside a kept triangle
   std::vector<std::uint32_t> part_;
   std::vector<std::uint8_t> isKept_;
-  DefectCount degenerate_{DiagnosticCode::kDegenerateTetrahedron};
-  DefectCount nonManifold_{DiagnosticCode::kNonManifoldFace};
-  DefectCount overlapping_{DiagnosticCode::kOverlappingTetrahedra};
+  DefectCount<DiagnosticCode::kDegenerateTetrahedron> degenerate_;
+  DefectCount<DiagnosticCode::kNonManifoldFace> nonManifold_;
+  DefectCount<DiagnosticCode::kOverlappingTetrahedra> overlapping_;
   GivenMesh made_;
 };
 

@@ -4,21 +4,10 @@
 
 #include "base/sort.h"
 #include "optimize/narrow_gaps.h"
+#include "optimize/rules.h"
 
 namespace tetrafront {
 namespace {
-
-/// Improvement also stops if a pass leaves more than this fraction of the poor elements that it
-/// visited, and more than that fraction of all elements: in a gap or wedge without room for nodes,
-/// improving one element spoils others.
-constexpr double kMaxLeft = 0.8;
-constexpr double kFewPoor = 0.005;
-/// Compound changes per step: a fixed number, plus one per this many elements.
-constexpr std::size_t kMinCompounds = 100;
-constexpr std::size_t kElementsPerCompound = 200;
-/// Last-resort tries per step: a fixed number, plus one per this many elements.
-constexpr std::size_t kMinLastResortTries = 60;
-constexpr std::size_t kElementsPerLastResortTry = 1000;
 
 /// Returns the cost, by these targets, of an element with an angle of just 30 or 135 degrees. If
 /// many elements are to be improved, or as few as possible should remain, all elements that miss

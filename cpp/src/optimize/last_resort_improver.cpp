@@ -4,15 +4,10 @@
 #include <tuple>
 
 #include "base/sort.h"
+#include "optimize/rules.h"
 
 namespace tetrafront {
 namespace {
-
-/// Edges with more elements around them are not removed.
-constexpr std::size_t kLastResortRing = 9;
-/// A change must lower the sum of the fourth powers of costs by this fraction to be worth the
-/// elements that it spoils. Costs are 1 at the target, so the fraction has no unit.
-constexpr double kLastResortGain = 1e-2;
 
 template <class Id>
 void sortOnce(std::vector<Id>& ids) {

@@ -111,11 +111,8 @@ Task<bool> isProved(Work& work, const VolumeMesh& mesh, const GivenMesh& given,
   // The given mesh may have coincident nodes.
   const std::uint64_t count = defects.count() - defects.coincidentNodes;
   if (count == 0) co_return true;
-  Diagnostic failed;
-  failed.code = DiagnosticCode::kVerificationFailed;
-  failed.entities = defects.examples;
-  failed.values = {static_cast<double>(count)};
-  diagnostics.push_back(std::move(failed));
+  diagnostics.push_back(
+      diagnose<DiagnosticCode::kVerificationFailed>(count).about(defects.examples));
   co_return false;
 }
 

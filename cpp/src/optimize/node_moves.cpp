@@ -4,18 +4,12 @@
 #include <cmath>
 
 #include "field/size_tensor.h"
+#include "optimize/rules.h"
 
 namespace tetrafront {
 namespace {
 
 double lengthOf(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
-
-/// A move shorter than this fraction of an edge does not justify recomputing the star's costs. A
-/// move longer than the second counts as a change that neighbours should visit again.
-constexpr double kMinMove = 0.0005;
-constexpr double kChangingMove = 0.01;
-constexpr double kMinRelativeGain = 1e-6;
-constexpr int kHalvings = 4;
 
 /// Returns the sum of the eighth powers of all elements' costs, in units of `scale`; kInvalidCost
 /// as soon as `bound` is reached.
@@ -31,8 +25,6 @@ double sumOfPowers(const Hollow<Space>& hollow, const ElementCost<Space>& cost, 
   }
   return sum;
 }
-
-constexpr std::size_t kMaxGradients = 24;
 
 /// Returns the shortest vector in the convex hull of the gradients (Frank & Wolfe 1956): all of
 /// them descend against it.
@@ -313,10 +305,10 @@ bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>
                                  Vec3& position) {
   const auto& frame = hollow_.frame(0);
   const double edge = lengthOf(Space::toUnit(frame, hollow_.face(0)[0] - position));
-  if (!(lengthOf(Space::toUnit(frame, direction)) >= kMinMove * edge)) return false;
-  const double bound = old * (1.0 - kMinRelativeGain);
+  if (!(lengthOf(Space::toUnit(frame, direction)) >= kMinNodeMove * edge)) return false;
+  const double bound = old * (1.0 - kMinMoveGain);
   double step = 1.0;
-  for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
+  for (int i = 0; i < kMoveHalvings; ++i, step *= 0.5) {
     const Vec3 tried = position + direction * step;
     if (hollow_.costAt(tried, cost, bound) >= bound) continue;
     position = tried;

@@ -12,41 +12,24 @@
 #include "optimize/sweep_observer.h"
 #include "optimize/sweeps.h"
 #include "optimize/tet_complex.h"
+#include "optimize/rules.h"
 
 namespace tetrafront {
 namespace {
 
-/// Mean relative edge length above which edges are split from a lower limit on: the region is about
-/// one and a half elements thick, or its interior began without nodes. The sum of costs alone would
-/// accept too few nodes there.
-constexpr double kSparse = 1.13;
-constexpr double kSplitAllOfSparse = 1.4;
-/// In thin walls, collapses would remove the new nodes again. Interiors with a longer mean edge are
-/// not walls and have room for them.
-constexpr double kEmpty = 1.3;
-constexpr double kMaxEdgeInWalls = 1.65;
-/// Number of elements that miss a target above which a mesh no longer counts as small.
-constexpr double kFewMissing = 500.0;
-/// Fraction of the mesh. If improvements changed more, as in gaps one edge wide, shape sweeps would
-/// visit that part again and again.
-constexpr double kMuchChanged = 0.02;
-/// For the estimate of the progress: share of the time before the first step, and the part of a step that a repetition leaves.
+/// For the estimate of the progress: share of the time before the first step, and of a step before its sweeps; the part of a
+/// step that a repetition leaves.
 constexpr double kBuildShare = 0.05;
+constexpr double kMeasureShare = 0.05;
 constexpr double kLeftByRepeat = 0.55;
-
-/// Returns per node the region with the smallest cap among those of its elements; empty if no region has a cap.
-std::vector<std::uint32_t> regionsOfNodes(const TetMesh& mesh, const SizeField& field) {
-  if (!field.hasRegionCaps()) return {};
-  std::vector<std::uint32_t> regions(mesh.points.size(), FieldHint::kAnyRegion);
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-    const std::uint32_t region = mesh.regions[t];
-    for (const NodeId node : mesh.tetrahedra[t]) {
-      std::uint32_t& known = regions[node.index()];
-      if (field.capOf(region) < field.capOf(known)) known = region;
-    }
-  }
-  return regions;
-}
+/// The same for improvements: the first pass makes most of them, and hardly any of its time is for collecting elements.
+constexpr double kLeftByImprovement = 0.3;
+constexpr double kCollectPart = 0.1;
+/// Free nodes per element of a mesh with an interior. Work of steps in a body of one layer, without free nodes: factor of the shape
+/// sweeps, and what the first repair has in addition.
+constexpr double kFreeNodesPerElement = 0.1;
+constexpr double kSweepsOfThin = 0.3;
+constexpr double kRepairOfThin = 35.0;
 
 }  // namespace
 
@@ -63,7 +46,7 @@ class MeshOptimizer::AnySpace {
   [[nodiscard]] virtual std::size_t elementCount() const = 0;
   [[nodiscard]] virtual TetMesh mesh() const = 0;
   [[nodiscard]] virtual TetMesh take() = 0;
-  [[nodiscard]] virtual std::size_t pointCount() const = 0;
+  [[nodiscard]] virtual std::size_t innerNodeCount() const = 0;
   [[nodiscard]] virtual bool hasFoundNothingBetter() const = 0;
   [[nodiscard]] virtual bool hasRefusedGrowth() const = 0;
 
@@ -81,9 +64,10 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
       : schedule_(std::move(schedule)),
         limits_(limits),
         field_(field),
-        givenRegionOf_(regionsOfNodes(mesh, field)),
         complex_(std::move(mesh), Space::kIsStretched),
-        sweeps_(complex_) {}
+        sweeps_(complex_) {
+    if (complex_.slotCount() > 0) hint_.region = complex_.regionOf(TetId(0U));
+  }
 
   Task<> run(Work& work) override {
     work.beginPart(kBuildShare);
@@ -92,7 +76,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     freeNodes_ = complex_.freeNodeCount();
     hasNeighbours_ = true;
     if (complex_.elementCount() > 0) {
-      if (observer_ != nullptr && !schedule_.empty()) observer_->begun(complex_);
+      if (observer_ != nullptr) observer_->begunRegion(complex_);
       work.beginPart(1.0);
       co_await runSteps(work);
     }
@@ -109,30 +93,47 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   [[nodiscard]] TetMesh take() override {
     return hasFoundNothingBetter() ? std::move(*kept_) : complex_.take();
   }
-  [[nodiscard]] std::size_t pointCount() const override {
-    if (!hasNeighbours_) return complex_.nodeCount();
-    if (hasFoundNothingBetter()) return kept_->points.size();
-    return complex_.boundaryNodeCount() + freeNodes_;
+  [[nodiscard]] std::size_t innerNodeCount() const override {
+    if (!hasNeighbours_) return complex_.nodeCount() - complex_.boundaryNodeCount();
+    if (hasFoundNothingBetter()) return kept_->points.size() - kept_->boundaryNodes;
+    return freeNodes_;
   }
   [[nodiscard]] bool hasFoundNothingBetter() const override { return isDone_ && kept_.has_value(); }
   [[nodiscard]] bool hasRefusedGrowth() const override { return complex_.hasRefusedGrowth(); }
 
  private:
   Task<> runSteps(Work& work) {
-    double all = 0.0;
-    for (const Step& step : schedule_) all += step.work;
-    double before = 0.0;
+    const double fullness = interiorPart();
+    double remaining = 0.0;
+    for (const Step& step : schedule_) remaining += workOf(step, fullness);
     for (const Step& step : schedule_) {
-      work.beginPart(before / all);
-      before += step.work;
+      const double own = workOf(step, fullness);
+      const double rest = std::exchange(remaining, remaining - own);
       if (isLeftOut(step)) continue;
+      work.beginShare(kMeasureShare * own, rest);
       co_await measureBy(work, step);
       wasWorthwhile_ = isWorthwhile(step);
       if (!wasWorthwhile_) continue;
-      work.beginPart(before / all);
+      work.beginShare(own, rest);
       co_await runSweeps(work, step);
       if (isHopeless_) co_return;
     }
+  }
+
+  /// Returns how much of an interior the mesh has, 0 to 1, by the nodes that can move: none in a plate of one layer.
+  [[nodiscard]] double interiorPart() const {
+    const auto count = static_cast<double>(complex_.elementCount());
+    return std::min(1.0, static_cast<double>(freeNodes_) / (kFreeNodesPerElement * count));
+  }
+
+  /// Returns the estimated work of a step: without interior nodes, shape sweeps have little to do and leave more elements to
+  /// the first repair.
+  [[nodiscard]] double workOf(const Step& step, double fullness) const {
+    if (step.costBasis != CostBasis::kTargets)
+      return step.work * std::lerp(kSweepsOfThin, 1.0, fullness);
+    const bool isFirst =
+        std::ranges::find(schedule_, CostBasis::kTargets, &Step::costBasis).base() == &step;
+    return isFirst ? step.work + kRepairOfThin * (1.0 - fullness) : step.work;
   }
 
   [[nodiscard]] bool isLeftOut(const Step& step) const {
@@ -146,15 +147,8 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     co_await work.forEachId<NodeId>(complex_.nodeCount() - first, [this, first](NodeId offset) {
       const NodeId node(first + offset.index());
       if (!complex_.isUsed(node) && hasNeighbours_) return;
-      if (field_.hasRegionCaps()) hint_.region = regionOf(node);
       complex_.setTarget<Space>(node, Space::targetAt(field_, complex_.position(node), hint_));
     });
-  }
-
-  /// Returns the region whose sizes apply at a node: on an interface, that of the smaller cap.
-  [[nodiscard]] std::uint32_t regionOf(NodeId node) const {
-    return node.index() < givenRegionOf_.size() ? givenRegionOf_[node.index()]
-                                                : complex_.regionAt(node);
   }
 
   /// Sets what the step measures elements by, with the targets and costs that it needs.
@@ -250,15 +244,19 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   /// Returns the estimated part of the step that is done after this many sweeps of a run. The number of runs is not known
   /// beforehand: each takes the same share of the remaining work, because later runs visit fewer elements.
   [[nodiscard]] static double fractionAfter(const Step& step, int run, std::size_t sweeps) {
+    const bool improves = step.costBasis == CostBasis::kTargets;
     const double ofRun = static_cast<double>(sweeps) / static_cast<double>(step.sweeps.size());
     if (step.maxRepeats == 1) return ofRun;
-    return 1.0 - std::pow(kLeftByRepeat, run + ofRun);
+    const double done = improves && ofRun < 1.0 ? kCollectPart : ofRun;
+    return 1.0 - std::pow(improves ? kLeftByImprovement : kLeftByRepeat, run + done);
   }
 
   Task<> sweep(Work& work, Sweep kind) {
     for (sweeps_.begin(kind); !sweeps_.isDone();) {
       const std::size_t done = sweeps_.advance(work.remaining());
-      work.setFraction(sweeps_.fraction());
+      // The worst elements come first, and take the longest.
+      const double visited = sweeps_.fraction();
+      work.setFraction(kind == Sweep::kImprove ? std::cbrt(visited) : visited);
       co_await work.spend(done + 1);
     }
     if (observer_ != nullptr) observer_->swept(kind, complex_);
@@ -323,7 +321,6 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   MeshLimits limits_;
   const SizeField& field_;
   FieldHint hint_;
-  std::vector<std::uint32_t> givenRegionOf_;  ///< per given node; empty without caps
   TetComplex complex_;
   Sweeps<Space> sweeps_;
   bool hasNeighbours_ = false;
@@ -368,12 +365,8 @@ MeshOptimizer::~MeshOptimizer() = default;
 
 void MeshOptimizer::observe(SweepObserver& observer) { optimizer_->observe(observer); }
 Task<> MeshOptimizer::run(Work& work) { return optimizer_->run(work); }
-std::uint32_t MeshOptimizer::pointCount() const {
-  return static_cast<std::uint32_t>(optimizer_->pointCount());
-}
-std::uint32_t MeshOptimizer::tetrahedronCount() const {
-  return static_cast<std::uint32_t>(optimizer_->elementCount());
-}
+std::size_t MeshOptimizer::innerNodeCount() const { return optimizer_->innerNodeCount(); }
+std::size_t MeshOptimizer::tetrahedronCount() const { return optimizer_->elementCount(); }
 TetMesh MeshOptimizer::mesh() const { return optimizer_->mesh(); }
 TetMesh MeshOptimizer::take() { return optimizer_->take(); }
 bool MeshOptimizer::hasFoundNothingBetter() const { return optimizer_->hasFoundNothingBetter(); }

@@ -32,7 +32,8 @@ struct MeshLimits {
 
 class MeshOptimizer {
  public:
-  /// The nodes of the mesh's boundary are fixed. The field must outlive this. O(n) per sweep.
+  /// The nodes of the mesh's boundary are fixed. The field must outlive this; if it has sizes of regions, the mesh must be that of
+  /// one region. O(n) per sweep.
   MeshOptimizer(TetMesh mesh, const SizeField& field, Optimization level,
                 const MeshLimits& limits = {});
   /// The same with the steps of cautiousSchedule().
@@ -47,8 +48,9 @@ class MeshOptimizer {
   /// Executes the schedule; once. This must outlive the task and must not move meanwhile.
   Task<> run(Work& work);
 
-  [[nodiscard]] std::uint32_t pointCount() const;
-  [[nodiscard]] std::uint32_t tetrahedronCount() const;
+  /// Number of nodes that are not fixed.
+  [[nodiscard]] std::size_t innerNodeCount() const;
+  [[nodiscard]] std::size_t tetrahedronCount() const;
 
   /// The current mesh, always valid. Boundary nodes come first, in their order.
   [[nodiscard]] TetMesh mesh() const;

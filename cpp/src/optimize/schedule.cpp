@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "optimize/rules.h"
+
 namespace tetrafront {
 namespace {
 
@@ -22,32 +24,6 @@ constexpr std::array kEase{Sweep::kSwap, Sweep::kMove, Sweep::kNewton, Sweep::kC
                            Sweep::kCollapse};
 constexpr std::array kPolish{Sweep::kSwap, Sweep::kMove, Sweep::kNewton};
 constexpr std::array kScore{Sweep::kScore};
-
-constexpr int kMaxRounds = 10;
-constexpr int kMaxThoroughRounds = 8;
-/// Rounds end when splits and collapses together are fewer than this fraction of the free nodes.
-constexpr double kQuietRound = 0.1;
-/// Rounds also end when they lower the mean cost by less than this fraction: in narrow gaps, splits
-/// and collapses can undo each other for ever.
-constexpr double kMinRoundGain = 0.01;
-constexpr double kMinThoroughGain = 0.001;
-constexpr int kImprovementPasses = 8;
-/// Passes of steps that improve few of the many elements they visit.
-constexpr int kPatientPasses = 4;
-constexpr int kPolishPasses = 4;
-
-/// If one element in fifty misses 18 degrees, improving them costs a surface of needles a tenth of
-/// its mean radius ratio and leaves more elements below 30 than before; the lower targets are used
-/// instead.
-constexpr double kManyLow = 0.02;
-/// If no more than this fraction misses 30 degrees, those elements are improved even if 18 was
-/// given up.
-constexpr double kManyHigh = 0.04;
-/// Small meshes take little time anyway.
-constexpr double kManyOfFew = 0.1;
-constexpr double kManyThorough = 0.01;
-/// If shape sweeps leave most elements flat, the boundary consists of needles: nodes between them make far more flat elements than there were.
-constexpr double kManyFlat = 0.5;
 
 constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp) {
   return {.sweeps = kImprove,

@@ -6,8 +6,10 @@
 #include <memory>
 
 #include "base/trace_bytes.h"
+#include "field/size_field.h"
 #include "optimize/schedule.h"
 #include "optimize/tet_complex.h"
+#include "topology/region_meshes.h"
 
 namespace tetrafront {
 
@@ -19,13 +21,15 @@ class SweepObserver {
   SweepObserver& operator=(const SweepObserver&) = delete;
   virtual ~SweepObserver() = default;
 
-  /// The first sweep begins.
-  virtual void begun(const TetComplex& mesh) = 0;
+  /// The optimization begins. The meshes must keep their names of nodes until it ends.
+  virtual void begun(const RegionMeshes& meshes, const SizeField& field) = 0;
+  /// The first sweep over the next region begins.
+  virtual void begunRegion(const TetComplex& mesh) = 0;
   /// A sweep has ended.
   virtual void swept(Sweep sweep, const TetComplex& mesh) = 0;
-  /// The mesh is kept for comparison.
+  /// The mesh of the region is kept for comparison.
   virtual void kept() = 0;
-  /// The kept mesh is the result.
+  /// The kept mesh is the result for this region.
   virtual void restored() = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "optimize/sweep_recorder.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <optional>
 
 #include "optimize/metric_space.h"
@@ -50,59 +52,117 @@ std::optional<std::uint32_t> detailOf(Sweep sweep) {
   return std::nullopt;
 }
 
-/// Measures of a whole mesh, in the metric of the size field.
-struct SweepMeasures {
-  double largestCosine = -1.0;
-  double smallestCosine = 1.0;
-  double radiusRatios = 0.0;
-  std::uint32_t outOfRange = 0;
-};
+template <class Space>
+void add(SweepMeasures& all, const typename Space::Frame& frame, const std::array<Vec3, 4>& p) {
+  const TetrahedronMeasures one =
+      measureTetrahedron(Vec3(0.0), Space::toUnit(frame, p[1] - p[0]),
+                         Space::toUnit(frame, p[2] - p[0]), Space::toUnit(frame, p[3] - p[0]));
+  ++all.elements;
+  all.largestCosine = std::max(all.largestCosine, one.largestCosine);
+  all.smallestCosine = std::min(all.smallestCosine, one.smallestCosine);
+  all.radiusRatios += one.radiusRatio;
+  if (one.largestCosine > kCosine30 || one.smallestCosine < kCosine135) ++all.outOfRange;
+}
 
 template <class Space>
 SweepMeasures measuresOf(const TetComplex& mesh) {
-  SweepMeasures all;
+  SweepMeasures all{.innerNodes = mesh.freeNodeCount()};
   for (const TetId tet : IdRange<TetId>(mesh.slotCount())) {
     if (!mesh.isLive(tet)) continue;
-    const Corners& nodes = mesh.element(tet).nodes;
-    const auto frame = mesh.frameOf<Space>(nodes);
-    const Vec3& origin = mesh.position(nodes[0]);
-    const auto seen = [&](std::size_t k) {
-      return Space::toUnit(frame, mesh.position(nodes[k]) - origin);
-    };
-    const TetrahedronMeasures one = measureTetrahedron(Vec3(0.0), seen(1), seen(2), seen(3));
-    all.largestCosine = std::max(all.largestCosine, one.largestCosine);
-    all.smallestCosine = std::min(all.smallestCosine, one.smallestCosine);
-    all.radiusRatios += one.radiusRatio;
-    if (one.largestCosine > kCosine30 || one.smallestCosine < kCosine135) ++all.outOfRange;
+    const auto& [a, b, c, d] = mesh.element(tet).nodes;
+    add<Space>(all, mesh.frameOf<Space>({a, b, c, d}),
+               {mesh.position(a), mesh.position(b), mesh.position(c), mesh.position(d)});
   }
   return all;
 }
 
+/// Returns the measures of a mesh before its optimization.
+template <class Space>
+SweepMeasures measuresOf(const TetMesh& mesh, const SizeField& field) {
+  TetComplex complex(mesh, Space::kIsStretched);
+  FieldHint hint;
+  for (const NodeId node : IdRange<NodeId>(mesh.points.size())) {
+    complex.setTarget<Space>(node, Space::targetAt(field, complex.position(node), hint));
+  }
+  SweepMeasures all = measuresOf<Space>(complex);
+  all.innerNodes = mesh.points.size() - mesh.boundaryNodes;
+  return all;
+}
+
+SweepMeasures sum(const SweepMeasures& a, const SweepMeasures& b) {
+  return {.innerNodes = a.innerNodes + b.innerNodes,
+          .elements = a.elements + b.elements,
+          .largestCosine = std::max(a.largestCosine, b.largestCosine),
+          .smallestCosine = std::min(a.smallestCosine, b.smallestCosine),
+          .radiusRatios = a.radiusRatios + b.radiusRatios,
+          .outOfRange = a.outOfRange + b.outOfRange};
+}
+
+/// Writes elements with four nodes and a region each.
+class ElementWriter {
+ public:
+  explicit ElementWriter(TraceBytes& bytes) : bytes_(bytes) {}
+
+  template <class NumberOf>
+  void write(const Corners& nodes, std::uint32_t region, const NumberOf& numberOf) {
+    for (const NodeId node : nodes) {
+      const std::uint32_t number = numberOf(node);
+      bytes_.difference(number, before_);
+      before_ = number;
+    }
+    bytes_.varint(region);
+  }
+
+ private:
+  TraceBytes& bytes_;
+  std::uint32_t before_ = 0;
+};
+
 }  // namespace
 
-void SweepRecorder::begun(const TetComplex& mesh) {
-  hasGeometry_ = mesh.elementCount() <= kMaxElements;
+void SweepRecorder::begun(const RegionMeshes& meshes, const SizeField& field) {
+  regions_ = meshes.regions;
+  boundaryNodes_ = meshes.boundary.size();
+  given_ = {.nextNode = static_cast<std::uint32_t>(boundaryNodes_)};
+  new_ = {.nextNode = static_cast<std::uint32_t>(meshes.nodeCount()),
+          .nextElement = static_cast<std::uint32_t>(meshes.tetrahedronCount())};
+  for (const RegionMesh& region : regions_) {
+    measures_.push_back(field.isStretched() ? measuresOf<StretchedSpace>(region.mesh, field)
+                                            : measuresOf<PlainSpace>(region.mesh, field));
+  }
+  hasGeometry_ = meshes.tetrahedronCount() <= kMaxElements;
   const std::uint32_t detail = kStart | (hasGeometry_ ? kWithGeometry : 0);
   bytes_.byte(kSweepEvent | detail << kSweepKindBits);
-  writeMeasures(mesh);
-  if (hasGeometry_) {
-    bytes_.varint(mesh.nodeCount() - mesh.boundaryNodeCount());
-    for (std::size_t node = mesh.boundaryNodeCount(); node < mesh.nodeCount(); ++node) {
-      bytes_.position(mesh.position(NodeId(node)));
-    }
-    std::vector<std::uint32_t> slots(mesh.slotCount());
-    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
-      slots[slot] = static_cast<std::uint32_t>(slot);
-    }
-    writeElements(mesh, slots);
+  writeMeasures();
+  if (hasGeometry_) writeFirstMesh(meshes);
+}
+
+void SweepRecorder::begunRegion(const TetComplex& mesh) {
+  const std::vector<std::uint32_t>& nodeOf = regions_[begunRegions_++].nodeOf;
+  nodeNumbers_.clear();
+  elementNumbers_.clear();
+  for (std::uint32_t node = 0; node < mesh.boundaryNodeCount(); ++node) {
+    nodeNumbers_.push_back(nodeOf.empty() ? node : nodeOf[node]);
   }
+  number(mesh, given_);
   copy(mesh);
+}
+
+/// Numbers the nodes and elements that have no number yet.
+void SweepRecorder::number(const TetComplex& mesh, Numbers& numbers) {
+  while (nodeNumbers_.size() < mesh.nodeCount()) nodeNumbers_.push_back(numbers.nextNode++);
+  while (elementNumbers_.size() < mesh.slotCount()) {
+    elementNumbers_.push_back(numbers.nextElement++);
+  }
 }
 
 void SweepRecorder::swept(Sweep sweep, const TetComplex& mesh) {
   const std::optional<std::uint32_t> kind = detailOf(sweep);
   if (!kind) return;
   ++sweeps_;
+  number(mesh, new_);
+  measures_[begunRegions_ - 1] =
+      mesh.isStretched() ? measuresOf<StretchedSpace>(mesh) : measuresOf<PlainSpace>(mesh);
   const std::uint32_t detail = *kind | (hasGeometry_ ? kWithGeometry : 0);
   bytes_.byte(kSweepEvent | detail << kSweepKindBits);
   const Changes changes = changesIn(mesh);
@@ -110,12 +170,18 @@ void SweepRecorder::swept(Sweep sweep, const TetComplex& mesh) {
   bytes_.varint(changes.addedNodes);
   bytes_.varint(changes.droppedNodes);
   bytes_.varint(changes.made.size());
-  writeMeasures(mesh);
+  writeMeasures();
   if (hasGeometry_) writeGeometry(mesh, changes);
   copy(mesh);
 }
 
+void SweepRecorder::kept() {
+  kept_ = sweeps_;
+  newWhenKept_ = new_;
+}
+
 void SweepRecorder::restored() {
+  new_ = newWhenKept_;
   bytes_.byte(kSweepEvent | kRestored << kSweepKindBits);
   bytes_.varint(kept_);
 }
@@ -156,21 +222,52 @@ void SweepRecorder::copy(const TetComplex& mesh) {
   }
 }
 
-void SweepRecorder::writeMeasures(const TetComplex& mesh) {
-  const SweepMeasures measures =
-      mesh.isStretched() ? measuresOf<StretchedSpace>(mesh) : measuresOf<PlainSpace>(mesh);
-  const auto count = static_cast<double>(std::max<std::size_t>(mesh.elementCount(), 1));
-  bytes_.varint(mesh.boundaryNodeCount() + mesh.freeNodeCount());
-  bytes_.varint(mesh.elementCount());
-  bytes_.shortNumber(measures.largestCosine);
-  bytes_.shortNumber(measures.smallestCosine);
-  bytes_.shortNumber(measures.radiusRatios / count);
-  bytes_.varint(measures.outOfRange);
+void SweepRecorder::writeMeasures() {
+  SweepMeasures all;
+  for (const SweepMeasures& region : measures_) all = sum(all, region);
+  bytes_.varint(boundaryNodes_ + all.innerNodes);
+  bytes_.varint(all.elements);
+  bytes_.shortNumber(all.largestCosine);
+  bytes_.shortNumber(all.smallestCosine);
+  bytes_.shortNumber(all.radiusRatios /
+                     static_cast<double>(std::max<std::size_t>(all.elements, 1)));
+  bytes_.varint(all.outOfRange);
 }
 
-/// Numbers of nodes are never used again, so those of new nodes follow the ones of the last event.
+void SweepRecorder::writeFirstMesh(const RegionMeshes& meshes) {
+  bytes_.varint(meshes.nodeCount() - boundaryNodes_);
+  for (const RegionMesh& region : regions_) {
+    const TetMesh& mesh = region.mesh;
+    for (std::size_t i = mesh.boundaryNodes; i < mesh.points.size(); ++i) {
+      bytes_.position(mesh.points[i]);
+    }
+  }
+  std::vector<std::uint32_t> elements(meshes.tetrahedronCount());
+  std::iota(elements.begin(), elements.end(), 0U);
+  bytes_.indices(elements);
+  ElementWriter writer(bytes_);
+  std::size_t firstNode = boundaryNodes_;
+  for (const RegionMesh& region : regions_) {
+    const NodeNames names{region.nodeOf, static_cast<std::uint32_t>(firstNode)};
+    for (std::size_t t = 0; t < region.mesh.tetrahedra.size(); ++t) {
+      writer.write(region.mesh.tetrahedra[t], region.mesh.regions[t],
+                   [&](NodeId node) { return names.of(node); });
+    }
+    firstNode += region.innerNodeCount();
+  }
+}
+
+/// Numbers ascend with the indices in the region.
+void SweepRecorder::writeIndices(const std::vector<std::uint32_t>& own,
+                                 const std::vector<std::uint32_t>& numbers) {
+  std::vector<std::uint32_t> named;
+  named.reserve(own.size());
+  for (const std::uint32_t index : own) named.push_back(numbers[index]);
+  bytes_.indices(named);
+}
+
 void SweepRecorder::writeGeometry(const TetComplex& mesh, const Changes& changes) {
-  bytes_.indices(changes.movedNodes);
+  writeIndices(changes.movedNodes, nodeNumbers_);
   for (const std::uint32_t node : changes.movedNodes) {
     const Vec3 move = mesh.position(NodeId(node)) - positions_[node];
     for (int axis = 0; axis < 3; ++axis) bytes_.shorterNumber(move[axis]);
@@ -179,19 +276,13 @@ void SweepRecorder::writeGeometry(const TetComplex& mesh, const Changes& changes
   for (std::size_t node = positions_.size(); node < mesh.nodeCount(); ++node) {
     bytes_.position(mesh.position(NodeId(node)));
   }
-  bytes_.indices(changes.removed);
-  writeElements(mesh, changes.made);
-}
-
-void SweepRecorder::writeElements(const TetComplex& mesh, const std::vector<std::uint32_t>& slots) {
-  bytes_.indices(slots);
-  std::uint32_t before = 0;
-  for (const std::uint32_t slot : slots) {
-    for (const NodeId node : mesh.element(TetId(slot)).nodes) {
-      bytes_.difference(node.value, before);
-      before = node.value;
-    }
-    bytes_.varint(mesh.regionOf(TetId(slot)));
+  writeIndices(changes.removed, elementNumbers_);
+  writeIndices(changes.made, elementNumbers_);
+  ElementWriter writer(bytes_);
+  for (const std::uint32_t slot : changes.made) {
+    const TetId tet(slot);
+    writer.write(mesh.element(tet).nodes, mesh.regionOf(tet),
+                 [&](NodeId node) { return nodeNumbers_[node.index()]; });
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "base/ids.h"
@@ -15,14 +16,25 @@
 
 namespace tetrafront {
 
+/// Measures of a mesh, in the metric of the size field.
+struct SweepMeasures {
+  std::size_t innerNodes = 0;
+  std::size_t elements = 0;
+  double largestCosine = -1.0;
+  double smallestCosine = 1.0;
+  double radiusRatios = 0.0;  ///< their sum
+  std::uint32_t outOfRange = 0;
+};
+
 class SweepRecorder final : public SweepObserver {
  public:
   explicit SweepRecorder(TraceBytes& bytes) : bytes_(bytes) {}
 
-  /// O(nodes + elements), as swept().
-  void begun(const TetComplex& mesh) override;
+  /// O(nodes + elements), as begunRegion() and swept().
+  void begun(const RegionMeshes& meshes, const SizeField& field) override;
+  void begunRegion(const TetComplex& mesh) override;
   void swept(Sweep sweep, const TetComplex& mesh) override;
-  void kept() override { kept_ = sweeps_; }
+  void kept() override;
   void restored() override;
 
  private:
@@ -35,17 +47,36 @@ class SweepRecorder final : public SweepObserver {
     std::vector<std::uint32_t> removed;  ///< slots that are empty now
   };
 
+  /// Numbers in the trace: those of the nodes and elements of all regions before the first sweep, region by region, then those of new
+  /// ones. They are used again only for what comes after a mesh without them was restored.
+  struct Numbers {
+    std::uint32_t nextNode = 0;
+    std::uint32_t nextElement = 0;
+  };
+
   [[nodiscard]] Changes changesIn(const TetComplex& mesh) const;
   void copy(const TetComplex& mesh);
-  void writeMeasures(const TetComplex& mesh);
+  void number(const TetComplex& mesh, Numbers& numbers);
+  void writeMeasures();
+  void writeFirstMesh(const RegionMeshes& meshes);
   void writeGeometry(const TetComplex& mesh, const Changes& changes);
-  void writeElements(const TetComplex& mesh, const std::vector<std::uint32_t>& slots);
+  void writeIndices(const std::vector<std::uint32_t>& own,
+                    const std::vector<std::uint32_t>& numbers);
 
   TraceBytes& bytes_;
+  std::span<const RegionMesh> regions_;
+  std::size_t begunRegions_ = 0;
+  std::size_t boundaryNodes_ = 0;        ///< of all regions
+  std::vector<SweepMeasures> measures_;  ///< per region
+  Numbers given_;                        ///< of the next region
+  Numbers new_;
+  Numbers newWhenKept_;
   bool hasGeometry_ = false;
   std::uint32_t sweeps_ = 0;  ///< recorded so far
   std::uint32_t kept_ = 0;    ///< number of the sweep whose mesh is kept
-  /// The mesh after the last event.
+  // The mesh of the region after the last event.
+  std::vector<std::uint32_t> nodeNumbers_;
+  std::vector<std::uint32_t> elementNumbers_;  ///< per slot
   std::vector<Vec3> positions_;
   std::vector<std::uint8_t> isUsed_;  ///< per node
   std::vector<Corners> elements_;     ///< per slot; without nodes if it is empty

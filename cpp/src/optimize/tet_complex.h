@@ -103,10 +103,6 @@ class TetComplex {
   [[nodiscard]] bool isLive(TetId tet) const { return !elements_[tet.index()].nodes[0].isNone(); }
   [[nodiscard]] const Element& element(TetId tet) const { return elements_[tet.index()]; }
   [[nodiscard]] std::uint32_t regionOf(TetId tet) const { return regions_[tet.index()]; }
-  /// Returns the region of an element that uses the node; `node` must be used.
-  [[nodiscard]] std::uint32_t regionAt(NodeId node) const {
-    return regionOf(elementAt_[node.index()]);
-  }
   [[nodiscard]] double cost(TetId tet) const { return states_[tet.index()].cost; }
   void setCost(TetId tet, double cost);
   template <class Space>

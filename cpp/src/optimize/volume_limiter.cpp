@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
 #include "sizing/expected_count.h"
@@ -18,20 +18,8 @@ constexpr double kSetUpShare = 0.1;
 
 }  // namespace
 
-bool VolumeLimits::areGiven() const {
-  return everywhere > 0.0 || std::ranges::any_of(ofRegions, [](double v) { return v > 0.0; });
-}
-
-double VolumeLimits::at(std::uint32_t region) const {
-  double limit = everywhere > 0.0 ? everywhere : std::numeric_limits<double>::infinity();
-  if (region < ofRegions.size() && ofRegions[region] > 0.0) {
-    limit = std::min(limit, ofRegions[region]);
-  }
-  return limit;
-}
-
-VolumeLimiter::VolumeLimiter(TetMesh mesh, VolumeLimits limits, std::size_t maxTetrahedra)
-    : limits_(std::move(limits)), maxTetrahedra_(maxTetrahedra), complex_(std::move(mesh)) {}
+VolumeLimiter::VolumeLimiter(TetMesh mesh, double maxVolume, std::size_t maxTetrahedra)
+    : maxVolume_(maxVolume), maxTetrahedra_(maxTetrahedra), complex_(std::move(mesh)) {}
 
 Task<> VolumeLimiter::run(Work& work) {
   work.beginPart(kSetUpShare);
@@ -73,14 +61,6 @@ std::size_t VolumeLimiter::splitSome(std::uint32_t budget, std::size_t& next, bo
   return visited;
 }
 
-std::uint32_t VolumeLimiter::nodeCount() const {
-  return static_cast<std::uint32_t>(complex_.boundaryNodeCount() + complex_.freeNodeCount());
-}
-
-std::uint32_t VolumeLimiter::tetrahedronCount() const {
-  return static_cast<std::uint32_t>(complex_.elementCount());
-}
-
 double VolumeLimiter::fraction() const {
   // Halving edges makes about twice as many parts as the volumes require.
   constexpr double kPartsPerRequired = 2.0;
@@ -110,21 +90,14 @@ std::vector<Diagnostic> VolumeLimiter::diagnostics() const {
     ++index;
   }
   if (largest.isNone()) return {};
-  Diagnostic diagnostic;
-  diagnostic.code = DiagnosticCode::kLargeTetrahedra;
-  diagnostic.severity = Severity::kWarning;
-  diagnostic.entities = {{EntityKind::kTetrahedron, largestIndex}};
-  diagnostic.hasPosition = true;
+  Vec3 centroid(0.0);
   for (const NodeId node : complex_.element(largest).nodes) {
-    diagnostic.position += 0.25 * complex_.position(node);
+    centroid += 0.25 * complex_.position(node);
   }
-  diagnostic.values = {count, worst};
-  if (hasTooMany_) {
-    diagnostic.code = DiagnosticCode::kTooManyElements;
-    diagnostic.severity = Severity::kError;
-    diagnostic.values = {cappedCount(required), static_cast<double>(maxTetrahedra_)};
-  }
-  return {diagnostic};
+  Diagnostic found = hasTooMany_ ? tooManyElements(required, maxTetrahedra_)
+                                 : diagnose<DiagnosticCode::kLargeTetrahedra>(count, worst)
+                                       .withSeverity(Severity::kWarning);
+  return {std::move(found).about({{EntityKind::kTetrahedron, largestIndex}}).at(centroid)};
 }
 
 /// Returns the volume / the permitted volume.
@@ -133,7 +106,7 @@ double VolumeLimiter::volumeRatio(TetId tet) const {
   const Vec3& a = complex_.position(n[0]);
   const double sixVolumes =
       sixVolumesBelow(a, complex_.position(n[3]), complex_.position(n[1]), complex_.position(n[2]));
-  return sixVolumes / (6.0 * limits_.at(complex_.regionOf(tet)));
+  return sixVolumes / (6.0 * maxVolume_);
 }
 
 /// Tries the edges from the longest on.

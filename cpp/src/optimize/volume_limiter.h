@@ -15,20 +15,10 @@
 
 namespace tetrafront {
 
-/// Largest volumes of tetrahedra; 0 for no limit.
-struct VolumeLimits {
-  double everywhere = 0.0;
-  std::vector<double> ofRegions;  ///< per region, or fewer
-
-  [[nodiscard]] bool areGiven() const;
-  /// Returns the smaller of both limits, infinite without any.
-  [[nodiscard]] double at(std::uint32_t region) const;
-};
-
 class VolumeLimiter {
  public:
   /// Ends with an error if more than `maxTetrahedra` are required.
-  VolumeLimiter(TetMesh mesh, VolumeLimits limits, std::size_t maxTetrahedra);
+  VolumeLimiter(TetMesh mesh, double maxVolume, std::size_t maxTetrahedra);
 
   /// Splits the elements. O(n + splits).
   Task<> run(Work& work);
@@ -37,8 +27,8 @@ class VolumeLimiter {
   [[nodiscard]] TetMesh mesh() const { return complex_.toMesh(); }
   /// The same with fewer copies; once, as the last call.
   [[nodiscard]] TetMesh take() { return complex_.take(); }
-  [[nodiscard]] std::uint32_t nodeCount() const;
-  [[nodiscard]] std::uint32_t tetrahedronCount() const;
+  [[nodiscard]] std::size_t innerNodeCount() const { return complex_.freeNodeCount(); }
+  [[nodiscard]] std::size_t tetrahedronCount() const { return complex_.elementCount(); }
   /// Returns, once finished, kTooManyElements if the limit of their number is reached, kLargeTetrahedra if tetrahedra
   /// remain that rounding does not allow to split; else nothing.
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
@@ -55,7 +45,7 @@ class VolumeLimiter {
   bool findRing(TetId tet, NodeId from, NodeId to);
   bool replaceIfValid(const std::vector<Corners>& made);
 
-  VolumeLimits limits_;
+  double maxVolume_;
   std::size_t maxTetrahedra_;
   TetComplex complex_;
   std::size_t given_ = 0;  ///< number of tetrahedra before the splits

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "preview/model_sampler.h"
 #include "preview/surface_sampler.h"
 
@@ -42,13 +43,9 @@ class CoverageCheck {
   }
 
   void report(EntityKind kind, std::uint32_t index, const Outside& outside) {
-    Diagnostic diagnostic;
-    diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
-    diagnostic.entities = {{kind, index}};
-    diagnostic.hasPosition = true;
-    diagnostic.position = outside.first;
-    diagnostic.values = {static_cast<double>(outside.count)};
-    found_.push_back(std::move(diagnostic));
+    found_.push_back(diagnose<DiagnosticCode::kOutsideBackgroundGrid>(outside.count)
+                         .about({{kind, index}})
+                         .at(outside.first));
   }
 
   [[nodiscard]] bool isSampled(std::uint32_t line) const {

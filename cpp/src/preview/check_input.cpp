@@ -137,10 +137,8 @@ class InputCheck {
     const Vec3 edges = bounds.high - bounds.low;
     const double largest = std::max(edges.x, std::max(edges.y, edges.z));
     if (!(smallest > largest)) return;
-    Diagnostic& tooLarge = diagnostics_.emplace_back();
-    tooLarge.code = DiagnosticCode::kSizeTooLarge;
-    tooLarge.severity = Severity::kWarning;
-    tooLarge.values = {smallest, largest};
+    diagnostics_.push_back(diagnose<DiagnosticCode::kSizeTooLarge>(smallest, largest)
+                               .withSeverity(Severity::kWarning));
   }
 
   void checkCount(const Bounds& bounds) {
@@ -149,9 +147,8 @@ class InputCheck {
     const double expected = std::max(volume * tetrahedraPerVolume(bounds.low, bounds.high, *field_),
                                      tetrahedraAtTriangles(sampled_.preview, *field_));
     if (expected <= static_cast<double>(options_->maxTetrahedra)) return;
-    Diagnostic& tooMany = diagnostics_.emplace_back();
-    tooMany.code = DiagnosticCode::kTooManyElements;
-    tooMany.values = {cappedCount(expected), static_cast<double>(options_->maxTetrahedra)};
+    Diagnostic& tooMany =
+        diagnostics_.emplace_back(tooManyElements(expected, options_->maxTetrahedra));
     nameMostDemanding(tooMany, *grid_, *options_, bounds);
   }
 

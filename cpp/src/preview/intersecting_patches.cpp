@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
@@ -212,14 +213,11 @@ class IntersectionSearch {
   }
 
   void report(std::uint32_t a, std::uint32_t b, const Vec3& position) {
-    Diagnostic& diagnostic = diagnostics_.emplace_back();
-    diagnostic.code =
-        a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesIntersect;
-    diagnostic.entities = {{EntityKind::kPatch, a}};
-    if (a != b) diagnostic.entities.push_back({EntityKind::kPatch, b});
-    diagnostic.hasPosition = true;
-    diagnostic.position = position;
-    diagnostic.values = {1.0};
+    Diagnostic found = a == b ? diagnose<DiagnosticCode::kSelfIntersection>(1)
+                              : diagnose<DiagnosticCode::kPatchesIntersect>(1);
+    std::vector<Entity> patches{{EntityKind::kPatch, a}};
+    if (a != b) patches.push_back({EntityKind::kPatch, b});
+    diagnostics_.push_back(std::move(found).about(std::move(patches)).at(position));
   }
 
   [[nodiscard]] bool isPlanar(std::size_t patch) const {

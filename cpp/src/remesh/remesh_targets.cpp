@@ -125,12 +125,9 @@ std::vector<Diagnostic> checkTriangleCount(const ReferenceSurface& reference,
   const double limit = std::max(static_cast<double>(maxTriangles),
                                 static_cast<double>(countTriangles(reference.mesh())));
   if (total <= limit) return {};
-  Diagnostic tooMany;
-  tooMany.code = DiagnosticCode::kTooManyElements;
   const auto most = std::max_element(expected.begin(), expected.end()) - expected.begin();
-  tooMany.entities = {{EntityKind::kTriangle, static_cast<std::uint32_t>(most)}};
-  tooMany.values = {cappedCount(total), limit};
-  return {tooMany};
+  return {tooManyElements(total, limit)
+              .about({{EntityKind::kTriangle, static_cast<std::uint32_t>(most)}})};
 }
 
 /// Returns the cusps. Their edges may exceed the sizes that curvature, thickness and short lines ask for by a factor only:

@@ -29,14 +29,6 @@ SurfaceRefinement refused(std::vector<Diagnostic> diagnostics) {
   return result;
 }
 
-SurfaceRefinement tooManyElements(std::vector<Entity> entities, double expected, double limit) {
-  Diagnostic tooMany;
-  tooMany.code = DiagnosticCode::kTooManyElements;
-  tooMany.entities = std::move(entities);
-  tooMany.values = {cappedCount(expected), limit};
-  return refused({std::move(tooMany)});
-}
-
 /// Reports invalid numbers and triangles with a repeated node.
 std::vector<Diagnostic> checkSurface(const SurfaceMesh& mesh) {
   BoundaryReport report(mesh, BoundarySource::kGivenSurface);
@@ -44,7 +36,7 @@ std::vector<Diagnostic> checkSurface(const SurfaceMesh& mesh) {
   for (std::uint32_t t = 0; t < countTriangles(mesh) && !report.hasErrors(); ++t) {
     const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
     if (a == b || b == c || c == a) {
-      report.addTriangle(DiagnosticCode::kDegenerateTriangle, TriangleId(t));
+      report.addTriangle(diagnoseCounted<DiagnosticCode::kDegenerateTriangle>(), TriangleId(t));
     }
   }
   return report.take();
@@ -131,16 +123,16 @@ Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const Backg
   const double maxTriangles =
       std::max(static_cast<double>(options.maxTetrahedra) / kTetrahedraPerTriangle,
                static_cast<double>(countTriangles(mesh)));
-  const Entity demanding{EntityKind::kTriangle, estimate.triangleWithMost.value};
+  const Entity demanding = entityOf(estimate.triangleWithMost);
   // Negated, so that NaN is refused too.
   if (!(estimate.total <= maxTriangles)) {
-    co_return tooManyElements({demanding}, estimate.total, maxTriangles);
+    co_return refused({tooManyElements(estimate.total, maxTriangles).about({demanding})});
   }
   if (volume > 0.0) {
     // The estimate of a run. The given triangles can only raise the number.
     const double expected = tetrahedraWithin(volume, mesh, field);
     const auto limit = static_cast<double>(options.maxTetrahedra);
-    if (!(expected <= limit)) co_return tooManyElements({}, expected, limit);
+    if (!(expected <= limit)) co_return refused({tooManyElements(expected, limit)});
   }
   co_await work.yield();
 
@@ -161,7 +153,7 @@ Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const Backg
     co_await work.yield();
   }
   if (!bisection.isFinished()) {
-    co_return tooManyElements({demanding}, countTriangles(mesh), maxTriangles);
+    co_return refused({tooManyElements(countTriangles(mesh), maxTriangles).about({demanding})});
   }
 
   SurfaceRefinement result;

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "arrangement/enclosed_surface.h"
 #include "base/sort.h"
 #include "boundary/boundary.h"
@@ -331,14 +332,11 @@ Task<bool> RepairedSurface::resolveRegions(Work& work, const SurfaceMesh& closed
 
 /// Says why the surface stays as it is, and where.
 void RepairedSurface::reportUnresolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed) {
-  Diagnostic warning;
-  warning.code = DiagnosticCode::kUnresolvedSurface;
-  warning.severity = Severity::kWarning;
-  warning.values = {static_cast<double>(enclosed.reason), static_cast<double>(enclosed.pairs),
-                    static_cast<double>(enclosed.limit)};
+  Diagnostic warning =
+      diagnose<DiagnosticCode::kUnresolvedSurface>(enclosed.reason, enclosed.pairs, enclosed.limit)
+          .withSeverity(Severity::kWarning);
   if (!enclosed.where.isNone()) {
-    warning.hasPosition = true;
-    warning.position = centroidOf(cornersOf(closed, enclosed.where));
+    warning = std::move(warning).at(centroidOf(cornersOf(closed, enclosed.where)));
     // A triangle that closes a hole is not one of the given surface.
     const bool isGiven =
         enclosed.where.index() < countTriangles(mesh_) && !origin_[enclosed.where.index()].isNone();

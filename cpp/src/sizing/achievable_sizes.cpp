@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "base/diagnostics.h"
 #include "field/size_octree_builder.h"
 #include "field/size_sites.h"
 #include "sizing/target_sizes.h"
@@ -188,14 +189,11 @@ std::vector<Diagnostic> AchievableSizes::diagnostics() const {
   if (coarseCount_ == 0) return {};
   // Ratios overflow for tiny sizes; files and messages need finite numbers.
   constexpr double kMaxRatio = 1e15;
-  Diagnostic diagnostic;
-  diagnostic.code = DiagnosticCode::kCoarseSurface;
-  diagnostic.severity = Severity::kWarning;
-  diagnostic.entities = {{EntityKind::kTriangle, coarsest_.value}};
-  diagnostic.hasPosition = true;
-  diagnostic.position = centroidOf(surface_, coarsest_);
-  diagnostic.values = {static_cast<double>(coarseCount_), std::min(maxCoarseness_, kMaxRatio)};
-  return {diagnostic};
+  return {
+      diagnose<DiagnosticCode::kCoarseSurface>(coarseCount_, std::min(maxCoarseness_, kMaxRatio))
+          .withSeverity(Severity::kWarning)
+          .about({entityOf(coarsest_)})
+          .at(centroidOf(surface_, coarsest_))};
 }
 
 }  // namespace tetrafront

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "geom/coordinates.h"
 
 namespace tetrafront {
@@ -12,9 +13,7 @@ std::vector<Diagnostic> optionsOutOfRange(std::span<const OptionValue> values) {
   std::vector<Diagnostic> found;
   for (const OptionValue& given : values) {
     if (given.isInRange) continue;
-    Diagnostic& diagnostic = found.emplace_back();
-    diagnostic.code = DiagnosticCode::kOptionOutOfRange;
-    diagnostic.values = {static_cast<double>(given.option), given.value};
+    found.push_back(diagnose<DiagnosticCode::kOptionOutOfRange>(given.option, given.value));
   }
   return found;
 }

@@ -21,12 +21,6 @@ inline constexpr double kTetrahedraPerUnitVolume = 8.485281374238571;
 [[nodiscard]] double tetrahedraWithin(double volume, const SurfaceMesh& surface,
                                       const SizeField& field);
 
-/// Returns an estimate as it is reported: at most 10^15, also if it overflowed.
-[[nodiscard]] inline double cappedCount(double expected) {
-  constexpr double kMaxCount = 1e15;
-  return expected < kMaxCount ? expected : kMaxCount;
-}
-
 /// Returns the number of tetrahedra without which some would exceed `maxVolume` or the largest volume of their region, 0
 /// for no limit. The surface must be closed and oriented. O(triangles).
 [[nodiscard]] double minTetrahedra(const SurfaceMesh& surface, double maxVolume,

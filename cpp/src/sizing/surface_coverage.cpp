@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/diagnostics.h"
 #include "topology/surface_access.h"
 
 namespace tetrafront {
@@ -13,11 +14,11 @@ bool SurfaceCoverage::advance(std::uint32_t budget) {
   for (std::size_t i = first; i < last; ++i) {
     if (i < nodes) {
       const NodeId node(i);
-      check(pointOf(surface_, node), {EntityKind::kSurfaceNode, node.value});
+      check(pointOf(surface_, node), entityOf(node));
     } else {
       const TriangleId triangle(i - nodes);
       const auto [a, b, c] = cornersOf(surface_, triangle);
-      check((a + b + c) * (1.0 / 3.0), {EntityKind::kTriangle, triangle.value});
+      check((a + b + c) * (1.0 / 3.0), entityOf(triangle));
     }
   }
   return isPassDone();
@@ -25,13 +26,8 @@ bool SurfaceCoverage::advance(std::uint32_t budget) {
 
 std::vector<Diagnostic> SurfaceCoverage::diagnostics() const {
   if (outside_ == 0) return {};
-  Diagnostic diagnostic;
-  diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
-  diagnostic.entities = {first_};
-  diagnostic.hasPosition = true;
-  diagnostic.position = firstPosition_;
-  diagnostic.values = {static_cast<double>(outside_)};
-  return {diagnostic};
+  return {diagnose<DiagnosticCode::kOutsideBackgroundGrid>(outside_).about({first_}).at(
+      firstPosition_)};
 }
 
 void SurfaceCoverage::check(const Vec3& position, const Entity& entity) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "field/check_background_grid.h"
 #include "field/grid_locator_builder.h"
 #include "field/size_octree_builder.h"
@@ -28,16 +29,11 @@ Task<std::vector<Diagnostic>> checkTargetGrid(Work& work, const BackgroundGrid& 
 }
 
 std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size) {
-  std::vector<Diagnostic> found;
   const Bounds bounds = boundsOf(surface);
   const Vec3 edges = bounds.high - bounds.low;
   const double largest = std::max({edges.x, edges.y, edges.z});
-  if (!(size > largest)) return found;
-  Diagnostic& tooLarge = found.emplace_back();
-  tooLarge.code = DiagnosticCode::kSizeTooLarge;
-  tooLarge.severity = Severity::kWarning;
-  tooLarge.values = {size, largest};
-  return found;
+  if (!(size > largest)) return {};
+  return {diagnose<DiagnosticCode::kSizeTooLarge>(size, largest).withSeverity(Severity::kWarning)};
 }
 
 SizeField explicitTargetSizes(const BackgroundGrid& grid, const MeshOptions& options) {

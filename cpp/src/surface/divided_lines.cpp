@@ -6,18 +6,11 @@
 #include "base/sort.h"
 #include "model/patch_surface.h"
 #include "surface/surface_trace.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
 
 namespace {
-
-/// A closed line needs three sides to enclose an area. Two lines between the same points need two
-/// sides each: one of them could have a single side, but the result must not depend on which one.
-constexpr std::uint32_t kMinSidesOfClosedLine = 3;
-constexpr std::uint32_t kMinSidesOfParallelLine = 2;
-/// A closed line, or a rim, of a patch with a seam: with fewer sides, an edge could connect a node to both copies of a node of
-/// the seam, which are the same node of the surface.
-constexpr std::uint32_t kMinSidesAtSeam = 6;
 
 struct EndPoints {
   PointId first;

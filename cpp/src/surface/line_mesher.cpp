@@ -9,28 +9,11 @@
 #include <cmath>
 
 #include "surface/surface_trace.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
 
 namespace {
-
-/// Relative difference below which two steps are "about equal" (step S3).
-constexpr double kStepTolerance = 1e-3;
-/// In a smooth field, each averaging of S3 halves the error. If it has not converged after this many rounds, it
-/// oscillates across a steep change of size, and bisection follows.
-constexpr int kMaxAverages = 20;
-constexpr int kMaxBisections = 40;
-/// Limit of a step's parameter range, so that the bends of a line are sampled even in a coarse field.
-constexpr double kMaxStep = 1.0 / 16.0;
-/// Simpson's rule over a step and over its halves must agree within this number of sides.
-constexpr double kLengthTolerance = 1e-5;
-constexpr int kMaxHalvings = 10;
-
-/// A walk with this many stations samples the rest of the line once, at kSamplesAhead parameters. It gives up if the
-/// rest alone requires kCertainlyTooMany times the limit of sides.
-constexpr std::size_t kLongTable = 1U << 14U;
-constexpr int kSamplesAhead = 1024;
-constexpr double kCertainlyTooMany = 4.0;
 
 /// An entry of the table of metric lengths: lambda at t, and its derivative.
 struct Station {
@@ -115,7 +98,7 @@ void integrate(LineWalker& walker, double to, double rateTo, int depth,
   const double coarse = width / 6.0 * (from.rate + 4.0 * rateMiddle + rateTo);
   const double fine =
       width / 12.0 * (from.rate + 4.0 * rateFirst + 2.0 * rateMiddle + 4.0 * rateSecond + rateTo);
-  if (depth >= kMaxHalvings || std::fabs(fine - coarse) <= kLengthTolerance) {
+  if (depth >= kMaxStepHalvings || std::fabs(fine - coarse) <= kLengthTolerance) {
     table.push_back({to, from.lambda + fine, rateTo});
     return;
   }

@@ -1,12 +1,10 @@
 #include "surface/patch_metric.h"
 
+#include "surface/rules.h"
+
 namespace tetrafront {
 
 namespace {
-
-/// Smallest ratio of G's eigenvalues: a triangle of the plane may be stretched 100:1 to become equilateral in
-/// space. Beyond this ratio the patch is degenerate, and the shape of a triangle has no meaning.
-constexpr double kMinEigenvalueRatio = 1e-4;
 
 /// Returns a metric that is not singular. A zero metric becomes `scale` times the identity.
 Metric2 regularized(Metric2 metric, double scale) {

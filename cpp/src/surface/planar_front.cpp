@@ -6,35 +6,9 @@
 
 #include "base/sort.h"
 #include "base/tolerance.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
-
-namespace {
-
-/// Limits of new edge length / base edge length (Peraire's rule), so that sizes change gradually where the
-/// boundary and the field disagree.
-constexpr double kMinLengthRatio = 0.55;
-constexpr double kMaxLengthRatio = 2.0;
-/// A node within this distance of the ideal point, in lengths of the new edges, replaces it. With this radius
-/// and kClearance the mean edge has its target length; larger values give longer edges.
-constexpr double kCaptureRadius = 0.55;
-/// Minimum distance of a new node from every edge of the front, in lengths of the new edges.
-constexpr double kClearance = 0.55;
-/// Search radius around the ideal point, in lengths of the new edges.
-constexpr double kSearchRadius = 1.7;
-/// Factor of the search radius in the second pass. The last pass searches the whole front.
-constexpr double kSearchGrowth = 4.0;
-constexpr std::uint8_t kLastPass = 2;
-/// In the first pass, triangles of a worse shape are rejected: later more of the front is known.
-constexpr double kMinFirstPassShape = 0.3;
-/// The second height tried for a new node / ideal height.
-constexpr double kLowerHeight = 0.6;
-/// Height at which the metric is sampled / length of the new edges: about that of the triangle's centre.
-constexpr double kCentreHeight = 0.35;
-/// Margin of the search box / its width. The tree rounds; without a margin it could miss edges.
-constexpr double kBoxMargin = Tolerance::kCoincidence;
-
-}  // namespace
 
 template <class Trace>
 BasicPlanarFront<Trace>::BasicPlanarFront(const PatchMetric& metric, PlanarMesh& mesh, Trace trace)
@@ -166,7 +140,7 @@ void BasicPlanarFront<Trace>::gather(const Base& base) {
     box.include(base.ideal - half);
     box.include(base.ideal + half);
   }
-  const Vec2 margin = kBoxMargin * (box.high - box.low);
+  const Vec2 margin = kSearchBoxMargin * (box.high - box.low);
   nearEdges_.clear();
   tree_.query({box.low - margin, box.high + margin}, nearEdges_);
 

@@ -7,32 +7,11 @@
 
 #include "base/sort.h"
 #include "surface/triangle_shape.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
 
-namespace {
-
-/// An interior node with an edge shorter than this is needless; length / target length.
-constexpr double kShortEdge = 0.6;
-/// An interior node with fewer triangles is needless: its angles are too wide.
-constexpr std::size_t kFewTriangles = 5;
-/// The removal of a node must not make an edge longer than this, unless the node had a longer one; length /
-/// target length.
-constexpr double kMaxEdgeOfFan = 1.4;
-/// Longer edges are split; length / target length.
-constexpr double kLongEdge = 1.6;
-/// Triangles with a smaller angle, about 33 degrees, are improved.
-constexpr double kPoorSine = 0.54;
-/// Sine of 25 degrees. An angle this wide is good enough if the change also removes a node or splits a long edge.
-constexpr double kFairSine = 0.42261826174069944;
-/// A change must raise the smallest sine by this much.
-constexpr double kMinSineGain = 0.01;
-/// A change must not rotate a triangle's normal by more than 60 degrees: the cosine of this angle.
-constexpr double kSharpFoldCosine = 0.5;
-/// Positions tried for a new node on the way from the middle of the edge to the middle of the opposite corners.
-constexpr std::array<double, 3> kSplitFractions{0.5, 0.35, 0.65};
-
-}  // namespace
+namespace {}  // namespace
 
 PlanarImprover::PlanarImprover(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links,
                                PlanarMoves& moves)

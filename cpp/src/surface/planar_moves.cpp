@@ -5,23 +5,14 @@
 #include <cmath>
 
 #include "surface/triangle_shape.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
 
 namespace {
 
-/// Fractions of the move to the target position that are tried.
-constexpr std::array<double, 2> kMoves{1.0, 0.4};
 /// Height of an equilateral triangle / edge.
 constexpr double kEquilateralHeight = 0.86602540378443865;
-/// Steps of a search / shortest edge at the node.
-constexpr std::array<double, 3> kSearchSteps{0.3, 0.12, 0.04};
-/// Moves with one step length before the next length.
-constexpr int kSearchRounds = 3;
-/// A move of a search must raise the rating by this much.
-constexpr double kMinRatingGain = 1e-3;
-/// Nodes whose triangles have a higher mean cost are polished. The cost 1.1 is a mean shape of 0.95.
-constexpr double kMaxGoodCost = 1.1;
 /// The directions of a search: the corners of an octagon.
 constexpr double kDiagonal = 0.70710678118654752;
 constexpr std::array<Vec2, 8> kDirections{{{1.0, 0.0},

@@ -8,18 +8,9 @@
 #include <algorithm>
 
 #include "surface/triangle_shape.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
-
-namespace {
-
-/// A flip must lower the cost by this fraction. Otherwise rounding could cause endless flips.
-constexpr double kMinRelativeGain = 1e-6;
-/// Cosine of the angle between the normals of two triangles. A flip must not fold them more sharply than this, or
-/// than before: where a bend is coarsely divided, the better shapes may cut across it.
-constexpr double kSharpFold = 0.5;
-
-}  // namespace
 
 PlanarOptimizer::PlanarOptimizer(const PatchMetric& metric, PlanarMesh& mesh)
     : metric_(&metric),
@@ -142,9 +133,9 @@ bool PlanarOptimizer::flip(PlanarTriangleId t, std::uint32_t k) {
     if (flippedAfter < flippedBefore) links_.flip(t, k);
     if (flippedAfter != flippedBefore) return flippedAfter < flippedBefore;
   }
-  if (after >= (1.0 - kMinRelativeGain) * before) return false;
+  if (after >= (1.0 - kMinPlanarFlipGain) * before) return false;
   const double foldAfter = foldCosine(unitC, unitD, unitB, unitA);
-  if (foldAfter < kSharpFold && foldAfter < foldBefore) return false;
+  if (foldAfter < kSharpFoldCosine && foldAfter < foldBefore) return false;
   links_.flip(t, k);
   return true;
 }

@@ -4,15 +4,11 @@
 #include <array>
 #include <cstdint>
 
+#include "surface/rules.h"
+
 namespace tetrafront {
 
 namespace {
-
-/// Length of a side / length of the next line's side, below which triangles at both would have angles of less than
-/// about 20 degrees.
-constexpr double kMuchShorter = 0.35;
-/// Growth of the size per unit of distance from a short line.
-constexpr double kGrowth = 0.5;
 
 std::array<std::uint32_t, 2> endsOf(const Line& line) {
   return {line.points.front(), line.points.back()};
@@ -43,7 +39,7 @@ std::vector<SizeSource> sourcesAtShortLines(const ResolvedModel& model,
     source.type = SourceType::kSegment;
     source.points = {division.nodes.front(), division.nodes.back(), Vec3(0.0)};
     source.size = model.curve(LineId(line)).length() / static_cast<double>(division.sideCount());
-    source.growth = kGrowth;
+    source.growth = kShortLineGrowth;
   }
   return sources;
 }

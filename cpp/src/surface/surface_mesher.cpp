@@ -5,22 +5,18 @@
 #include <iterator>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "sizing/expected_count.h"
 #include "surface/patch_summary.h"
 #include "surface/short_lines.h"
 #include "surface/tube_boundary.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
 
 namespace {
 
-/// Rounds of halving sides that intersect others because they are too coarse for the bends of their lines. Each round
-/// divides the error of a chord by four; loops that still intersect do so in the model.
-constexpr int kMaxHalvingRounds = 8;
-/// Rounds of triangulating again the patches that would coincide with others. Only the chords of the patches of one
-/// round can cause the next one.
-constexpr int kMaxSeparationRounds = 3;
 /// Part of the progress for dividing the lines and checking the loops.
 constexpr double kLinesEnd = 0.1;
 /// Part of the progress after which all patches are triangulated once.
@@ -105,16 +101,10 @@ Task<> BasicSurfaceMesher<Trace>::divideEachLine(Work& work) {
 
 template <class Trace>
 void BasicSurfaceMesher<Trace>::reportLine(LineId line, const LineDivision& division) {
-  Diagnostic diagnostic;
-  diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
-  if (division.status == LineDivisionStatus::kTooManySides) {
-    diagnostic.code = DiagnosticCode::kTooManyElements;
-    diagnostic.values = requiredTetrahedra(division.requiredSides);
-  }
-  diagnostic.entities = {{EntityKind::kLine, line.value}};
-  diagnostic.hasPosition = true;
-  diagnostic.position = division.position;
-  diagnostics_.push_back(std::move(diagnostic));
+  Diagnostic found = division.status == LineDivisionStatus::kTooManySides
+                         ? tooManySides(division.requiredSides)
+                         : diagnose<DiagnosticCode::kOutsideBackgroundGrid>();
+  diagnostics_.push_back(std::move(found).about({entityOf(line)}).at(division.position));
 }
 
 /// Caps the sizes near sources. Returns true if there are any: divided lines must then be divided again.
@@ -185,17 +175,14 @@ bool BasicSurfaceMesher<Trace>::gatherHalvings(PatchId patch, const PatchBoundar
 template <class Trace>
 void BasicSurfaceMesher<Trace>::reportLoops(PatchId patch, const PatchBoundary& boundary,
                                             const std::vector<std::uint32_t>& invalid) {
-  Diagnostic diagnostic;
-  diagnostic.code = DiagnosticCode::kLoopsIntersect;
-  diagnostic.entities = {{EntityKind::kPatch, patch.value}};
   std::vector<LineId> lines;
   for (const std::uint32_t side : invalid)
     if (!boundary.origins[side].line.isNone()) lines.push_back(boundary.origins[side].line);
   sortUnique(lines);
-  for (const LineId line : lines) diagnostic.entities.push_back({EntityKind::kLine, line.value});
-  diagnostic.hasPosition = true;
-  diagnostic.position = boundary.mesh.positionOf(boundary.mesh.sides[invalid.front()].from);
-  diagnostics_.push_back(std::move(diagnostic));
+  diagnostics_.push_back(
+      diagnose<DiagnosticCode::kLoopsIntersect>()
+          .about(patchAndLines(patch, lines))
+          .at(boundary.mesh.positionOf(boundary.mesh.sides[invalid.front()].from)));
 }
 
 // ---- patches -----------------------------------------------------------------------------------
@@ -254,12 +241,8 @@ void BasicSurfaceMesher<Trace>::takePatch(PatchId patch, const PlanarMesh& plana
   const auto outside = std::ranges::find_if(
       taken.nodes, [&](const Vec3& position) { return !field_->covers(position, hint); });
   if (outside != taken.nodes.end()) {
-    Diagnostic diagnostic;
-    diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
-    diagnostic.entities = {{EntityKind::kPatch, patch.value}};
-    diagnostic.hasPosition = true;
-    diagnostic.position = *outside;
-    diagnostics_.push_back(std::move(diagnostic));
+    diagnostics_.push_back(
+        diagnose<DiagnosticCode::kOutsideBackgroundGrid>().about({entityOf(patch)}).at(*outside));
   }
   const auto nodeOf = [&](PlanarNodeId node) {
     return planar.isBoundary(node) ? planar.surfaceNodes[node.index()]
@@ -275,23 +258,17 @@ void BasicSurfaceMesher<Trace>::takePatch(PatchId patch, const PlanarMesh& plana
 
 template <class Trace>
 void BasicSurfaceMesher<Trace>::reportPatch(PatchId patch, const BasicPatchMesher<Trace>& mesher) {
-  Diagnostic diagnostic;
-  diagnostic.entities = {{EntityKind::kPatch, patch.value}};
-  diagnostic.code = DiagnosticCode::kDegeneratePatch;
-  if (mesher.hasTooManyTriangles()) {
-    diagnostic.code = DiagnosticCode::kTooManyElements;
-    // A square of t triangles has about sqrt(t / 2) sides along each edge.
-    const auto triangles = static_cast<double>(mesher.mesh().triangles.size());
-    diagnostic.values = requiredTetrahedra(std::sqrt(0.5 * triangles));
-  }
-  diagnostics_.push_back(std::move(diagnostic));
+  // A square of t triangles has about sqrt(t / 2) sides along each edge.
+  const auto triangles = static_cast<double>(mesher.mesh().triangles.size());
+  Diagnostic found = mesher.hasTooManyTriangles() ? tooManySides(std::sqrt(0.5 * triangles))
+                                                  : diagnose<DiagnosticCode::kDegeneratePatch>();
+  diagnostics_.push_back(std::move(found).about({entityOf(patch)}));
 }
 
-/// The values of kTooManyElements: the elements of a cube with `sides` sides along each edge, and the limit.
+/// Reports as many elements as a cube with so many sides along each edge has.
 template <class Trace>
-std::vector<double> BasicSurfaceMesher<Trace>::requiredTetrahedra(double sides) const {
-  return {cappedCount(kTetrahedraPerUnitVolume * sides * sides * sides),
-          static_cast<double>(maxTetrahedra_)};
+Diagnostic BasicSurfaceMesher<Trace>::tooManySides(double sides) const {
+  return tooManyElements(kTetrahedraPerUnitVolume * sides * sides * sides, maxTetrahedra_);
 }
 
 /// Returns the patches that need further nodes of their own because they would coincide with others.

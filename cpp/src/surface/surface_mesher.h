@@ -77,7 +77,7 @@ class BasicSurfaceMesher {
   void reportPatch(PatchId patch, const BasicPatchMesher<Trace>& mesher);
   [[nodiscard]] std::vector<PatchId> findPatchesToSeparate();
   void append(PatchId patch);
-  [[nodiscard]] std::vector<double> requiredTetrahedra(double sides) const;
+  [[nodiscard]] Diagnostic tooManySides(double sides) const;
 
   ResolvedModel model_;
   const SizeField* field_;

@@ -10,18 +10,11 @@
 #include "base/tolerance.h"
 #include "surface/carrier_table.h"
 #include "surface/line_mesher.h"
+#include "surface/rules.h"
 
 namespace tetrafront {
 
 namespace {
-
-/// Sections of a tube, and positions around each, at which the size is compared with the circumference.
-constexpr int kTubeSections = 9;
-constexpr int kAroundSection = 24;
-/// Fewest elements around a tube.
-constexpr double kFewestAround = 6.0;
-/// Growth of the size per unit of distance from a tube.
-constexpr double kTubeGrowth = 0.5;
 
 /// A seam from the first rim to the second; it is inclined if `first` and `second` differ.
 struct Seam {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/diagnostics.h"
 #include "volume/rules.h"
 
 namespace tetrafront {
@@ -80,22 +81,18 @@ double FrontWatch::fraction(const Elements& elements) const {
 
 std::vector<Diagnostic> FrontWatch::diagnostics(const Front& front,
                                                 const Elements& elements) const {
-  Diagnostic found;
-  found.hasPosition = true;
   if (end_ == End::kTooManyElements) {
     // Share of the volume: at the limit the elements may fill almost nothing, and the estimate divides by the share.
     constexpr double kMinFraction = 1e-9;
     const double expected =
         static_cast<double>(elements.size()) / std::max(filledFraction(), kMinFraction);
-    found.code = DiagnosticCode::kTooManyElements;
-    found.values = {expected, static_cast<double>(maxTetrahedra_)};
-    for (const NodeId node : elements.nodes.back()) found.position += front.node(node) * 0.25;
-    return {std::move(found)};
+    Vec3 centroid(0.0);
+    for (const NodeId node : elements.nodes.back()) centroid += front.node(node) * 0.25;
+    return {tooManyElements(expected, maxTetrahedra_).at(centroid)};
   }
   if (end_ == End::kOutsideGrid) {
-    found.code = DiagnosticCode::kOutsideBackgroundGrid;
-    found.position = front.node(NodeId(checkedNodes_));
-    return {std::move(found)};
+    return {
+        diagnose<DiagnosticCode::kOutsideBackgroundGrid>().at(front.node(NodeId(checkedNodes_)))};
   }
   return {};
 }

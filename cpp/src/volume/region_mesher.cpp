@@ -13,9 +13,6 @@
 namespace tetrafront {
 namespace {
 
-/// Share of the fronts in the progress, if they leave everything to recovery.
-constexpr double kFrontShare = 0.28;
-
 /// Returns per region the sides of triangles that face it.
 std::vector<std::vector<std::uint32_t>> halvesOfRegions(const SurfaceMesh& boundary) {
   std::vector<std::vector<std::uint32_t>> halves(1);
@@ -57,9 +54,11 @@ RegionMesher::RegionMesher(const SurfaceMesh& boundary, const SizeField& field,
       field_(field),
       options_(options),
       maker_(maker),
-      halvesOf_(halvesOfRegions(boundary)) {}
+      halvesOf_(halvesOfRegions(boundary)) {
+  filled_.boundary = pointsOf(boundary);
+}
 
-Task<MeshStatus> RegionMesher::run(Work& work) {
+Task<MeshStatus> RegionMesher::run(Work& work, double frontShare) {
   std::size_t all = 0;
   for (const auto& halves : halvesOf_) all += halves.size();
   double shareOfFronts = 0.0;  // of the regions begun, by their triangles
@@ -71,11 +70,11 @@ Task<MeshStatus> RegionMesher::run(Work& work) {
     const double share = static_cast<double>(halvesOf_[region].size()) /
                          static_cast<double>(std::max<std::size_t>(all, 1));
     shareOfFronts += share;
-    work.beginPart(kFrontShare * shareOfFronts + (1.0 - kFrontShare) * openShare);
+    work.beginPart(frontShare * shareOfFronts + (1.0 - frontShare) * openShare);
     const bool isGood = co_await current_->advanceFront(work);
     if (!isGood) co_return current_->status();
     openShare += share * std::min(current_->openShare(), 1.0);
-    work.beginPart(kFrontShare * shareOfFronts + (1.0 - kFrontShare) * openShare);
+    work.beginPart(frontShare * shareOfFronts + (1.0 - frontShare) * openShare);
     const MeshStatus status = co_await current_->recover(work);
     if (status != MeshStatus::kDone || region + 1 == halvesOf_.size()) co_return status;
     endRegion();
@@ -87,7 +86,7 @@ void RegionMesher::begin(std::uint32_t region) {
   region_ = region;
   MeshOptions options = options_;
   options.maxTetrahedra -=
-      std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedra.size()));
+      std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedronCount()));
   current_.reset();
   if (!isOne()) boundaryOf(region);
   const NodeNames names{isOne() ? std::span<const std::uint32_t>() : regionBoundary_.nodeOf,
@@ -98,7 +97,7 @@ void RegionMesher::begin(std::uint32_t region) {
 void RegionMesher::endRegion() {
   recovery_ = sum(recovery_, current_->recovery());
   counters_ = sum(counters_, current_->counters());
-  append(filled_, current_->take());
+  filled_.regions.push_back({current_->take(), regionBoundary_.nodeOf});
 }
 
 void RegionMesher::boundaryOf(std::uint32_t region) {
@@ -121,29 +120,6 @@ void RegionMesher::boundaryOf(std::uint32_t region) {
   }
 }
 
-/// Appends the mesh of this region.
-void RegionMesher::append(TetMesh& mesh, TetMesh part) const {
-  if (isOne()) {
-    mesh = std::move(part);
-    return;
-  }
-  if (mesh.points.empty()) {
-    mesh.points = pointsOf(boundary_);
-    mesh.boundaryNodes = boundaryNodes();
-  }
-  const NodeNames names{regionBoundary_.nodeOf, static_cast<std::uint32_t>(mesh.points.size())};
-  const auto named = [&](auto nodes) {
-    for (NodeId& node : nodes) node = NodeId(names.of(node));
-    return nodes;
-  };
-  mesh.points.insert(mesh.points.end(),
-                     part.points.begin() + static_cast<std::ptrdiff_t>(part.boundaryNodes),
-                     part.points.end());
-  mesh.regions.insert(mesh.regions.end(), part.regions.begin(), part.regions.end());
-  std::ranges::transform(part.tetrahedra, std::back_inserter(mesh.tetrahedra), named);
-  std::ranges::transform(part.front, std::back_inserter(mesh.front), named);
-}
-
 /// Triangles and nodes of the region become those of the whole boundary; in a drawn model, triangles become patches.
 void RegionMesher::nameForUser(std::vector<Entity>& entities) const {
   const bool isDrawn = !boundary_.sides.empty();
@@ -164,7 +140,7 @@ void RegionMesher::nameForUser(std::vector<Entity>& entities) const {
 std::vector<Diagnostic> RegionMesher::diagnostics() const {
   if (!current_) return {};
   std::vector<Diagnostic> diagnostics = current_->diagnostics();
-  const std::size_t filledBefore = filled_.tetrahedra.size();
+  const std::size_t filledBefore = filled_.tetrahedronCount();
   for (Diagnostic& diagnostic : diagnostics) {
     nameForUser(diagnostic.entities);
     if (diagnostic.code != DiagnosticCode::kTooManyElements) continue;
@@ -174,7 +150,7 @@ std::vector<Diagnostic> RegionMesher::diagnostics() const {
 }
 
 std::uint32_t RegionMesher::nodeCount() const {
-  const std::size_t earlier = filled_.points.empty() ? boundaryNodes() : filled_.points.size();
+  const std::size_t earlier = filled_.nodeCount();
   if (!current_) return static_cast<std::uint32_t>(earlier);
   const std::size_t own = isOne() ? boundaryNodes() : regionBoundary_.nodeOf.size();
   return static_cast<std::uint32_t>(earlier - own) + current_->nodeCount();
@@ -182,7 +158,7 @@ std::uint32_t RegionMesher::nodeCount() const {
 
 std::uint32_t RegionMesher::tetrahedronCount() const {
   const std::uint32_t own = current_ ? current_->tetrahedronCount() : 0;
-  return own + static_cast<std::uint32_t>(filled_.tetrahedra.size());
+  return own + static_cast<std::uint32_t>(filled_.tetrahedronCount());
 }
 
 std::uint32_t RegionMesher::frontFaceCount() const {
@@ -205,20 +181,17 @@ std::vector<NodeTriple> RegionMesher::waitingFaces() const {
   return faces;
 }
 
-TetMesh RegionMesher::mesh() const {
-  return completed(filled_, current_ ? current_->mesh() : TetMesh{});
+RegionMeshes RegionMesher::meshes() const {
+  RegionMeshes meshes = filled_;
+  if (current_) meshes.regions.push_back({current_->mesh(), regionBoundary_.nodeOf});
+  meshes.waiting = waitingFaces();
+  return meshes;
 }
 
-TetMesh RegionMesher::take() {
-  return completed(std::exchange(filled_, {}), current_ ? current_->take() : TetMesh{});
-}
-
-/// Appends the elements of this region, and the faces of later ones to the front.
-TetMesh RegionMesher::completed(TetMesh mesh, TetMesh ofRegion) const {
-  if (current_) append(mesh, std::move(ofRegion));
-  const std::vector<NodeTriple> waiting = waitingFaces();
-  mesh.front.insert(mesh.front.end(), waiting.begin(), waiting.end());
-  return mesh;
+RegionMeshes RegionMesher::take() {
+  if (current_) endRegion();
+  filled_.waiting = waitingFaces();
+  return std::exchange(filled_, {});
 }
 
 std::vector<double> RegionMesher::frontCorners() const {

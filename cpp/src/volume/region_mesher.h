@@ -12,19 +12,23 @@
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
-#include "topology/tet_mesh.h"
+#include "topology/region_meshes.h"
 #include "volume/volume_mesher.h"
 
 namespace tetrafront {
 
 class RegionMesher {
  public:
+  /// Typical share of the fronts in bodies with an interior.
+  static constexpr double kFrontShare = 0.28;
+
   /// `boundary` must be as closeBoundary() leaves it. It, `field` and `maker` must outlive the mesher.
   RegionMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options,
                const FrontMaker& maker);
 
-  /// Meshes the regions. Ends with the first one that fails. One unit of budget is a step of the front.
-  Task<MeshStatus> run(Work& work);
+  /// Meshes the regions. Ends with the first one that fails. One unit of budget is a step of the front. `frontShare`: of the
+  /// fronts in the progress, if they leave everything to recovery.
+  Task<MeshStatus> run(Work& work, double frontShare = kFrontShare);
 
   /// Triangles and nodes are those of the whole boundary. The values of kTooManyElements count all regions
   /// begun so far.
@@ -36,10 +40,10 @@ class RegionMesher {
   [[nodiscard]] double exactFillFraction() const {
     return current_ ? current_->exactFillFraction() : 0.0;
   }
-  /// Returns the mesh made so far. Its front includes the faces of regions that have not begun.
-  [[nodiscard]] TetMesh mesh() const;
+  /// Returns the meshes made so far: those of the regions that have begun, the last of which may have a front.
+  [[nodiscard]] RegionMeshes meshes() const;
   /// The same without a copy; once, as the last call.
-  [[nodiscard]] TetMesh take();
+  [[nodiscard]] RegionMeshes take();
   /// The faces of the front, x y z of three corners each, including the boundary of regions that have
   /// not begun. O(front).
   [[nodiscard]] std::vector<double> frontCorners() const;
@@ -57,10 +61,8 @@ class RegionMesher {
   void begin(std::uint32_t region);
   void endRegion();
   void boundaryOf(std::uint32_t region);
-  void append(TetMesh& mesh, TetMesh part) const;
   void nameForUser(std::vector<Entity>& entities) const;
   [[nodiscard]] std::vector<NodeTriple> waitingFaces() const;
-  [[nodiscard]] TetMesh completed(TetMesh mesh, TetMesh ofRegion) const;
   [[nodiscard]] std::size_t boundaryNodes() const { return boundary_.points.size() / 3; }
   [[nodiscard]] bool isOne() const { return halvesOf_.size() == 1; }
 
@@ -73,7 +75,7 @@ class RegionMesher {
   std::uint32_t region_ = 0;
   RegionBoundary regionBoundary_;  ///< used if there are several regions
   std::optional<VolumeMesher> current_;
-  TetMesh filled_;  ///< mesh of earlier regions
+  RegionMeshes filled_;  ///< of earlier regions
   RecoverySummary recovery_;
   FrontCounters counters_;
 };

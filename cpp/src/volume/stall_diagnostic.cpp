@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "base/sort.h"
 
 namespace tetrafront {
@@ -34,24 +35,22 @@ std::vector<Entity> remainingBoundaryNodes(const Front& front, const std::vector
   sortUnique(nodes);
   nodes.resize(std::min(nodes.size(), kMaxStalledEntities));
   std::vector<Entity> entities;
-  for (const NodeId node : nodes) entities.push_back({EntityKind::kSurfaceNode, node.value});
+  for (const NodeId node : nodes) entities.push_back(entityOf(node));
   return entities;
 }
 
 }  // namespace
 
 Diagnostic describeStall(const Front& front, const SurfaceMesh& boundary) {
-  Diagnostic stall;
-  stall.code = DiagnosticCode::kStalled;
-  stall.values = {static_cast<double>(front.activeCount())};
+  Diagnostic stall = diagnose<DiagnosticCode::kStalled>(front.activeCount());
   const std::vector<FaceId> faces = front.activeFaces();
   if (faces.empty()) return stall;
   const NodeTriple& n = front.face(faces.front()).nodes;
-  stall.hasPosition = true;
-  stall.position = (front.node(n[0]) + front.node(n[1]) + front.node(n[2])) * (1.0 / 3.0);
-  stall.entities = remainingTriangles(front, faces, boundary);
-  if (stall.entities.empty()) stall.entities = remainingBoundaryNodes(front, faces, boundary);
-  return stall;
+  std::vector<Entity> entities = remainingTriangles(front, faces, boundary);
+  if (entities.empty()) entities = remainingBoundaryNodes(front, faces, boundary);
+  return std::move(stall)
+      .about(std::move(entities))
+      .at((front.node(n[0]) + front.node(n[1]) + front.node(n[2])) * (1.0 / 3.0));
 }
 
 }  // namespace tetrafront

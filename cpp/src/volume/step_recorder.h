@@ -16,7 +16,7 @@
 #include "volume/elements.h"
 #include "volume/front.h"
 #include "volume/ideal_point.h"
-#include "volume/node_names.h"
+#include "topology/region_meshes.h"
 #include "volume/unit_space.h"
 
 namespace tetrafront {

@@ -17,7 +17,7 @@
 #include "volume/front.h"
 #include "volume/front_advance.h"
 #include "volume/front_watch.h"
-#include "volume/node_names.h"
+#include "topology/region_meshes.h"
 #include "volume/recovery.h"
 
 namespace tetrafront {

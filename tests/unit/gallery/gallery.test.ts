@@ -151,22 +151,22 @@ describe.each(gallery.models.map(({ id }) => id))("the patches of %s", (id) => {
 });
 
 /** Returns the shells of a surface: sets of triangles connected by nodes. */
-function shellCount({ surface }: MeshResult): number {
-  const parent = Array.from({ length: surface.points.length / 3 }, (_, node) => node);
+function shellCount({ mesh, surfaceNodes }: MeshResult): number {
+  const parent = Array.from({ length: surfaceNodes }, (_, node) => node);
   const rootOf = (node: number): number => {
     let at = node;
     for (let up = parent[at] ?? at; up !== at; up = parent[at] ?? at) at = up;
     return at;
   };
-  for (let i = 0; i < surface.triangles.length; ++i) {
+  for (let i = 0; i < mesh.triangles.length; ++i) {
     if (i % 3 === 0) continue;
-    const [a = 0, b = 0] = surface.triangles.subarray(i - 1, i + 1);
+    const [a = 0, b = 0] = mesh.triangles.subarray(i - 1, i + 1);
     parent[rootOf(a)] = rootOf(b);
   }
   return new Set(parent.map((_, node) => rootOf(node))).size;
 }
 
-const regionCount = ({ volume }: MeshResult): number => new Set(volume.regions).size;
+const regionCount = ({ mesh }: MeshResult): number => new Set(mesh.tetrahedronRegion).size;
 
 describe("together the models use", () => {
   const all = [...projects.values()];
@@ -204,16 +204,18 @@ describe("together the models use", () => {
   });
 
   test("an interface between two regions, whose volumes follow from its triangles", async () => {
-    const { surface, volume, report } = await meshOf("pipe-and-flow");
+    const { mesh, report } = await meshOf("pipe-and-flow");
     expect(report.quality.regions.map(({ region }) => region)).toEqual([0, 1]);
-    const walls = surface.trianglePatch.filter((_, triangle) => isInterface(surface, triangle));
+    const walls = mesh.trianglePatch.filter((_, triangle) => isInterface(mesh, triangle));
     const { patches } = projectOf("pipe-and-flow");
     expect(new Set([...walls].map((patch) => patches[patch]?.name))).toEqual(
       new Set(["wall right", "wall top", "wall left", "wall bottom"]),
     );
-    const volumes = tetrahedronVolumes(volume);
-    for (const [region, expected] of regionVolumes(surface).entries()) {
-      const filled = volumes.filter((_, t) => volume.regions[t] === region).reduce((sum, v) => sum + v, 0);
+    const volumes = tetrahedronVolumes(mesh);
+    for (const [region, expected] of regionVolumes(mesh).entries()) {
+      const filled = volumes
+        .filter((_, t) => mesh.tetrahedronRegion[t] === region)
+        .reduce((sum, v) => sum + v, 0);
       expect(Math.abs(filled / expected - 1)).toBeLessThan(1e-10);
     }
   });
@@ -224,7 +226,7 @@ interface Range {
   readonly centroidOfSmallest: readonly number[];
 }
 
-function volumeRange(mesh: MeshResult["volume"]): Range {
+function volumeRange(mesh: MeshResult["mesh"]): Range {
   const { points, tetrahedra } = mesh;
   const volumes = tetrahedronVolumes(mesh);
   const least = volumes.reduce((best, volume) => Math.min(best, volume));
@@ -248,7 +250,7 @@ describe("the paper's examples", () => {
 
   test("the intake's volumes vary by more than 10⁴, the smallest at the nose of the centrebody", async () => {
     const nose = projectOf("engine-intake").points.find(({ name }) => name === "nose of the centrebody");
-    const { ratio, centroidOfSmallest } = volumeRange((await meshOf("engine-intake")).volume);
+    const { ratio, centroidOfSmallest } = volumeRange((await meshOf("engine-intake")).mesh);
     expect(ratio).toBeGreaterThan(1e4);
     const distance = Math.hypot(...centroidOfSmallest.map((c, k) => c - (nose?.position[k] ?? NaN)));
     // The distance is a few edges of the smallest elements; the intake has a length of 5.

@@ -50,7 +50,7 @@ test("a cylinder is read back unchanged, and previewed without problems", async 
 
 test("a cylinder is meshed, with its nodes on it and nearly its volume", async () => {
   const result = await mesher.meshProject(cylinder());
-  const { surface, report } = result;
+  const { mesh: surface, report } = result;
   expectValid(result);
   const ofTube = surface.trianglePatch.reduce<number[]>(
     (found, patch, t) => (patch === 0 ? [...found, t] : found),

@@ -6,7 +6,7 @@ import {
   type MeshOptions,
   type MeshResult,
   type SurfaceInput,
-  type VolumeMesh,
+  type VolumeInput,
 } from "tetrafront";
 import {
   backgroundArrays,
@@ -30,12 +30,12 @@ afterAll(() => mesher.dispose());
 
 type Position = readonly [number, number, number];
 
-function nodeAt({ points }: VolumeMesh, node: number): Position {
+function nodeAt({ points }: VolumeInput, node: number): Position {
   return [points[3 * node] ?? NaN, points[3 * node + 1] ?? NaN, points[3 * node + 2] ?? NaN];
 }
 
 /** Returns the mean length of the edges whose midpoint `isIncluded` accepts, counted once per tetrahedron. */
-function meanEdge(mesh: VolumeMesh, isIncluded: (middle: Position) => boolean): number {
+function meanEdge(mesh: VolumeInput, isIncluded: (middle: Position) => boolean): number {
   let sum = 0;
   let count = 0;
   for (let t = 0; t < mesh.tetrahedra.length; t += 4) {
@@ -73,7 +73,7 @@ describe("a size source", () => {
     ["background grid", cubeProject(0.25), {}],
     ["uniform size", { ...cubeProject(), background: { nodes: [], tetrahedra: [] } }, { size: 0.25 }],
   ])("gives elements near it its size in a coarser %s", async (_, project, options) => {
-    const { report, volume } = await mesher.meshProject(withSources(project, segment), options);
+    const { report, mesh: volume } = await mesher.meshProject(withSources(project, segment), options);
     expect(report.status).toBe("done");
     expect(meanEdge(volume, isNear) / 0.06).toBeGreaterThan(0.85);
     expect(meanEdge(volume, isNear) / 0.06).toBeLessThan(1.15);
@@ -93,11 +93,11 @@ describe("a size source", () => {
 
 const bare = (project: Project): Project => ({ ...project, background: { nodes: [], tetrahedra: [] } });
 
-function expectDone({ report, surface, volume }: MeshResult): void {
+function expectDone({ report, mesh }: MeshResult): void {
   expect(report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
   expect(report.status).toBe("done");
-  expect(defectsOf(volume, surface)).toEqual(NO_DEFECTS);
-  expect(Math.abs(meshVolume(volume) / enclosedVolume(surface) - 1)).toBeLessThan(1e-10);
+  expect(defectsOf(mesh, mesh)).toEqual(NO_DEFECTS);
+  expect(Math.abs(meshVolume(mesh) / enclosedVolume(mesh) - 1)).toBeLessThan(1e-10);
 }
 
 describe("a covering grid", () => {
@@ -146,7 +146,7 @@ describe("proposed sizes", () => {
   const curved = withBentEdge(cubeProject());
 
   test("refine curved lines and give a valid mesh", async () => {
-    const { size, sources } = await mesher.proposeSizes(curved, { uniform: 0.5 });
+    const { size, sources } = await mesher.proposeSizes(curved, { maxSize: 0.5 });
     expect(size).toBe(0.5);
     expect(sources.length).toBeGreaterThan(0);
     expect(sources.map(({ id }) => id)).toEqual(sources.map((_, s) => s + 1));
@@ -160,7 +160,7 @@ describe("proposed sizes", () => {
   });
 
   test("consist only of the uniform size if curvature and gaps are ignored", async () => {
-    const options = { uniform: 0.5, elementsPerCircle: 0, elementsPerGap: 0 };
+    const options = { maxSize: 0.5, anglePerEdge: 0, layers: 0 };
     expect(await mesher.proposeSizes(curved, options)).toEqual({ size: 0.5, sources: [] });
   });
 
@@ -191,18 +191,18 @@ function withBentEdge(cube: Project): Project {
 describe("a background grid made from a mesh", () => {
   test("asks for about as many elements as the mesh has", async () => {
     const first = await mesher.meshProject(cubeProject(0.12));
-    const background = await mesher.backgroundFromMesh(first.volume);
+    const background = await mesher.backgroundFromMesh(first.mesh);
     expect(background.sizes.length).toBe(first.report.nodes);
-    expect(background.tetrahedra.length).toBe(first.volume.tetrahedra.length);
+    expect(background.tetrahedra.length).toBe(first.mesh.tetrahedra.length);
     const again = await mesher.meshProject(bare(cubeProject()), { background });
     expectDone(again);
     expect(again.report.tetrahedra / first.report.tetrahedra).toBeGreaterThan(0.75);
     expect(again.report.tetrahedra / first.report.tetrahedra).toBeLessThan(1.35);
-    expect(first.volume.points.length).toBe(3 * first.report.nodes);
+    expect(first.mesh.points.length).toBe(3 * first.report.nodes);
   });
 
   test("takes sizes per node and omits unused nodes", async () => {
-    const { volume } = await mesher.meshProject(cubeProject(0.5));
+    const { mesh: volume } = await mesher.meshProject(cubeProject(0.5));
     const points = Float64Array.of(9, 9, 9, ...volume.points);
     const tetrahedra = volume.tetrahedra.map((node) => node + 1);
     const sizes = new Float64Array(points.length / 3).fill(0.3);
@@ -219,7 +219,7 @@ describe("a background grid made from a mesh", () => {
   });
 
   test("gives the same mesh as arrays and as the grid of a project", async () => {
-    const { volume } = await mesher.meshProject(cubeProject(0.4));
+    const { mesh: volume } = await mesher.meshProject(cubeProject(0.4));
     const background = await mesher.backgroundFromMesh(volume);
     const project = { ...cubeProject(), background: projectBackground(background) };
     expect(readProject(writeProject(project))).toEqual({ success: true, value: project });
@@ -262,7 +262,7 @@ describe("a background grid made from a mesh", () => {
     ],
     ["a size of 0", corner, { sizes: Float64Array.of(1, 1, 0, 1) }, /node 2 .*size 0\. Pass/i],
   ])("is rejected for %s", async (_, mesh, options, message) => {
-    const refused = mesher.backgroundFromMesh(mesh as VolumeMesh, options);
+    const refused = mesher.backgroundFromMesh(mesh as VolumeInput, options);
     await expect(refused).rejects.toMatchObject({ code: "invalid-input" });
     await expect(refused).rejects.toThrow(message);
   });
@@ -288,7 +288,7 @@ function around(size: number, more: Partial<BackgroundArrays> = {}): BackgroundA
 
 /** Refines the surface to the sizes of the elements before meshing. */
 async function refinedAndFilled(given: SurfaceInput, options: MeshOptions) {
-  const { surface } = await mesher.refineSurface(given, options);
+  const { mesh: surface } = await mesher.refineSurface(given, options);
   return mesher.fillSurface(surface, options);
 }
 

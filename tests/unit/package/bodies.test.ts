@@ -1,16 +1,15 @@
 /** Bodies of projects: their texts, the schema, placement, and their prepared surfaces. */
 import {
   createMesher,
-  fileMeshOf,
   type Mesher,
   type MeshResult,
   type PreparedBody,
-  patchNames,
-  type Progress,
+  type CallProgress,
   readMesh,
   type SurfaceInput,
   writeMesh,
 } from "tetrafront";
+import { patchNames } from "tetrafront/internal";
 import {
   type BodyPlacement,
   bodySurface,
@@ -233,11 +232,11 @@ describe("prepareBody", () => {
   });
 
   test("remeshes by default; the patches stay and the figures are there", async () => {
-    const progress: Progress[] = [];
+    const progress: CallProgress[] = [];
     const project = withBodies(boxBody());
-    const control = { onProgress: (now: Progress) => progress.push(now) };
+    const control = { onProgress: (now: CallProgress) => progress.push(now) };
     const prepared = await mesher.prepareBody(project, 3, { size: 0.2 }, control);
-    const { surface, ...figures } = await mesher.remeshSurface(bodySurface(boxBody()), { size: 0.2 });
+    const { mesh: surface, ...figures } = await mesher.remeshSurface(bodySurface(boxBody()), { size: 0.2 });
     expect(prepared.points).toEqual(surface.points);
     expect(prepared.triangles).toEqual(surface.triangles);
     expect(prepared).toMatchObject(figures);
@@ -274,7 +273,7 @@ describe("prepareBody", () => {
   test("divides large triangles of a body that asks for it, and keeps them without a size", async () => {
     const project = withBodies(boxBody({ surface: "refine" }));
     const refined = await mesher.prepareBody(project, 3, { size: 0.2 });
-    const { surface, origin } = await mesher.refineSurface(bodySurface(boxBody()), { size: 0.2 });
+    const { mesh: surface, origin } = await mesher.refineSurface(bodySurface(boxBody()), { size: 0.2 });
     expect(refined).toMatchObject({ points: surface.points, triangles: surface.triangles, origin });
     expect(refined.trianglePatch).toEqual(
       origin.map((from) => bodySurface(boxBody()).trianglePatch[from] ?? 0),
@@ -321,7 +320,7 @@ describe("meshProject with bodies", () => {
     expect(kept.report.fingerprint).toBe(filled.report.fingerprint);
     const remeshed = await mesher.meshProject(withBodies(body), { size: 0.3 });
     const prepared = await mesher.remeshSurface(surface, { size: 0.3 });
-    const refilled = await mesher.fillSurface(prepared.surface, { size: 0.3 });
+    const refilled = await mesher.fillSurface(prepared.mesh, { size: 0.3 });
     expect(remeshed.report.fingerprint).toBe(refilled.report.fingerprint);
     expect(remeshed.report.fingerprint).not.toBe(filled.report.fingerprint);
   });
@@ -350,10 +349,10 @@ describe("meshProject with bodies", () => {
     expect(result.report.patches.map(({ patch }) => patch)).toEqual(names.map((_, p) => p));
     expect(Math.min(...result.report.patches.map(({ minAngle }) => minAngle))).toBeGreaterThan(25);
     for (const extension of ["msh", "vtu", "inp"]) {
-      const [file] = await writeMesh(fileMeshOf(result, { project }), `part.${extension}`);
+      const [file] = await writeMesh(result.mesh, `part.${extension}`);
       expect(new TextDecoder().decode(file?.bytes)).toContain("ball");
     }
-    const [file] = await writeMesh(fileMeshOf(result, { project }), "part.vtu");
+    const [file] = await writeMesh(result.mesh, "part.vtu");
     const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: "part.vtu" });
     expect(read.success && read.value.patches.map(({ name }) => name)).toContain("ball");
   });
@@ -388,9 +387,9 @@ describe("meshProject with bodies", () => {
     const project = withBodies(boxBody());
     const prepared = await mesher.prepareBody(project, 3, { size: 0.5 });
     const phases = new Set<string>();
-    const onProgress = ({ phase }: Progress) => void phases.add(phase);
+    const onProgress = ({ phase }: CallProgress) => void phases.add(phase);
     const result = await mesher.meshProject(project, { preparedBodies: [prepared] }, { onProgress });
-    expect(result.surface.triangles).toHaveLength(prepared.triangles.length);
+    expect(result.mesh.triangles).toHaveLength(prepared.triangles.length);
     expect(phases).not.toContain("bodies");
     // The arrays still belong to the caller.
     expect(prepared.points.length).toBeGreaterThan(0);
@@ -419,7 +418,7 @@ describe("meshProject with bodies", () => {
   test("reports the body that is prepared, and progress that never decreases", async () => {
     const other = createBody(sphereSurface(5), { id: 4, firstPatchId: 30, name: "ball" });
     const project = withBodies(boxBody(), { ...other, placement: { position: [4, 0, 0] } });
-    const seen: Progress[] = [];
+    const seen: CallProgress[] = [];
     const { report } = await mesher.meshProject(
       project,
       { size: 0.1 },
@@ -439,7 +438,7 @@ describe("meshProject with bodies", () => {
 
   test("can be cancelled while a body is prepared", async () => {
     const abort = new AbortController();
-    const onProgress = ({ phase }: Progress) => phase === "bodies" && abort.abort();
+    const onProgress = ({ phase }: CallProgress) => phase === "bodies" && abort.abort();
     const { report } = await mesher.meshProject(
       withBodies(boxBody()),
       { size: 0.01 },
@@ -463,7 +462,7 @@ describe("meshProject with bodies", () => {
     const cube = cubeProject();
     const project: Project = { ...cube, patches: cube.patches.slice(1), bodies: [boxBody()] };
     const phases = new Set<string>();
-    const onProgress = ({ phase }: Progress) => void phases.add(phase);
+    const onProgress = ({ phase }: CallProgress) => void phases.add(phase);
     const result = await mesher.meshProject(project, { size: 0.02 }, { onProgress });
     expect(errorsIn(result)[0]?.code).toBe("open-edge");
     expect(phases).not.toContain("bodies");
@@ -525,7 +524,7 @@ describe("triangles that face inward", () => {
     await expect(mesher.remeshSurface({ points, triangles: one })).rejects.toMatchObject({
       data: { diagnostics: [{ code: "flipped-triangle" }] },
     });
-    const { surface: repaired } = await mesher.repairSurface({ points, triangles: one });
+    const { mesh: repaired } = await mesher.repairSurface({ points, triangles: one });
     const mesh = await mesher.meshProject(bodyOf(repaired.triangles, surface));
     expect(codesIn(mesh.report)).toEqual([]);
   });

@@ -5,11 +5,10 @@ import {
   readMesh,
   readSurface,
   readVolume,
-  volumeBackground,
   writeMesh,
   type Mesher,
   type MesherErrorCode,
-  type SurfaceFile,
+  type SurfaceInput,
 } from "tetrafront";
 import { createBody } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, expectTypeOf, test, vi } from "vitest";
@@ -22,11 +21,10 @@ import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 const surface = sphereSurface(40);
 const block = blockMesh(4);
 const { points, tetrahedra } = block;
-const volume = { ...block, nodeData: new Map() };
 const project = cubeProject();
 const withBody = { ...project, bodies: [createBody(surface, { id: 1, firstPatchId: 100 })] };
 
-const marked: SurfaceFile = {
+const marked: SurfaceInput = {
   ...surface,
   trianglePatch: new Uint32Array(surface.triangles.length / 3),
   patches: [{ name: "sphere", tag: 1 }],
@@ -63,7 +61,6 @@ const methods: Readonly<Record<string, Call>> = {
 };
 const functions: Readonly<Record<string, Call>> = {
   createMesher: (signal) => createMesher({ signal }),
-  volumeBackground: (signal) => volumeBackground(mesher, volume, { signal }),
   readSurface: (signal) => readSurface(stlBinary(surface), { fileName: "a.stl", signal }),
   readVolume: (signal) => readVolume(vtu, { fileName: "a.vtu", signal }),
   readMesh: (signal) => readMesh(vtu, { fileName: "a.vtu", signal }),

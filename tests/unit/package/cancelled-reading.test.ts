@@ -1,7 +1,7 @@
 /** Reading can be cancelled at any time, also while it waits for bytes; truncated files are reported. */
 import vm from "node:vm";
 
-import { createMesher, readSurface, readVolume, volumeBackground } from "tetrafront";
+import { createMesher, readSurface } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { stlBinary, stlText } from "../../support/surface-files.js";
@@ -138,17 +138,6 @@ test("a text STL file that ends within its solid is reported as truncated", asyn
   expect(whole.success).toBe(true);
   const cut = await readSurface(bytesOf(`solid a\n${facet}`), { fileName: "a.stl" });
   expect(!cut.success && cut.errors[0].message).toMatch(/truncated/);
-});
-
-test("volumeBackground can be cancelled", async () => {
-  const elements = bytesOf("1 4 0\n1 1 2 3 4\n");
-  const openOther = (name: string) => Promise.resolve(name.endsWith(".node") ? NODES : undefined);
-  const volume = await readVolume(elements, { fileName: "a.ele", openOther });
-  if (!volume.success) throw new Error(volume.errors[0].message);
-  const mesher = await createMesher();
-  const control = { signal: AbortSignal.abort() };
-  await expect(volumeBackground(mesher, volume.value, control)).rejects.toMatchObject({ code: "cancelled" });
-  mesher.dispose();
 });
 
 test("a preview names a missing point by its id", async () => {

@@ -4,7 +4,7 @@
  */
 import { existsSync, readFileSync } from "node:fs";
 
-import { writeMesh, type FileMesh } from "tetrafront";
+import { writeMesh, type Mesh } from "tetrafront";
 import { writeProject } from "tetrafront/project";
 import { beforeEach, describe, expect, test } from "vitest";
 
@@ -18,7 +18,7 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 const folder = temporaryFolder();
 const { inFolder, save, run } = folder;
 
-async function saveMesh(name: string, mesh: FileMesh): Promise<void> {
+async function saveMesh(name: string, mesh: Mesh): Promise<void> {
   for (const { fileName, bytes } of await writeMesh(mesh, name)) save(fileName, bytes);
 }
 

@@ -9,7 +9,7 @@ import {
   readMesh,
   writeMesh,
   type Diagnostic,
-  type FileMesh,
+  type Mesh,
   type MeshReport,
   type SurfaceInput,
 } from "tetrafront";
@@ -29,7 +29,7 @@ const { inFolder, save, run } = folder;
 
 const jsonIn = (name: string): unknown => JSON.parse(readFileSync(inFolder(name), "utf8"));
 
-async function meshIn(name: string): Promise<FileMesh> {
+async function meshIn(name: string): Promise<Mesh> {
   const read = await readMesh(readFileSync(inFolder(name)), { fileName: name });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;

@@ -1,10 +1,16 @@
 import { mkdirSync, readdirSync, readFileSync } from "node:fs";
 
-import type { MeshReport, SurfaceInput, VolumeMesh } from "tetrafront";
+import type { MeshReport, SurfaceInput } from "tetrafront";
 import { writeProject } from "tetrafront/project";
 import { beforeEach, describe, expect, test } from "vitest";
 
-import { enclosedVolume, defectsOf, meshVolume, NO_DEFECTS } from "../../support/check-mesh.js";
+import {
+  enclosedVolume,
+  defectsOf,
+  meshVolume,
+  NO_DEFECTS,
+  type Elements,
+} from "../../support/check-mesh.js";
 import { signalAtProgress, tetrafront, type CommandResult } from "../../support/command-line.js";
 import { parseMsh, parseVtu } from "../../support/mesh-files.js";
 import { cubeProject } from "../../support/projects.js";
@@ -28,13 +34,12 @@ function expectError({ code, stderr, stdout }: CommandResult, subject: string, m
   expect(code).toBe(2);
 }
 
-function volumeIn(name: string): VolumeMesh {
+function volumeIn(name: string): Elements {
   const read = parseVtu(bytesOf(name));
   return {
     points: read.points,
     tetrahedra: Uint32Array.from(read.tetrahedra.flat()),
-    regions: Uint32Array.from(read.regions),
-    front: new Uint32Array(),
+    tetrahedronRegion: Uint32Array.from(read.regions),
   };
 }
 

@@ -73,7 +73,7 @@ test("loose triangles are joined by the proposed weld", async () => {
   const [found] = await crackWarning(mesher, loose, refused);
   const weld = Number(/weld: ([^`]+)/.exec(found?.remedy ?? "")?.[1]);
   expect(weld).toBeLessThan(0.05);
-  const { surface } = await mesher.repairSurface(loose, { weld });
+  const { mesh: surface } = await mesher.repairSurface(loose, { weld });
   expect((await mesher.inspectSurface(surface)).isFillable).toBe(true);
 });
 

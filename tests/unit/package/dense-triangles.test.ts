@@ -1,5 +1,5 @@
 /** Surfaces without topology that have very different sizes, or many nodes at one place, are read and checked in seconds. */
-import { createMesher, readSurface, type SurfaceFile, type SurfaceInput } from "tetrafront";
+import { createMesher, readSurface, type Mesh, type SurfaceInput } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { randomSource } from "../../support/random.js";
@@ -35,7 +35,7 @@ const triangleAt = (x: number, size: number): Corners => [
   [x, size, 0],
 ];
 
-async function surfaceIn(surface: SurfaceInput): Promise<SurfaceFile> {
+async function surfaceIn(surface: SurfaceInput): Promise<Mesh> {
   const read = await readSurface(stlBinary(surface), { fileName: "a.stl" });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;

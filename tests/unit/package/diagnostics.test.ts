@@ -1,4 +1,4 @@
-import type { Diagnostic, DiagnosticCode, DiagnosticOf, NoData } from "tetrafront";
+import type { Diagnostic, DiagnosticCode } from "tetrafront";
 import { ENGINE_CODES } from "tetrafront/internal";
 import { describe, expect, expectTypeOf, test } from "vitest";
 
@@ -19,6 +19,8 @@ import {
 } from "../../../wasm/src/generated/constants.js";
 import { projectNamer } from "../../../wasm/src/project/names.js";
 import { cubeProject } from "../../support/projects.js";
+import type { NoData } from "../../../wasm/src/diagnostics/data.js";
+import type { DiagnosticOf } from "../../../wasm/src/diagnostics/diagnostic.js";
 
 /** Returns entities from pairs of a kind and an index. */
 function entitiesOf(...numbers: readonly number[]): EngineEntity[] {

@@ -85,7 +85,7 @@ test("the number decides the sizes of a drawn model with a background grid and s
 });
 
 /** Returns the length of the shortest edge at the node nearest to a position. */
-function edgeNear({ volume: { points, tetrahedra } }: MeshResult, position: readonly number[]): number {
+function edgeNear({ mesh: { points, tetrahedra } }: MeshResult, position: readonly number[]): number {
   const distance = (a: number, to: readonly number[]) =>
     Math.hypot(...to.map((value, k) => value - (points[3 * a + k] ?? 0)));
   let nearest = 0;

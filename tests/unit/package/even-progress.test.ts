@@ -1,6 +1,6 @@
 /** The progress of runs: it never moves back, and no stage holds it for most of the run. */
 import { readFileSync } from "node:fs";
-import { createMesher, type Progress } from "tetrafront";
+import { createMesher, type CallProgress } from "tetrafront";
 import { readProject } from "tetrafront/project";
 import { expect, test } from "vitest";
 
@@ -17,7 +17,7 @@ async function progressOf(model: string): Promise<readonly Report[]> {
   if (!read.success) throw new Error(read.errors[0].message);
   const mesher = await createMesher();
   const reports: Report[] = [];
-  const onProgress = ({ fraction, elapsedSeconds }: Progress): void =>
+  const onProgress = ({ fraction, elapsedSeconds }: CallProgress): void =>
     void reports.push({ fraction, seconds: elapsedSeconds });
   await mesher.meshProject(read.value, {}, { onProgress });
   mesher.dispose();

@@ -1,5 +1,5 @@
 /** Notes returned with a written file report what its format cannot store. */
-import { readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { readMesh, writeMesh, type Mesh } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { boxSurface } from "../../support/surfaces.js";
@@ -7,7 +7,7 @@ import { boxSurface } from "../../support/surfaces.js";
 const cube = boxSurface(1);
 
 /** A cube moved along x, with its triangles assigned in turn to the last two of `patchCount` patches. */
-function surfaceMesh(patchCount: number, shift = 0): FileMesh {
+function surfaceMesh(patchCount: number, shift = 0): Mesh {
   return {
     points: cube.points.map((value, i) => (i % 3 === 0 ? value + shift : value)),
     triangles: cube.triangles,
@@ -23,7 +23,7 @@ function surfaceMesh(patchCount: number, shift = 0): FileMesh {
   };
 }
 
-async function notesOf(mesh: FileMesh, fileName: string): Promise<string> {
+async function notesOf(mesh: Mesh, fileName: string): Promise<string> {
   const [file] = await writeMesh(mesh, fileName);
   return (file?.notes ?? []).map(({ message }) => message).join("\n");
 }
@@ -55,7 +55,7 @@ test("STL: reports patches with numbers above 32767", async () => {
 test.each(["a.stl", "a.obj", "a.ply", "a.off", "a.glb"])(
   "%s: reports the named regions of tetrahedra, which it cannot store",
   async (fileName) => {
-    const volume = (name: string): FileMesh => ({
+    const volume = (name: string): Mesh => ({
       ...surfaceMesh(2),
       tetrahedra: Uint32Array.of(0, 1, 2, 4),
       tetrahedronRegion: Uint32Array.of(0),

@@ -7,11 +7,10 @@ import {
   createMesher,
   FILE_FORMATS,
   MesherError,
-  fileMeshOf,
   readMesh,
   readSurface,
   writeMesh,
-  type FileMesh,
+  type Mesh,
   type MeshResult,
   type SurfaceInput,
 } from "tetrafront";
@@ -23,23 +22,19 @@ import { sphereSurface } from "../../support/surfaces.js";
 
 const mesh = blockMesh();
 
-async function files(
-  fileName: string,
-  given: FileMesh = mesh,
-): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
+async function files(fileName: string, given: Mesh = mesh): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
   return new Map((await writeMesh(given, fileName)).map((file) => [file.fileName, file.bytes]));
 }
 
-async function only(fileName: string, given: FileMesh = mesh): Promise<Uint8Array<ArrayBuffer>> {
+async function only(fileName: string, given: Mesh = mesh): Promise<Uint8Array<ArrayBuffer>> {
   const written = await files(fileName, given);
   expect([...written.keys()]).toEqual([fileName]);
   return written.get(fileName) ?? new Uint8Array();
 }
 
-const text = async (fileName: string, given?: FileMesh) =>
-  new TextDecoder().decode(await only(fileName, given));
+const text = async (fileName: string, given?: Mesh) => new TextDecoder().decode(await only(fileName, given));
 
-async function readBack(fileName: string): Promise<FileMesh> {
+async function readBack(fileName: string): Promise<Mesh> {
   const written = await files(fileName);
   const read = await readMesh(written.get(fileName) ?? new Uint8Array(), {
     fileName,
@@ -49,9 +44,8 @@ async function readBack(fileName: string): Promise<FileMesh> {
   return read.value;
 }
 
-const trianglesOf = (given: FileMesh) =>
-  taggedElements(given.triangles, 3, given.trianglePatch, given.patches);
-const tetrahedraOf = (given: FileMesh) =>
+const trianglesOf = (given: Mesh) => taggedElements(given.triangles, 3, given.trianglePatch, given.patches);
+const tetrahedraOf = (given: Mesh) =>
   taggedElements(given.tetrahedra, 4, given.tetrahedronRegion, given.regions);
 
 test("the test block has positive volumes and all boundary triangles", () => {
@@ -92,7 +86,7 @@ async function filled(surface: SurfaceInput): Promise<MeshResult> {
   }
 }
 
-test("fileMeshOf gives each triangle of the mesh the patch of the given surface", async () => {
+test("a run gives each triangle of the mesh the patch of the given surface", async () => {
   const read = await readSurface(await only("part.msh"), { fileName: "part.msh" });
   if (!read.success) throw new Error(read.errors[0].message);
   // Reverse the triangles: the mesher flips them back and must keep their order.
@@ -101,13 +95,13 @@ test("fileMeshOf gives each triangle of the mesh the patch of the given surface"
     triangles: read.value.triangles.toReversed(),
     trianglePatch: read.value.trianglePatch.toReversed(),
   };
-  const result = fileMeshOf(await filled(given), { surface: given });
+  const result = (await filled(given)).mesh;
   const trianglesByPosition = ({
     points,
     triangles,
     trianglePatch,
     patches,
-  }: Pick<FileMesh, "points" | "triangles" | "trianglePatch" | "patches">) =>
+  }: Pick<Mesh, "points" | "triangles" | "trianglePatch" | "patches">) =>
     Array.from(trianglePatch, (patch, t) => {
       const corners = [...triangles.subarray(3 * t, 3 * t + 3)].map((node) =>
         points.subarray(3 * node, 3 * node + 3).join(" "),
@@ -119,8 +113,7 @@ test("fileMeshOf gives each triangle of the mesh the patch of the given surface"
 
 test.each([".msh", ".msh2"])("names of patches and regions are kept by %s", async (extension) => {
   const read = await readBack(`part${extension}`);
-  const names = (groups: FileMesh["patches"]) =>
-    Object.fromEntries(groups.map(({ tag, name }) => [tag, name]));
+  const names = (groups: Mesh["patches"]) => Object.fromEntries(groups.map(({ tag, name }) => [tag, name]));
   expect(names(read.regions)).toEqual({ 5: "steel", 9: "water (20 C)" });
   expect(names(read.patches)).toEqual({
     7: "in let",
@@ -135,7 +128,7 @@ test.each([".msh", ".msh2"])("names of patches and regions are kept by %s", asyn
 describe("the boundary", () => {
   /** Triangles by the coordinates of their corners, with the group that identifies the patch. */
   const trianglesWithGroups = (
-    given: FileMesh,
+    given: Mesh,
     groupOf: (patch: number) => string,
     round: (value: number) => number,
   ) =>
@@ -147,7 +140,7 @@ describe("the boundary", () => {
     }).sort();
   const exact = (value: number) => value + 0;
 
-  test.each<[string, (given: FileMesh, patch: number) => string, (value: number) => number]>([
+  test.each<[string, (given: Mesh, patch: number) => string, (value: number) => number]>([
     [".stl", (given, patch) => `${given.patches[patch]?.tag}`, Math.fround],
     [".ply", (given, patch) => `${given.patches[patch]?.tag}`, exact],
     [
@@ -174,7 +167,7 @@ describe("the boundary", () => {
     expect(lines.slice(28, 76).filter((line) => !/^3 \d+ \d+ \d+$/.test(line))).toEqual([]);
     expect(lines.slice(76).filter((line) => !line.startsWith("# "))).toEqual([]);
     const read = await readBack("part.off");
-    const trianglesByPosition = (given: FileMesh) => trianglesWithGroups(given, () => "", exact);
+    const trianglesByPosition = (given: Mesh) => trianglesWithGroups(given, () => "", exact);
     expect(trianglesByPosition(read)).toEqual(trianglesByPosition(mesh));
     expect(read.patches).toHaveLength(6);
   });

@@ -8,11 +8,9 @@ import {
   FILE_FORMATS,
   readMesh,
   readSurface,
-  repairedSurface,
   writeMesh,
-  type FileMesh,
+  type Mesh,
   type ReadResult,
-  type SurfaceFile,
   type SurfaceInput,
 } from "tetrafront";
 import { describe, expect, test } from "vitest";
@@ -40,7 +38,7 @@ describe.each(readable.map(({ extensions }) => extensions[0]))("a %s file", (ext
     const written = new Map(
       (await writeMesh(mesh, `a${extension}`)).map((file) => [file.fileName, file.bytes]),
     );
-    const read = async (cut: (bytes: Uint8Array) => Uint8Array | Iterable<Uint8Array>): Promise<FileMesh> => {
+    const read = async (cut: (bytes: Uint8Array) => Uint8Array | Iterable<Uint8Array>): Promise<Mesh> => {
       const openOther = (name: string) => {
         const other = written.get(name);
         return Promise.resolve(other && cut(other));
@@ -149,7 +147,7 @@ describe("a source of bytes", () => {
       parentPort.postMessage(read);
     });`;
     const worker = new Worker(code, { eval: true, workerData: file });
-    const read = await new Promise<ReadResult<SurfaceFile>>((resolve, reject) => {
+    const read = await new Promise<ReadResult<Mesh>>((resolve, reject) => {
       worker.once("message", resolve).once("error", reject);
     });
     await worker.terminate();
@@ -182,7 +180,7 @@ test("repairSurface welds nodes separated by rounding if asked to, and the surfa
   const mesher = await createMesher();
   try {
     const repair = await mesher.repairSurface(given, { weld: 1e-6, fillHoles: 3, orient: false });
-    const { trianglePatch, patches, ...closed } = repairedSurface(given, repair);
+    const { trianglePatch, patches, ...closed } = repair.mesh;
     expect((await mesher.inspectSurface(closed)).isFillable).toBe(true);
     expect(closed.points.length).toBe(whole.points.length);
     expect([...trianglePatch]).toEqual([...given.trianglePatch, 3]);
@@ -275,7 +273,7 @@ describe("a large mesh", () => {
   const random = randomSource(7);
   /** A fan of needles with more rows than fit into one piece of text. */
   const count = 40_000;
-  const large: FileMesh = {
+  const large: Mesh = {
     ...mesh,
     points: Float64Array.from({ length: 3 * count }, () => random() - 0.5),
     triangles: Uint32Array.from({ length: 3 * (count - 2) }, (_, h) =>

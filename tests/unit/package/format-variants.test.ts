@@ -1,5 +1,5 @@
 /** Files written by other programs, with content that formats allow beside a plain mesh. */
-import { readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { readMesh, writeMesh, type Mesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { Column } from "../../../wasm/src/formats/column.js";
@@ -7,7 +7,7 @@ import { blockMesh } from "../../support/block-mesh.js";
 import { offBinary, plyStrips, stlBinary } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
-async function read(file: string | Uint8Array, fileName: string): Promise<FileMesh> {
+async function read(file: string | Uint8Array, fileName: string): Promise<Mesh> {
   const bytes = typeof file === "string" ? new TextEncoder().encode(file) : file;
   const result = await readMesh(bytes, { fileName });
   if (!result.success) throw new Error(result.errors[0].message);

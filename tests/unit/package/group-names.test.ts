@@ -1,5 +1,5 @@
 /** Names of patches and regions: every format that can store names keeps them; the others report the loss. */
-import { FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { FILE_FORMATS, readMesh, writeMesh, type Mesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
@@ -7,7 +7,7 @@ import { boxSurface } from "../../support/surfaces.js";
 
 const block = blockMesh();
 const NAMES = ["in let", "outlet", "floor; & <cold> -- 20 °C -", "Wand Süd", "roof", "door"];
-const named: FileMesh = {
+const named: Mesh = {
   ...block,
   patches: NAMES.map((name, p) => ({ name, tag: [7, 3, 11, 4, 21, 2][p] ?? 0 })),
   regions: [
@@ -16,7 +16,7 @@ const named: FileMesh = {
   ],
 };
 
-async function roundTrip(mesh: FileMesh, fileName: string): Promise<{ read: FileMesh; notes: string }> {
+async function roundTrip(mesh: Mesh, fileName: string): Promise<{ read: Mesh; notes: string }> {
   const files = await writeMesh(mesh, fileName);
   const others = new Map(files.map((file) => [file.fileName, file.bytes]));
   const read = await readMesh(files[0]?.bytes ?? new Uint8Array(), {
@@ -31,7 +31,7 @@ async function roundTrip(mesh: FileMesh, fileName: string): Promise<{ read: File
 }
 
 /** Returns the patch name of each triangle, sorted by corner positions. */
-function byTriangle({ points, triangles, trianglePatch, patches }: FileMesh): string[] {
+function byTriangle({ points, triangles, trianglePatch, patches }: Mesh): string[] {
   return Array.from(trianglePatch, (patch, t) => {
     const corners = [0, 1, 2].map((k) => {
       const node = triangles[3 * t + k] ?? 0;
@@ -41,7 +41,7 @@ function byTriangle({ points, triangles, trianglePatch, patches }: FileMesh): st
   }).sort();
 }
 
-const regionsOf = ({ tetrahedronRegion, regions }: FileMesh) =>
+const regionsOf = ({ tetrahedronRegion, regions }: Mesh) =>
   Array.from(tetrahedronRegion, (region) => regions[region]?.name);
 
 const both = FILE_FORMATS.filter(({ readable, writable }) => readable.length > 0 && writable.length > 0);

@@ -1,12 +1,12 @@
 /** Names and numbers of patches and regions through every pair of formats that can hold them. */
-import { FILE_FORMATS, type FileMesh, readMesh, writeMesh } from "tetrafront";
+import { FILE_FORMATS, type Mesh, readMesh, writeMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
 
 const block = blockMesh();
 /** Patches and regions have the same numbers; region 2 comes first. */
-const mesh: FileMesh = {
+const mesh: Mesh = {
   ...block,
   patches: block.patches.map((patch, p) => ({ ...patch, name: `side ${"abcdef"[p]}`, tag: p + 1 })),
   regions: [
@@ -19,7 +19,7 @@ const volumes = FILE_FORMATS.filter(
   ({ readable, writable }) => readable.includes("volume") && writable.includes("volume"),
 ).map(({ extensions }) => extensions[0]);
 
-async function passedThrough(given: FileMesh, extension: string): Promise<FileMesh> {
+async function passedThrough(given: Mesh, extension: string): Promise<Mesh> {
   const files = await writeMesh(given, `a${extension}`);
   const openOther = (name: string) => Promise.resolve(files.find(({ fileName }) => fileName === name)?.bytes);
   const [file] = files;
@@ -32,7 +32,7 @@ async function passedThrough(given: FileMesh, extension: string): Promise<FileMe
  * "side a: 3" per group, with the number of its elements and the sum of the positions of their corners, which tell which
  * they are.
  */
-function groupsOf(given: FileMesh, kind: "patches" | "regions"): string[] {
+function groupsOf(given: Mesh, kind: "patches" | "regions"): string[] {
   const [nodes, owners, width] =
     kind === "patches"
       ? ([given.triangles, given.trianglePatch, 3] as const)
@@ -50,7 +50,7 @@ function groupsOf(given: FileMesh, kind: "patches" | "regions"): string[] {
     .sort();
 }
 
-const tagsOf = ({ patches, regions }: FileMesh) => ({
+const tagsOf = ({ patches, regions }: Mesh) => ({
   patches: Object.fromEntries(patches.map(({ name, tag }) => [name, tag])),
   regions: Object.fromEntries(regions.map(({ name, tag }) => [name, tag])),
 });

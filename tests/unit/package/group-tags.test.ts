@@ -1,17 +1,17 @@
 /** Tags of patches and regions: read correctly, and written unchanged if the format permits it. */
-import { readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { readMesh, writeMesh, type Mesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
 
-async function read(file: string | Uint8Array<ArrayBuffer>, fileName: string): Promise<FileMesh> {
+async function read(file: string | Uint8Array<ArrayBuffer>, fileName: string): Promise<Mesh> {
   const bytes = typeof file === "string" ? new TextEncoder().encode(file) : file;
   const result = await readMesh(bytes, { fileName });
   if (!result.success) throw new Error(result.errors[0].message);
   return result.value;
 }
 
-const groupsOfTriangles = ({ trianglePatch, patches }: FileMesh) =>
+const groupsOfTriangles = ({ trianglePatch, patches }: Mesh) =>
   Array.from(trianglePatch, (patch) => patches[patch]);
 
 describe("Gmsh: surfaces in no physical group (Mesh.SaveAll) do not get the name of a group", () => {
@@ -41,7 +41,7 @@ $Elements\n4\n1 2 2 ${group} 1 1 3 2\n2 2 2 0 2 1 2 4\n3 2 2 0 2 2 3 4\n4 2 2 0 
 
 describe("tags of groups", () => {
   const block = blockMesh();
-  const withTags = (...tags: readonly number[]): FileMesh => ({
+  const withTags = (...tags: readonly number[]): Mesh => ({
     ...block,
     patches: block.patches.map((patch, p) => ({ ...patch, name: `side ${p}`, tag: tags[p] ?? 100 + p })),
     regions: block.regions.map((region, r) => ({ ...region, name: `body ${r}`, tag: 5 * r })),
@@ -56,7 +56,7 @@ describe("tags of groups", () => {
       openOther: (name) => Promise.resolve(others.get(name)),
     });
     if (!again.success) throw new Error(again.errors[0].message);
-    const tagsOf = (given: FileMesh) => groupsOfTriangles(given).map((patch) => patch?.tag);
+    const tagsOf = (given: Mesh) => groupsOfTriangles(given).map((patch) => patch?.tag);
     expect(tagsOf(again.value).sort()).toEqual(tagsOf(mesh).sort());
     expect(new Set(again.value.regions.map(({ tag }) => tag))).toEqual(
       new Set(mesh.regions.map(({ tag }) => tag)),

@@ -4,9 +4,7 @@ import { existsSync, readFileSync } from "node:fs";
 import {
   createMesher,
   extensionsFor,
-  type FileMesh,
-  fileMeshOf,
-  improvedMesh,
+  type Mesh,
   type Mesher,
   type MeshImprovement,
   NO_ORIGIN,
@@ -26,20 +24,20 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 
 let mesher: Mesher;
 /** A sphere as the front left it. */
-let rough: FileMesh;
+let rough: Mesh;
 beforeAll(async () => {
   mesher = await createMesher();
-  rough = fileMeshOf(await mesher.fillSurface(sphereSurface(8), { optimization: "none" }));
+  rough = (await mesher.fillSurface(sphereSurface(8), { optimization: "none" })).mesh;
 });
 afterAll(() => mesher.dispose());
 
 const folder = temporaryFolder();
 const { save, run, inFolder } = folder;
 
-const improve = (mesh: FileMesh) => mesher.improveMesh({ ...mesh, regions: mesh.tetrahedronRegion });
+const improve = (mesh: Mesh) => mesher.improveMesh(mesh);
 
 /** The triangles of each patch by the positions of their corners. */
-function trianglesByPatch({ points, triangles, trianglePatch, patches }: FileMesh): Record<string, string[]> {
+function trianglesByPatch({ points, triangles, trianglePatch, patches }: Mesh): Record<string, string[]> {
   const found: Record<string, string[]> = {};
   trianglePatch.forEach((patch, t) => {
     const corners = [...triangles.subarray(3 * t, 3 * t + 3)].map((node) =>
@@ -51,7 +49,7 @@ function trianglesByPatch({ points, triangles, trianglePatch, patches }: FileMes
 }
 
 /** Volume of each region. */
-function volumes({ points, tetrahedra, tetrahedronRegion, regions }: FileMesh): number[] {
+function volumes({ points, tetrahedra, tetrahedronRegion, regions }: Mesh): number[] {
   const sums = regions.map(() => 0);
   tetrahedronRegion.forEach((region, t) => {
     const [a = [], b = [], c = [], d = []] = [...tetrahedra.subarray(4 * t, 4 * t + 4)].map((node) => [
@@ -81,17 +79,16 @@ test("improves a mesh and keeps its boundary", async () => {
   expect(made.before.dihedral.min).toBeLessThan(10);
   expect(made.after.dihedral.min).toBeGreaterThan(29);
   expect(made.after.outOfRange).toBe(0);
-  const better = improvedMesh(rough, made);
+  const better = made.mesh;
   expect(trianglesByPatch(better)).toEqual(trianglesByPatch(rough));
   const { points, triangles } = rough;
-  const none = new Uint32Array();
-  expect(defectsOf({ ...made, front: none }, { points, triangles })).toEqual(NO_DEFECTS);
-  const inspected = await mesher.inspectMesh(made);
+  expect(defectsOf(better, { points, triangles })).toEqual(NO_DEFECTS);
+  const inspected = await mesher.inspectMesh(made.mesh);
   expect(inspected).toMatchObject({ isValid: true, dihedral: made.after.dihedral });
 });
 
 /** blockMesh(5) as a cube whose inner nodes are moved by up to 0.2 edges; z = 3 is between the regions. */
-function shakenBlock(): FileMesh {
+function shakenBlock(): Mesh {
   const random = randomSource(7);
   const mesh = blockMesh(5);
   const points = mesh.points.map((_, i) => {
@@ -108,7 +105,7 @@ test("keeps patches, regions, names and tags", async () => {
   const given = shakenBlock();
   const made = await improve(given);
   expect(made.isImproved).toBe(true);
-  const better = improvedMesh(given, made);
+  const better = made.mesh;
   expect(better.patches).toEqual(given.patches);
   expect(better.regions).toEqual(given.regions);
   expect(trianglesByPatch(better)).toEqual(trianglesByPatch(given));
@@ -116,7 +113,7 @@ test("keeps patches, regions, names and tags", async () => {
   expect(better.nodeData.size).toBe(0);
   made.nodeOrigin.forEach((origin, node) => {
     if (origin === NO_ORIGIN) return;
-    expect(made.points.subarray(3 * node, 3 * node + 3)).toEqual(
+    expect(made.mesh.points.subarray(3 * node, 3 * node + 3)).toEqual(
       given.points.subarray(3 * origin, 3 * origin + 3),
     );
   });
@@ -129,7 +126,7 @@ const tetrahedron = {
 
 /** A sphere without nodes inside, where only new nodes would make good elements. */
 const hollowSphere = async () =>
-  fileMeshOf(await mesher.fillSurface(sphereSurface(6), { optimization: "none", exactFillOnly: true }));
+  (await mesher.fillSurface(sphereSurface(6), { optimization: "none", exactFillOnly: true })).mesh;
 
 test("adds no more elements than permitted, and says if more might help", async () => {
   const { points, tetrahedra } = await hollowSphere();
@@ -170,7 +167,7 @@ test.each(formats)("improves meshes of %s files", async (extension) => {
   const made = await improve(read.value);
   expect(made.isImproved).toBe(true);
   expectNoWorse(made);
-  expect(trianglesByPatch(improvedMesh(read.value, made))).toEqual(trianglesByPatch(read.value));
+  expect(trianglesByPatch(made.mesh)).toEqual(trianglesByPatch(read.value));
 });
 
 test("says if nothing is better, and returns the given elements", async () => {
@@ -179,7 +176,7 @@ test("says if nothing is better, and returns the given elements", async () => {
   expect(made.diagnostics.map(({ code, severity }) => [code, severity])).toEqual([
     ["no-improvement", "information"],
   ]);
-  expect(made.tetrahedra).toEqual(tetrahedron.tetrahedra);
+  expect(made.mesh.tetrahedra).toEqual(tetrahedron.tetrahedra);
   expect(made.after).toEqual(made.before);
 });
 
@@ -209,7 +206,7 @@ describe("stopped early", () => {
   test("returns a valid mesh that is no worse", async () => {
     const stop = new AbortController();
     const improving = mesher.improveMesh(
-      { ...rough, regions: rough.tetrahedronRegion },
+      rough,
       { optimization: "thorough" },
       { signal: stop.signal, partial: true },
     );
@@ -217,7 +214,7 @@ describe("stopped early", () => {
     const made = await improving;
     expect(made.isPartial).toBe(true);
     expectNoWorse(made);
-    expect((await mesher.inspectMesh(made)).isValid).toBe(true);
+    expect((await mesher.inspectMesh(made.mesh)).isValid).toBe(true);
   });
 
   test("returns a valid surface", async () => {
@@ -229,8 +226,8 @@ describe("stopped early", () => {
     expect(made.isPartial).toBe(true);
     const whole = await mesher.remeshSurface(given, { size: 0.05 });
     expect(whole.isPartial).toBe(false);
-    expect(made.surface.triangles).not.toEqual(whole.surface.triangles);
-    expect((await mesher.inspectSurface(made.surface)).isFillable).toBe(true);
+    expect(made.mesh.triangles).not.toEqual(whole.mesh.triangles);
+    expect((await mesher.inspectSurface(made.mesh)).isFillable).toBe(true);
     expect(made.deviation).toBeLessThanOrEqual(1.001 * made.tolerance);
   });
 });
@@ -326,7 +323,7 @@ describe("the command", () => {
   });
 
   test("writes what it has when it is interrupted", async () => {
-    const big = fileMeshOf(await mesher.fillSurface(sphereSurface(24), { optimization: "none" }));
+    const big = (await mesher.fillSurface(sphereSurface(24), { optimization: "none" })).mesh;
     const [file] = await writeMesh(big, "big.vtu");
     save("big.vtu", file?.bytes ?? new Uint8Array());
     const args = ["improve", "big.vtu", "-o", "part.vtu", "--optimize", "thorough"];

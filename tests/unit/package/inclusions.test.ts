@@ -223,7 +223,7 @@ describe("the API", () => {
       expect([found.isFillable, found.regions, found.volume]).toEqual([true, regions, near(volume)]);
       expect((await mesher.repairSurface(surface)).changes).toEqual([]);
       const remesh = await mesher.remeshSurface(surface);
-      expect((await mesher.inspectSurface(remesh.surface)).regions).toBe(regions);
+      expect((await mesher.inspectSurface(remesh.mesh)).regions).toBe(regions);
       const { report } = await mesher.fillSurface(surface);
       expect(report.volume).toBeCloseTo(volume, 9);
     }
@@ -231,7 +231,7 @@ describe("the API", () => {
 
   test("keeps a body in a body when a repair resolves intersections elsewhere", async () => {
     const crossing = joined(sphereSurface(2, 1, [6, 0, 0]), sphereSurface(2, 1, [7, 0.2, 0.1]));
-    const { surface } = await mesher.repairSurface(joined(joined(matrix, ball), crossing));
+    const { mesh: surface } = await mesher.repairSurface(joined(joined(matrix, ball), crossing));
     const found = await mesher.inspectSurface(surface);
     expect([found.isFillable, found.regions]).toEqual([true, 3]);
   });

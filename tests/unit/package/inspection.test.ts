@@ -5,7 +5,6 @@ import {
   MesherError,
   NO_ORIGIN,
   readMesh,
-  repairedSurface,
   type Diagnostic,
   type Mesher,
   type SurfaceInput,
@@ -143,7 +142,7 @@ describe("the inspection of a surface", () => {
     const refinement = await mesher.refineSurface(open, { size: 0.2 });
     const count = refinement.origin.length;
     expect(count).toBeGreaterThan(100);
-    const { diagnostics } = await mesher.inspectSurface(refinement.surface);
+    const { diagnostics } = await mesher.inspectSurface(refinement.mesh);
     const named = diagnostics.flatMap(({ entities }) => entities.filter(({ kind }) => kind === "triangle"));
     expect(named.length).toBeGreaterThan(3);
     const around = (await mesher.inspectSurface(open)).diagnostics.flatMap(({ entities }) =>
@@ -151,12 +150,12 @@ describe("the inspection of a surface", () => {
     );
     expect(new Set(named.map(({ index }) => index))).toEqual(new Set(around));
     for (const { index, label } of named) expect(label).toBe(`triangle ${index}`);
-    const { report } = await mesher.fillSurface(refinement.surface);
+    const { report } = await mesher.fillSurface(refinement.mesh);
     expect(report.diagnostics).toEqual(diagnostics);
     // After a repair before the refinement, and with a triangle that no given surface contains.
     const file = { ...open, trianglePatch: new Uint32Array(11), patches: [{ name: "skin", tag: 1 }] };
-    const repaired = repairedSurface(file, await mesher.repairSurface(file, { fillHoles: 3 }));
-    const again = repairedSurface(repaired, await mesher.refineSurface(repaired, { size: 0.5 }));
+    const repaired = (await mesher.repairSurface(file, { fillHoles: 3 })).mesh;
+    const again = (await mesher.refineSurface(repaired, { size: 0.5 })).mesh;
     expect(new Set(again.origin)).toEqual(new Set([...file.trianglePatch.keys(), NO_ORIGIN]));
   });
 
@@ -226,7 +225,7 @@ describe("a repair", () => {
   test("changes neither a valid surface nor the caller's arrays", async () => {
     const given = turned(box);
     const copy = { points: given.points.slice(), triangles: given.triangles.slice() };
-    const { changes, surface } = await mesher.repairSurface(given, { orient: false });
+    const { changes, mesh: surface } = await mesher.repairSurface(given, { orient: false });
     expect(changes).toEqual([]);
     expect(surface).toMatchObject(copy);
     expect(given).toEqual(copy);
@@ -246,7 +245,7 @@ describe("a repair", () => {
     const found = await mesher.inspectSurface(given);
     expect(found).toMatchObject({ isFillable: false, isClosed: true, isManifold: true, flippedTriangles: 3 });
     expect(codes(found.diagnostics)).toEqual(errors);
-    const { surface, changes } = await mesher.repairSurface(given);
+    const { mesh: surface, changes } = await mesher.repairSurface(given);
     expect(changes.map((change) => (change.kind === "flipped-triangle" ? change.triangle : -1))).toEqual(
       wrong,
     );
@@ -271,7 +270,7 @@ describe("a repair", () => {
     const broken = without(soup, 3);
     const last = broken.triangles.slice(-3);
     const given = { points: broken.points, triangles: Uint32Array.of(...broken.triangles, ...last, 0, 0, 1) };
-    const { surface, changes, origin } = await mesher.repairSurface(given, { fillHoles: 3 });
+    const { mesh: surface, changes, origin } = await mesher.repairSurface(given, { fillHoles: 3 });
     expect(new Set(changes.map(({ kind }) => kind))).toEqual(
       new Set(["welded-node", "removed-triangle", "removed-duplicate", "filled-hole"]),
     );
@@ -290,10 +289,8 @@ describe("a repair", () => {
     const points = Float64Array.of(9, 9, 9, 8, 8, 8, ...box.points, ...first);
     const triangles = box.triangles.map((node, h) => (h === 0 ? count : node + 2));
     const given = { points, triangles, trianglePatch: new Uint32Array(triangles.length / 3), patches: [] };
-    const repaired = repairedSurface(
-      given,
-      await mesher.repairSurface(given, { weld: false, resolveIntersections: false }),
-    );
+    const exactly = { weld: false, resolveIntersections: false } as const;
+    const { mesh: repaired } = await mesher.repairSurface(given, exactly);
     const positionOf = (all: Float64Array, node: number) => [...all.subarray(3 * node, 3 * node + 3)];
     const { nodeOrigin = new Uint32Array() } = repaired;
     expect(nodeOrigin).toHaveLength(repaired.points.length / 3);
@@ -308,7 +305,7 @@ describe("a repair", () => {
       [`surface node ${count}`, `surface node ${(box.triangles[0] ?? 0) + 2}`].sort(),
     );
 
-    const welded = repairedSurface(repaired, await mesher.repairSurface(repaired));
+    const welded = (await mesher.repairSurface(repaired)).mesh;
     const { nodeOrigin: chained = new Uint32Array() } = welded;
     expect(chained).toHaveLength(box.points.length / 3);
     chained.forEach((from, node) =>
@@ -342,7 +339,7 @@ describe("the refinement of a surface", () => {
       { code: "coarse-surface", severity: "warning", entities: [{ kind: "triangle" }] },
     ]);
     expect(before.report.quality.edges.mean).toBeGreaterThan(5);
-    const { surface, origin, splitEdges } = await mesher.refineSurface(plain, options);
+    const { mesh: surface, origin, splitEdges } = await mesher.refineSurface(plain, options);
     expect(surface.points).toHaveLength(plain.points.length + 3 * splitEdges);
     expect(origin).toHaveLength(surface.triangles.length / 3);
     const { nodeOrigin = new Uint32Array() } = surface;
@@ -383,19 +380,21 @@ describe("the refinement of a surface", () => {
 
 describe("the inspection of a mesh", () => {
   test("agrees with the report of the run", async () => {
-    const { volume, report, surface } = await mesher.fillSurface(box, { size: 0.5 });
-    const found = await mesher.inspectMesh(volume);
+    const { mesh, report } = await mesher.fillSurface(box, { size: 0.5 });
+    const found = await mesher.inspectMesh(mesh);
     expect(found.isValid).toBe(true);
     expect(found.dihedral).toEqual(report.dihedral);
     expect(found.tetrahedra).toBe(report.tetrahedra);
-    expect(found.boundary.triangles).toHaveLength(surface.triangles.length);
+    expect(found.boundary.triangles).toHaveLength(mesh.triangles.length);
     expect(found.quality.worst[0]?.tetrahedron).toBe(report.quality.worst[0]?.tetrahedron);
   });
 
   test("rejects invalid arrays", async () => {
-    const { volume } = await mesher.fillSurface(box);
-    const regions = volume.regions.slice(1);
-    await expect(mesher.inspectMesh({ ...volume, regions })).rejects.toMatchObject({ code: "invalid-input" });
+    const { mesh } = await mesher.fillSurface(box);
+    const tetrahedronRegion = mesh.tetrahedronRegion.slice(1);
+    await expect(mesher.inspectMesh({ ...mesh, tetrahedronRegion })).rejects.toMatchObject({
+      code: "invalid-input",
+    });
   });
 });
 
@@ -440,7 +439,7 @@ test("repairSurface and inspectMesh report progress while a run beside them cont
   );
   const fractions: number[] = [];
   const onProgress = ({ fraction }: { readonly fraction: number }) => fractions.push(fraction);
-  const { surface } = await mesher.repairSurface(sphereSurface(60), { weld: 1e-9 }, { onProgress });
+  const { mesh: surface } = await mesher.repairSurface(sphereSurface(60), { weld: 1e-9 }, { onProgress });
   expect(surface.triangles.length).toBe(sphereSurface(60).triangles.length);
   expect(fractions.at(-1)).toBe(1);
   expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
@@ -456,7 +455,7 @@ test("repairSurface and inspectMesh report progress while a run beside them cont
 });
 
 test("inverted elements are flipped when a file is read, and the inspection reports them", async () => {
-  const { points, tetrahedra } = (await mesher.fillSurface(boxSurface(2), { size: 0.4 })).volume;
+  const { points, tetrahedra } = (await mesher.fillSurface(boxSurface(2), { size: 0.4 })).mesh;
   const count = tetrahedra.length / 4;
   const inverted = [3, 7, count - 1];
   const file = (isInverted: (t: number) => boolean) => {

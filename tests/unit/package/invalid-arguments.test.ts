@@ -72,21 +72,7 @@ const regionPoints = {
   holes: [],
   regions: [{ number: 1, position: [0.5, 0.5, 0.5], tag: 1, name: "body", maxVolume: 1 }],
 };
-const meshed = {
-  surface: {
-    ...box,
-    trianglePatch: new Uint32Array(12),
-    triangleRegions: new Uint32Array(24),
-    sides: new Uint32Array(),
-    sideLine: new Uint32Array(),
-  },
-  volume: {
-    points: block.points,
-    tetrahedra: block.tetrahedra,
-    regions: block.tetrahedronRegion,
-    front: new Uint32Array(),
-  },
-};
+const triangleRegions = new Uint32Array(24);
 const text = new TextEncoder().encode("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
 const nodes = new TextEncoder().encode("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
 const elements = new TextEncoder().encode("1 4 0\n1 1 2 3 4\n");
@@ -121,7 +107,6 @@ const functions: Readonly<Record<string, Arguments>> = {
   extensionsFor: { action: "read", contents: "surface" },
   formatOf: { fileName: "a.off" },
   setCadLibrary: { addresses: { script: "occt-import-js.js", wasm: "occt-import-js.wasm" } },
-  fileMeshOf: { mesh: meshed, names: { project, surface: { ...surfaceFile, surfaceRegions } } },
   patchNames: { project },
   readMesh: { source: text, options: readOptions },
   readSurface: { source: text, options: readOptions },
@@ -149,14 +134,7 @@ const functions: Readonly<Record<string, Arguments>> = {
     },
     control,
   },
-  unusedData: { volume: { nodeData: new Map([["size", { components: 1, values: new Float64Array(8) }]]) } },
-  volumeBackground: {
-    mesher: { backgroundFromMesh: () => Promise.resolve(background) },
-    volume: {
-      ...block,
-      nodeData: new Map([["size", { components: 1, values: new Float64Array(8).fill(1) }]]),
-    },
-  },
+  unusedData: { mesh: { nodeData: new Map([["size", { components: 1, values: new Float64Array(8) }]]) } },
   backgroundArrays: {
     background: { ...project.background, sources: background.sources, coverageMargin: 0.1 },
   },
@@ -185,40 +163,24 @@ const functions: Readonly<Record<string, Arguments>> = {
     nextPatchId: 11,
   },
   mergePatches: { body, ids: [10] },
-  repairedSurface: {
-    given: { ...surfaceFile, surfaceRegions },
-    repair: { surface: box, origin: Uint32Array.from({ length: 12 }, (_, t) => t) },
-  },
-  improvedMesh: {
-    given: block,
-    improvement: {
-      isImproved: true,
-      points: block.points,
-      tetrahedra: block.tetrahedra,
-      regions: block.tetrahedronRegion,
-      nodeOrigin: Uint32Array.from({ length: block.points.length / 3 }, (_, node) => node),
-    },
-  },
   meshWithBoundary: { mesh: block },
-  inspectedResult: { mesh: { ...meshed, patchShapes: [{ meanEdge: 1 }] }, inspection },
+  inspectedResult: { opened: { mesh: block, patchShapes: [{ meanEdge: 1 }] }, inspection },
   improvedResult: {
-    result: { ...meshed, report: { diagnostics: [] } },
+    result: { mesh: block, sides: new Uint32Array(), report: { diagnostics: [] } },
     improvement: {
-      points: block.points,
-      tetrahedra: block.tetrahedra,
-      regions: block.tetrahedronRegion,
+      mesh: block,
       nodeOrigin: Uint32Array.from({ length: block.points.length / 3 }, (_, node) => node),
     },
     inspection,
   },
   measureTriangles: { surface: box },
-  isInterface: { surface: meshed.surface, triangle: 0 },
+  isInterface: { mesh: { triangleRegions }, triangle: 0 },
 };
 
 const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   meshProject: {
     project: { ...project, bodies: [body] },
-    options: { gradation: 1.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared] },
     control,
   },
   fillSurface: { surface: { ...box, givenRegions }, options: { growth: 0.3, background }, control },
@@ -232,11 +194,11 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   },
   previewProject: { project, options: { size: 1, innerShells: "cavities" }, control },
   coverProject: { project, options: { size: 1, shape: "box" }, control },
-  proposeSizes: { project, options: { smallest: 0.5 }, control },
+  proposeSizes: { project, options: { minSize: 0.5 }, control },
   sampleSizes: {
     project: { ...project, bodies: [body] },
     positions: new Float64Array(6),
-    options: { gradation: 1.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared] },
     control,
   },
   backgroundFromMesh: { mesh: block, options: { sizes: new Float64Array(8).fill(1) }, control },
@@ -258,9 +220,9 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
     options: { featureAngle: 30, layers: 1, background },
     control,
   },
-  inspectMesh: { mesh: { ...block, regions: block.tetrahedronRegion }, control },
+  inspectMesh: { mesh: block, control },
   improveMesh: {
-    mesh: { ...block, regions: block.tetrahedronRegion },
+    mesh: block,
     options: { optimization: "fast" },
     control: { ...control, partial: true },
   },
@@ -324,7 +286,7 @@ const ENGINE: readonly string[] = Object.values(api.ENGINE_CODES);
 const OTHERS: readonly string[] = [
   ...["invalid-argument", "invalid-arrays", "invalid-option", "invalid-project", "not-a-project"],
   ...["unknown-format", "empty-file", "malformed-file", "missing-file", "no-triangles", "no-tetrahedra"],
-  ...["invalid-sizes", "later-version", "invalid-mesh"],
+  ...["later-version", "invalid-mesh"],
 ];
 
 interface ReportedError {
@@ -357,7 +319,7 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 /**
  * Functions tested elsewhere: `readTrace` and `loadTrace` with damaged files (trace.test.ts); `recordTrace` passes its
  * arguments on to methods of the mesher; `liveNotes` takes a project that was checked; `hasWelded`
- * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader.
+ * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader; units of solids are tested in solid-units.test.ts.
  */
 const TESTED_ELSEWHERE = [
   "MesherError",
@@ -370,6 +332,12 @@ const TESTED_ELSEWHERE = [
   "remeshedBest",
   "regionSummaries",
   "withSolidsOfPatches",
+  "connectedGroups",
+  "createUnitBodies",
+  "isWithin",
+  "nearPairs",
+  "sharedPairs",
+  "solidUnits",
 ];
 
 test("every exported function and every method is tested", () => {

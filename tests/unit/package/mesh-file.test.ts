@@ -129,7 +129,7 @@ describe("fit triangles", () => {
   });
 
   test("of a remeshing are kept", async () => {
-    const { surface } = await mesher.remeshSurface(needleGearSurface(9, 0.3));
+    const { mesh: surface } = await mesher.remeshSurface(needleGearSurface(9, 0.3));
     const auto = made(await meshed(surface));
     expect(auto.report.triangles).toBe(surface.triangles.length / 3);
   });

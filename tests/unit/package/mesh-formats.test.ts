@@ -1,7 +1,9 @@
-import { fileMeshOf, writeMesh, type FileMesh, type MeshResult } from "tetrafront";
+import { writeMesh, type Mesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { parseMsh, parseVtu } from "../../support/mesh-files.js";
+import { namedMesh } from "../../../wasm/src/api/generated-mesh.js";
+import type { EngineMesh } from "../../../wasm/src/engine/engine-mesh.js";
 
 /**
  * Two tetrahedra of two regions that share a face; two of their outer faces are patches. The coordinates are
@@ -24,7 +26,7 @@ const points = Float64Array.of(
   1,
   1,
 );
-const mesh: Pick<MeshResult, "surface" | "volume"> = {
+const flat: EngineMesh = {
   surface: {
     points: points.slice(0, 12),
     triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2),
@@ -40,36 +42,37 @@ const mesh: Pick<MeshResult, "surface" | "volume"> = {
     front: new Uint32Array(),
   },
 };
-const empty: typeof mesh = {
-  surface: { ...mesh.surface, triangles: new Uint32Array(), trianglePatch: new Uint32Array() },
-  volume: { ...mesh.volume, tetrahedra: new Uint32Array(), regions: new Uint32Array() },
-};
+const { mesh } = namedMesh(flat, {});
+const { mesh: empty } = namedMesh(
+  {
+    surface: { ...flat.surface, triangles: new Uint32Array(), trianglePatch: new Uint32Array() },
+    volume: { ...flat.volume, tetrahedra: new Uint32Array(), regions: new Uint32Array() },
+  },
+  {},
+);
 
 /** Writes a mesh and returns its only file. */
-async function written(extension: string, mesh: FileMesh): Promise<Uint8Array<ArrayBuffer>> {
+async function written(extension: string, mesh: Mesh): Promise<Uint8Array<ArrayBuffer>> {
   const [file, ...others] = await writeMesh(mesh, `part${extension}`);
   if (file === undefined || others.length > 0) throw new Error("not one file");
   expect(file.fileName).toBe(`part${extension}`);
   return file.bytes;
 }
 
-const named = (
-  patches: readonly string[],
-  regions: readonly string[] = ["region 1", "region 2"],
-): FileMesh => ({
-  ...fileMeshOf(mesh),
+const named = (patches: readonly string[], regions: readonly string[] = ["region 1", "region 2"]): Mesh => ({
+  ...mesh,
   patches: patches.map((name, p) => ({ name, tag: p + 1 })),
   regions: regions.map((name, r) => ({ name, tag: r + 1 })),
 });
 
-test("fileMeshOf lists all regions of a partial mesh with elements of the last one only", () => {
-  const volume = { ...mesh.volume, regions: mesh.volume.regions.map(() => 2) };
-  expect(fileMeshOf({ ...mesh, volume }).regions).toHaveLength(3);
+test("a partial mesh with elements of the last region only lists all regions", () => {
+  const volume = { ...flat.volume, regions: flat.volume.regions.map(() => 2) };
+  expect(namedMesh({ ...flat, volume }, {}).mesh.regions).toHaveLength(3);
 });
 
 describe("VTU", () => {
   test("holds the tetrahedra with exact coordinates", async () => {
-    const read = parseVtu(await written(".vtu", fileMeshOf(mesh)));
+    const read = parseVtu(await written(".vtu", mesh));
     expect([...read.points]).toEqual([...points]);
     expect(read.tetrahedra).toEqual([
       [0, 1, 2, 3],
@@ -85,7 +88,7 @@ describe("VTU", () => {
   });
 
   test("is complete for a mesh without tetrahedra", async () => {
-    const read = parseVtu(await written(".vtu", fileMeshOf(empty)));
+    const read = parseVtu(await written(".vtu", empty));
     expect([read.points.length, read.tetrahedra, read.regions]).toEqual([15, [], []]);
   });
 });
@@ -137,7 +140,7 @@ describe("MSH", () => {
   );
 
   test("is complete for a mesh without elements", async () => {
-    expect(parseMsh(await written(".msh", fileMeshOf(empty)))).toMatchObject({
+    expect(parseMsh(await written(".msh", empty))).toMatchObject({
       triangles: [],
       tetrahedra: [],
     });
@@ -155,7 +158,7 @@ describe("legacy VTK", () => {
   };
 
   test("holds the tetrahedra with exact coordinates", async () => {
-    const file = await written(".vtk", fileMeshOf(mesh));
+    const file = await written(".vtk", mesh);
     expect(after(file, /^ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n/m, 15)).toEqual([...points]);
     const cells = [4, 0, 1, 2, 3, 4, 1, 4, 2, 3, 3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2];
     expect(after(file, /^CELLS 5 22\n/m, 22)).toEqual(cells);
@@ -165,7 +168,7 @@ describe("legacy VTK", () => {
   });
 
   test("is complete for a mesh without tetrahedra", async () => {
-    expect(new TextDecoder("latin1").decode(await written(".vtk", fileMeshOf(empty)))).toMatch(
+    expect(new TextDecoder("latin1").decode(await written(".vtk", empty))).toMatch(
       /CELLS 0 0\nCELL_TYPES 0\nCELL_DATA 0\n/,
     );
   });
@@ -181,7 +184,7 @@ describe("Medit", () => {
   };
 
   test("holds boundary and tetrahedra with their references and exact coordinates", async () => {
-    const file = new TextDecoder().decode(await written(".mesh", fileMeshOf(mesh)));
+    const file = new TextDecoder().decode(await written(".mesh", mesh));
     expect(file).toMatch(/^MeshVersionFormatted 2\n\nDimension 3\n/);
     expect(rowsOf(file, "Vertices").flatMap((row) => row.slice(0, 3))).toEqual([...points]);
     expect(rowsOf(file, "Triangles")).toEqual([
@@ -197,9 +200,7 @@ describe("Medit", () => {
   });
 
   test("is complete for a mesh without elements", async () => {
-    expect(new TextDecoder().decode(await written(".mesh", fileMeshOf(empty)))).toMatch(
-      /Tetrahedra\n0\n\nEnd\n$/,
-    );
+    expect(new TextDecoder().decode(await written(".mesh", empty))).toMatch(/Tetrahedra\n0\n\nEnd\n$/);
   });
 });
 

@@ -8,7 +8,7 @@ import {
   NO_REGION,
   type Mesher,
   type MeshResult,
-  type Progress,
+  type CallProgress,
   type SurfaceInput,
 } from "tetrafront";
 import { readProject, type Project } from "tetrafront/project";
@@ -36,8 +36,7 @@ afterAll(() => mesher.dispose());
  * Returns the number of elements of the unit cube whose centroid lies within 0.2 of its centre along every
  * axis.
  */
-function elementsInTheMiddle({ volume }: MeshResult): number {
-  const { points, tetrahedra } = volume;
+function elementsInTheMiddle({ mesh: { points, tetrahedra } }: MeshResult): number {
   let count = 0;
   for (let t = 0; t < tetrahedra.length; t += 4) {
     const corners = tetrahedra.subarray(t, t + 4);
@@ -94,8 +93,8 @@ describe("fillSurface", () => {
     const surface = joined(sphereSurface(6), sphereSurface(5, 0.7, [4, 0, 0]));
     const result = await mesher.fillSurface(surface);
     expectValid(result, surface);
-    expect([...new Set(result.volume.regions)].sort()).toEqual([0, 1]);
-    expect([...new Set(result.surface.trianglePatch)].sort()).toEqual([0, 1]);
+    expect([...new Set(result.mesh.tetrahedronRegion)].sort()).toEqual([0, 1]);
+    expect([...new Set(result.mesh.trianglePatch)].sort()).toEqual([0, 1]);
   });
 
   test("flips an inverted surface and reports it", async () => {
@@ -160,8 +159,8 @@ describe("meshProject meshes", () => {
     expectValid(result);
     expect(Math.abs(result.report.volume - 1)).toBeLessThan(1e-12);
     // Twelve lines of five sides, and all six patches.
-    expect(result.surface.sideLine).toHaveLength(60);
-    expect([...new Set(result.surface.trianglePatch)].sort()).toEqual([0, 1, 2, 3, 4, 5]);
+    expect(result.sideLine).toHaveLength(60);
+    expect([...new Set(result.mesh.trianglePatch)].sort()).toEqual([0, 1, 2, 3, 4, 5]);
   });
 
   test("a project without background grid with a uniform size", async () => {
@@ -203,7 +202,7 @@ describe("inner shells", () => {
     expect(volumes[0]).toBeCloseTo(empty.report.volume, 12);
     expect(filled.report.volume).toBeCloseTo(Number(volumes[0]) + Number(volumes[1]), 12);
     // Both sides of the inner sphere's triangles, and of no others, belong to a region.
-    const { triangleRegions } = filled.surface;
+    const { triangleRegions = new Uint32Array() } = filled.mesh;
     const isInterface = (triangle: number): boolean =>
       [0, 1].every((side) => triangleRegions[2 * triangle + side] !== NO_REGION);
     const box = boxSurface(6).triangles.length / 3;
@@ -218,11 +217,39 @@ describe("the meshing settings of a project", () => {
   test("are applied", async () => {
     const [bySettings, byOptions] = await Promise.all([
       mesher.meshProject({ ...coarse, meshing }),
-      mesher.meshProject(coarse, meshing),
+      mesher.meshProject(coarse, {
+        size: 0.2,
+        order: "smallest-first",
+        optimization: "none",
+        growth: Infinity,
+      }),
     ]);
     expectValid(bySettings);
     expect(bySettings.report.fingerprint).toBe(byOptions.report.fingerprint);
     expect(bySettings.report.seconds.optimize).toBeLessThan(0.01);
+  });
+
+  test("a gradation is 1 + growth", async () => {
+    const [first, ...others] = coarse.background.nodes;
+    if (first === undefined) throw new Error("the grid has no nodes");
+    const nodes = [{ ...first, size: 0.1 }, ...others];
+    const graded = { ...coarse, background: { ...coarse.background, nodes } };
+    const fingerprintOf = async (gradation: number | undefined, growth?: number) => {
+      const project = { ...graded, ...(gradation !== undefined && { meshing: { gradation } }) };
+      return (await mesher.meshProject(project, { growth })).report.fingerprint;
+    };
+    const steep = await fingerprintOf(1.1);
+    expect(steep).toHaveLength(16);
+    expect(await fingerprintOf(undefined, 0.1)).toBe(steep);
+    expect(await fingerprintOf(1.5, 0.1)).toBe(steep);
+    expect(await fingerprintOf(undefined)).not.toBe(steep);
+    expect(await fingerprintOf(undefined, 0.3)).toBe(await fingerprintOf(undefined));
+    expect(await fingerprintOf(undefined, Infinity)).toBe(await fingerprintOf(0));
+  });
+
+  test("a gradation that lets sizes shrink is refused", async () => {
+    const { report } = await mesher.meshProject({ ...coarse, meshing: { gradation: 0.5 } });
+    expect(report.diagnostics[0]?.message).toMatch(/gradation is 0\.5/);
   });
 
   test("are overridden by the options of the call", async () => {
@@ -281,7 +308,7 @@ describe("invalid input gives a result with diagnostics:", () => {
       "invalid-arrays",
     ],
   ])("%s", async (_, surface, code) => {
-    const { report, volume } = await mesher.fillSurface(surface);
+    const { report, mesh: volume } = await mesher.fillSurface(surface);
     expect(report.status).toBe("invalid-input");
     expect(report.diagnostics.map((diagnostic) => diagnostic.code)).toContain(code);
     expect(volume.tetrahedra).toHaveLength(0);
@@ -422,13 +449,13 @@ test("the same input gives the same mesh in the same worker and in another", asy
     await other.fillSurface(surface),
   ];
   other.dispose();
-  const [first, ...rest] = results.map(({ volume, report }) => ({ volume, fingerprint: report.fingerprint }));
+  const [first, ...rest] = results.map(({ mesh, report }) => ({ mesh, fingerprint: report.fingerprint }));
   for (const same of rest) expect(same).toEqual(first);
 });
 
 describe("progress", () => {
   test("never decreases and is reported at most ten times per second and once at the end", async () => {
-    const seen: { progress: Progress; at: number }[] = [];
+    const seen: { progress: CallProgress; at: number }[] = [];
     const { report } = await mesher.fillSurface(
       sphereSurface(24),
       {},
@@ -481,7 +508,7 @@ describe("cancelling", () => {
     expect(performance.now() - abortedAt).toBeLessThan(LENIENT_MS);
     expect(result.report.status).toBe("cancelled");
     expect(result.report.tetrahedra).toBeGreaterThan(0);
-    expect(result.volume.front.length).toBeGreaterThan(0);
+    expect(result.front.length).toBeGreaterThan(0);
   });
 
   test("ends the exact fill, which reports its progress", { retry: 3 }, async () => {
@@ -548,8 +575,8 @@ describe("an onProgress callback", () => {
     await expect(failing).rejects.toBe(failure);
     await expect(mesher.inspectSurface(surface, {}, { onProgress })).rejects.toBe(failure);
     await expect(mesher.repairSurface(surface, {}, { onProgress })).rejects.toBe(failure);
-    const { volume } = await next;
-    await expect(mesher.inspectMesh(volume, { onProgress })).rejects.toBe(failure);
+    const { mesh } = await next;
+    await expect(mesher.inspectMesh(mesh, { onProgress })).rejects.toBe(failure);
     expect((await after).report).toMatchObject({
       status: "done",
       fingerprint: (await next).report.fingerprint,

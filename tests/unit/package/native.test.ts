@@ -120,7 +120,7 @@ test.each<[string, SurfaceInput, number | undefined]>([
 ])("%s is remeshed and meshed alike by the native program and by WebAssembly", async (_, surface, size) => {
   const mesher = await createMesher();
   const remesh = await mesher.remeshSurface(surface, { size });
-  const { report } = await mesher.fillSurface(remesh.surface, { size });
+  const { report } = await mesher.fillSurface(remesh.mesh, { size });
   mesher.dispose();
   expect(report.status).toBe("done");
   const options = ["--remesh=on", ...(size === undefined ? [] : [String(size)])];

@@ -1,5 +1,5 @@
 /** Values at the nodes: written if the format can store them, otherwise reported as left out. */
-import { FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { FILE_FORMATS, readMesh, writeMesh, type Mesh } from "tetrafront";
 import { expect, test } from "vitest";
 
 import type { Part } from "../../../wasm/src/formats/bytes.js";
@@ -8,7 +8,7 @@ import { blockMesh } from "../../support/block-mesh.js";
 
 const block = blockMesh();
 const count = block.points.length / 3;
-const mesh: FileMesh = {
+const mesh: Mesh = {
   ...block,
   nodeData: new Map([
     ["size", { components: 1, values: Float64Array.from({ length: count }, (_, i) => 1 / (i + 3)) }],
@@ -23,7 +23,7 @@ test.each([".vtu", ".vtk", ".msh", ".msh2"])("values at the nodes are kept by %s
   const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` });
   if (!read.success) throw new Error(read.errors[0].message);
   const plain = (name: string) => name.replaceAll('"', "'");
-  const data = (given: FileMesh) =>
+  const data = (given: Mesh) =>
     [...given.nodeData].map(([name, { components, values }]) => [plain(name), components, [...values]]);
   const negative = (value: unknown) =>
     JSON.stringify(value, (_, held: unknown) => (Object.is(held, -0) ? 0 : held));
@@ -80,7 +80,7 @@ test("writeMesh rejects a wrong number of values and nodes without a finite posi
 });
 
 test("regions of a surface without tetrahedra are reported as left out", async () => {
-  const surface: FileMesh = {
+  const surface: Mesh = {
     ...block,
     tetrahedra: new Uint32Array(),
     tetrahedronRegion: new Uint32Array(),

@@ -7,7 +7,7 @@ import path from "node:path";
 import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
 
-import { readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { readMesh, writeMesh, type Mesh } from "tetrafront";
 import { afterAll, describe, expect, test } from "vitest";
 
 import { inSteps } from "../../../wasm/src/calls/yielder.js";
@@ -53,13 +53,13 @@ interface ReadMesh {
 const mesh = blockMesh();
 const folder = temporaryFolder("all tests");
 
-async function save(fileName: string, given: FileMesh = mesh, elementOrder: 1 | 2 = 1): Promise<string> {
+async function save(fileName: string, given: Mesh = mesh, elementOrder: 1 | 2 = 1): Promise<string> {
   for (const file of await writeMesh(given, path.join(folder.path, fileName), { elementOrder }))
     writeFileSync(file.fileName, file.bytes);
   return path.join(folder.path, fileName);
 }
 
-async function readByMeshio(fileName: string, format: string, given: FileMesh = mesh): Promise<ReadMesh> {
+async function readByMeshio(fileName: string, format: string, given: Mesh = mesh): Promise<ReadMesh> {
   return (await ask("read", "meshio", format, await save(fileName, given))) as ReadMesh;
 }
 
@@ -244,7 +244,7 @@ if (programs.includes("meshio")) {
       await ask("write", await save(source), target, options);
       const read = await readMesh(readFileSync(target), { fileName });
       if (!read.success) throw new Error(read.errors[0].message);
-      const found: FileMesh = read.value;
+      const found: Mesh = read.value;
       // meshio writes twelve digits in text.
       found.points.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, 11));
       const tags = (of: "tetra" | "triangle") =>

@@ -36,7 +36,7 @@ function box(a: number, b: number, c: number): SurfaceInput {
 async function warningOf(surface: SurfaceInput, size?: number): Promise<Diagnostic | undefined> {
   const options = size === undefined ? {} : { size };
   const remeshed = await mesher.remeshSurface(surface, options);
-  const { report } = await mesher.fillSurface(remeshed.surface, options);
+  const { report } = await mesher.fillSurface(remeshed.mesh, options);
   return report.diagnostics.find(({ code }) => code === "poor-elements");
 }
 
@@ -61,7 +61,7 @@ test("a plate far thinner than its elements is named with its thickness, and the
 });
 
 test("one needle among good triangles is named with its angle", async () => {
-  const { surface } = await mesher.remeshSurface(box(1, 1, 1), { size: 0.1 });
+  const { mesh: surface } = await mesher.remeshSurface(box(1, 1, 1), { size: 0.1 });
   // A node on the first triangle, near the middle of one of its edges, makes a cap.
   const [a = 0, b = 0, c = 0] = surface.triangles;
   const at = (node: number, axis: number) => surface.points[3 * node + axis] ?? 0;
@@ -79,7 +79,7 @@ test("one needle among good triangles is named with its angle", async () => {
 });
 
 test("an element with an angle near 180° is named, also if its smallest angle is above 5°", async () => {
-  const { surface } = await mesher.remeshSurface(box(1, 1, 1));
+  const { mesh: surface } = await mesher.remeshSurface(box(1, 1, 1));
   const { quality } = (await mesher.fillSurface(surface)).report;
   const warningsWith = (max: number): Diagnostic[] => {
     const dihedral = { min: 6, max };

@@ -131,7 +131,7 @@ describe("after installation into an empty folder", () => {
       import type { MesherError } from "tetrafront/page";
       export const filled = async (mesher: Mesher, bytes: Uint8Array): Promise<number> => {
         const read = await readSurface(bytes, { fileName: "part.stl" });
-        return read.success ? (await mesher.fillSurface(read.value)).volume.regions.length : read.errors.length;
+        return read.success ? (await mesher.fillSurface(read.value)).mesh.regions.length : read.errors.length;
       };
       export const own = createMesher().catch((failure: MesherError) => failure.code);`;
     writeFileSync(path.join(fresh.folder, "program.ts"), program);

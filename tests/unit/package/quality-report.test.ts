@@ -14,9 +14,9 @@ const sum = (counts: readonly number[]) => counts.reduce((a, b) => a + b, 0);
 
 type Position = readonly [number, number, number];
 
-function cornersOf({ volume }: MeshResult, tetrahedron: number): Position[] {
-  return Array.from(volume.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4), (node): Position => {
-    const [x = 0, y = 0, z = 0] = volume.points.subarray(3 * node, 3 * node + 3);
+function cornersOf({ mesh }: MeshResult, tetrahedron: number): Position[] {
+  return Array.from(mesh.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4), (node): Position => {
+    const [x = 0, y = 0, z = 0] = mesh.points.subarray(3 * node, 3 * node + 3);
     return [x, y, z];
   });
 }
@@ -26,10 +26,10 @@ function centroidOf(corners: readonly Position[]): Position {
   return [mean(0), mean(1), mean(2)];
 }
 
-function edgeCount({ volume }: MeshResult): number {
+function edgeCount({ mesh }: MeshResult): number {
   const edges = new Set<string>();
-  for (let t = 0; t < volume.tetrahedra.length; t += 4) {
-    const nodes = [...volume.tetrahedra.subarray(t, t + 4)].sort((a, b) => a - b);
+  for (let t = 0; t < mesh.tetrahedra.length; t += 4) {
+    const nodes = [...mesh.tetrahedra.subarray(t, t + 4)].sort((a, b) => a - b);
     nodes.forEach((a, i) => nodes.slice(i + 1).forEach((b) => edges.add(`${a} ${b}`)));
   }
   return edges.size;

@@ -6,7 +6,7 @@ import {
   readSurface,
   writeMesh,
   type ByteSource,
-  type FileMesh,
+  type Mesh,
 } from "tetrafront";
 import { readProject, writeProject } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
@@ -149,7 +149,7 @@ async function allocatedBy(run: () => Promise<void>): Promise<number> {
   return bytes;
 }
 
-function isConsistent(read: FileMesh): boolean {
+function isConsistent(read: Mesh): boolean {
   const count = read.points.length / 3;
   return (
     Number.isInteger(count) &&

@@ -1,11 +1,11 @@
 /** What other programs write: STL texts and binaries, Fortran numbers, Latin-1 names, counts that disagree. */
-import { readSurface, type ReadError, type SurfaceFile } from "tetrafront";
+import { readSurface, type ReadError, type Mesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { stlBinary } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
-async function surfaceIn(file: string | Uint8Array, fileName: string): Promise<SurfaceFile> {
+async function surfaceIn(file: string | Uint8Array, fileName: string): Promise<Mesh> {
   const bytes = typeof file === "string" ? new TextEncoder().encode(file) : file;
   const read = await readSurface(bytes, { fileName });
   if (!read.success) throw new Error(read.errors[0].message);

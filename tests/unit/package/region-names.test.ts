@@ -1,14 +1,5 @@
 /** Regions named in a surface file are those of the volume mesh made from it. */
-import {
-  createMesher,
-  fileMeshOf,
-  readSurface,
-  repairedSurface,
-  writeMesh,
-  type FileMesh,
-  type Mesher,
-  type SurfaceFile,
-} from "tetrafront";
+import { createMesher, readSurface, writeMesh, type Mesh, type Mesher } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { unmeshedNotes } from "../../../wasm/src/api/reading-notes.js";
@@ -22,7 +13,7 @@ beforeAll(async () => {
 afterAll(() => mesher.dispose());
 
 /** A cube of edge 2 with two regions; the interface between them, z = 1, is a patch of its own. */
-function halves(): FileMesh {
+function halves(): Mesh {
   const block = blockMesh(2);
   const points = Float64Array.from({ length: 81 }, (_, i) => Math.floor(i / 3 / 3 ** (i % 3)) % 3);
   const corner = (x: number, y: number) => x + 3 * y + 9;
@@ -53,7 +44,7 @@ function halves(): FileMesh {
   };
 }
 
-async function writeAndRead(mesh: FileMesh, fileName: string): Promise<SurfaceFile> {
+async function writeAndRead(mesh: Mesh, fileName: string): Promise<Mesh> {
   const files = await writeMesh(mesh, fileName);
   const others = new Map(files.map((file) => [file.fileName, file.bytes]));
   const first = files[0] ?? { bytes: new Uint8Array() };
@@ -64,21 +55,21 @@ async function readAs(
   bytes: Uint8Array | string,
   fileName: string,
   openOther?: (name: string) => Promise<Uint8Array | undefined>,
-): Promise<SurfaceFile> {
+): Promise<Mesh> {
   const source = typeof bytes === "string" ? new TextEncoder().encode(bytes) : bytes;
   const read = await readSurface(source, { fileName, openOther });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
-async function filled(surface: SurfaceFile, enclosed?: "regions"): Promise<FileMesh> {
+async function filled(surface: Mesh, enclosed?: "regions"): Promise<Mesh> {
   const result = await mesher.fillSurface(surface, { innerShells: enclosed });
   expect(result.report.status).toBe("done");
-  return fileMeshOf(result, { surface });
+  return result.mesh;
 }
 
 /** Expects that each element belongs to the region that `nameAt` returns for its centroid. */
-function expectNames(mesh: FileMesh, nameAt: (centroid: readonly number[]) => string): void {
+function expectNames(mesh: Mesh, nameAt: (centroid: readonly number[]) => string): void {
   const { points, tetrahedra, tetrahedronRegion, regions } = mesh;
   const wrong = Array.from(tetrahedronRegion).filter((region, t) => {
     const centroid = [0, 1, 2].map((axis) => {
@@ -104,14 +95,14 @@ describe.each([".msh", ".vtu", ".vtk", ".mesh"])("the regions of a %s file with 
     const given = cavitySurface(1);
     const first = await mesher.fillSurface(given, { innerShells: "regions" });
     const names = ["shell of steel", "core"].map((name, r) => ({ name, tag: r + 1 }));
-    const made = { ...fileMeshOf(first), regions: names };
+    const made = { ...first.mesh, regions: names };
     const again = volumesByName(await filled(await writeAndRead(made, `core${end}`), "regions"));
     expect([...again.keys()].sort()).toEqual(["core", "shell of steel"]);
     for (const [name, volume] of volumesByName(made)) expect(again.get(name)).toBeCloseTo(volume, 9);
   });
 });
 
-function volumesByName({ points, tetrahedra, tetrahedronRegion, regions }: FileMesh): Map<string, number> {
+function volumesByName({ points, tetrahedra, tetrahedronRegion, regions }: Mesh): Map<string, number> {
   const volumes = new Map<string, number>();
   tetrahedronRegion.forEach((region, t) => {
     const [a, b, c, d] = [0, 1, 2, 3].map((k) => {
@@ -188,7 +179,7 @@ test("a refined surface keeps the regions on both sides of its triangles", async
   const surface = await writeAndRead(halves(), "halves.msh");
   const refinement = await mesher.refineSurface(surface, { size: 0.6 });
   expect(refinement.splitEdges).toBeGreaterThan(0);
-  const mesh = await filled(repairedSurface(surface, refinement));
+  const mesh = await filled(refinement.mesh);
   expectNames(mesh, ([, , z = 0]) => (z < 1 ? "steel" : "water (20 C)"));
 });
 
@@ -197,13 +188,14 @@ test("the only patch of a surface keeps its name", async () => {
   expect((await filled(await writeAndRead(mesh, "skin.msh"))).patches).toEqual([{ name: "skin", tag: 8 }]);
 });
 
-test("fileMeshOf rejects regions of triangles that are not in the list of regions", async () => {
+test("regions of triangles that are not in the list of regions are refused", async () => {
   const surface = await writeAndRead(halves(), "halves.msh");
   const { regions = [], triangleRegions = new Uint32Array() } = surface.surfaceRegions ?? {};
-  const result = await mesher.fillSurface(surface);
   const invalid = { ...surface, surfaceRegions: { regions, triangleRegions: triangleRegions.with(5, 7) } };
-  expect(() => fileMeshOf(result, { surface: invalid })).toThrow(
-    /triangleRegions\[5\] is 7, but the number of regions is 2/,
+  const { report } = await mesher.fillSurface(invalid);
+  expect(report.status).toBe("invalid-input");
+  expect(report.diagnostics[0]?.message).toMatch(
+    /triangleRegions\[5\] is 7, but the number of regions is 2/i,
   );
 });
 

@@ -1,13 +1,5 @@
 /** Hole points and region points of TetGen's files decide what is meshed. The volumes are those of boxes. */
-import {
-  createMesher,
-  fileMeshOf,
-  type Mesher,
-  readMesh,
-  readSurface,
-  type SurfaceFile,
-  writeMesh,
-} from "tetrafront";
+import { createMesher, type Mesher, readMesh, readSurface, type Mesh, writeMesh } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { randomSource } from "../../support/random.js";
@@ -67,17 +59,17 @@ function smesh(points: readonly Position[], facets: readonly Facet[], marks: str
   return new TextEncoder().encode(rows.join("\n"));
 }
 
-async function surfaceIn(file: Uint8Array): Promise<SurfaceFile> {
+async function surfaceIn(file: Uint8Array): Promise<Mesh> {
   const read = await readSurface(file, { fileName: "model.smesh" });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
 /** Volume and largest tetrahedron of each region by its tag, as in the `.ele` file that is written. */
-async function meshedRegions(surface: SurfaceFile) {
+async function meshedRegions(surface: Mesh) {
   const result = await mesher.fillSurface(surface);
   expect(result.report.status, JSON.stringify(result.report.diagnostics)).toBe("done");
-  const files = await writeMesh(fileMeshOf(result, { surface }), "model.ele");
+  const files = await writeMesh(result.mesh, "model.ele");
   const openOther = (name: string) => Promise.resolve(files.find(({ fileName }) => fileName === name)?.bytes);
   const read = await readMesh(files[0]?.bytes ?? new Uint8Array(), {
     fileName: files[0]?.fileName ?? "",
@@ -128,7 +120,7 @@ describe("a box in a box", () => {
   test("is a second region if no point marks it as a hole, whatever the orientation of the facets", async () => {
     const random = randomSource(3);
     for (const isFlipped of [() => false, (f: number) => f > 5, () => random() < 0.5]) {
-      const { surface, diagnostics } = await mesher.locateRegions(
+      const { mesh: surface, diagnostics } = await mesher.locateRegions(
         await surfaceIn(boxesFile([OUTER, INNER], "0\n0\n", isFlipped)),
       );
       expect(diagnostics).toEqual([]);
@@ -139,7 +131,7 @@ describe("a box in a box", () => {
   });
 
   test("is a hole if a point lies in it", async () => {
-    const { surface } = await mesher.locateRegions(
+    const { mesh: surface } = await mesher.locateRegions(
       await surfaceIn(boxesFile([OUTER, INNER], "1\n1 2 2 2\n0\n")),
     );
     const found = await meshedRegions(surface);
@@ -148,7 +140,7 @@ describe("a box in a box", () => {
   });
 
   test("is meshed alone if the outer region is the hole", async () => {
-    const { surface } = await mesher.locateRegions(
+    const { mesh: surface } = await mesher.locateRegions(
       await surfaceIn(boxesFile([OUTER, INNER, CORE], "2\n1 .5 .5 .5\n2 2 2 2\n1\n1 1.2 1.2 1.2 42\n")),
     );
     expect(surface.triangles.length).toBe(3 * 24);
@@ -158,7 +150,7 @@ describe("a box in a box", () => {
   });
 
   test("has the attributes and volume limits of the region points", async () => {
-    const { surface } = await mesher.locateRegions(
+    const { mesh: surface } = await mesher.locateRegions(
       await surfaceIn(boxesFile([OUTER, INNER], "0\n2\n1 .5 .5 .5 7 0\n2 2 2 2 3 .02\n")),
     );
     expect(surface.surfaceRegions?.regions).toEqual([
@@ -173,7 +165,7 @@ describe("a box in a box", () => {
   });
 
   test("is one region with the outer one if both points have the same attribute", async () => {
-    const { surface } = await mesher.locateRegions(
+    const { mesh: surface } = await mesher.locateRegions(
       await surfaceIn(boxesFile([OUTER, INNER], "0\n2\n1 .5 .5 .5 7\n2 2 2 2 7\n")),
     );
     const found = await meshedRegions(surface);
@@ -200,7 +192,7 @@ describe("a box divided by a wall", () => {
   ];
 
   test("has two regions", async () => {
-    const { surface } = await mesher.locateRegions(
+    const { mesh: surface } = await mesher.locateRegions(
       await surfaceIn(smesh(points, facets, "0\n1\n1 2 1 1 5\n")),
     );
     const found = await meshedRegions(surface);
@@ -209,7 +201,9 @@ describe("a box divided by a wall", () => {
   });
 
   test("loses the side with a hole point, and the facets around it", async () => {
-    const { surface } = await mesher.locateRegions(await surfaceIn(smesh(points, facets, "1\n1 2 1 1\n0\n")));
+    const { mesh: surface } = await mesher.locateRegions(
+      await surfaceIn(smesh(points, facets, "1\n1 2 1 1\n0\n")),
+    );
     expect(surface.triangles.length).toBe(3 * 12);
     const remeshed = await mesher.inspectSurface(surface);
     expect(remeshed).toMatchObject({ isFillable: true, flippedTriangles: 0, regions: 1 });
@@ -251,7 +245,7 @@ describe("points", () => {
     const both = await volumeWith();
     expect(both).toBeCloseTo(64, 9);
     expect(await volumeWith("cavities")).toBeCloseTo(64 - 8, 9);
-    expect((await mesher.remeshSurface(surface)).surface.triangles.length).toBeGreaterThan(0);
+    expect((await mesher.remeshSurface(surface)).mesh.triangles.length).toBeGreaterThan(0);
   });
 
   test("must be located before meshing", async () => {
@@ -264,12 +258,11 @@ describe("points", () => {
 });
 
 test("a remeshed surface keeps its holes and regions", async () => {
-  const { repairedSurface } = await import("tetrafront");
-  const { surface } = await mesher.locateRegions(
+  const { mesh: surface } = await mesher.locateRegions(
     await surfaceIn(boxesFile([OUTER, INNER, CORE], "1\n1 1.2 1.2 1.2\n2\n1 .5 .5 .5 4\n2 2 2 2 9\n")),
   );
   const remesh = await mesher.remeshSurface(surface, { size: 0.8 });
-  const found = await meshedRegions(repairedSurface(surface, remesh));
+  const found = await meshedRegions(remesh.mesh);
   expect(found[4]?.volume).toBeCloseTo(56, 9);
   expect(found[9]?.volume).toBeCloseTo(1, 9);
 });

@@ -3,13 +3,11 @@ import { readFileSync } from "node:fs";
 
 import {
   createMesher,
-  fileMeshOf,
   type Mesher,
   MesherError,
   type MeshReport,
   readSurface,
-  repairedSurface,
-  type SurfaceFile,
+  type Mesh,
   type SurfaceInput,
   type SurfaceRemesh,
 } from "tetrafront";
@@ -29,6 +27,7 @@ import {
   torusSurface,
 } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
+import { completeSurface } from "../../../wasm/src/api/carried-mesh.js";
 
 let mesher: Mesher;
 beforeAll(async () => {
@@ -47,7 +46,7 @@ const codeOf = (call: Promise<unknown>) =>
   );
 
 /** Returns the area of the triangles of each patch. */
-function patchAreas({ points, triangles, trianglePatch, patches }: SurfaceFile): number[] {
+function patchAreas({ points, triangles, trianglePatch, patches }: Mesh): number[] {
   const areas = patches.map(() => 0);
   trianglePatch.forEach((patch, t) => {
     const [a, b, c] = [0, 1, 2].map((i) => {
@@ -71,7 +70,7 @@ describe("remeshSurface", () => {
     ["a cube with a cavity", cavitySurface(4)],
   ])("makes %s of well-shaped triangles near the given ones, and a good mesh", async (_, given) => {
     const remesh = await mesher.remeshSurface(given);
-    const { surface, origin } = remesh;
+    const { mesh: surface, origin } = remesh;
     const found = await mesher.inspectSurface(surface);
     expect(found).toMatchObject({ isFillable: true, isClosed: true, isEmbedded: true });
     expect(found.diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
@@ -104,8 +103,8 @@ describe("remeshSurface", () => {
     const exact = await mesher.repairSurface(both);
     const welded = await mesher.repairSurface(both, { weldIntersections: 5e-4 });
     const [before, after] = [
-      await mesher.inspectSurface(exact.surface),
-      await mesher.inspectSurface(welded.surface),
+      await mesher.inspectSurface(exact.mesh),
+      await mesher.inspectSurface(welded.mesh),
     ];
     expect([exact.deviation, before.isFillable, after.isFillable]).toEqual([0, true, true]);
     expect(before.edgeLengths.shortest).toBeLessThan(1e-5);
@@ -113,7 +112,7 @@ describe("remeshSurface", () => {
     expect(welded.deviation).toBeGreaterThan(0);
     expect(welded.deviation).toBeLessThan(5e-6);
     expect(after.volume).toBeCloseTo(1.5, 5);
-    const { smallestAngle } = await mesher.remeshSurface(welded.surface);
+    const { smallestAngle } = await mesher.remeshSurface(welded.mesh);
     expect(smallestAngle).toBeGreaterThan(30);
   });
 
@@ -152,14 +151,14 @@ describe("remeshSurface", () => {
     for (const { from, onto } of dropped.mergedDetails) {
       expect(Math.hypot(...from.map((x, k) => x - (onto[k] ?? 0)))).toBeLessThanOrEqual(0.01);
     }
-    expect(await mesher.inspectSurface(dropped.surface)).toMatchObject({ isFillable: true });
+    expect(await mesher.inspectSurface(dropped.mesh)).toMatchObject({ isFillable: true });
   });
 
   test("keeps named patches, with their areas, and the interface between two regions", async () => {
     const given = dividedSurface(4);
     // Patches that meet in the middle of flat faces, where no edge is sharp.
     const count = given.triangles.length / 3;
-    const file: SurfaceFile = {
+    const file = completeSurface({
       ...given,
       trianglePatch: Uint32Array.from({ length: count }, (_, t) => {
         const node = given.triangles[3 * t] ?? 0;
@@ -169,16 +168,16 @@ describe("remeshSurface", () => {
         { name: "inlet", tag: 7 },
         { name: "wall", tag: 9 },
       ],
-    };
+    });
     const remesh = await mesher.remeshSurface(file, { size: 0.2 });
-    const surface = repairedSurface(file, remesh);
+    const surface = remesh.mesh;
     expect(surface.patches).toEqual(file.patches);
     const [before, after] = [patchAreas(file), patchAreas(surface)];
     before.forEach((area, patch) => expect(after[patch]).toBeCloseTo(area, 10));
     const result = await mesher.fillSurface(surface);
     expectValid(result);
-    expect(new Set(result.volume.regions).size).toBe(2);
-    expect(fileMeshOf(result, { surface }).patches.map(({ name }) => name)).toEqual(["inlet", "wall"]);
+    expect(new Set(result.mesh.tetrahedronRegion).size).toBe(2);
+    expect(result.mesh.patches.map(({ name }) => name)).toEqual(["inlet", "wall"]);
     // Without patches, the whole face is one, and the line between them is lost.
     const { points, triangles } = given;
     const plain = await mesher.remeshSurface({ points, triangles }, { size: 0.2 });
@@ -195,7 +194,7 @@ describe("remeshSurface", () => {
 
   test("reaches a given size, and sources limit it around a position", async () => {
     const box = boxSurface(1);
-    const { surface, size } = await mesher.remeshSurface(box, { size: 0.1 });
+    const { mesh: surface, size } = await mesher.remeshSurface(box, { size: 0.1 });
     expect(size).toBe(0.1);
     const { edgeLengths } = await mesher.inspectSurface(surface);
     expect(edgeLengths.mean).toBeGreaterThan(0.085);
@@ -204,7 +203,7 @@ describe("remeshSurface", () => {
     const source = { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.02, distance: 0.2 } as const;
     const background = { points: none, sizes: none, tetrahedra: new Uint32Array(), sources: [source] };
     const refined = await mesher.remeshSurface(box, { size: 0.1, background });
-    expect(refined.surface.triangles.length).toBeGreaterThan(1.5 * surface.triangles.length);
+    expect(refined.mesh.triangles.length).toBeGreaterThan(1.5 * surface.triangles.length);
   });
 
   test("reports progress and can be cancelled while it works", async () => {
@@ -270,7 +269,7 @@ interface RemeshOutput {
   readonly diagnostics: readonly { code: string }[];
 }
 
-async function surfaceIn(name: string): Promise<SurfaceFile> {
+async function surfaceIn(name: string): Promise<Mesh> {
   const read = await readSurface(readFileSync(inFolder(name)), { fileName: name });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
@@ -284,7 +283,7 @@ describe("tetrafront remesh", () => {
     const { code, stdout, stderr } = await run("remesh", "gear.off", "-o", "made.off");
     expect(code).toBe(0);
     expect(stdout).toBe("");
-    const { surface, ...figures } = await mesher.remeshSurface(gear);
+    const { mesh: surface, ...figures } = await mesher.remeshSurface(gear);
     const made = await surfaceIn("made.off");
     expect(made.points).toEqual(surface.points);
     expect(made.triangles).toEqual(surface.triangles);
@@ -327,7 +326,7 @@ describe("tetrafront remesh", () => {
     expect([code, stderr]).toEqual([0, ""]);
     const { output, remesh, diagnostics } = JSON.parse(stdout) as RemeshOutput;
     const {
-      surface,
+      mesh: surface,
       origin: _,
       triangleDeviation: _deviation,
       diagnostics: _diagnostics,

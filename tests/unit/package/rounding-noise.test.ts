@@ -1,6 +1,6 @@
 /** Surfaces without topology whose nodes differ by rounding. */
 import { readFileSync } from "node:fs";
-import { createMesher, readSurface, type SurfaceFile, type SurfaceInput } from "tetrafront";
+import { createMesher, readSurface, type Mesh, type SurfaceInput } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { randomSource } from "../../support/random.js";
@@ -8,7 +8,7 @@ import { offFile, stlBinary } from "../../support/surface-files.js";
 import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
-async function surfaceIn(bytes: Uint8Array, fileName: string): Promise<SurfaceFile> {
+async function surfaceIn(bytes: Uint8Array, fileName: string): Promise<Mesh> {
   const read = await readSurface(bytes, { fileName });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;

@@ -1,5 +1,5 @@
 /** Second-order elements: written, read by their corners, and refused where the format has none. */
-import { FILE_FORMATS, type FileMesh, MesherError, readMesh, writeMesh } from "tetrafront";
+import { FILE_FORMATS, type Mesh, MesherError, readMesh, writeMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh, taggedElements } from "../../support/block-mesh.js";
@@ -9,7 +9,7 @@ const names = FILE_FORMATS.filter(({ writable }) => writable.length > 0).map(
   ({ extensions, hasSecondOrder, readable }) => ({ extension: extensions[0], hasSecondOrder, readable }),
 );
 
-async function written(given: FileMesh, fileName: string): Promise<Uint8Array> {
+async function written(given: Mesh, fileName: string): Promise<Uint8Array> {
   const [file] = await writeMesh(given, fileName, { elementOrder: 2 });
   return file?.bytes ?? new Uint8Array();
 }

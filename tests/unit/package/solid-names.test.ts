@@ -3,16 +3,16 @@ import { readFileSync } from "node:fs";
 
 import {
   createMesher,
-  fileMeshOf,
   meshFile,
   readSurface,
-  type SurfaceFile,
+  type Mesh,
+  type MeshReport,
   type SurfaceInput,
 } from "tetrafront";
 import { createBodies, createBody } from "tetrafront/project";
 import { expect, test } from "vitest";
 
-import { regionSummaries } from "../../../wasm/dist/api/generated-mesh.js";
+import { regionSummaries, type RegionSummary } from "../../../wasm/dist/api/generated-mesh.js";
 import { withoutPause } from "../../../wasm/dist/base/steps.js";
 import { productSolids, productsOf } from "../../../wasm/dist/formats/step-products.js";
 import { cubeProject } from "../../support/projects.js";
@@ -20,7 +20,7 @@ import { boxSolid, stepFile } from "../../support/step-files.js";
 import { stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
-async function surfaceIn(file: Uint8Array, fileName: string): Promise<SurfaceFile> {
+async function surfaceIn(file: Uint8Array, fileName: string): Promise<Mesh> {
   const read = await readSurface(file, { fileName });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
@@ -64,7 +64,7 @@ test("solids of an STL file with the same name are numbered", async () => {
   const surface = await surfaceIn(new TextEncoder().encode(text), "x.stl");
   const mesher = await createMesher();
   const result = await mesher.fillSurface(surface, { size: 2 });
-  expect(fileMeshOf(result, { surface }).regions.map(({ name }) => name)).toEqual(["x", "x 2", "x 3"]);
+  expect(result.mesh.regions.map(({ name }) => name)).toEqual(["x", "x 2", "x 3"]);
   mesher.dispose();
 });
 
@@ -87,6 +87,21 @@ const stlOf = (solids: Readonly<Record<string, SurfaceInput>>): Uint8Array =>
       .join(""),
   );
 
+/** The statistics of regions are those of the regions of the mesh, in their order. */
+function expectSameRegions(
+  { quality }: Pick<MeshReport, "quality">,
+  regions: readonly RegionSummary[],
+): void {
+  expect(quality.regions.map(({ region }) => region)).toEqual([...regions.keys()]);
+  expect(quality.regions.map(({ tetrahedra }) => tetrahedra)).toEqual(
+    regions.map(({ tetrahedra }) => tetrahedra),
+  );
+  quality.regions.forEach(({ volume, smallestDihedral }, r) => {
+    expect(volume).toBeCloseTo(regions[r]?.volume ?? NaN, 9);
+    expect(smallestDihedral.reduce((sum, count) => sum + count, 0)).toBe(regions[r]?.tetrahedra);
+  });
+}
+
 async function reportOf(file: Uint8Array) {
   const { report, mesh } = await meshFile(file, { fileName: "a.stl" });
   return { ...report, mesh };
@@ -108,7 +123,8 @@ test("a solid in two parts is one region, in the report and in its notes; patche
     "beam a": boxSurface(1, [0, 0, 0], [12, 3, 3]),
     "beam b": boxSurface(1, [4.5, -4, 0.7], [7.5, 7, 2.2]),
   });
-  const { regions, mesh, diagnostics } = await reportOf(file);
+  const { regions, mesh, diagnostics, quality } = await reportOf(file);
+  expectSameRegions({ quality }, regions);
   expect(regions.map(({ name }) => name)).toEqual(["beam a", "beam b"]);
   expect(mesh?.patches.map(({ name }) => name)).toEqual(["beam a", "beam b"]);
   const note = diagnostics.find(({ code }) => code === "nested-regions");
@@ -131,8 +147,8 @@ test("regions of bodies have their names, those of a body of several solids the 
   const result = await mesher.meshProject(project);
   mesher.dispose();
   expect(result.report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
-  const { regions, tetrahedronRegion } = fileMeshOf(result, { project });
-  const summary = regionSummaries({ ...result.volume, regions, tetrahedronRegion });
+  const summary = regionSummaries(result.mesh);
+  expectSameRegions(result.report, summary);
   expect(summary.map(({ name, volume }) => [name, Math.round(volume)])).toEqual([
     ["part", 1],
     ["plate", 4],

@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 
-import { MesherError, writeMesh, type FileMesh, type WrittenFile } from "tetrafront";
+import { MesherError, writeMesh, type Mesh, type WrittenFile } from "tetrafront";
 import { expect, test, vi } from "vitest";
 
 import { blockMesh, outerFaces } from "../../support/block-mesh.js";
@@ -19,7 +19,7 @@ const keyOf = (face: ArrayLike<number>) =>
     .join(" ");
 
 /** Returns the faces shared by elements of different regions, oriented as in one of the two elements. */
-function interfaceFaces({ tetrahedra, tetrahedronRegion }: FileMesh): number[][] {
+function interfaceFaces({ tetrahedra, tetrahedronRegion }: Mesh): number[][] {
   const first = new Map<string, number>();
   const interfaces: number[][] = [];
   tetrahedronRegion.forEach((region, t) => {
@@ -37,7 +37,7 @@ function interfaceFaces({ tetrahedra, tetrahedronRegion }: FileMesh): number[][]
 const interfaces = interfaceFaces(block);
 const outer = outerFaces(block.tetrahedra).map(keyOf).sort();
 
-function withTriangles(mesh: FileMesh, added: readonly number[][], name: string): FileMesh {
+function withTriangles(mesh: Mesh, added: readonly number[][], name: string): Mesh {
   const owners = added.map(() => mesh.patches.length);
   return {
     ...mesh,
@@ -49,7 +49,7 @@ function withTriangles(mesh: FileMesh, added: readonly number[][], name: string)
 
 const withInterface = withTriangles(block, interfaces, "baffle");
 
-async function written(mesh: FileMesh, fileName: string): Promise<WrittenFile> {
+async function written(mesh: Mesh, fileName: string): Promise<WrittenFile> {
   const [file] = await writeMesh(mesh, fileName);
   if (file === undefined) throw new Error("nothing was written");
   return file;

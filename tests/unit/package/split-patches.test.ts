@@ -3,12 +3,10 @@ import { readFileSync } from "node:fs";
 
 import {
   createMesher,
-  fileMeshOf,
-  type FileGroup,
+  type MeshGroup,
   type Mesher,
   readMesh,
   readSurface,
-  repairedSurface,
   type SplitOptions,
   type SurfaceInput,
   writeMesh,
@@ -43,12 +41,12 @@ const cli = (...args: string[]) => tetrafront(folder.path, args);
 
 const PATCHES = [1, 2, 3, 4, 5, 6].map((number) => `patch ${number}`);
 /** Sorted: some readers list patches in the order of their first triangles. */
-const namesOf = (patches: readonly FileGroup[]) => patches.map(({ name }) => name).sort();
+const namesOf = (patches: readonly MeshGroup[]) => patches.map(({ name }) => name).sort();
 
 /** Returns the name of the patch of each triangle, by the triangle's centroid. */
 function namesByCentroid(
   { points, triangles }: SurfaceInput,
-  { trianglePatch, patches }: { trianglePatch: Uint32Array; patches: readonly FileGroup[] },
+  { trianglePatch, patches }: { trianglePatch: Uint32Array; patches: readonly MeshGroup[] },
 ): Map<string, string> {
   return new Map(
     Array.from(trianglePatch, (patch, t): [string, string] => {
@@ -64,7 +62,7 @@ function namesByCentroid(
 describe("splitPatches", () => {
   test("divides a cube into six patches, numbered from the bottom up", async () => {
     const cube = boxSurface(2);
-    const split = await mesher.splitPatches(cube);
+    const split = (await mesher.splitPatches(cube)).mesh;
     expect(split.points).toBe(cube.points);
     expect(split.patches).toEqual(PATCHES.map((name, p) => ({ name, tag: p + 1 })));
     const heights = split.patches.map((_, p) => {
@@ -81,27 +79,30 @@ describe("splitPatches", () => {
     const { points, triangles } = boxSurface(3);
     const count = triangles.length / 3;
     const reversed = triangles.map((_, i) => triangles[3 * (count - 1 - Math.floor(i / 3)) + (i % 3)] ?? 0);
-    const one = namesByCentroid({ points, triangles }, await mesher.splitPatches({ points, triangles }));
+    const one = namesByCentroid(
+      { points, triangles },
+      (await mesher.splitPatches({ points, triangles })).mesh,
+    );
     const other = { points, triangles: reversed };
-    expect(namesByCentroid(other, await mesher.splitPatches(other))).toEqual(one);
+    expect(namesByCentroid(other, (await mesher.splitPatches(other)).mesh)).toEqual(one);
   });
 
   test("leaves a smooth surface whole, and divides it at a small angle", async () => {
     const sphere = sphereSurface(6);
-    expect((await mesher.splitPatches(sphere)).patches).toEqual([{ name: "patch 1", tag: 1 }]);
-    expect((await mesher.splitPatches(sphere, { angle: 1 })).patches.length).toBeGreaterThan(100);
+    expect((await mesher.splitPatches(sphere)).mesh.patches).toEqual([{ name: "patch 1", tag: 1 }]);
+    expect((await mesher.splitPatches(sphere, { angle: 1 })).mesh.patches.length).toBeGreaterThan(100);
   });
 
   test("keeps given patches apart, with their names, numbers and colours", async () => {
     const cube = boxSurface(2);
     // Two faces of eight triangles each are the wing.
     const trianglePatch = new Uint32Array(48).map((_, t) => (t < 16 ? 1 : t < 24 ? 2 : 0));
-    const patches: FileGroup[] = [
+    const patches: MeshGroup[] = [
       { name: "surface", tag: 1 },
       { name: "wing", tag: 7, color: [1, 0, 0] },
       { name: "inlet", tag: 2, color: [0, 1, 0] },
     ];
-    const split = await mesher.splitPatches({ ...cube, trianglePatch, patches });
+    const split = (await mesher.splitPatches({ ...cube, trianglePatch, patches })).mesh;
     const byName = new Map(split.patches.map((patch) => [patch.name, patch]));
     expect([...byName.keys()].sort()).toEqual(["inlet", "patch 1", "patch 2", "patch 3", "wing", "wing 2"]);
     expect(byName.get("wing")).toEqual({ name: "wing", tag: 7 });
@@ -118,20 +119,20 @@ describe("splitPatches", () => {
     const cube = boxSurface(2);
     /** Each patch consists of two opposite faces of the cube, eight triangles each. */
     const trianglePatch = new Uint32Array(48).map((_, t) => Math.floor(t / 16));
-    const given: FileGroup[] = [
+    const given: MeshGroup[] = [
       { name: "wing", tag: 4, color: [1, 0, 0] },
       { name: "patch 1", tag: 1 },
       { name: "surface", tag: 2 },
     ];
-    const splitOf = (patches: readonly number[]) =>
-      mesher.splitPatches({ ...cube, trianglePatch, patches: given }, { patches });
+    const splitOf = async (patches: readonly number[]) =>
+      (await mesher.splitPatches({ ...cube, trianglePatch, patches: given }, { patches })).mesh;
 
     test.each([0, 1, 2])("leaves all but patch %i as they are", async (only) => {
       const split = await splitOf([only]);
       expect(split.patches).toHaveLength(4);
       expect(new Set(split.patches.map(({ name }) => name)).size).toBe(4);
       expect(new Set(split.patches.map(({ tag }) => tag)).size).toBe(4);
-      const pieces = new Set<FileGroup | undefined>();
+      const pieces = new Set<MeshGroup | undefined>();
       split.trianglePatch.forEach((patch, t) => {
         const [before, after] = [given[trianglePatch[t] ?? 0], split.patches[patch]];
         if (before === given[only]) pieces.add(after);
@@ -154,17 +155,17 @@ describe("splitPatches", () => {
     });
 
     test("needs no names", async () => {
-      const split = await mesher.splitPatches({ ...cube, trianglePatch }, { patches: [1] });
+      const split = (await mesher.splitPatches({ ...cube, trianglePatch }, { patches: [1] })).mesh;
       expect(split.patches).toEqual(PATCHES.slice(0, 4).map((name, p) => ({ name, tag: p + 1 })));
     });
   });
 
   test("names arrive in the mesh and in every file", async () => {
-    const split = await mesher.splitPatches(boxSurface(2));
+    const split = (await mesher.splitPatches(boxSurface(2))).mesh;
     const remesh = await mesher.remeshSurface(split, { size: 0.4 });
-    const surface = repairedSurface(split, remesh);
+    const surface = remesh.mesh;
     const result = await mesher.fillSurface(surface, { size: 0.4 });
-    const mesh = fileMeshOf(result, { surface });
+    const mesh = result.mesh;
     for (const extension of ["msh", "msh2", "inp"]) {
       const [file] = await writeMesh(mesh, `cube.${extension}`);
       const text = new TextDecoder().decode(file?.bytes);
@@ -176,7 +177,7 @@ describe("splitPatches", () => {
       const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName });
       if (!read.success) throw new Error(read.errors[0].message);
       expect(namesOf(read.value.patches)).toEqual(PATCHES);
-      const again = await mesher.splitPatches({ ...read.value });
+      const again = (await mesher.splitPatches({ ...read.value })).mesh;
       expect(namesByCentroid(again, again)).toEqual(namesByCentroid(read.value, read.value));
     }
   });
@@ -233,7 +234,7 @@ describe("patches of a body", () => {
   const splitBody = async (body: ProjectBody, nextPatchId: number, options?: SplitOptions) =>
     bodyWithPatches(
       body,
-      await mesher.splitPatches({ ...bodySurface(body), patches: bodyPatchGroups(body) }, options),
+      (await mesher.splitPatches({ ...bodySurface(body), patches: bodyPatchGroups(body) }, options)).mesh,
       nextPatchId,
     );
 

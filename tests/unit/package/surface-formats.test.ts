@@ -1,11 +1,4 @@
-import {
-  readMesh,
-  readSurface,
-  writeMesh,
-  type ReadResult,
-  type SurfaceFile,
-  type SurfaceInput,
-} from "tetrafront";
+import { readMesh, readSurface, writeMesh, type ReadResult, type Mesh, type SurfaceInput } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { objFile, offFile, plyBinary, plyText, stlBinary, stlText } from "../../support/surface-files.js";
@@ -13,7 +6,7 @@ import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
 
 const bytes = (text: string) => new TextEncoder().encode(text);
 
-type Reading = Promise<ReadResult<SurfaceFile>>;
+type Reading = Promise<ReadResult<Mesh>>;
 
 const reader = (fileName: string) => (file: Uint8Array) => readSurface(file, { fileName });
 const readStl = reader("a.stl");
@@ -21,7 +14,7 @@ const readOff = reader("a.off");
 const readObj = reader("a.obj");
 const readPly = reader("a.PLY");
 
-async function surfaceIn(reading: Reading): Promise<SurfaceFile> {
+async function surfaceIn(reading: Reading): Promise<Mesh> {
   const read = await reading;
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;

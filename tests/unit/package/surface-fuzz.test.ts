@@ -60,11 +60,7 @@ describe("damaged surfaces", () => {
       for (let seed = 1; seed <= RUNS; seed++) {
         const surface = damaged(seed);
         const found = await mesher.inspectSurface(surface);
-        const {
-          report,
-          volume,
-          surface: boundary,
-        } = await mesher.fillSurface(surface, { optimization: "fast" });
+        const { report, mesh } = await mesher.fillSurface(surface, { optimization: "fast" });
         ended.set(report.status, (ended.get(report.status) ?? 0) + 1);
         const label = `seed ${seed}: ${report.status}, ${report.diagnostics[0]?.message ?? ""}`;
         // A surface that passes the inspection is rejected only for its sizes.
@@ -72,7 +68,7 @@ describe("damaged surfaces", () => {
         if (found.isFillable)
           expect(report.status === "invalid-input" && !codes.has("too-many-elements"), label).toBe(false);
         else expect(report.status, label).toBe("invalid-input");
-        if (report.status === "done") expect(defectsOf(volume, boundary), label).toEqual(NO_DEFECTS);
+        if (report.status === "done") expect(defectsOf(mesh, mesh), label).toEqual(NO_DEFECTS);
       }
       expect(ended.get("done") ?? 0).toBeGreaterThan(RUNS / 20);
       expect(ended.get("invalid-input") ?? 0).toBeGreaterThan(RUNS / 4);
@@ -93,7 +89,7 @@ describe("damaged surfaces", () => {
           expect(once).toMatchObject({ code: "invalid-input" });
           continue;
         }
-        const { surface } = once as Awaited<ReturnType<Mesher["repairSurface"]>>;
+        const { mesh: surface } = once as Awaited<ReturnType<Mesher["repairSurface"]>>;
         const { diagnostics } = await mesher.inspectSurface(surface);
         const remaining = new Set(diagnostics.map(({ code }) => code));
         for (const code of [

@@ -1,5 +1,5 @@
 /** Sizes proposed for surfaces are those with which the surface is remeshed. */
-import { createMesher, type Mesher, repairedSurface, type SurfaceFile } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { sphereSurface } from "../../support/surfaces.js";
@@ -10,7 +10,7 @@ beforeAll(async () => {
 });
 afterAll(() => mesher.dispose());
 
-function sphere(): SurfaceFile {
+function sphere() {
   const surface = sphereSurface(24);
   const trianglePatch = new Uint32Array(surface.triangles.length / 3);
   return { ...surface, trianglePatch, patches: [{ name: "ball", tag: 1 }] };
@@ -22,7 +22,7 @@ test.each([{}, { maxSize: 0.1 }, { size: 0.15 }, { anglePerEdge: 30 }, { maxVolu
     const surface = sphere();
     const proposal = await mesher.proposeSurfaceSizes(surface, options);
     const remesh = await mesher.remeshSurface(surface, options);
-    const result = await mesher.fillSurface(repairedSurface(surface, remesh));
+    const result = await mesher.fillSurface(remesh.mesh);
     const { triangles, tetrahedra } = result.report;
     expect(proposal.triangles / triangles).toBeGreaterThan(0.75);
     expect(proposal.triangles / triangles).toBeLessThan(1.35);

@@ -1,5 +1,5 @@
 /** Facets of TetGen files: nested polygons, holes, and the points that mark holes and regions. */
-import { createMesher, readSurface, type Mesher, type SurfaceFile } from "tetrafront";
+import { createMesher, readSurface, type Mesher, type Mesh } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { enclosedVolume } from "../../support/check-mesh.js";
@@ -30,7 +30,7 @@ function polyFile(positions: readonly Position[], facets: readonly Facet[], mark
   );
 }
 
-async function surfaceOf(file: Uint8Array): Promise<SurfaceFile> {
+async function surfaceOf(file: Uint8Array): Promise<Mesh> {
   const read = await readSurface(file, { fileName: "a.poly" });
   if (!read.success) throw new Error(`${read.errors[0].message}. ${read.errors[0].remedy}`);
   return read.value;
@@ -91,7 +91,7 @@ describe("facets of a .poly file", () => {
       { rings: rings(TOP), holes: within(1).map(move) },
     ];
     const surface = await surfaceOf(polyFile(positions.map(move), [...caps, ...outside, ...walls]));
-    const { surface: oriented } = await mesher.repairSurface(surface);
+    const { mesh: oriented } = await mesher.repairSurface(surface);
     const found = await mesher.inspectSurface(oriented);
     expect(found).toMatchObject({ isFillable: true, regions: 1, cavities: 0 });
     // The plate without the tubes has area 13. The edges of the tubes divide the faces around them.

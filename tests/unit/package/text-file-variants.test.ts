@@ -1,5 +1,5 @@
 /** Text files as editors and shells leave them: byte order marks, any line ends, concatenated files. */
-import { extensionsFor, FILE_FORMATS, formatOf, readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { extensionsFor, FILE_FORMATS, formatOf, readMesh, writeMesh, type Mesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
@@ -71,7 +71,7 @@ ${eachPoint((point) => point)}${eachFace((face) => `3 ${face}`)}`,
 /** The .node file that belongs to the .face file. */
 const NODES = poly;
 
-async function meshIn(extension: string, change: (text: string) => string): Promise<FileMesh> {
+async function meshIn(extension: string, change: (text: string) => string): Promise<Mesh> {
   const encode = (text: string) => new TextEncoder().encode(change(text));
   const read = await readMesh(encode(TEXTS[extension] ?? ""), {
     fileName: `a${extension}`,

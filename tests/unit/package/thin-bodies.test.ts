@@ -1,6 +1,7 @@
 /** The note on bodies so thin that a single layer of good elements needs very many of them. */
 import { expect, test } from "vitest";
 
+import { completeSurface } from "../../../wasm/src/api/carried-mesh.js";
 import { thinBodyNotes } from "../../../wasm/src/api/thin-bodies.js";
 import { withoutPause } from "../../../wasm/src/base/steps.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -8,8 +9,7 @@ import { boxSurface } from "../../support/surfaces.js";
 /** A plate of 120,000 triangles, 100 long and wide. */
 const plate = (thickness: number) => {
   const { points, triangles } = boxSurface(100, [0, 0, 0], [100, 100, thickness]);
-  const [origin, nodeOrigin] = [new Uint32Array(triangles.length / 3), new Uint32Array(points.length / 3)];
-  return { surface: { points, triangles, origin, nodeOrigin }, volume: 1e4 * thickness };
+  return { mesh: completeSurface({ points, triangles }), volume: 1e4 * thickness };
 };
 
 test("a body that is far thinner than large, with very many triangles, is named with both lengths", () => {

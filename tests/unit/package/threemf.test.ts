@@ -1,6 +1,6 @@
 /** 3MF files: units, objects at their positions, components, colours, materials, errors. */
 import { zipSync } from "fflate";
-import { createMesher, NO_REGION, readSurface, type SurfaceFile, type SurfaceInput } from "tetrafront";
+import { createMesher, NO_REGION, readSurface, type Mesh, type SurfaceInput } from "tetrafront";
 import { bodySurface, createBodies } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
 
@@ -10,7 +10,7 @@ import { meshTags, threeMfFile } from "../../support/threemf-files.js";
 const box = boxSurface(1);
 const boxTags = meshTags(box);
 
-async function surfaceIn(file: Uint8Array): Promise<SurfaceFile> {
+async function surfaceIn(file: Uint8Array): Promise<Mesh> {
   const read = await readSurface(file, { fileName: "a.3mf" });
   if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
@@ -47,7 +47,7 @@ function withFan({ points, triangles }: SurfaceInput, x: number): SurfaceInput {
   return { points, triangles: Uint32Array.of(...kept, ...fan) };
 }
 
-const namesIn = ({ patches }: SurfaceFile) => patches.map(({ name }) => name);
+const namesIn = ({ patches }: Mesh) => patches.map(({ name }) => name);
 
 test.each([
   ["micron", 0.001],
@@ -169,7 +169,7 @@ test("an object that fills a cavity of another is meshed; an empty cavity is not
   const resources = `<object id="1" name="matrix">${matrix}</object><object id="2" name="core">${meshTags(core)}</object>`;
   const surface = await surfaceIn(threeMfFile(resources, `<item objectid="1"/><item objectid="2"/>`));
   const mesher = await createMesher();
-  const { report, volume } = await mesher.fillSurface(surface);
+  const { report, mesh: volume } = await mesher.fillSurface(surface);
   expect([report.status, report.volume]).toEqual(["done", expect.closeTo(1 - 1 / 512, 9) as number]);
   expect(new Set(volume.regions).size).toBe(2);
   mesher.dispose();

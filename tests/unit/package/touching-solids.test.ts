@@ -1,5 +1,5 @@
 /** Solids of one STL file that touch or intersect: with names, as "solid" blocks, and without, as shells of a binary file. */
-import { createMesher, type FileMesh, type Mesher, meshFile, type SurfaceInput } from "tetrafront";
+import { createMesher, type Mesh, type Mesher, meshFile, type SurfaceInput } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { tetrahedronVolumes } from "../../support/check-mesh.js";
@@ -36,7 +36,7 @@ async function meshed(bytes: Uint8Array) {
   };
 }
 
-function volumesOf(mesh: FileMesh): number[] {
+function volumesOf(mesh: Mesh): number[] {
   const volumes = mesh.regions.map(() => 0);
   tetrahedronVolumes(mesh).forEach((volume, t) => {
     const region = mesh.tetrahedronRegion[t] ?? 0;

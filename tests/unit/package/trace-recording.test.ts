@@ -39,9 +39,9 @@ describe("a trace replays to the mesh of an unrecorded run:", () => {
     expect(trace.header.fingerprint).toBe(plain.report.fingerprint);
     const replayed = trace.finalMesh();
     expect(replayed.fingerprint).toBe(plain.report.fingerprint);
-    expect(replayed.points).toEqual(plain.volume.points);
-    expect(replayed.tetrahedra).toEqual(plain.volume.tetrahedra);
-    expect(replayed.regions).toEqual(plain.volume.regions);
+    expect(replayed.points).toEqual(plain.mesh.points);
+    expect(replayed.tetrahedra).toEqual(plain.mesh.tetrahedra);
+    expect(replayed.tetrahedronRegion).toEqual(plain.mesh.tetrahedronRegion);
     const { accepted, postponed, changes, steps } = trace.summary();
     expect(accepted + postponed + Object.values(changes).reduce((sum, count) => sum + count, 0)).toBe(steps);
     expect(accepted + postponed).toBe(plain.report.front.pops);

@@ -130,7 +130,7 @@ async function volumeOf(one: Body, other: Body, isInsideOut = false): Promise<nu
     triangles: Uint32Array.of(...one.surface.triangles, ...(isInsideOut ? second.reverse() : second)),
   };
   const repair = await mesher.repairSurface(both);
-  const found = await mesher.inspectSurface(repair.surface);
+  const found = await mesher.inspectSurface(repair.mesh);
   expect(found.isFillable).toBe(true);
   return found.volume;
 }

@@ -1,5 +1,5 @@
 /** Units and scales of files that are read: exact factors, in the package and on the command line. */
-import { type LengthOptions, readMesh, readSurface, UNITS, writeMesh } from "tetrafront";
+import { type LengthOptions, readMesh, readSurface, LENGTH_UNITS, writeMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
@@ -19,8 +19,8 @@ async function read(options: LengthOptions, x = "3") {
   return found.value;
 }
 
-describe.each(UNITS)("lengths in %s", (fileUnits) => {
-  test.each(UNITS)("become %s", async (units) => {
+describe.each(LENGTH_UNITS)("lengths in %s", (fileUnits) => {
+  test.each(LENGTH_UNITS)("become %s", async (units) => {
     const { points, unit, regionPoints } = await read({ fileUnits, units });
     const factor = METRES[fileUnits] / METRES[units];
     expect(unit).toBe(units);

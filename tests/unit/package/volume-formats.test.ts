@@ -2,18 +2,16 @@
 import { deflateSync } from "node:zlib";
 
 import {
-  fileMeshOf,
+  createMesher,
   readMesh,
   readSurface,
   readVolume,
-  volumeBackground,
   writeMesh,
-  type MeshResult,
-  type VolumeFile,
-  type VolumeMesh,
+  type Mesh,
+  type Mesher,
 } from "tetrafront";
 import { unusedData } from "tetrafront/internal";
-import { describe, expect, test } from "vitest";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 /** Two tetrahedra that share a face; the first node is unused. */
 const points = [9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1 + 2 ** -52, 0, 0, 0, 1, 1 / 3, 1, 1];
@@ -274,27 +272,23 @@ $Elements\n3\n1 2 2 0 1 2 3 4\n2 4 2 0 1 2 3 4 5\n3 4 2 0 1 3 6 4 5\n$EndElement
 });
 
 test.each([".vtu", ".msh"])("a %s file of this package is read with exact coordinates", async (extension) => {
-  const volume: VolumeMesh = {
+  const mesh: Mesh = {
     points: Float64Array.from(points.slice(3)),
-    tetrahedra: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
-    regions: Uint32Array.of(0, 1),
-    front: new Uint32Array(),
-  };
-  const surface: MeshResult["surface"] = {
-    points: volume.points,
     triangles: Uint32Array.of(0, 2, 1),
     trianglePatch: Uint32Array.of(0),
-    sides: new Uint32Array(),
-    triangleRegions: new Uint32Array(),
-    sideLine: new Uint32Array(),
+    patches: [{ name: "surface", tag: 1 }],
+    tetrahedra: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
+    tetrahedronRegion: Uint32Array.of(0, 1),
+    regions: [1, 2].map((tag) => ({ name: `region ${tag}`, tag })),
+    nodeData: new Map(),
   };
-  const [file] = await writeMesh(fileMeshOf({ surface, volume }), `a${extension}`);
+  const [file] = await writeMesh(mesh, `a${extension}`);
   if (file === undefined) throw new Error("nothing written");
   await expectTwoTetrahedra(readVolume(file.bytes, { fileName: file.fileName }), []);
 });
 
-describe("volumeBackground", () => {
-  const volume = (data: Readonly<Record<string, number>>): VolumeFile => ({
+describe("backgroundFromMesh", () => {
+  const volume = (data: Readonly<Record<string, number>>) => ({
     points: Float64Array.from(points.slice(3)),
     tetrahedra: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
     nodeData: new Map(
@@ -304,51 +298,58 @@ describe("volumeBackground", () => {
       ]),
     ),
   });
-  const passedSizes: (Float64Array | undefined)[] = [];
-  const mesher = {
-    backgroundFromMesh: (
-      mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
-      options?: { sizes?: Float64Array | undefined },
-    ) => {
-      passedSizes.push(options?.sizes);
-      return Promise.resolve({ ...mesh, sizes: new Float64Array(5) });
-    },
-  };
+  let mesher: Mesher;
+  beforeAll(async () => {
+    mesher = await createMesher();
+  });
+  afterAll(() => mesher.dispose());
 
   test("takes sizes, stretchings and directions from the file", async () => {
-    const read = await volumeBackground(mesher, volume({ size: 1, stretching: 1, direction: 3 }));
-    expect(passedSizes.at(-1)).toEqual(new Float64Array(5).fill(2));
-    expect(read).toMatchObject({
-      success: true,
-      value: { stretchings: new Float64Array(5).fill(2), directions: new Float64Array(15).fill(2) },
+    expect(await mesher.backgroundFromMesh(volume({ size: 1, stretching: 1, direction: 3 }))).toMatchObject({
+      sizes: new Float64Array(5).fill(2),
+      stretchings: new Float64Array(5).fill(2),
+      directions: new Float64Array(15).fill(2),
     });
   });
 
   test("ignores case in the name of an array if the match is unique", async () => {
     const capitals = volume({ Size: 1, STRETCHING: 1, Direction: 3, pressure: 1 });
-    expect(await volumeBackground(mesher, capitals)).toMatchObject({
-      success: true,
-      value: { stretchings: {} },
-    });
-    expect(passedSizes.at(-1)).toEqual(new Float64Array(5).fill(2));
+    const { sizes, stretchings } = await mesher.backgroundFromMesh(capitals);
+    expect([sizes, stretchings]).toEqual([new Float64Array(5).fill(2), new Float64Array(5).fill(2)]);
     expect(unusedData(capitals)).toEqual(["pressure"]);
     const both = volume({ Size: 1, SIZE: 1 });
-    await volumeBackground(mesher, both);
-    expect(passedSizes.at(-1)).toBeUndefined();
+    expect((await mesher.backgroundFromMesh(both)).sizes).not.toContain(2);
     expect(unusedData(both)).toEqual(["Size", "SIZE"]);
     expect(unusedData(volume({ Size: 1, size: 1, direction: 3 }))).toEqual(["Size", "direction"]);
   });
 
+  test("omits what is stored at a node without a tetrahedron", async () => {
+    const data = { size, stretching: [7, 1, 2, 3, 4, 5], direction };
+    const grid = await mesher.backgroundFromMesh({
+      points: Float64Array.from(points),
+      tetrahedra: Uint32Array.from(corners.flat()),
+      nodeData: new Map(
+        Object.entries(data).map(([name, values]) => [
+          name,
+          { components: values.length / 6, values: Float64Array.from(values) },
+        ]),
+      ),
+    });
+    expect([...grid.sizes]).toEqual(size.slice(1));
+    expect([...(grid.stretchings ?? [])]).toEqual([1, 2, 3, 4, 5]);
+    expect([...(grid.directions ?? [])]).toEqual(direction.slice(3));
+  });
+
   test("derives sizes from the edges if the file has none", async () => {
-    await volumeBackground(mesher, volume({ pressure: 1 }));
-    expect(passedSizes.at(-1)).toBeUndefined();
+    const { sizes, stretchings } = await mesher.backgroundFromMesh(volume({ pressure: 1 }));
+    expect(sizes).not.toContain(2);
+    expect(stretchings).toBeUndefined();
   });
 
   test.each<[string, Record<string, number>, RegExp]>([
     ["three sizes per node", { size: 3 }, /`size` must have one value/],
     ["a stretching without a direction", { size: 1, stretching: 1 }, /needs `direction`/],
   ])("rejects %s", async (_, data, message) => {
-    const read = await volumeBackground(mesher, volume(data));
-    expect(read.success ? "" : read.errors[0].message).toMatch(message);
+    await expect(mesher.backgroundFromMesh(volume(data))).rejects.toThrow(message);
   });
 });

@@ -1,5 +1,5 @@
 /** Legacy VTK files with everything that VTK writes beside a mesh, as text and as big-endian binary. */
-import { readMesh, type FileMesh } from "tetrafront";
+import { readMesh, type Mesh } from "tetrafront";
 import { expect, test } from "vitest";
 
 const encoder = new TextEncoder();
@@ -32,7 +32,7 @@ function binaryText(text: string): DataView {
   return numbers("Uint8", [...length, ...bytes]);
 }
 
-async function read(bytes: Uint8Array): Promise<FileMesh> {
+async function read(bytes: Uint8Array): Promise<Mesh> {
   const result = await readMesh(bytes, { fileName: "a.vtk" });
   if (!result.success) throw new Error(result.errors[0].message);
   return result.value;

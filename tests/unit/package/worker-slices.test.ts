@@ -91,7 +91,7 @@ const noRegions = { triangleRegions: new Uint32Array(), maxVolumes: new Float64A
 const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
   preview: (id) => ({ kind: "preview", id, model, grid, options, samplesOnly: false }),
   cover: (id) => ({ kind: "cover", id, model, size: 0, shape: 0 }),
-  propose: (id) => ({ kind: "propose", id, model, options: engineProposalOptions({ uniform: 0.9 }) }),
+  propose: (id) => ({ kind: "propose", id, model, options: engineProposalOptions({ maxSize: 0.9 }) }),
   "sample-sizes": (id) => ({
     kind: "sample-sizes",
     id,

@@ -1,5 +1,5 @@
 /** Bytes of written files, as other programs interpret them. */
-import { readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { readMesh, writeMesh, type Mesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
@@ -8,7 +8,7 @@ import { boxSurface } from "../../support/surfaces.js";
 const block = blockMesh();
 const elementCount = (block.triangles.length + (3 * block.tetrahedra.length) / 4) / 3;
 
-async function written(mesh: FileMesh, fileName: string): Promise<Uint8Array> {
+async function written(mesh: Mesh, fileName: string): Promise<Uint8Array> {
   const [file] = await writeMesh(mesh, fileName);
   return file?.bytes ?? new Uint8Array();
 }
@@ -83,7 +83,7 @@ test("a VTU file holds the names of patches and regions as field data", async ()
 test("the normals of a written STL file have length 1 and face outward", async () => {
   const box = boxSurface(2);
   const count = box.triangles.length / 3;
-  const mesh: FileMesh = {
+  const mesh: Mesh = {
     ...box,
     trianglePatch: new Uint32Array(count),
     patches: [{ name: "surface", tag: 1 }],

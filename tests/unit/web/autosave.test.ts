@@ -2,8 +2,10 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { moveEntity, renameProject } from "../../../web/document/edits";
 import { Autosave } from "../../../web/session/autosave";
 import { DocumentStore, newDocument } from "../../../web/session/document-store";
+import { openKept } from "../../../web/session/kept-document";
 import { cubeProject } from "../../support/projects";
-import { MemoryStorage } from "./storage-doubles";
+import { randomSource } from "../../support/random";
+import { MemoryStorage, UnreliableStorage } from "./storage-doubles";
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
@@ -11,9 +13,8 @@ afterEach(() => void vi.useRealTimers());
 /** Milliseconds; longer than the delay between an edit and its write. */
 const shortly = 50;
 
-function following() {
+function following<Storage extends MemoryStorage>(storage: Storage) {
   const documents = new DocumentStore(cubeProject(), () => 0);
-  const storage = new MemoryStorage();
   const autosave = new Autosave(documents, storage);
   autosave.follow();
   const keptName = (id = documents.state.getState().id) => storage.documents.get(id)?.name;
@@ -31,7 +32,7 @@ function fakePage(autosave: Autosave) {
 
 describe("autosave", () => {
   it("writes a document when it is opened, and within a few milliseconds after each edit", async () => {
-    const { documents, autosave, keptName } = following();
+    const { documents, autosave, keptName } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     expect(keptName()).toBe("Unit cube");
     documents.edit(renameProject("edited"));
@@ -45,7 +46,7 @@ describe("autosave", () => {
   });
 
   it("writes a burst of edits once, without waiting for its end", async () => {
-    const { documents, storage, keptName } = following();
+    const { documents, storage, keptName } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     const before = storage.writes;
     for (let i = 0; i < 10; ++i) documents.edit(renameProject(`name ${i}`));
@@ -59,7 +60,7 @@ describe("autosave", () => {
   });
 
   it("writes as quickly after a slow write", async () => {
-    const { documents, storage, keptName } = following();
+    const { documents, storage, keptName } = following(new MemoryStorage());
     storage.latency = 400;
     await vi.advanceTimersByTimeAsync(2 * storage.latency);
     documents.edit(renameProject("edited"));
@@ -68,7 +69,7 @@ describe("autosave", () => {
   });
 
   it.each(["pagehide", "beforeunload"])("writes at once on %s alone", async (event) => {
-    const { documents, autosave, storage, keptName } = following();
+    const { documents, autosave, storage, keptName } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     const { window, stop } = fakePage(autosave);
     documents.edit(renameProject("last edit"));
@@ -84,7 +85,7 @@ describe("autosave", () => {
   });
 
   it("writes at once when the page is hidden, but not when it is shown", async () => {
-    const { documents, autosave, keptName } = following();
+    const { documents, autosave, keptName } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     const { document } = fakePage(autosave);
     documents.edit(renameProject("last edit"));
@@ -96,7 +97,7 @@ describe("autosave", () => {
   });
 
   it("warns when the user leaves the page only if a change is not yet written", async () => {
-    const { documents, autosave } = following();
+    const { documents, autosave } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     const { window } = fakePage(autosave);
     const leave = (): boolean => !window.dispatchEvent(new Event("beforeunload", { cancelable: true }));
@@ -108,7 +109,7 @@ describe("autosave", () => {
   });
 
   it("reports a failure of the storage, retries by itself and reports the success", async () => {
-    const { documents, storage, autosave, keptName } = following();
+    const { documents, storage, autosave, keptName } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     storage.failure = "no space";
     documents.edit(renameProject("kept in the end"));
@@ -126,7 +127,7 @@ describe("autosave", () => {
   });
 
   it("keeps a document that is no longer open in its queue until the storage works again", async () => {
-    const { documents, storage, keptName } = following();
+    const { documents, storage, keptName } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     storage.failure = "no space";
     documents.edit(renameProject("left behind"));
@@ -140,7 +141,7 @@ describe("autosave", () => {
   });
 
   it("does not let an older state of a document overwrite a newer one after a failure", async () => {
-    const { documents, storage, autosave, keptName } = following();
+    const { documents, storage, autosave, keptName } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     storage.failure = "no space";
     documents.edit(renameProject("older"));
@@ -152,8 +153,50 @@ describe("autosave", () => {
     expect(keptName()).toBe("newer");
   });
 
+  it("stores every edit if writes begin while others are under way, and some fail", async () => {
+    const random = randomSource(3);
+    const below = (limit: number): number => random() % limit;
+    for (let sequence = 0; sequence < 100; ++sequence) {
+      const storage = new UnreliableStorage(() => ({ fails: below(4) === 0, after: below(60) }));
+      const { documents, autosave } = following(storage);
+      for (let i = 0; i < 20; ++i) {
+        if (below(4) === 0) documents.undo();
+        else {
+          const point = { id: 100 + i, name: "x".repeat(below(3) * 9_000), position: [i, 0, 0] as const };
+          documents.edit({
+            label: "Add",
+            replace: { points: [...documents.project.points, point] },
+          });
+        }
+        if (below(2) === 0) void autosave.flush();
+        await vi.advanceTimersByTimeAsync(below(100));
+      }
+      storage.isRepaired = true;
+      await vi.advanceTimersByTimeAsync(60_000);
+      expect(autosave.state.getState().pending).toBe(false);
+      const kept = storage.documents.get(documents.state.getState().id);
+      const opened = kept && (await openKept(kept));
+      const { present, past, future } = documents.state.getState().history;
+      expect(opened?.history.present.project).toEqual(present.project);
+      expect([opened?.history.past.length, opened?.history.future.length]).toEqual([
+        past.length,
+        future.length,
+      ]);
+    }
+  });
+
+  it("writes the whole document again if the storage has lost it", async () => {
+    const { documents, storage, autosave, keptName } = following(new MemoryStorage());
+    await vi.advanceTimersByTimeAsync(shortly);
+    storage.documents.clear();
+    documents.edit(renameProject("edited"));
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(autosave.state.getState()).toEqual({ pending: false, failure: null });
+    expect(keptName()).toBe("edited");
+  });
+
   it("writes a gesture when it ends, but not a cancelled one", async () => {
-    const { documents, storage } = following();
+    const { documents, storage } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     const before = storage.writes;
     const cancelled = documents.begin("Drag");
@@ -172,7 +215,7 @@ describe("autosave", () => {
   });
 
   it("lists a document after its first change", async () => {
-    const { documents, storage } = following();
+    const { documents, storage } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);
     expect(await storage.list()).toEqual([]);
     documents.edit(renameProject("edited"));

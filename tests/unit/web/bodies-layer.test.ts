@@ -82,8 +82,8 @@ describe("the layer of bodies", () => {
     expect(visible()).toEqual([true, true, true]);
     change(layer, selected, { ...selected, front: new Float64Array(9) });
     expect(visible()).toEqual([false, true, true]);
-    const volume = { tetrahedra: Uint32Array.from([0, 1, 2, 3]) };
-    const meshed = { ...selected, mesh: { volume } as MeshResult };
+    const mesh = { tetrahedra: Uint32Array.from([0, 1, 2, 3]) };
+    const meshed = { ...selected, mesh: { mesh } as MeshResult };
     change(layer, selected, meshed);
     expect(visible()).toEqual([false, true, true]);
     change(layer, meshed, { ...meshed, isMeshOfOthers: true });

@@ -8,7 +8,7 @@ import { anglesOf, combined, placed, placedBox, rotationOf } from "../../../web/
 import { bodyProblems } from "../../../web/document/validate";
 import { DocumentStore } from "../../../web/session/document-store";
 import { entryBytes, maxHistoryBytes } from "../../../web/session/history";
-import { keptDocument, maxKeptHistoryBytes, openKept } from "../../../web/session/kept-document";
+import { maxKeptHistoryBytes, openKept } from "../../../web/session/kept-document";
 import { BrushTool } from "../../../web/tools/brush-tool";
 import { ViewStore } from "../../../web/document/selection";
 import type { ToolPointer } from "../../../web/tools/tool";
@@ -16,6 +16,7 @@ import { TreeRows } from "../../../web/panels/model/tree-rows";
 import { cubeProject } from "../../support/projects";
 import { boxSurface, sphereSurface } from "../../support/surfaces";
 import { sceneState, show } from "./scene";
+import { keptDocument } from "./storage-doubles";
 
 const surface = sphereSurface(16);
 const body = createBody(surface, { id: 3, firstPatchId: 20, name: "ball" });
@@ -156,8 +157,8 @@ describe("a document with bodies", () => {
     documents.edit(addBodies(documents.project, [large]));
     documents.edit(renameEntity({ kind: "body-patch", id: 7 }, "skin"));
     const kept = keptDocument(documents.state.getState(), 0, true);
-    expect(kept.text.length).toBeLessThan(100_000);
-    expect(kept.past.join("").length).toBeLessThan(100_000);
+    expect(kept.content.text.length).toBeLessThan(100_000);
+    expect(kept.content.past.join("").length).toBeLessThan(100_000);
     const opened = await openKept(structuredClone(kept));
     if (!opened) throw new Error("The kept document cannot be read");
     const others = new DocumentStore(cubeProject());

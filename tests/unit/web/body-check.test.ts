@@ -48,7 +48,7 @@ it("a check that an edit has ended says nothing of the project, even if undo res
   } as unknown as BodyFeed;
   const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
   const resize = (size: number): void =>
-    void documents.edit({ label: "Size", replace: [[["project", "meshing"], { size }]] });
+    void documents.edit({ label: "Size", replace: { meshing: { size } } });
   const checks = (count: number) => vi.waitFor(() => expect(ends).toHaveLength(count));
   resize(0.3);
   await checks(1);
@@ -141,7 +141,7 @@ describe("bodies that touch", () => {
     const { documents, check, problems } = await opened();
     const messages = (code: string): readonly string[] =>
       problems.state.getState().problems.flatMap((problem) => (problem.code === code ? problem.message : []));
-    documents.edit({ label: "Size", replace: [[["project", "meshing"], { size: 0.4 }]] });
+    documents.edit({ label: "Size", replace: { meshing: { size: 0.4 } } });
     await vi.waitFor(() => expect(check.state.getState().key).not.toBeNull(), { timeout: 20_000 });
     expect(check.state.getState().touching).toEqual([[1, 2]]);
     expect(messages("touching-bodies")).toEqual([expect.stringMatching(/box 1.*box 2/)]);

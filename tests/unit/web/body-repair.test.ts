@@ -116,7 +116,7 @@ it("parts of a surface share what they enclose beyond the repaired surface, wher
     [one, 1],
     [other, 1],
   ]);
-  const { surface } = await mesher.repairSurface(given);
+  const { mesh: surface } = await mesher.repairSurface(given);
   const { volume } = await mesher.inspectSurface(surface);
   expect(sharedVolume(given, volume)).toBeCloseTo(0.25 * 0.25 * 0.5, 9);
   expect(sharedVolume(surface, volume)).toBe(0);

@@ -1,9 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { DocumentLibrary, maxListedDocuments } from "../../../web/session/document-library";
 import { newDocument } from "../../../web/session/document-store";
-import { keptDocument } from "../../../web/session/kept-document";
 import { cubeProject } from "../../support/projects";
-import { MemoryLocks, MemoryStorage, MemoryTab } from "./storage-doubles";
+import { keptDocument, MemoryLocks, MemoryStorage, MemoryTab } from "./storage-doubles";
 
 /** A browser with any number of tabs. */
 function browser() {
@@ -183,7 +182,7 @@ describe("the library of kept documents", () => {
     expect(await library.take("unknown")).toBe("missing");
     const id = await keep("damaged", 1);
     const kept = storage.documents.get(id);
-    if (kept) storage.documents.set(id, { ...kept, text: "{ not JSON" });
+    if (kept) storage.documents.set(id, { ...kept, content: { ...kept.content, text: "{ not JSON" } });
     expect(await library.take(id)).toBe("unreadable");
     expect(locks.held.size).toBe(0);
   });

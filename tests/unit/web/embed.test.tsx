@@ -119,7 +119,7 @@ it("has a link for the step of an unchanged example, and for nothing else", asyn
   });
   await copyLink(app);
   expect(written).toEqual([expect.stringMatching(/\?model=cube&step=7&color=layer$/)]);
-  app.documents.edit({ label: "Change", replace: [[["name"], "Mine"]] });
+  app.documents.edit({ label: "Change", replace: { name: "Mine" } });
   expect(await sharedFrontOf(app)).toBeNull();
   // A changed model is in a link of its own, which a dialog offers; a frame shows unchanged examples only.
   await copyLink(app);
@@ -160,7 +160,7 @@ it("shows the step of an address only if its example is open and unchanged", asy
   await showSharedIfOpen(app, shared);
   app.showProject(model);
   await showSharedIfOpen(app, { ...shared, model: "other" });
-  app.documents.edit({ label: "Change", replace: [[["name"], "Mine"]] });
+  app.documents.edit({ label: "Change", replace: { name: "Mine" } });
   await showSharedIfOpen(app, shared);
   expect(record).not.toHaveBeenCalled();
   expect(app.shell.getState().bottomTab).not.toBe("front");

@@ -1,11 +1,11 @@
-import { FILE_FORMATS, type FileMesh, formatOf, readMesh, writeMesh } from "tetrafront";
+import { FILE_FORMATS, type Mesh, formatOf, readMesh, writeMesh } from "tetrafront";
 import { describe, expect, it } from "vitest";
 import { encodingsOf, exportFormats, extensionIn } from "../../../web/document/export-formats";
 import { exportStrings } from "../../../web/strings";
 import { gridMesh } from "./grid-mesh";
 
 /** Two regions with names, and two triangles with names that no program makes up. */
-function namedMesh(): FileMesh {
+function namedMesh(): Mesh {
   const { points, tetrahedra } = gridMesh(2);
   return {
     points,

@@ -4,10 +4,13 @@ import { createBody, type ProjectBody } from "tetrafront/project";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import { generateMesh } from "../../../web/commands/mesh-actions";
+import { newProject } from "../../../web/commands/project-actions";
+import { setBodySurface } from "../../../web/document/body-edits";
 import { emptyProject } from "../../../web/document/create";
 import type { RepairProposal } from "../../../web/document/body-repair";
 import type { BodyState } from "../../../web/session/bodies";
 import { newDocument } from "../../../web/session/document-store";
+import { showNotice } from "../../../web/session/shell";
 import { boxSurface } from "../../support/surfaces";
 import { SilentWorker } from "../../support/silent-worker";
 
@@ -59,6 +62,31 @@ function repairTo(onRepair: () => void) {
 const steps = () => app.documents.state.getState().history.past.map(({ label }) => label);
 const log = () => app.run.state.getState().log.map(({ text }) => text);
 
+it("lets notes about the file and the earlier mesh give way, and keeps others", async () => {
+  const keys = ["file-notes", "improvement", "document-left"] as const;
+  const action = { label: "OK", run: () => undefined };
+  for (const key of keys) showNotice(app.shell, { key, tone: "information", text: key, action });
+  const run = generateMesh(app);
+  expect(app.shell.getState().notices.map(({ key }) => key)).toEqual(["document-left"]);
+  app.run.cancel();
+  await run;
+});
+
+it("lets notes about the file give way when the treatment of a body is changed", () => {
+  const action = { label: "OK", run: () => undefined };
+  showNotice(app.shell, { key: "file-notes", tone: "information", text: "keeps them", action });
+  app.documents.edit(setBodySurface(1, "keep"));
+  expect(app.shell.getState().notices).toEqual([]);
+});
+
+it("lets notices about a document give way when another one is opened", () => {
+  const action = { label: "OK", run: () => undefined };
+  for (const key of ["file-notes", "deleted", "note", "worker"] as const)
+    showNotice(app.shell, { key, tone: "information", text: key, action });
+  newProject(app);
+  expect(app.shell.getState().notices.map(({ key }) => key)).toEqual(["worker"]);
+});
+
 it("waits until all bodies are inspected, and is cancelled meanwhile", async () => {
   const repair = repairTo(() => undefined);
   const run = generateMesh(app);
@@ -103,12 +131,7 @@ it("waits for a preview of the present content, whose progress it shows, and abo
   const moved = { ...second, triangles: `${second?.triangles} ` } as unknown as ProjectBody;
   made.documents.edit({
     label: "Move",
-    replace: [
-      [
-        ["project", "bodies"],
-        [box, moved, ...others],
-      ],
-    ],
+    replace: { bodies: [box, moved, ...others].flatMap((body) => body ?? []) },
   });
   const fractions: number[] = [];
   let isOver = false;

@@ -1,7 +1,7 @@
-import type { VolumeMesh } from "tetrafront";
+import type { Mesh } from "tetrafront";
 
 /** Returns n × n × n cells of six tetrahedra each, around the diagonal of the cell, all of positive volume. */
-export function gridMesh(n: number): VolumeMesh {
+export function gridMesh(n: number): Pick<Mesh, "points" | "tetrahedra" | "tetrahedronRegion"> {
   const at = (x: number, y: number, z: number) => x + (n + 1) * (y + (n + 1) * z);
   const points: number[] = [];
   const tetrahedra: number[] = [];
@@ -27,7 +27,6 @@ export function gridMesh(n: number): VolumeMesh {
   return {
     points: Float64Array.from(points),
     tetrahedra: Uint32Array.from(tetrahedra),
-    regions: new Uint32Array(tetrahedra.length / 4),
-    front: new Uint32Array(),
+    tetrahedronRegion: new Uint32Array(tetrahedra.length / 4),
   };
 }

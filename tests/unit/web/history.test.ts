@@ -1,15 +1,26 @@
 import { describe, expect, it } from "vitest";
-import type { Edit } from "../../../web/document/edit";
 import {
+  commit as commitState,
   entryBytes,
-  addStep,
-  commit,
   maxHistoryBytes,
   redo,
   startHistory,
-  stepFrom,
   undo,
+  type History,
 } from "../../../web/session/history";
+
+interface Edit<State> {
+  readonly label: string;
+  readonly mergeKey?: string;
+  readonly change: (state: State) => State;
+}
+
+const commit = <State extends object>(
+  history: History<State>,
+  edit: Edit<State>,
+  now: number,
+  held = false,
+): History<State> => commitState(history, edit, edit.change(history.present), now, held);
 
 interface State {
   readonly a: number;
@@ -19,9 +30,7 @@ interface State {
 const set = (a: number, mergeKey?: string): Edit<State> => ({
   label: `Set ${a}`,
   ...(mergeKey !== undefined && { mergeKey }),
-  change: (draft) => {
-    draft.a = a;
-  },
+  change: (state) => ({ ...state, a }),
 });
 
 describe("history", () => {
@@ -33,11 +42,7 @@ describe("history", () => {
         history,
         {
           label: `Edit ${i}`,
-          change: (draft) => {
-            draft.a = i * i;
-            if (i % 3 === 0) draft.list.pop();
-            else draft.list.push(i);
-          },
+          change: ({ list }) => ({ a: i * i, list: i % 3 === 0 ? list.slice(0, -1) : [...list, i] }),
         },
         1000 * i,
       );
@@ -99,14 +104,14 @@ describe("history", () => {
   it("stores one value of a field changed by a held key, and all parts of other merged edits", () => {
     let history = startHistory<State>({ a: 0, list: [] });
     for (let a = 1; a <= 1000; ++a) history = commit(history, set(a, "a"), a, true);
-    expect(history.past[0]?.forward).toHaveLength(1);
+    expect(history.past[0]?.change).toEqual({ fields: { a: { from: 0, to: 1000 } } });
     expect(undo(history).present.a).toBe(0);
     expect(redo(undo(history)).present.a).toBe(1000);
 
     const shorten = (length: number): Edit<State> => ({
       label: "Shorten",
       mergeKey: "list",
-      change: ({ list }) => void list.splice(length),
+      change: (state) => ({ ...state, list: state.list.slice(0, length) }),
     });
     history = commit(startHistory<State>({ a: 0, list: [1, 2, 3, 4, 5] }), shorten(3), 0);
     history = commit(history, shorten(1), 1);
@@ -120,7 +125,7 @@ describe("history", () => {
     const stepBytes = maxHistoryBytes / 16;
     const write = (i: number): Edit<{ readonly text: string }> => ({
       label: `Write ${i}`,
-      replace: [[["text"], String(i).padEnd(stepBytes)]],
+      change: () => ({ text: String(i).padEnd(stepBytes) }),
     });
     let history = startHistory({ text: "".padEnd(stepBytes) });
     for (let i = 1; i <= 40; ++i) history = commit(history, write(i), 1000 * i);
@@ -140,19 +145,10 @@ describe("history", () => {
 
   it("keeps the latest step even if it exceeds the limit", () => {
     const text = "".padEnd(maxHistoryBytes);
-    let history = commit(startHistory({ text: "before" }), { label: "Small", replace: [[["text"], "x"]] }, 0);
-    history = commit(history, { label: "Huge", replace: [[["text"], text]] }, 1000);
+    let history = commitState(startHistory({ text: "before" }), { label: "Small" }, { text: "x" }, 0);
+    history = commitState(history, { label: "Huge" }, { text }, 1000);
     expect(history.past.map(({ label }) => label)).toEqual(["Huge"]);
     expect(undo(history).present.text).toBe("x");
-  });
-
-  it("adds a step made outside as one entry, or none if it changes nothing", () => {
-    const history = startHistory<State>({ a: 0, list: [] });
-    const moved = addStep(history, "Drag", stepFrom(history.present, set(7)), 0);
-    expect(moved.present.a).toBe(7);
-    expect(moved.past.map(({ label }) => label)).toEqual(["Drag"]);
-    expect(undo(moved).present).toEqual(history.present);
-    expect(addStep(history, "Drag", stepFrom(history.present, set(0)), 0)).toBe(history);
   });
 
   it("forgets undone steps after another edit", () => {
@@ -164,34 +160,24 @@ describe("history", () => {
 
   it("does not record an edit that changes nothing", () => {
     const history = startHistory<State>({ a: 0, list: [] });
-    expect(commit(history, { label: "Nothing", change: () => undefined }, 0)).toBe(history);
+    expect(commit(history, { label: "Nothing", change: (state) => state }, 0)).toBe(history);
   });
 
-  it("replaces values, shares all others, and can be undone", () => {
-    interface Nested {
-      readonly a: { readonly big: readonly number[]; readonly other: object };
-      readonly b: number;
-    }
-    const other = {};
-    const before: Nested = { a: { big: [1], other }, b: 1 };
-    const big = [1, 2, 3];
-    const replaced = commit(
-      startHistory(before),
-      {
-        label: "Replace",
-        replace: [
-          [["a", "big"], big],
-          [["b"], 2],
-        ],
-      },
-      0,
-    );
-    expect(replaced.present).toEqual({ a: { big, other }, b: 2 });
-    expect(replaced.present.a.big).toBe(big);
-    expect(replaced.present.a.other).toBe(other);
-    expect(undo(replaced).present).toEqual(before);
-    expect(redo(undo(replaced)).present.a.big).toBe(big);
-    const same = startHistory(before);
-    expect(commit(same, { label: "Nothing", replace: [[["b"], 1]] }, 0)).toBe(same);
+  it("forgets a merged step that leads back to the state before it", () => {
+    const history = startHistory<State>({ a: 0, list: [] });
+    const there = commit(history, set(1, "a"), 0);
+    const back = commit(there, set(0, "a"), 100);
+    expect(back).toEqual(history);
+  });
+
+  it("shares what a step has not changed", () => {
+    const before = { big: [{ id: 1 }], other: { list: [{ id: 2 }] }, b: 1 };
+    const after = { ...before, b: 2 };
+    const history = commitState(startHistory(before), { label: "Change" }, after, 0);
+    expect(history.present).toBe(after);
+    expect(undo(history).present).toEqual(before);
+    expect(undo(history).present.big).toBe(before.big);
+    expect(redo(undo(history)).present.other).toBe(before.other);
+    expect(commitState(history, { label: "Nothing" }, { ...after }, 0)).toBe(history);
   });
 });

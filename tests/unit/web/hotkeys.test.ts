@@ -4,6 +4,7 @@ import { App } from "../../../web/app/app";
 import { chordListener, hotkeyListener } from "../../../web/panels/page/hotkeys";
 import { newDocument } from "../../../web/session/document-store";
 import { PageApps } from "../../../web/tools/page-apps";
+import type { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
@@ -87,6 +88,35 @@ describe("the hotkeys of two apps on one page", () => {
     send(press(element("input"), "Enter", true));
     send(press(parts[1]?.field as EventTarget, "Enter", true));
     expect(generate.map(({ mock }) => mock.calls.length)).toEqual([0, 1]);
+  });
+});
+
+describe("signs and digits", () => {
+  it.each([
+    ["?", true],
+    ["?", false],
+    ["F1", false],
+  ])("the help opens by %s, with Shift: %s", (key, shift) => {
+    const { parts, send } = openTwo();
+    send(press(element(), key, false, shift));
+    expect(parts.map(({ app }) => app.shell.getState().dialog)).toEqual(["help", null]);
+  });
+
+  it("a question mark is typed into a field, where F1 opens the help", () => {
+    const { parts, send } = openTwo();
+    const [{ app, field }] = parts as [(typeof parts)[number]];
+    send(press(field, "?", false, true));
+    expect(app.shell.getState().dialog).toBeNull();
+    send(press(field, "F1"));
+    expect(app.shell.getState().dialog).toBe("help");
+  });
+
+  it.each([false, true])("a digit chooses a view, with Shift: %s", (shift) => {
+    const { parts, send } = openTwo();
+    const look = vi.fn();
+    parts[0]?.app.viewer.setState({ viewer: { look } as unknown as Viewer });
+    send(press(element(), "7", false, shift));
+    expect(look).toHaveBeenCalledWith("top");
   });
 });
 

@@ -38,7 +38,7 @@ async function volumesOf(project: Project): Promise<number[]> {
   expect(diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
   const result = await mesher.meshProject(project);
   expectValid(result);
-  return regionVolumes(result.surface).toSorted((a, b) => a - b);
+  return regionVolumes(result.mesh).toSorted((a, b) => a - b);
 }
 
 const cube = box(1, 1, 1);

@@ -1,10 +1,19 @@
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import type { Project } from "tetrafront/project";
 import { renameProject } from "../../../web/document/edits";
 import { scaleSizes } from "../../../web/document/size-edits";
 import { DocumentStore, hasUnsavedChanges, newDocument } from "../../../web/session/document-store";
-import { keptDocument, maxKeptHistoryBytes, openKept } from "../../../web/session/kept-document";
+import { documentWrite, type DocumentWrite, type Stored } from "../../../web/session/document-write";
+import {
+  maxKeptHistoryBytes,
+  openKept,
+  type DocumentHead,
+  type KeptContent,
+  type KeptDocument,
+} from "../../../web/session/kept-document";
 import { cubeProject } from "../../support/projects";
+import { afterWrite, keptDocument } from "./storage-doubles";
 
 /** Stores the document, loads it in another page and opens it there. */
 async function reloaded(documents: DocumentStore): Promise<DocumentStore> {
@@ -57,7 +66,7 @@ describe("a kept document", () => {
     const documents = new DocumentStore(largeProject(), () => 0);
     documents.edit(renameProject("large"));
     const kept = keptDocument(documents.state.getState(), 0, true);
-    expect(kept.grid?.tetrahedra).toHaveLength(4 * 3000);
+    expect(kept.content.grid?.tetrahedra).toHaveLength(4 * 3000);
     const others = await reloaded(documents);
     expect(others.project).toEqual(documents.project);
     others.undo();
@@ -90,13 +99,148 @@ describe("a kept document", () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     documents.edit(renameProject("edited"));
     const kept = keptDocument(documents.state.getState(), 0, true);
-    const opened = await openKept({ ...kept, version: kept.version - 1 });
+    const opened = await openKept({
+      ...kept,
+      content: { ...kept.content, version: kept.content.version - 1 },
+    });
     expect(opened?.history.past).toEqual([]);
     expect(opened?.history.present.project.name).toBe("edited");
   });
 
+  it("is as it was opened if it is not listed, whatever keys an earlier version of the app has made", async () => {
+    const kept = keptDocument(newDocument(cubeProject()), 0, false);
+    const documents = new DocumentStore(cubeProject());
+    const opened = await openKept({ ...kept, savedKey: "of an earlier version" });
+    if (opened) documents.show(opened);
+    expect(hasUnsavedChanges(documents.state.getState())).toBe(false);
+  });
+
   it("is rejected if its project is invalid", async () => {
     const kept = keptDocument(newDocument(cubeProject()), 0, true);
-    expect(await openKept({ ...kept, text: "{}" })).toBeNull();
+    expect(await openKept({ ...kept, content: { ...kept.content, text: "{}" } })).toBeNull();
+  });
+
+  it("keeps its steps if an earlier version of the app has stored them as patches", async () => {
+    // Written by that version: a document of 23 steps, of which 8 are undone, with its first and its last state.
+    const file = new URL("../../fixtures/kept-document-with-patches.json", import.meta.url);
+    const { kept, first, last } = JSON.parse(readFileSync(file, "utf8")) as {
+      readonly kept: DocumentHead & KeptContent;
+      readonly first: Project;
+      readonly last: Project;
+    };
+    const opened = await openKept({ ...kept, content: kept, changes: [] });
+    if (!opened) throw new Error("The document cannot be read");
+    const documents = new DocumentStore(cubeProject());
+    documents.show(opened);
+    expect(documents.project).toEqual(JSON.parse(kept.text));
+    expect([opened.history.past.length, opened.history.future.length]).toEqual([15, 8]);
+    documents.jumpTo(0);
+    expect(documents.project).toEqual(first);
+    documents.jumpTo(23);
+    expect(documents.project).toEqual(last);
+  });
+});
+
+describe("a document that is written after each step", () => {
+  const bytesOf = (value: unknown): number => JSON.stringify(value).length;
+
+  /** Writes the states of a document one after the other, as autosave does. */
+  function writer(documents: DocumentStore) {
+    let stored: Stored | null = null;
+    let kept: KeptDocument | undefined;
+    return {
+      write: (): DocumentWrite => {
+        const next = documentWrite(documents.state.getState(), stored, 0, true);
+        ({ stored } = next);
+        kept = afterWrite(kept, structuredClone(next.write));
+        return next.write;
+      },
+      kept: (): KeptDocument => {
+        if (!kept) throw new Error("Nothing was written");
+        return kept;
+      },
+    };
+  }
+
+  /** A project of many points, which takes about half a megabyte. */
+  const manyPoints = (): Project => ({
+    ...cubeProject(),
+    points: Array.from({ length: 10_000 }, (_, i) => ({ id: i + 1, position: [i, 1 / 3, 0] })),
+  });
+
+  it("takes less than a kilobyte for a point that was dragged, for undo and for redo, however many points there are", async () => {
+    const documents = new DocumentStore(manyPoints());
+    const { write, kept } = writer(documents);
+    expect(bytesOf(write())).toBeGreaterThan(400_000);
+    for (let i = 0; i < 20; ++i) {
+      const gesture = documents.begin("Move");
+      for (let move = 0; move < 3; ++move) {
+        const points = documents.project.points.map((point) =>
+          point.id === 5000 + i ? { ...point, position: [1 / 3, move / 7, i / 7] as const } : point,
+        );
+        gesture.update({ replace: { points } });
+      }
+      gesture.commit();
+      expect(bytesOf(write())).toBeLessThan(1000);
+    }
+    for (const move of [() => documents.undo(), () => documents.undo(), () => documents.redo()]) {
+      move();
+      expect(bytesOf(write())).toBeLessThan(1000);
+    }
+    const opened = await openKept(kept());
+    expect(opened?.history.present.project).toEqual(documents.project);
+    expect([opened?.history.past.length, opened?.history.future.length]).toEqual([19, 1]);
+  });
+
+  it("is written as a whole again before its changes take long to read", async () => {
+    const documents = new DocumentStore(manyPoints());
+    const { write, kept } = writer(documents);
+    write();
+    let contents = 0;
+    let length = 0;
+    for (let i = 0; i < 300; ++i) {
+      documents.edit(renameProject(`${i} `.padEnd(1000, "x")));
+      const written = write();
+      if ("content" in written) contents += 1;
+      length = Math.max(length, bytesOf(kept().changes));
+    }
+    expect(contents).toBeGreaterThan(0);
+    expect(contents).toBeLessThan(20);
+    expect(length).toBeLessThan(bytesOf(kept().content));
+    expect((await openKept(kept()))?.history.past).toHaveLength(300);
+  });
+
+  it("loses no change if a later version of the project file cannot use its steps", async () => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    const { write, kept } = writer(documents);
+    write();
+    documents.edit(renameProject("edited"));
+    write();
+    const { content, ...rest } = kept();
+    expect(rest.changes).toHaveLength(1);
+    const opened = await openKept({ ...rest, content: { ...content, version: content.version - 1 } });
+    expect(opened?.history.past).toEqual([]);
+    expect(opened?.history.present.project.name).toBe("edited");
+  });
+
+  it("keeps what was stored last if steps beyond the limit lie between", async () => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    const { write, kept } = writer(documents);
+    documents.edit(renameProject("first"));
+    documents.edit(renameProject("x".repeat(maxKeptHistoryBytes)));
+    documents.edit(renameProject("last"));
+    write();
+    // The storage has neither the long step nor those before it.
+    const check = async (): Promise<void> => {
+      write();
+      expect((await openKept(kept()))?.history.present.project).toEqual(documents.project);
+    };
+    for (let i = 0; i < 3; ++i, await check()) documents.undo();
+    for (let i = 0; i < 3; ++i, await check()) documents.redo();
+    documents.jumpTo(0);
+    await check();
+    documents.edit(renameProject("other"));
+    await check();
+    expect((await openKept(kept()))?.history.past).toHaveLength(1);
   });
 });

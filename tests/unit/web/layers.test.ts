@@ -349,8 +349,8 @@ it("patches are as opaque over a mesh that is not drawn as without one", () => {
   const [plain] = layer.root.children as Mesh[];
   const { uniforms } = plain?.material as ShaderMaterial;
   const opacity = (): unknown => (uniforms["stateScales"]?.value as number[] | undefined)?.[normal];
-  const volume = { tetrahedra: Uint32Array.from([0, 1, 2, 3]) };
-  const meshed = { ...start, mesh: { volume } as MeshResult };
+  const mesh = { tetrahedra: Uint32Array.from([0, 1, 2, 3]) };
+  const meshed = { ...start, mesh: { mesh } as MeshResult };
   show(layer, start);
   const alone = opacity();
   change(layer, start, meshed);
@@ -358,7 +358,7 @@ it("patches are as opaque over a mesh that is not drawn as without one", () => {
   const ofOthers = { ...meshed, isMeshStale: true, isMeshOfOthers: true };
   change(layer, meshed, ofOthers);
   expect(opacity()).toBe(alone);
-  change(layer, ofOthers, { ...ofOthers, unoptimized: { volume } as SceneState["unoptimized"] });
+  change(layer, ofOthers, { ...ofOthers, unoptimized: { mesh } as SceneState["unoptimized"] });
   expect(opacity()).toBeLessThan(Number(alone));
 });
 
@@ -380,8 +380,11 @@ describe("the layer of the front", () => {
 
   it("draws the front of an incomplete mesh only if no run advances", () => {
     const layer = new FrontLayer();
-    const volume = { points, tetrahedra: Uint32Array.from([0, 1, 2, 3]), front: Uint32Array.from([0, 1, 2]) };
-    const mesh = { report: { status: "cancelled" }, volume } as unknown as MeshResult;
+    const mesh = {
+      report: { status: "cancelled" },
+      mesh: { points, tetrahedra: Uint32Array.from([0, 1, 2, 3]) },
+      front: Uint32Array.from([0, 1, 2]),
+    } as unknown as MeshResult;
     const left = { ...start, mesh };
     show(layer, start, left);
     expect(layer.root.geometry.drawRange.count).toBe(3);
@@ -422,7 +425,7 @@ describe("the layer of the mesh", () => {
     return { queried, answers, reasons, layer };
   }
   const [one, two] = [gridMesh(1), gridMesh(2)].map(
-    (volume) => ({ volume, report: {} }) as unknown as MeshResult,
+    (mesh) => ({ mesh, report: {} }) as unknown as MeshResult,
   );
   const withMesh = (mesh = one) => ({ ...start, mesh: mesh ?? null });
   const faces: DrawnFaces = {

@@ -1,4 +1,4 @@
-import { UNITS } from "tetrafront";
+import { LENGTH_UNITS } from "tetrafront";
 import { createBody, type Project } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { formatMeasure } from "../../../web/ui/format";
@@ -25,8 +25,8 @@ const metres = { um: 1e-6, mm: 1e-3, cm: 1e-2, m: 1, in: 0.0254, ft: 0.3048 } as
 const body = createBody(boxSurface(1), { id: 1, firstPatchId: 1, name: "part" });
 
 it("converts between all units", () => {
-  for (const from of UNITS) {
-    for (const to of UNITS) {
+  for (const from of LENGTH_UNITS) {
+    for (const to of LENGTH_UNITS) {
       expect(unitFactor(from, to) / (metres[from] / metres[to])).toBeCloseTo(1, 12);
     }
   }

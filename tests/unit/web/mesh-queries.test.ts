@@ -6,7 +6,7 @@ import { gridMesh } from "./grid-mesh";
 
 const size = 3;
 const mesh = gridMesh(size);
-const queries = new MeshQueries({ volume: mesh });
+const queries = new MeshQueries({ mesh });
 const whole: ViewOptions = {
   origin: [0, 0, 0],
   cut: null,
@@ -43,7 +43,7 @@ describe("MeshQueries", () => {
       queries.facesOf({ ...whole, cut: { axis, position: 0.2, flipped: true } });
     }
     const { faces } = queries.facesOf(whole);
-    expect(faces).toEqual(new MeshQueries({ volume: mesh }).facesOf(whole).faces);
+    expect(faces).toEqual(new MeshQueries({ mesh }).facesOf(whole).faces);
     expect(faces).toHaveLength(6 * size * size * 2);
   });
 
@@ -71,7 +71,7 @@ describe("MeshQueries of a stretched mesh", () => {
   const count = mesh.tetrahedra.length / 4;
   const radiusRatio = Float32Array.from({ length: count }, (_, t) => 0.3 + (0.5 * t) / count);
   const smallestDihedral = Float32Array.from({ length: count }, (_, t) => 20 + (30 * t) / count);
-  const stretched = new MeshQueries({ volume: mesh, metricShapes: { radiusRatio, smallestDihedral } });
+  const stretched = new MeshQueries({ mesh, metricShapes: { radiusRatio, smallestDihedral } });
 
   it.each([
     ["radius-ratio", radiusRatio],
@@ -100,7 +100,7 @@ describe("MeshQueries with regions", () => {
   // Two slabs, one above the other: the lower third and the rest.
   const perLayer = 6 * size * size;
   const regions = Uint32Array.from({ length: size * perLayer }, (_, t) => (t < perLayer ? 0 : 1));
-  const slabs = new MeshQueries({ volume: { ...mesh, regions } });
+  const slabs = new MeshQueries({ mesh: { ...mesh, tetrahedronRegion: regions } });
   const facesWithout = (...hidden: number[]) => slabs.facesOf({ ...whole, hiddenRegions: new Set(hidden) });
 
   it("gives the corners of each face the region of their element", () => {

@@ -25,8 +25,8 @@ function recordCalls(): Call[] {
 test("a mesh that could not be copied for lack of memory is sent again with the next query", async () => {
   const posted = recordCalls();
   const queries = new MeshQueryClient();
-  const mesh = { volume: gridMesh(1) };
-  const part = vi.spyOn(mesh.volume.points, "subarray").mockImplementationOnce(() => {
+  const mesh = { mesh: gridMesh(1) };
+  const part = vi.spyOn(mesh.mesh.points, "subarray").mockImplementationOnce(() => {
     throw new RangeError("no memory");
   });
   await expect(queries.histogram(mesh, "dihedral", "space", 5)).rejects.toThrow("no memory");
@@ -39,25 +39,37 @@ test("a mesh that could not be copied for lack of memory is sent again with the 
 test("meshes are sent one after the other, and each query follows its own", async () => {
   const posted = recordCalls();
   const queries = new MeshQueryClient();
-  const [large, small] = [{ volume: gridMesh(12) }, { volume: gridMesh(1) }];
+  const [large, small] = [{ mesh: gridMesh(12) }, { mesh: gridMesh(1) }];
   void queries.histogram(large, "dihedral", "space", 5);
   void queries.histogram(large, "dihedral", "space", 6);
   void queries.histogram(small, "dihedral", "space", 7);
   await vi.waitFor(() => expect(posted).toHaveLength(5));
   const told = posted.map(({ name, argument }) =>
     name === "setMesh"
-      ? (argument as typeof small).volume.tetrahedra.length
+      ? (argument as typeof small).mesh.tetrahedra.length
       : (argument as { readonly barCount: number }).barCount,
   );
-  const count = ({ volume }: typeof small): number => volume.tetrahedra.length;
+  const count = ({ mesh }: typeof small): number => mesh.tetrahedra.length;
   expect(told).toEqual([count(large), 5, 6, count(small), 7]);
 });
 
 test("a mesh that is released while it is copied does not stay in the worker", async () => {
   const posted = recordCalls();
   const queries = new MeshQueryClient();
-  void queries.histogram({ volume: gridMesh(2) }, "dihedral", "space", 5);
+  void queries.histogram({ mesh: gridMesh(2) }, "dihedral", "space", 5);
   queries.release();
   await vi.waitFor(() => expect(posted).toHaveLength(3));
   expect(posted.filter(({ name }) => name === "setMesh").at(-1)?.argument).toBeNull();
+});
+
+test("the cut to an element is asked of the worker: the page visits no elements", async () => {
+  const posted = recordCalls();
+  const queries = new MeshQueryClient();
+  const mesh = { mesh: gridMesh(2) };
+  void queries.cutTo(mesh, 7, [1, -1, 1]);
+  await vi.waitFor(() => expect(posted).toHaveLength(2));
+  expect(posted.map(({ name, argument }) => [name, name === "cut" && argument])).toEqual([
+    ["setMesh", false],
+    ["cut", { element: 7, toEye: [1, -1, 1] }],
+  ]);
 });

@@ -1,8 +1,9 @@
-import { createBody, type Project, type ProjectSource } from "tetrafront/project";
+import { createBody, parseProject, type Project, type ProjectSource } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { setPlacement } from "../../../web/document/body-edits";
 import { deleteEntities } from "../../../web/document/edits";
 import { carried, placed, rotationOf } from "../../../web/document/placement";
+import { withoutBodies } from "../../../web/document/painted-sizes";
 import type { Position } from "../../../web/document/position";
 import { offerCopies } from "../../../web/document/transforms/copies";
 import { offerTransform } from "../../../web/document/transforms/transform";
@@ -62,7 +63,7 @@ describe("sizes painted on a body", () => {
     const documents = new DocumentStore(start, () => 0);
     documents.edit({
       label: "Set parameter",
-      replace: [[["project", "parameters"], [{ name: "lift", expression: "8" }]]],
+      replace: { parameters: [{ name: "lift", expression: "8" }] },
     });
     const [x, y] = placed(own, first);
     close(sourcesOf(documents.project)[0]?.positions[0], [x, y, placed(own, first)[2] + 5]);
@@ -110,7 +111,7 @@ describe("sizes painted on a body", () => {
     expect(sourcesOf(documents.project).map(({ id }) => id)).toEqual([2]);
     documents.undo();
     expect(documents.project).toEqual(project());
-    documents.edit({ label: "Union", replace: [[["project", "bodies"], []]] });
+    documents.edit({ label: "Union", replace: { bodies: [] } });
     const { body: _, ...painted } = sourcesOf(project())[0] ?? { body: 0 };
     expect(sourcesOf(documents.project)[0]).toEqual(painted);
   });
@@ -121,5 +122,17 @@ describe("a point carried with a body", () => {
     close(carried(placed(own, first), first, then), placed(own, then));
     close(carried(own, undefined, then), placed(own, then));
     close(carried(placed(own, then), then), own);
+  });
+
+  it("stay, in a valid project, if a question leaves the body out", () => {
+    const member = { kind: "body", id: 3 } as const;
+    const grouped = { ...project(), groups: [{ id: 1, name: "g", members: [member] }] };
+    const rest = withoutBodies(grouped, new Set([3]));
+    expect(parseProject(rest)).toMatchObject({ success: true });
+    expect([rest.bodies, rest.groups?.[0]?.members]).toEqual([[], []]);
+    expect(sourcesOf(rest).map(({ id, body }) => [id, body])).toEqual([
+      [1, undefined],
+      [2, undefined],
+    ]);
   });
 });

@@ -1,10 +1,13 @@
 import type { Mesher } from "tetrafront";
+import { createBody } from "tetrafront/project";
 import { beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import { paletteItems, type PaletteItem } from "../../../web/commands/palette-items";
 import { inGroups, searchPalette } from "../../../web/commands/palette-search";
 import { commands } from "../../../web/commands/registry";
 import { isSimilarWord } from "../../../web/commands/similar-words";
+import { addBodies } from "../../../web/document/body-edits";
+import { bodiesOf } from "../../../web/document/entities";
 import type { Gallery } from "../../../web/session/gallery";
 import { newDocument } from "../../../web/session/document-store";
 import { synonyms } from "../../../web/strings";
@@ -79,7 +82,7 @@ it("with a mistake, finds a command before an example that has the word twice, a
 });
 
 it("shows a few entities of many, in groups by their best entry", () => {
-  expect(ids("point")).toHaveLength(8);
+  expect(ids("point")).toHaveLength(10);
   const groups = inGroups([item("x", "X", "", "B"), item("y", "Y", "", "A"), item("z", "Z", "", "B")]);
   expect(groups.map(({ group, items }) => [group, items.length])).toEqual([
     ["B", 2],
@@ -95,14 +98,14 @@ it("lists disabled entries after all others, and not without a query", () => {
 });
 
 it("lists all disabled commands that it finds, and the entries of others beside them", () => {
-  const disabled = Array.from({ length: 9 }, (_, i) => ({
+  const disabled = Array.from({ length: 11 }, (_, i) => ({
     ...item(`export-${i}`, `Export ${i}`, "", "File"),
     needs: "Generate a mesh first.",
   }));
-  const others = Array.from({ length: 9 }, (_, i) => item(`file-${i}`, `Export of ${i}`, "", "File"));
+  const others = Array.from({ length: 11 }, (_, i) => item(`file-${i}`, `Export of ${i}`, "", "File"));
   const all = searchPalette("export", [], [...disabled, ...others]).map(({ id }) => id);
   expect(all.filter((id) => id.startsWith("export-"))).toEqual(disabled.map(({ id }) => id));
-  expect(all.filter((id) => id.startsWith("file-"))).toHaveLength(8);
+  expect(all.filter((id) => id.startsWith("file-"))).toHaveLength(10);
 });
 
 it("finds words by their beginning, not by parts of them", () => {
@@ -130,9 +133,14 @@ it("knows synonyms of existing commands only", () => {
   expect(Object.keys(synonyms).filter((id) => !known.has(id))).toEqual([]);
 });
 
+const gallery = [
+  { id: "unit-cube", title: "Unit cube", blurb: "", group: "", file: "unit-cube.json" },
+  { id: "plate-with-hole", title: "Plate with a hole", blurb: "", group: "", file: "plate-with-hole.json" },
+];
+
 /** The entries of an app with a small model, as the palette shows them for a query. */
-function foundBy(query: string): readonly string[] {
-  const { listed, found } = paletteItems(cubeApp());
+function foundBy(query: string, lessons: readonly string[] | null = null): readonly string[] {
+  const { listed, found } = paletteItems(cubeApp(gallery), query, lessons);
   return searchPalette(query, listed, found).map(({ id }) => id);
 }
 
@@ -165,9 +173,75 @@ it.each([
   ["perspective", "view-isometric"],
   ["offline", "keep-offline"],
   ["install", "keep-offline"],
-  ["undo", "undo"],
 ])("finds by the word %s what it means", (query, id) => {
   expect(foundBy(query)).toContain(id);
+});
+
+it.each([
+  ["undo", "undo"],
+  ["delete", "delete"],
+  ["share", "share"],
+  ["image", "picture"],
+  ["screenshot", "picture"],
+  ["measure", "tool-measure"],
+  ["mesh", "generate"],
+  ["cut", "cut"],
+  ["section", "cut"],
+  ["hole", "hole"],
+  ["union", "boolean-union"],
+  ["unit", "setting-units"],
+  ["units", "setting-units"],
+  ["size", "refine"],
+  ["refine", "refine"],
+  ["wireframe", "edges"],
+  ["help", "help"],
+  ["shortcuts", "help"],
+  ["iso", "view-isometric"],
+  ["top", "view-top"],
+  ["step", "import-surface"],
+  ["import", "import-surface"],
+  ["second order", "export"],
+  ["log", "log"],
+  ["lesson", "lessons"],
+])("finds by the word %s first %s", (query, id) => {
+  expect(foundBy(query)[0]).toBe(id);
+});
+
+it.each(["mesh", "points", "lines"])("does not hide a layer by the word %s alone", (query) => {
+  expect(foundBy(query)[0]).not.toMatch(/^layer-/);
+});
+
+it("finds lessons by their number, also before their titles are known, and by their titles", () => {
+  const lessons = Array.from({ length: 10 }, (_, i) =>
+    i === 9 ? "When no candidate fits" : `Title ${i + 1}`,
+  );
+  for (const titles of [null, lessons]) {
+    expect(foundBy("lesson 10", titles)[0]).toBe("lesson-10");
+    expect(foundBy("lesson 1", titles)[0]).toBe("lesson-1");
+  }
+  expect(foundBy("candidate fits", lessons)).toEqual(["lesson-10"]);
+  expect(foundBy("lesson", lessons)).toHaveLength(11);
+  expect(foundBy("lesson 11", lessons)).toEqual([]);
+});
+
+it("remeshes the triangles of bodies", () => {
+  const app = cubeApp();
+  const remesh = () => {
+    const { listed, found } = paletteItems(app);
+    return searchPalette("remesh", listed, found);
+  };
+  expect(remesh().find(({ id }) => id === "remesh-bodies")?.needs).toBe("Import a surface first.");
+  const bodies = [1, 2].map((id) => {
+    const surface = boxSurface(1, [3 * id, 0, 0], [3 * id + 1, 1, 1]);
+    return { ...createBody(surface, { id, firstPatchId: 100 * id, name: "box" }), surface: "keep" as const };
+  });
+  app.documents.edit(addBodies(app.documents.project, bodies));
+  const [first] = remesh();
+  expect(first?.id).toBe("remesh-bodies");
+  first?.run();
+  expect(bodiesOf(app.documents.project).map(({ surface }) => surface)).toEqual([undefined, undefined]);
+  app.documents.undo();
+  expect(bodiesOf(app.documents.project).map(({ surface }) => surface)).toEqual(["keep", "keep"]);
 });
 
 it.each(["png", "jpg", "pdf", "svn", "xyz", "qwerty", "triangel soup", "mehs it"])(

@@ -24,7 +24,7 @@ async function volumesOf(project: Project): Promise<number[]> {
   const result = await mesher.meshProject(project);
   expect(result.report.diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
   expectValid(result);
-  return regionVolumes(result.surface);
+  return regionVolumes(result.mesh);
 }
 
 const volumeOf = async (shape: Shape, size: number): Promise<number> => {
@@ -83,7 +83,7 @@ describe("pieces", () => {
     ["sphere", sphere(1), (position: Position) => 1 - Math.hypot(...position), 0.0034],
     ["ring", torus(2, 1, 360), inTorus, 0.0037],
   ])("the nodes of a %s deviate from it by no more than documented", async (_, shape, inside, limit) => {
-    const { surface } = await mesher.meshProject(projectOf([shape], 0.15));
+    const { mesh: surface } = await mesher.meshProject(projectOf([shape], 0.15));
     const { points } = surface;
     let deepest = 0;
     let highest = 0;

@@ -2,9 +2,9 @@ import { describe, expect, it, vi } from "vitest";
 import {
   createMesher,
   type Mesher,
-  type Phase,
+  type ProgressPhase,
   type PreparedBody,
-  type Progress,
+  type CallProgress,
   type RunControl,
 } from "tetrafront";
 import { createBody } from "tetrafront/project";
@@ -22,7 +22,7 @@ import {
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 
-const report = (phase: Phase, elapsedSeconds: number): Progress => ({
+const report = (phase: ProgressPhase, elapsedSeconds: number): CallProgress => ({
   phase,
   fraction: 0,
   nodes: 0,
@@ -35,16 +35,22 @@ const report = (phase: Phase, elapsedSeconds: number): Progress => ({
 });
 
 /** Runs with these progress reports and without a result. Returns the reports that the page shows, and the log. */
-async function shownAndLogged(reports: readonly Progress[]): Promise<[Progress[], readonly LogLine[]]> {
+async function shownAndLogged(
+  reports: readonly CallProgress[],
+): Promise<[CallProgress[], readonly LogLine[]]> {
   const real = await createMesher();
   const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
-    meshProject: (_project: unknown, _options: unknown, control: { onProgress: (p: Progress) => void }) => {
+    meshProject: (
+      _project: unknown,
+      _options: unknown,
+      control: { onProgress: (p: CallProgress) => void },
+    ) => {
       for (const progress of reports) control.onProgress(progress);
       return real.meshProject(emptyProject("nothing"));
     },
   });
   const run = new MeshRun(new DocumentStore(emptyProject("nothing")), Promise.resolve(mesher));
-  const states: Progress[] = [];
+  const states: CallProgress[] = [];
   run.state.subscribe(({ progress }, before) => {
     if (progress && progress !== before.progress) states.push(progress);
   });
@@ -53,7 +59,8 @@ async function shownAndLogged(reports: readonly Progress[]): Promise<[Progress[]
   return [states, run.state.getState().log];
 }
 
-const shown = async (reports: readonly Progress[]): Promise<Progress[]> => (await shownAndLogged(reports))[0];
+const shown = async (reports: readonly CallProgress[]): Promise<CallProgress[]> =>
+  (await shownAndLogged(reports))[0];
 
 describe("the progress of a run", () => {
   it("is shown at longer intervals in a long run, but at most 1.1 s apart", async () => {
@@ -68,7 +75,7 @@ describe("the progress of a run", () => {
   });
 
   it("is shown immediately when a phase begins", async () => {
-    const phases: readonly Phase[] = ["check", "sides", "surface", "volume", "optimize", "verify"];
+    const phases: readonly ProgressPhase[] = ["check", "sides", "surface", "volume", "optimize", "verify"];
     const reports = phases.flatMap((phase, i) => [
       report(phase, 50 + i / 100),
       report(phase, 50.001 + i / 100),
@@ -100,7 +107,7 @@ describe("the picture of a run", () => {
         control.onProgress?.(report("volume", 1));
         control.onProgress?.(report("optimize", 2));
         pictures.push(shownNow());
-        control.onUnoptimized?.(unoptimized);
+        control.onUnoptimized?.(unoptimized.mesh);
         control.onProgress?.(report("verify", 3));
         pictures.push(shownNow());
         return Promise.resolve(unoptimized);
@@ -111,7 +118,7 @@ describe("the picture of a run", () => {
     real.dispose();
     expect(pictures).toEqual([
       [front, null],
-      [null, unoptimized],
+      [null, { mesh: unoptimized.mesh }],
     ]);
     expect(run.state.getState()).toMatchObject({ front: null, unoptimized: null });
   });
@@ -152,7 +159,7 @@ async function improvable(meshVersion?: string) {
 /** Resolves when all promises that were resolved before have called what waits for them. */
 const nextTask = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-const renamed = (name: string) => ({ label: "Rename", replace: [[["project", "name"], name]] }) as const;
+const renamed = (name: string) => ({ label: "Rename", replace: { name } }) as const;
 
 describe("an improvement", () => {
   it("is ended by a restart, which then meshes the new project", async () => {
@@ -174,7 +181,7 @@ describe("an improvement", () => {
     const { documents, run, steps, stale, finish, dispose } = await improvable();
     await run.generate();
     const first = run.improve();
-    documents.edit({ label: "Refine", replace: [[["project", "meshing"], { size: 0.4 }]] });
+    documents.edit({ label: "Refine", replace: { meshing: { size: 0.4 } } });
     finish();
     expect(await first).toEqual({ kind: "discarded" });
     expect(steps()).toEqual(["Refine"]);
@@ -242,7 +249,7 @@ describe("an improvement", () => {
     finish();
     await run.improve();
     for (let k = 0; k < 8; ++k) {
-      documents.edit({ label: "Size", replace: [[["project", "meshing"], { size: 0.4 + k / 100 }]] });
+      documents.edit({ label: "Size", replace: { meshing: { size: 0.4 + k / 100 } } });
       await run.generate();
     }
     for (let k = 0; k < 8; ++k) documents.undo();
@@ -326,7 +333,7 @@ it("a mesh is of others once bodies are added, removed, replaced or moved; sizes
   const run = new MeshRun(documents, Promise.resolve(mesher));
   const isOther = (): boolean => isOfOtherBodies(run.state.getState(), documents.state.getState());
   const isOtherWith = (...bodies: readonly ReturnType<typeof bodyOf>[]): boolean => {
-    documents.edit({ label: "Bodies", replace: [[["project", "bodies"], bodies]] });
+    documents.edit({ label: "Bodies", replace: { bodies } });
     return isOther();
   };
   expect(isOther()).toBe(false);
@@ -345,12 +352,7 @@ it("a mesh is of others once bodies are added, removed, replaced or moved; sizes
   expect(isStale(run.state.getState(), documents.state.getState())).toBe(false);
   const drag = documents.begin("Move");
   drag.update({
-    replace: [
-      [
-        ["project", "bodies"],
-        [small, movedTo(apart, 6)],
-      ],
-    ],
+    replace: { bodies: [small, movedTo(apart, 6)] },
   });
   expect(isOther()).toBe(true);
   drag.cancel();
@@ -364,7 +366,7 @@ it("a mesh of a body that was moved while the run was under way is of others", a
   const documents = new DocumentStore({ ...emptyProject("a"), bodies: [body] });
   const run = new MeshRun(documents, Promise.resolve(mesher));
   const running = run.generate();
-  documents.edit({ label: "Move", replace: [[["project", "bodies"], [movedTo(body, 3)]]] });
+  documents.edit({ label: "Move", replace: { bodies: [movedTo(body, 3)] } });
   await running;
   expect(run.state.getState().mesh?.report.status).toBe("done");
   expect(isOfOtherBodies(run.state.getState(), documents.state.getState())).toBe(true);
@@ -378,10 +380,10 @@ it("a run that is cancelled before its front closed says how far it came", async
   const isCancelled = { front: Uint32Array.from([0, 1, 2]), tetrahedra: 1234, status: "cancelled" } as const;
   const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
     meshProject: async (...[project, options, control]: Parameters<Mesher["meshProject"]>) => {
-      const { volume, report: whole, ...rest } = await real.meshProject(project, options);
+      const { report: whole, ...rest } = await real.meshProject(project, options);
       control?.onProgress?.({ ...report("volume", 0), expectedTetrahedra: 56_789 });
       const { front, tetrahedra, status } = isCancelled;
-      return { ...rest, volume: { ...volume, front }, report: { ...whole, tetrahedra, status } };
+      return { ...rest, front, report: { ...whole, tetrahedra, status } };
     },
   });
   const documents = new DocumentStore({ ...emptyProject("a"), bodies: [bodyOf(1)] });
@@ -403,7 +405,7 @@ describe("a run that prepares the model", () => {
     const run = new MeshRun(documents, Promise.resolve(mesher));
     const running = run.generate("user", ({ onPart }) => {
       onPart("Adding a body");
-      documents.edit({ label: "Add", replace: [[["project", "bodies"], [bodyOf(1)]]] });
+      documents.edit({ label: "Add", replace: { bodies: [bodyOf(1)] } });
       return Promise.resolve([{ level: "information", text: "a body was added" } as const]);
     });
     expect(run.state.getState()).toMatchObject({ busy: true, preparing: "Adding a body" });

@@ -32,7 +32,7 @@ const unpacked = async ({ packed: body, loaded }: PackedNewBody): Promise<NewBod
 async function split(body: ProjectBody, patch: number, isPreview: boolean): Promise<NewBody> {
   const mesher = await createMesher();
   const surface = { ...bodySurface(body), patches: bodyPatchGroups(body) };
-  const pieces = await mesher.splitPatches(surface, { angle: 30, patches: [patch] });
+  const pieces = (await mesher.splitPatches(surface, { angle: 30, patches: [patch] })).mesh;
   mesher.dispose();
   const argument = { body, split: pieces, nextPatchId: 20, isPreview };
   const made = await unpacked(await answerOf("split", argument));

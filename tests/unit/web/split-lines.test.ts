@@ -1,5 +1,5 @@
-import { createMesher, LIMITS, type LineType, type Mesher } from "tetrafront";
-import { parseProject, type Project } from "tetrafront/project";
+import { createMesher, LIMITS, type Mesher } from "tetrafront";
+import { type LineType, parseProject, type Project } from "tetrafront/project";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { drawLine, placeAt, placeOnLines } from "../../../web/document/draw";

@@ -1,7 +1,23 @@
 import type { DocumentLocks } from "../../../web/session/document-locks";
 import type { DocumentStorage } from "../../../web/session/document-storage";
+import { documentWrite, type DocumentWrite } from "../../../web/session/document-write";
+import type { OpenDocument } from "../../../web/session/document-store";
 import type { KeptDocument } from "../../../web/session/kept-document";
 import type { TabMemory } from "../../../web/session/tab-memory";
+
+/** Returns a document as the storage has it after its first write. */
+export const keptDocument = (document: OpenDocument, now: number, isListed: boolean): KeptDocument =>
+  afterWrite(undefined, documentWrite(document, null, now, isListed).write);
+
+/** Returns what the storage has of a document after a write. */
+export function afterWrite(before: KeptDocument | undefined, write: DocumentWrite): KeptDocument {
+  if ("content" in write) return { ...write, changes: [] };
+  if (!before) throw new Error("There is no content");
+  const { change, ...head } = write;
+  const others = before.changes.filter(({ number }) => number !== change.number);
+  const changes = [...others, change].sort((a, b) => a.number - b.number);
+  return { ...before, ...head, changes };
+}
 
 /** Stores documents like IndexedDB: as copies, in the order of their writes. */
 export class MemoryStorage implements DocumentStorage {
@@ -28,10 +44,12 @@ export class MemoryStorage implements DocumentStorage {
     return Promise.resolve(structuredClone(this.documents.get(id)));
   }
 
-  write(document: KeptDocument): Promise<void> {
+  write(write: DocumentWrite): Promise<void> {
     this.writes += 1;
     if (this.failure !== null) return Promise.reject(new Error(this.failure));
-    this.documents.set(document.id, structuredClone(document));
+    const before = this.documents.get(write.id);
+    if (!before && !("content" in write)) return Promise.reject(new Error("There is no content"));
+    this.documents.set(write.id, afterWrite(before, structuredClone(write)));
     return this.latency === 0
       ? Promise.resolve()
       : new Promise((resolve) => setTimeout(resolve, this.latency));
@@ -40,6 +58,33 @@ export class MemoryStorage implements DocumentStorage {
   remove(ids: readonly string[]): Promise<void> {
     for (const id of ids) this.documents.delete(id);
     return Promise.resolve();
+  }
+}
+
+/** A database of which some writes fail. All are complete some time after they were issued, in the order of issue. */
+export class UnreliableStorage extends MemoryStorage {
+  isRepaired = false;
+  readonly #next: () => { readonly fails: boolean; readonly after: number };
+  #last: Promise<unknown> = Promise.resolve();
+
+  /** @param next Returns whether a write fails, and after how many milliseconds it is complete. */
+  constructor(next: () => { readonly fails: boolean; readonly after: number }) {
+    super();
+    this.#next = next;
+  }
+
+  override write(write: DocumentWrite): Promise<void> {
+    const { fails, after } = this.#next();
+    const before = this.#last;
+    const completed = async (): Promise<void> => {
+      await before;
+      await new Promise((resolve) => setTimeout(resolve, after));
+      if (fails && !this.isRepaired) throw new Error("The write has failed");
+      await super.write(write);
+    };
+    const writing = completed();
+    this.#last = writing.catch(() => undefined);
+    return writing;
   }
 }
 
@@ -58,9 +103,9 @@ export class CrashingStorage extends MemoryStorage {
     this.#latency = latency;
   }
 
-  override write(document: KeptDocument): Promise<void> {
+  override write(write: DocumentWrite): Promise<void> {
     // The database copies the value at once: later changes do not count.
-    const copy = structuredClone(document);
+    const copy = structuredClone(write);
     const before = this.#last;
     this.#last = this.#completed(before, copy);
     return this.#last;
@@ -71,12 +116,12 @@ export class CrashingStorage extends MemoryStorage {
     this.#isKilled = true;
   }
 
-  async #completed(before: Promise<void>, document: KeptDocument): Promise<void> {
+  async #completed(before: Promise<void>, write: DocumentWrite): Promise<void> {
     await before;
     await new Promise((resolve) => setTimeout(resolve, this.#latency()));
     // The tab has no process that a promise could tell.
     if (this.#isKilled) await new Promise(() => undefined);
-    await super.write(document);
+    await super.write(write);
   }
 }
 

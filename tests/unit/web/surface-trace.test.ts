@@ -124,7 +124,7 @@ describe.each(modelIds)("%s:", (id) => {
 
   test("the patches are replayed to the triangles of the surface", () => {
     const surface = surfaceOf(model);
-    const { trianglePatch, triangles } = model.result.surface;
+    const { trianglePatch, triangles } = model.result.mesh;
     const replayed = new Map<number, string[]>();
     surface.fronts.forEach((front, i) => {
       const nodes = surface.surfaceNodesOf(i);
@@ -186,7 +186,7 @@ describe.each(modelIds)("%s:", (id) => {
   test("every line is divided into sides of about the target size", () => {
     const surface = surfaceOf(model);
     const { lines } = surface.summary();
-    expect(lines.sides).toBe(model.result.surface.sideLine.length);
+    expect(lines.sides).toBe(model.result.sideLine.length);
     surface.divisions.forEach((division, index) => {
       const { firstStep, lastStep, stations, nodes, length } = division;
       expect(lastStep - firstStep).toBe(stations.length / 3);

@@ -25,12 +25,12 @@ it.each(templates.map(({ id, make }) => [id, make] as const))(
       expect(project.points).toEqual([]);
       return;
     }
-    const { volume, surface, report } = await mesher.meshProject(project, { optimization: "fast" });
+    const { mesh, report } = await mesher.meshProject(project, { optimization: "fast" });
     expect(report.diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
     expect(report.status).toBe("done");
-    expect(meshVolume(volume)).toBeCloseTo(enclosedVolume(surface), 6);
+    expect(meshVolume(mesh)).toBeCloseTo(enclosedVolume(mesh), 6);
     const exact = volumes[id];
-    if (exact !== undefined) expect(meshVolume(volume) / exact).toBeCloseTo(1, 2);
+    if (exact !== undefined) expect(meshVolume(mesh) / exact).toBeCloseTo(1, 2);
     expect(report.tetrahedra).toBeLessThan(60_000);
   },
   120_000,

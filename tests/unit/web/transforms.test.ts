@@ -63,7 +63,7 @@ async function volumesOf(project: Project): Promise<number[]> {
   const result = await mesher.meshProject(project);
   expect(result.report.diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
   expectValid(result);
-  return regionVolumes(result.surface);
+  return regionVolumes(result.mesh);
 }
 
 function operationNamed(id: string): Operation {

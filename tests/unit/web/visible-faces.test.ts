@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { VolumeMesh } from "tetrafront";
+import type { VolumeInput } from "tetrafront";
 import { histogramOf, qualitiesOf, qualityOf } from "../../../web/document/mesh-quality";
 import { faceNodes, findNeighbours } from "../../../web/viewer/queries/topology";
 import {
@@ -10,11 +10,11 @@ import {
 } from "../../../web/viewer/queries/visible-faces";
 import { gridMesh } from "./grid-mesh";
 
-const nodesOfFace = ({ tetrahedra }: VolumeMesh, face: number): number[] =>
+const nodesOfFace = ({ tetrahedra }: VolumeInput, face: number): number[] =>
   [0, 1, 2].map((k) => tetrahedra[(face & ~3) + (faceNodes[3 * (face & 3) + k] ?? 0)] ?? 0);
 
 /** Returns the faces that belong to exactly one of the given tetrahedra, found independently by counting. */
-function lonelyFaces(mesh: VolumeMesh, kept: readonly number[]): string[] {
+function lonelyFaces(mesh: VolumeInput, kept: readonly number[]): string[] {
   const seen = new Map<string, number>();
   for (const t of kept) {
     for (let face = 4 * t; face < 4 * t + 4; ++face) {
@@ -110,11 +110,9 @@ describe("collectVisibleFaces", () => {
 });
 
 describe("qualityOf", () => {
-  const single = (points: number[]): VolumeMesh => ({
+  const single = (points: number[]): VolumeInput => ({
     points: Float64Array.from(points),
     tetrahedra: Uint32Array.from([0, 1, 2, 3]),
-    regions: new Uint32Array(1),
-    front: new Uint32Array(),
   });
 
   it("is best for the regular tetrahedron, at any position and size", () => {

@@ -3,10 +3,10 @@ import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { index, integers } from "../calls/schemas.js";
 import { hasGenericName } from "../formats/groups.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { MeshGroup } from "../mesh/mesh.js";
 import { bodyArrays, textOfArray } from "../project/body-arrays.js";
 import { bodySchema } from "../project/schema.js";
-import { type PatchId, type ProjectBody } from "../project/project-types.js";
+import type { PatchId, ProjectBody } from "../project/project-types.js";
 
 /**
  * Returns a body with other patches of the same triangles, as `splitPatches` makes them. A patch that has triangles of a
@@ -18,7 +18,7 @@ import { type PatchId, type ProjectBody } from "../project/project-types.js";
  */
 export function bodyWithPatches(
   body: ProjectBody,
-  surface: { readonly trianglePatch: Uint32Array; readonly patches: readonly Pick<FileGroup, "name">[] },
+  surface: { readonly trianglePatch: Uint32Array; readonly patches: readonly Pick<MeshGroup, "name">[] },
   nextPatchId: PatchId,
 ): ProjectBody {
   checkArgument("body", body, bodySchema);
@@ -99,7 +99,7 @@ function withOwners(
  * Returns the patches of a body as those of a surface for `splitPatches`, with their ids as numbers. A single patch with the
  * name of the body counts as unnamed. Throws a `MesherError` if the body is invalid.
  */
-export function bodyPatchGroups(body: Pick<ProjectBody, "name" | "patches">): FileGroup[] {
+export function bodyPatchGroups(body: Pick<ProjectBody, "name" | "patches">): MeshGroup[] {
   checkArgument("body", body, namedPatches);
   const { name: ofBody, patches } = body;
   return patches.map(({ id, name = "" }) => {

@@ -1,5 +1,5 @@
 /** Prepares the surfaces of a project's bodies: their options, their progress and their diagnostics. */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import { shown } from "../base/values.js";
 import { untilCancelled } from "../calls/cancelling.js";
 import { pauseAfterCopy } from "../calls/yielder.js";
@@ -106,8 +106,8 @@ async function treated(
   if (treatment === "remesh") {
     const { innerShells, growth, maxVolume } = options;
     const wanted: RemeshOptions = { growth, maxVolume, ...remeshing, ...sizes, innerShells, sizeFactor };
-    const { surface, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
-    return { ...withPatches(given, surface, origin), ...figures, diagnostics: named(diagnostics) };
+    const { mesh, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
+    return { ...withPatches(mesh, origin), ...figures, diagnostics: named(diagnostics) };
   }
   const { innerShells } = options;
   const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
@@ -116,19 +116,18 @@ async function treated(
     const { elements: _, ...refineOptions } = options;
     const split = await calls.refine(given, { ...refineOptions, ...sizes }, control, name);
     if (hasSizes || areTooLarge(split)) {
-      return { ...withPatches(given, split.surface, split.origin), diagnostics };
+      return { ...withPatches(split.mesh, split.origin), diagnostics };
     }
   }
   const origin = given.trianglePatch.map((_, triangle) => triangle);
-  return { ...withPatches(given, given, origin), diagnostics };
+  return { ...withPatches(given, origin), diagnostics };
 }
 
 function withPatches(
-  { trianglePatch }: PlacedSurface,
-  { points, triangles }: Pick<PreparedBody, "points" | "triangles">,
+  { points, triangles, trianglePatch }: Pick<PreparedBody, "points" | "triangles" | "trianglePatch">,
   origin: Uint32Array,
 ) {
-  return { points, triangles, trianglePatch: origin.map((from) => trianglePatch[from] ?? 0), origin };
+  return { points, triangles, trianglePatch, origin };
 }
 
 /**
@@ -221,7 +220,7 @@ const BODY_SHARE = 0.4;
 export function afterBodies(control: RunControl, seconds: number): RunControl {
   const { onProgress } = control;
   if (onProgress === undefined) return control;
-  const shared = (progress: Progress): void =>
+  const shared = (progress: CallProgress): void =>
     onProgress({
       ...progress,
       fraction: BODY_SHARE + (1 - BODY_SHARE) * progress.fraction,
@@ -246,7 +245,7 @@ export async function preparedBodies(
   for (const [b, body] of missing.entries()) {
     const elapsedSeconds = (performance.now() - began) / 1000;
     const { onProgress } = control;
-    const shared = (progress: Progress): void =>
+    const shared = (progress: CallProgress): void =>
       onProgress?.({
         ...progress,
         fraction: (BODY_SHARE * (b + progress.fraction)) / missing.length,

@@ -1,9 +1,9 @@
 /** Regions of a mesh of bodies, named after the solids that bound them. */
-import { differentNames } from "../formats/groups.js";
+import type { EngineSurface } from "../engine/engine-mesh.js";
+import { differentNames, numbered } from "../formats/groups.js";
+import type { NamedRegions } from "../formats/region-names.js";
 import { namesOfSolids } from "../formats/solid-names.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
-import type { MeshResult } from "../mesh/report.js";
 import {
   type Project,
   patchesOf,
@@ -25,52 +25,27 @@ interface Solid {
   readonly order: number;
 }
 
+/** The boundary of a mesh, with the regions on both sides of its triangles. */
+type Boundary = Pick<EngineSurface, "points" | "triangles" | "trianglePatch" | "triangleRegions">;
+
 /**
- * Returns the regions of a mesh of bodies and the region of each tetrahedron; undefined if there are no bodies. A region has the
- * name of its body, or that of its solid in a body with several; parts of one solid are one region. `count`: number of regions
- * of the mesh. O(n).
+ * Returns the regions of a mesh of bodies; undefined if there are no bodies. A region has the name of its body, or that of its solid
+ * in a body with several; parts of one solid are one region. `count`: number of regions of the run. O(n).
  */
-export function bodyRegions(
-  { surface, volume }: Pick<MeshResult, "surface" | "volume">,
-  project: Project,
-  count: number,
-): Pick<FileMesh, "regions" | "tetrahedronRegion"> | undefined {
+export function bodyRegions(surface: Boundary, project: Project, count: number): NamedRegions | undefined {
   if ((project.bodies ?? []).length === 0) return undefined;
-  const { names, indices } = namedRegions(surface, project, count);
-  return {
-    regions: names.map((name, r) => ({ name, tag: r + 1 })),
-    tetrahedronRegion: volume.regions.map((region) => indices[region] ?? 0),
-  };
-}
-
-/** Returns the name of each region of a mesh, as in `bodyRegions`. O(n). */
-export function regionNames(
-  { surface }: Pick<MeshResult, "surface">,
-  project: Project,
-  count: number,
-): string[] {
-  const { names, indices } = namedRegions(surface, project, count);
-  return indices.map((index) => names[index] ?? "");
-}
-
-/** Returns the names of all solids, and per region the index of its solid. */
-function namedRegions(
-  surface: MeshResult["surface"],
-  project: Project,
-  count: number,
-): { readonly names: string[]; readonly indices: number[] } {
   const solids = solidsOf(surface, project, count);
   const different = new Map(solids.toReversed().map((solid) => [solid.key, solid]));
   const listed = [...different.values()].reverse().sort((a, b) => a.order - b.order);
   const names = differentNames(listed.map(({ name }) => name));
   const keys = listed.map(({ key }) => key);
   return {
-    names: names.map((name, r) => name ?? `region ${r + 1}`),
+    regions: numbered("region", names.length, names),
     indices: solids.map(({ key }) => keys.indexOf(key)),
   };
 }
 
-function solidsOf(surface: MeshResult["surface"], project: Project, count: number): Solid[] {
+function solidsOf(surface: Boundary, project: Project, count: number): Solid[] {
   const owners = ownersOf(surface, project, count);
   const all = patchesOf(project);
   const patches = all.map(({ name = "" }, p) => ({ name, tag: p + 1 }));
@@ -96,7 +71,7 @@ function solidsOf(surface: MeshResult["surface"], project: Project, count: numbe
 
 /** Finds the patch of most triangles between each region and the outside; of all its triangles, if none is outside. */
 function ownersOf(
-  { trianglePatch, triangleRegions }: MeshResult["surface"],
+  { trianglePatch, triangleRegions }: Boundary,
   project: Project,
   count: number,
 ): (Owner | undefined)[] {

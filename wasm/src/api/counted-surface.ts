@@ -1,10 +1,9 @@
 /** Fills a surface with a number of elements: remeshes or refines it with one factor on all sizes. */
 import type { RunControl } from "../engine/control.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
+import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { FinerPart } from "./element-count.js";
-import { controlOfPart, meshedToElements } from "./element-target.js";
-import type { PatchedSurface } from "../mesh/mesh.js";
+import { controlOfPart, elementsReached } from "./element-target.js";
 import type { Mesher, SurfaceSizeProposal } from "./mesher-interface.js";
 import type { MeshOptions, RemeshOptions, SurfaceMeshOptions } from "./option-types.js";
 import {
@@ -29,9 +28,9 @@ export interface ScaledFilling {
 
 /** A surface that is ready, and what becomes of its triangles. */
 export interface CountedSurface {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   /** The surfaces of which it consists, which are treated by themselves. */
-  readonly parts: readonly SurfaceFile[];
+  readonly parts: readonly Mesh[];
   readonly isRemeshed: boolean;
 }
 
@@ -39,7 +38,7 @@ export interface CountedSurface {
 const TREATMENT_SHARE = 0.5;
 
 /** Calls `fill` until the mesh has the number of elements. Rejects as `fill` does. */
-export async function filledToElements<Made extends { readonly result: MeshResult }>(
+export async function filledToElements<Made extends MeshResult>(
   mesher: Mesher,
   { surface, parts, isRemeshed }: CountedSurface,
   { elements, options, controlOf }: Omit<ScaledFilling, "sizeFactor"> & { readonly elements: number },
@@ -66,14 +65,12 @@ export async function filledToElements<Made extends { readonly result: MeshResul
   };
   const expected = isRemeshed && !hasGrid ? await expectedElements(mesher, sized, control) : null;
   const hasFinerParts = isRemeshed && !hasGrid;
-  const target = { elements, expected, hasFinerParts, run, resultOf: ({ result }: Made) => result };
-  const { made, result } = await meshedToElements(target, control);
-  return { ...made, result };
+  return elementsReached({ elements, expected, hasFinerParts, run }, control);
 }
 
 /** Returns the options with which a surface is refined and filled, by the factor on its longest edge. */
 function refiningOptions(
-  surface: SurfaceFile,
+  surface: Mesh,
   { background }: MeshOptions,
 ): (options: MeshOptions, factor: number) => MeshOptions {
   const longest = longestEdge(surface);
@@ -86,7 +83,7 @@ function refiningOptions(
 
 /** A surface that is remeshed, and the options that decide its automatic sizes. */
 export interface SizedSurface {
-  readonly surface: PatchedSurface;
+  readonly surface: SurfaceInput;
   readonly options: RemeshOptions;
 }
 
@@ -126,3 +123,5 @@ async function proposals(
   }
   return found;
 }
+
+export { elementsReached } from "./element-target.js";

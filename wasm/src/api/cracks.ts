@@ -8,6 +8,7 @@ import { openEdges } from "../formats/open-edges.js";
 import { diagonalOf, distanceAlong } from "../formats/near-points.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
+import { withoutRegions } from "./stated-solids.js";
 
 /** Largest gap / diagonal of a crack. */
 const LARGEST_GAP = 0.03;
@@ -35,8 +36,8 @@ export async function crackWarning(
   if (gap === undefined) return [];
   for (const margin of MARGINS) {
     const weld = roundedUp(margin * gap);
-    const { surface } = await mesher.repairSurface(given, { weld, innerShells });
-    const welded = await mesher.inspectSurface(surface, { innerShells });
+    const { mesh } = await mesher.repairSurface(given, { weld, innerShells });
+    const welded = await mesher.inspectSurface(withoutRegions(mesh), { innerShells });
     const isBetter = welded.isFillable && (!repaired.isFillable || welded.regions < repaired.regions);
     if (!isBetter) continue;
     const effect = repaired.isFillable

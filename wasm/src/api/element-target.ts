@@ -1,5 +1,5 @@
 /** Runs that reach a number of elements: their common progress, and what the report says about the number. */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import { plural } from "../base/plural.js";
 import { short } from "../base/short.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -9,7 +9,7 @@ import type { RunControl } from "../engine/control.js";
 import type { ElementCount, MeshReport, MeshResult } from "../mesh/report.js";
 import { type CountResult, type FinerPart, meshedToCount, type SearchEnd } from "./element-count.js";
 
-export interface ElementTarget<Made> {
+export interface ElementTarget<Made extends MeshResult> {
   /** Wanted number of elements. */
   readonly elements: number;
   /** Number of elements that a run without a factor is expected to make; null if it is not known. */
@@ -18,24 +18,19 @@ export interface ElementTarget<Made> {
   readonly run: (factor: number, control: RunControl, finer?: FinerPart) => Promise<Made>;
   /** Whether `run` can make a finer part. Default false. */
   readonly hasFinerParts?: boolean | undefined;
-  readonly resultOf: (made: Made) => MeshResult;
   /** Whether the triangles of the surface are kept, so that they limit the number. */
   readonly isKept?: boolean | undefined;
 }
 
-/** What was made, with the result of its run: its report states the number that was asked for. */
-export interface ElementRun<Made> {
-  readonly made: Made;
-  readonly result: MeshResult;
-  readonly factor: number;
-}
-
-/** Meshes until the number of elements is within 5 % of the wanted one, or as near as possible, which a warning then says. */
-export async function meshedToElements<Made>(
+/**
+ * Meshes until the number of elements is within 5 % of the wanted one, or as near as possible, which a warning then says. The
+ * report states the number that was asked for.
+ */
+export async function elementsReached<Made extends MeshResult>(
   target: ElementTarget<Made>,
   control: RunControl,
-): Promise<ElementRun<Made>> {
-  const { elements, expected, run, resultOf } = target;
+): Promise<Made> {
+  const { elements, expected, run } = target;
   const { onTrace, experiment, ...untraced } = control;
   const shared = new SharedProgress(untraced);
   let failure: unknown;
@@ -46,7 +41,7 @@ export async function meshedToElements<Made>(
     mesh: async (factor, share, finer) => {
       try {
         const made = await shared.during(share, (ofRun) => run(factor, ofRun, finer));
-        const { status, tetrahedra } = resultOf(made).report;
+        const { status, tetrahedra } = made.report;
         return { factor, finer, count: status === "done" ? tetrahedra : undefined, made };
       } catch (error) {
         if (!isLimit(error)) throw error;
@@ -64,16 +59,7 @@ export async function meshedToElements<Made>(
     : found.best.made;
   shared.end();
   if (made === undefined) throw failure;
-  return { made, factor, result: reported(resultOf(made), found, target, shared.seconds) };
-}
-
-/** As `meshedToElements`, for runs that make nothing else. */
-export async function elementsReached(
-  target: Omit<ElementTarget<MeshResult>, "resultOf">,
-  control: RunControl,
-): Promise<MeshResult> {
-  const { result } = await meshedToElements({ ...target, resultOf: (made: MeshResult) => made }, control);
-  return result;
+  return reported(made, found, target, shared.seconds);
 }
 
 /** Powers of the number over the factor that are assumed for the first run, towards fewer and towards more elements. */
@@ -100,19 +86,19 @@ function isLimit(error: unknown): boolean {
   );
 }
 
-function reported<Made>(
-  result: MeshResult,
+function reported<Made extends MeshResult>(
+  made: Made,
   { end, runs, best, reachable = [] }: CountResult<unknown>,
   { elements, expected, isKept = false }: ElementTarget<Made>,
   seconds: number,
-): MeshResult {
-  const { report } = result;
+): Made {
+  const { report } = made;
   const reached = report.tetrahedra;
   const counted: ElementCount = { asked: elements, reached, sizeFactor: best.factor, runs };
   const found = [...missed(counted, end, { isKept, reachable }), ...tooFew(report, counted, expected)];
   const all = report.status === "done" ? [...report.diagnostics, ...found] : report.diagnostics;
   return {
-    ...result,
+    ...made,
     report: {
       ...report,
       seconds: { ...report.seconds, total: seconds },
@@ -195,7 +181,7 @@ function reasons(
 export function controlOfPart(control: RunControl, from: number, to: number): RunControl {
   const { onProgress } = control;
   if (onProgress === undefined) return control;
-  const tell = (progress: Progress): void =>
+  const tell = (progress: CallProgress): void =>
     onProgress({ ...progress, fraction: from + (to - from) * progress.fraction });
   return { ...control, onProgress: tell };
 }
@@ -205,7 +191,7 @@ class SharedProgress {
   readonly #control: RunControl;
   readonly #began = performance.now();
   #done = 0;
-  #last: Progress | undefined;
+  #last: CallProgress | undefined;
 
   constructor(control: RunControl) {
     this.#control = control;
@@ -219,7 +205,7 @@ class SharedProgress {
   async during<T>(share: number, run: (control: RunControl) => Promise<T>): Promise<T> {
     const part = (1 - this.#done) * share;
     const before = this.#done;
-    const onProgress = (progress: Progress): void => {
+    const onProgress = (progress: CallProgress): void => {
       const fraction = Math.max(this.#last?.fraction ?? 0, before + part * progress.fraction);
       this.#tell({ ...progress, fraction, elapsedSeconds: this.seconds });
     };
@@ -234,7 +220,7 @@ class SharedProgress {
     if (last !== undefined) this.#tell({ ...last, fraction: 1, elapsedSeconds: this.seconds });
   }
 
-  #tell(progress: Progress): void {
+  #tell(progress: CallProgress): void {
     this.#last = progress;
     this.#control.onProgress?.(progress);
   }

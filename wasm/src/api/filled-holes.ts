@@ -1,13 +1,13 @@
 /** Assigns the triangles of filled holes to the patches around them. */
-import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_ORIGIN } from "../generated/constants.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /**
- * Returns a surface that was repaired by `repairedSurface`, without the patch of filled holes: their triangles belong to a
+ * Returns a surface that was repaired, without the patch of filled holes: their triangles belong to a
  * patch beside them, so that their edges are not kept as feature lines by a remeshing. A hole between several patches is
  * divided among them.
  */
-export function withoutFilledPatch(surface: SurfaceFile): SurfaceFile {
+export function withoutFilledPatch(surface: Mesh): Mesh {
   const { origin, triangles, trianglePatch, patches } = surface;
   const filled = patches.length - 1;
   const isFilled = (t: number) => origin?.[t] === NO_ORIGIN && trianglePatch[t] === filled;

@@ -9,31 +9,28 @@ import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { boundaryOf } from "../formats/boundary.js";
 import { usedGroups } from "../formats/groups.js";
 import { cornersOf, NONE, tetFaces } from "../formats/tet-faces.js";
-import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import { NO_REGION } from "../generated/constants.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
 import type { MeshInspection } from "../mesh/inspection.js";
-import type { PatchedSurface, SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { PatchQuality } from "../mesh/quality.js";
 import type { MeshReport, MeshResult } from "../mesh/report.js";
-import { emptyReport } from "./report.js";
+import { emptyReport, emptyResult } from "./report.js";
+import { renumbered } from "./improvement.js";
 
 /** A volume mesh with the triangles between its regions, and around them. */
 export interface MeshWithBoundary {
   /**
-   * Boundary faces, interfaces, and other faces that the file lists as triangles; with the nodes of `volume`. Patches are
-   * indices in `patches`.
+   * With boundary faces, interfaces, and the other faces that the file lists as triangles. Patches are those of the file that
+   * have triangles; faces without a triangle are in "boundary" or "interface".
    */
-  readonly surface: SurfaceMesh;
-  readonly volume: VolumeMesh;
-  /** Those of the file that have triangles; faces without a triangle are in "boundary" or "interface". */
-  readonly patches: readonly FileGroup[];
+  readonly mesh: Mesh;
   /** Per patch: shapes of its triangles, and their mean edge in model units as `meanEdge`. */
   readonly patchShapes: readonly PatchQuality[];
   /** The boundary faces and interfaces with the nodes that they use: a surface for `createBody`. */
-  readonly outer: PatchedSurface & { readonly patches: readonly FileGroup[] };
+  readonly outer: Pick<Mesh, "points" | "triangles" | "trianglePatch" | "patches">;
 }
 
 /**
@@ -41,7 +38,7 @@ export interface MeshWithBoundary {
  * patches; those that are no face of a tetrahedron are left out. O(n). Rejects with a `MesherError` if the file has no
  * tetrahedra or its arrays are inconsistent.
  */
-export async function meshWithBoundary(mesh: FileMesh): Promise<MeshWithBoundary> {
+export async function meshWithBoundary(mesh: Mesh): Promise<MeshWithBoundary> {
   refuse(await inSteps(checkFileMesh(mesh)));
   if (mesh.tetrahedra.length === 0) {
     refuse([packageDiagnostic("no-tetrahedra", "the mesh has no tetrahedra", "Use a volume mesh.")]);
@@ -49,8 +46,8 @@ export async function meshWithBoundary(mesh: FileMesh): Promise<MeshWithBoundary
   return inSteps(withBoundary(mesh));
 }
 
-function* withBoundary(mesh: FileMesh): Steps<MeshWithBoundary> {
-  const { points, tetrahedra, tetrahedronRegion: regions, trianglePatch } = mesh;
+function* withBoundary(mesh: Mesh): Steps<MeshWithBoundary> {
+  const { tetrahedra, tetrahedronRegion: regions, trianglePatch } = mesh;
   const { twin, triangle } = yield* tetFaces(mesh);
   const faces: number[] = [];
   const owners: number[] = [];
@@ -80,18 +77,10 @@ function* withBoundary(mesh: FileMesh): Steps<MeshWithBoundary> {
     ...mesh,
     triangles: triangles.filter((_, i) => isOuter[Math.floor(i / 3)]),
   });
+  const shown = { ...mesh, triangles, trianglePatch: patchOf, triangleRegions, patches };
   return {
-    surface: {
-      points,
-      triangles,
-      trianglePatch: patchOf,
-      triangleRegions,
-      sides: new Uint32Array(),
-      sideLine: new Uint32Array(),
-    },
-    volume: { points, tetrahedra, regions, front: new Uint32Array() },
-    patches,
-    patchShapes: yield* shapesByPatch({ points, triangles, trianglePatch: patchOf }, patches.length),
+    mesh: shown,
+    patchShapes: yield* shapesByPatch(shown, patches.length),
     outer: {
       points: outer.points,
       triangles: outer.triangles,
@@ -102,10 +91,7 @@ function* withBoundary(mesh: FileMesh): Steps<MeshWithBoundary> {
 }
 
 /** Returns the shapes of the triangles of each patch. */
-function* shapesByPatch(
-  { points, triangles, trianglePatch }: PatchedSurface & { readonly trianglePatch: Uint32Array },
-  count: number,
-): Steps<PatchQuality[]> {
+function* shapesByPatch({ points, triangles, trianglePatch }: Mesh, count: number): Steps<PatchQuality[]> {
   const sums = Array.from({ length: count }, () => ({ triangles: 0, minAngle: 180, ratio: 0, edge: 0 }));
   yield* stepwise(trianglePatch.length, (t) => {
     const sum = sums[trianglePatch[t] ?? 0];
@@ -136,7 +122,7 @@ function distance(points: Float64Array, a: number, b: number): number {
 }
 
 /** Returns the patches that own a triangle, and the new index of each triangle's patch. */
-function usedPatches(patches: readonly FileGroup[], owners: Uint32Array) {
+function usedPatches(patches: readonly MeshGroup[], owners: Uint32Array) {
   const used = [...usedGroups(owners, patches)];
   const indexOf = new Uint32Array(patches.length);
   used.forEach((patch, p) => (indexOf[patch] = p));
@@ -181,16 +167,14 @@ const inspected = v.object({
     }),
   }),
 });
-const withTriangles = v.object({
-  surface: v.object({ triangles: integers(3), sides: integers(2) }),
-  volume: v.object({ points: doubles(3) }),
-});
+const withTriangles = v.object({ mesh: v.object({ points: doubles(3), triangles: integers(3) }) });
 const withShapes = v.object({
   ...withTriangles.entries,
   patchShapes: v.array(v.object({ meanEdge: v.number() })),
 });
 const withReport = v.object({
   ...withTriangles.entries,
+  sides: integers(2),
   report: v.object({ diagnostics: v.array(v.object({ code: v.string() })) }),
 });
 
@@ -199,38 +183,35 @@ const withReport = v.object({
  * of the same mesh. The mean edge is the unit of length. Throws a `MesherError` if an argument is invalid.
  */
 export function inspectedResult(
-  mesh: Pick<MeshWithBoundary, "surface" | "volume" | "patchShapes">,
+  opened: Omit<MeshWithBoundary, "outer">,
   inspection: MeshInspection,
 ): MeshResult {
-  checkArgument("mesh", mesh, withShapes);
+  checkArgument("opened", opened, withShapes);
   checkArgument("inspection", inspection, inspected);
-  const { surface, volume, patchShapes } = mesh;
+  const { mesh, patchShapes } = opened;
   const meanEdge = inspection.edgeLengths.mean;
   const report: MeshReport = {
     ...emptyReport("done", poorElementWarnings(inspection.quality, true)),
-    triangles: surface.triangles.length / 3,
+    triangles: mesh.triangles.length / 3,
     patches: patchShapes.map((shape) => ({ ...shape, meanEdge: shape.meanEdge / meanEdge })),
     ...figuresOf(inspection),
   };
-  return { surface, volume, report };
+  return { ...emptyResult("done"), mesh, surfaceNodes: mesh.points.length / 3, report };
 }
 
 const improved = v.object({
-  points: doubles(3),
-  tetrahedra: integers(4),
-  regions: integers(),
+  mesh: v.object({ points: doubles(3), tetrahedra: integers(4), tetrahedronRegion: integers() }),
   nodeOrigin: integers(),
 });
 
 /**
- * Returns the result of a run with its improved elements: `improvement` is that of its volume with all its triangles, and
- * `inspection` that of the improved elements. The mean edge is the unit of length; shapes are measured in space.
+ * Returns the result of a run with its improved elements: `improvement` is that of its mesh, and `inspection` that of the
+ * improved elements. The mean edge is the unit of length; shapes are measured in space.
  *
- *     const { volume, surface } = result;
- *     const improvement = await mesher.improveMesh({ ...volume, triangles: surface.triangles });
- *     const better = improvedResult(result, improvement, await mesher.inspectMesh(improvement));
+ *     const improvement = await mesher.improveMesh(result.mesh);
+ *     const better = improvedResult(result, improvement, await mesher.inspectMesh(improvement.mesh));
  *
- * Throws a `MesherError` if an argument is invalid, or the triangles were not passed to `improveMesh`.
+ * Throws a `MesherError` if an argument is invalid.
  */
 export function improvedResult(
   result: MeshResult,
@@ -240,22 +221,14 @@ export function improvedResult(
   checkArgument("result", result, withReport);
   checkArgument("improvement", improvement, improved);
   checkArgument("inspection", inspection, inspected);
-  const { points, tetrahedra, regions, nodeOrigin } = improvement;
-  const indexOf = new Uint32Array(result.volume.points.length / 3).fill(NO_ORIGIN);
-  nodeOrigin.forEach((origin, node) => {
-    if (origin !== NO_ORIGIN) indexOf[origin] = node;
-  });
-  const renumbered = (nodes: Uint32Array) => nodes.map((node) => indexOf[node] ?? NO_ORIGIN);
-  const triangles = renumbered(result.surface.triangles);
-  const isKept = v.check(
-    (nodes: Uint32Array) => !nodes.includes(NO_ORIGIN),
-    "a node of a triangle was not kept; pass the triangles to improveMesh",
-  );
-  checkArgument("improvement.nodeOrigin", triangles, v.pipe(integers(3), isKept));
+  const { mesh, nodeOrigin } = improvement;
+  const { metricShapes: _, recording: __, ...rest } = result;
   const diagnostics = result.report.diagnostics.filter(({ code }) => code !== "poor-elements");
   return {
-    surface: { ...result.surface, points, triangles, sides: renumbered(result.surface.sides) },
-    volume: { points, tetrahedra, regions, front: new Uint32Array() },
+    ...rest,
+    mesh,
+    front: new Uint32Array(),
+    sides: renumbered(result.sides, nodeOrigin, result.mesh.points.length / 3),
     report: {
       ...result.report,
       ...figuresOf(inspection),

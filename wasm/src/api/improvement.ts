@@ -1,25 +1,26 @@
-/** Describes the improvement of a mesh, and transfers the patches, regions and names of a file to its result. */
-import * as v from "valibot";
+/** Describes the improvement of a mesh. */
 import { plural } from "../base/plural.js";
-import { checkArgument } from "../calls/argument-checks.js";
-import { doubles, integers } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { describeAll } from "../diagnostics/describe.js";
 import { nameByIndex } from "../diagnostics/entity-names.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { EngineImprovement } from "../engine/loader.js";
 import { IMPROVE_DEFAULTS, NO_ORIGIN } from "../generated/constants.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh, VolumeInput } from "../mesh/mesh.js";
+import { countOf, numbered } from "../formats/groups.js";
+import { patchesIn } from "./carried-mesh.js";
 import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
 
 export function improvementErrors({ diagnostics }: EngineImprovement): Diagnostic[] {
   return describeAll(diagnostics, nameByIndex);
 }
 
-export function describedImprovement(found: EngineImprovement): MeshImprovement {
-  const { isReadable: _, before, after, ...rest } = found;
+/** `given`: the mesh before the improvement. */
+export function describedImprovement(found: EngineImprovement, given: VolumeInput): MeshImprovement {
+  const { isReadable: _, points: _p, tetrahedra: _t, regions: _r, before, after, ...rest } = found;
   return {
     ...rest,
+    mesh: carriedVolume(given, found),
     before: shapesOf(before),
     after: shapesOf(after),
     diagnostics: [
@@ -63,46 +64,35 @@ const NOTHING_BETTER = packageDiagnostic(
   "information",
 );
 
-const givenMesh = v.object({ points: doubles(3), triangles: integers(3), trianglePatch: integers() });
-const improvedElements = v.object({
-  points: doubles(3),
-  tetrahedra: integers(4),
-  regions: integers(),
-  nodeOrigin: integers(),
-});
+/** Elements that were improved. */
+interface ImprovedElements extends Pick<Mesh, "points" | "tetrahedra" | "nodeOrigin"> {
+  /** Per tetrahedron: its region, with the given numbers. */
+  readonly regions: Uint32Array;
+  readonly nodeOrigin: Uint32Array;
+}
 
-/**
- * Returns an improved mesh with the triangles, patches and regions of the given file, ready to be written. Values at the
- * nodes are dropped, because nodes have moved, unless no better mesh was found. Throws a `MesherError` if an argument is
- * not such a mesh, or the triangles were not passed to `improveMesh`.
- *
- *     const improvement = await mesher.improveMesh({ ...file, regions: file.tetrahedronRegion });
- *     await writeMesh(improvedMesh(file, improvement), "better.vtu");
- */
-export function improvedMesh(
-  given: FileMesh,
-  improvement: Pick<MeshImprovement, "isImproved" | "points" | "tetrahedra" | "regions" | "nodeOrigin">,
-): FileMesh {
-  checkArgument("given", given, givenMesh);
-  checkArgument("improvement", improvement, improvedElements);
-  const { points, tetrahedra, regions, nodeOrigin } = improvement;
-  const indexOf = new Uint32Array(given.points.length / 3).fill(NO_ORIGIN);
-  nodeOrigin.forEach((origin, node) => {
-    if (origin !== NO_ORIGIN) indexOf[origin] = node;
-  });
-  const triangles = given.triangles.map((node) => indexOf[node] ?? NO_ORIGIN);
-  const isKept = v.check(
-    (nodes: Uint32Array) => !nodes.includes(NO_ORIGIN),
-    "it has a triangle with a node that was not kept; pass the triangles to improveMesh",
-  );
-  checkArgument("given.triangles", triangles, v.pipe(integers(3), isKept));
+/** Returns improved elements with the triangles, patches and regions of the given mesh, whose nodes were kept. */
+export function carriedVolume(given: VolumeInput, improved: ImprovedElements): Mesh {
+  const { points, tetrahedra, regions: tetrahedronRegion, nodeOrigin } = improved;
+  const { triangles = new Uint32Array(), regions = [] } = given;
   const { reversedTetrahedra: _r, invertedTetrahedra: _i, duplicateTetrahedra: _d, ...rest } = given;
   return {
     ...rest,
     points,
-    triangles,
+    triangles: renumbered(triangles, nodeOrigin, given.points.length / 3),
+    ...patchesIn({ ...given, triangles }),
     tetrahedra,
-    tetrahedronRegion: regions,
+    tetrahedronRegion,
+    regions: regions.length > 0 ? regions : numbered("region", countOf(tetrahedronRegion)),
     nodeData: new Map(),
   };
+}
+
+/** Returns node indices after a change that kept these nodes. `count`: number of nodes before. */
+export function renumbered(nodes: Uint32Array, nodeOrigin: Uint32Array, count: number): Uint32Array {
+  const indexOf = new Uint32Array(count).fill(NO_ORIGIN);
+  nodeOrigin.forEach((origin, node) => {
+    if (origin !== NO_ORIGIN) indexOf[origin] = node;
+  });
+  return nodes.map((node) => indexOf[node] ?? NO_ORIGIN);
 }

@@ -3,7 +3,7 @@ import * as v from "valibot";
 import { LIMITS, limitText } from "../base/limits.js";
 import { plural } from "../base/plural.js";
 import type { RunControl } from "../engine/control.js";
-import { doubles, integers, problemIn, watch } from "../calls/schemas.js";
+import { doubles, integers, map, problemIn, watch } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import {
@@ -13,19 +13,20 @@ import {
   readDiagnostic,
 } from "../diagnostics/package-diagnostic.js";
 import type { InnerShells } from "../generated/constants.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
-import { withPatches } from "../mesh/mesh-checks.js";
-import type { ImproveInput } from "../mesh/improvement.js";
-import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { SurfaceInput, VolumeInput } from "../mesh/mesh.js";
+import { groupSchema, regionsOnSides } from "../mesh/mesh-checks.js";
+import { checkGradation } from "./options.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
 import type { Project } from "../project/project-types.js";
 
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = checkedProject(project);
-  if (parsed.success) return [];
-  return parsed.errors.map((error) => readDiagnostic({ ...error, code: "invalid-project" }));
+  if (!parsed.success) {
+    return parsed.errors.map((error) => readDiagnostic({ ...error, code: "invalid-project" }));
+  }
+  const { gradation } = parsed.value.meshing ?? {};
+  return gradation === undefined ? [] : checkGradation(gradation);
 }
 
 const listener = v.optional(v.function());
@@ -47,12 +48,32 @@ export function checkControl(control: RunControl): Diagnostic[] {
   return [invalidOption("control", `the control${where} of the call is invalid: ${problem.message}`, remedy)];
 }
 
+const finite = v.pipe(v.number(), v.finite());
+const markedPoint = v.object({ number: v.number(), position: v.tuple([finite, finite, finite]) });
+const regionPointsSchema = v.optional(
+  v.object({
+    holes: v.array(markedPoint),
+    regions: v.array(
+      v.object({
+        ...markedPoint.entries,
+        tag: finite,
+        name: v.optional(v.string()),
+        maxVolume: v.optional(v.pipe(finite, v.gtValue(0))),
+      }),
+    ),
+  }),
+);
+
 const surfaceSchema = v.pipe(
   v.object({
     points: doubles(3),
     triangles: integers(3),
     origin: v.optional(integers()),
     nodeOrigin: v.optional(integers()),
+    trianglePatch: v.optional(integers()),
+    patches: v.optional(v.array(groupSchema)),
+    surfaceRegions: v.optional(regionsOnSides),
+    regionPoints: regionPointsSchema,
     givenRegions: v.optional(v.object({ triangleRegions: integers(2), maxVolumes: doubles() })),
   }),
   v.check(
@@ -64,6 +85,11 @@ const surfaceSchema = v.pipe(
     "nodeOrigin must have one index per node",
   ),
   v.check(
+    ({ trianglePatch, triangles }) =>
+      trianglePatch === undefined || 3 * trianglePatch.length === triangles.length,
+    "trianglePatch must have one index per triangle",
+  ),
+  v.check(
     ({ givenRegions, triangles }) =>
       givenRegions === undefined || 3 * givenRegions.triangleRegions.length === 2 * triangles.length,
     "givenRegions.triangleRegions must have two regions per triangle",
@@ -71,7 +97,7 @@ const surfaceSchema = v.pipe(
 );
 
 const SURFACE_REMEDY =
-  "Pass x y z per node in a Float64Array and three node indices per triangle in a Uint32Array.";
+  "Pass x y z per node in a Float64Array and three node indices per triangle in a Uint32Array, and the other parts as a reader returns them.";
 
 export function checkSurface(surface: SurfaceInput): Diagnostic[] {
   return checkArrays("surface", surface, surfaceSchema, SURFACE_REMEDY);
@@ -99,63 +125,11 @@ export function withInnerShells<Options extends { readonly innerShells?: InnerSh
 /** As `checkSurface`, for calls that need to know what is meshed. */
 export function checkLocatedSurface(surface: SurfaceInput): Diagnostic[] {
   const wrong = checkSurface(surface);
-  if (wrong.length > 0) return wrong;
-  const wrongPoints = checkRegionPoints(surface);
-  if (wrongPoints.length > 0 || !hasRegionPoints(surface)) return wrongPoints;
+  if (wrong.length > 0 || !hasRegionPoints(surface)) return wrong;
   const message = "the points of the file that mark regions and holes have not been located in the surface";
   return [
     packageDiagnostic("unlocated-regions", message, "Pass the surface that `locateRegions()` returns."),
   ];
-}
-
-const finite = v.pipe(v.number(), v.finite());
-const markedPoint = v.object({ number: v.number(), position: v.tuple([finite, finite, finite]) });
-const regionPointsSchema = v.optional(
-  v.object({
-    holes: v.array(markedPoint),
-    regions: v.array(
-      v.object({
-        ...markedPoint.entries,
-        tag: finite,
-        name: v.optional(v.string()),
-        maxVolume: v.optional(v.pipe(finite, v.gtValue(0))),
-      }),
-    ),
-  }),
-);
-
-export function checkRegionPoints({ regionPoints }: SurfaceInput): Diagnostic[] {
-  const remedy = "Pass the points of a file, or none.";
-  return checkArrays("surface.regionPoints", regionPoints, regionPointsSchema, remedy);
-}
-
-const patchesSchema = v.pipe(
-  v.object({ triangles: integers(3), trianglePatch: v.optional(integers()) }),
-  v.check(
-    ({ trianglePatch, triangles }) =>
-      trianglePatch === undefined || 3 * trianglePatch.length === triangles.length,
-    "trianglePatch must have one index per triangle",
-  ),
-);
-
-export function checkPatchedSurface(surface: PatchedSurface): Diagnostic[] {
-  const wrong = checkSurface(surface);
-  if (wrong.length > 0) return wrong;
-  return checkArrays("surface", surface, patchesSchema, "Pass the patch of each triangle in a Uint32Array.");
-}
-
-/** Checks the surface of a file: its arrays, patches, regions and the points that mark them. */
-export function checkFileSurface(surface: SurfaceFile): Diagnostic[] {
-  const wrong = checkPatchedSurface(surface);
-  if (wrong.length > 0) return wrong;
-  const remedy = "Pass a surface as readSurface returns it.";
-  return [...checkArrays("surface", surface, withPatches, remedy), ...checkRegionPoints(surface)];
-}
-
-const groupsSchema = v.optional(v.array(v.object({ name: v.string(), tag: v.number() })));
-
-export function checkGroups(groups: readonly FileGroup[] | undefined): Diagnostic[] {
-  return checkArrays("surface.patches", groups, groupsSchema, "Pass the patches of a file, or none.");
 }
 
 /** Rejects a weld distance so large that nothing would remain of the surface. */
@@ -186,7 +160,7 @@ const nodesExist = v.rawCheck<v.InferOutput<v.ObjectSchema<typeof tetrahedra, un
     addIssue({ message: `${tetrahedron} refers to node ${tetrahedra[at]}, but there are ${count} nodes` });
   },
 );
-const volumeSchema = v.pipe(v.object(tetrahedra), nodesExist);
+const volumeSchema = v.pipe(v.object({ ...tetrahedra, nodeData: v.optional(map) }), nodesExist);
 const meshSchema = v.pipe(
   v.object({
     points: v.pipe(
@@ -201,15 +175,16 @@ const meshSchema = v.pipe(
       }),
     ),
     tetrahedra: tetrahedra.tetrahedra,
-    regions: v.optional(integers()),
+    tetrahedronRegion: v.optional(integers()),
+    regions: v.optional(v.array(groupSchema)),
     invertedTetrahedra: v.optional(integers()),
   }),
   v.rawCheck(({ dataset, addIssue }) => {
     if (!dataset.typed) return;
-    const { tetrahedra, regions } = dataset.value;
+    const { tetrahedra, tetrahedronRegion: owners = new Uint32Array() } = dataset.value;
     const count = tetrahedra.length / 4;
-    if (regions === undefined || regions.length === 0 || regions.length === count) return;
-    addIssue({ message: `it has ${plural(regions.length, "region")} for ${plural(count, "tetrahedron")}` });
+    if (owners.length === 0 || owners.length === count) return;
+    addIssue({ message: `it has ${plural(owners.length, "region")} for ${plural(count, "tetrahedron")}` });
   }),
   nodesExist,
 );
@@ -218,27 +193,26 @@ const TETRAHEDRA_REMEDY =
   "Pass x y z per node in a Float64Array and four node indices per tetrahedron in a Uint32Array.";
 
 /** Checks a mesh that is to become a background grid, with `sizes` if given. */
-export function checkVolume(
-  mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
-  sizes: Float64Array | undefined,
-): Diagnostic[] {
+export function checkVolume(mesh: VolumeInput, sizes: Float64Array | undefined): Diagnostic[] {
   const problems = checkArrays("mesh", mesh, volumeSchema, TETRAHEDRA_REMEDY);
   if (problems.length > 0) return problems;
   return mesh.tetrahedra.length === 0 ? [noTetrahedra()] : checkNodeSizes(sizes, mesh.points.length / 3);
 }
 
-export function checkMesh(mesh: MeshInput): Diagnostic[] {
+export function checkMesh(mesh: VolumeInput): Diagnostic[] {
   const problems = checkArrays("mesh", mesh, meshSchema, TETRAHEDRA_REMEDY);
   if (problems.length > 0) return problems;
   return mesh.tetrahedra.length === 0 ? [noTetrahedra()] : [];
 }
 
 /** Checks a mesh that is to be improved. */
-export function checkImproveInput(mesh: ImproveInput): Diagnostic[] {
+export function checkImproveInput(mesh: VolumeInput): Diagnostic[] {
   const wrong = checkMesh(mesh);
   if (wrong.length > 0) return wrong;
   const nodes = mesh.points.length / 3;
   const schema = v.object({
+    trianglePatch: v.optional(integers()),
+    patches: v.optional(v.array(groupSchema)),
     triangles: v.optional(
       v.pipe(
         integers(3),

@@ -24,6 +24,7 @@ import type {
 } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import { needleWarnings } from "../mesh/quality-warnings.js";
+import { carriedSurface } from "./carried-mesh.js";
 import { nearNodeWarnings } from "./near-nodes.js";
 import { resolutionWarnings } from "../mesh/resolution-warnings.js";
 import { originsOf } from "./surface-numbers.js";
@@ -79,16 +80,9 @@ export function describedRepair(
   const nodes = given.points.length / 3;
   const added = points.length / 3 - (nodes - gone.size);
   const nodeOrigin = originsOf(nodes, (node) => gone.has(node), added);
-  const maxVolumes = given.givenRegions?.maxVolumes.slice() ?? new Float64Array();
-  const hasRegions = triangleRegions.length > 0;
   return {
-    surface: {
-      points,
-      triangles,
-      origin,
-      nodeOrigin,
-      ...(hasRegions && { givenRegions: { triangleRegions, maxVolumes } }),
-    },
+    mesh: carriedSurface(given, { points, triangles, origin, nodeOrigin, triangleRegions }),
+    isSeparated: triangleRegions.length > 0,
     origin,
     changes,
     sharedVolumes: rest.sharedVolumes.map(sharedVolume),
@@ -103,18 +97,24 @@ function sharedVolume(shared: EngineRepair["sharedVolumes"][number]): SharedVolu
   return { regions: [first, second], volume, depth, position: [x, y, z] };
 }
 
-export function describedRefinement(refinement: EngineRefinement): SurfaceRefinement {
+/** `given`: the surface before the refinement. */
+export function describedRefinement(refinement: EngineRefinement, given: SurfaceInput): SurfaceRefinement {
   const { points, triangles, origin, splitEdges, lengthRatio } = refinement;
   const nodeOrigin = originsOf(points.length / 3 - splitEdges, () => false, splitEdges);
-  return { surface: { points, triangles, origin, nodeOrigin }, origin, splitEdges, lengthRatio };
+  const mesh = carriedSurface(given, { points, triangles, origin, nodeOrigin });
+  return { mesh, origin, splitEdges, lengthRatio };
 }
 
-/** `notes`: about the given surface. */
-export function describedRemesh(remesh: EngineRemesh, notes: readonly Diagnostic[]): SurfaceRemesh {
+/** `given`: the surface before the remeshing; `notes`: about it. */
+export function describedRemesh(
+  remesh: EngineRemesh,
+  given: SurfaceInput,
+  notes: readonly Diagnostic[],
+): SurfaceRemesh {
   const { points, triangles, origin, diagnostics: _, ...figures } = remesh;
   const nodeOrigin = new Uint32Array(points.length / 3).fill(NO_ORIGIN);
   return {
-    surface: { points, triangles, origin, nodeOrigin },
+    mesh: carriedSurface(given, { points, triangles, origin, nodeOrigin }),
     origin,
     ...(figures satisfies Only<SurfaceRemesh, typeof figures>),
     diagnostics: [...notes, ...deviationWarnings(figures)],

@@ -1,13 +1,13 @@
 /** Uses the points of a file that mark regions and holes of its surface. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import { hasRegionPoints } from "./input-checks.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 export interface Located {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   /** Warnings about points without effect. */
   readonly diagnostics: readonly Diagnostic[];
 }
@@ -18,16 +18,16 @@ export interface Located {
  */
 export async function located(
   mesher: Pick<SurfaceMesher, "locateRegions">,
-  surface: SurfaceFile,
+  surface: Mesh,
   innerShells?: InnerShells,
 ): Promise<Located> {
   const isUnchanged =
     surface.regionPoints === undefined || (innerShells === "cavities" && !hasRegionPoints(surface));
   if (isUnchanged) return { surface, diagnostics: [] };
-  const found = await mesher.locateRegions(surface);
+  const { mesh, diagnostics } = await mesher.locateRegions(surface);
   return innerShells === "cavities"
-    ? { ...found, diagnostics: [shellsUnused(), ...found.diagnostics] }
-    : found;
+    ? { surface: mesh, diagnostics: [shellsUnused(), ...diagnostics] }
+    : { surface: mesh, diagnostics };
 }
 
 function shellsUnused(): Diagnostic {

@@ -10,14 +10,13 @@ import { type ByteSource, piecesOf } from "../formats/byte-source.js";
 import { joined } from "../formats/bytes.js";
 import type { OpenOther } from "../formats/file-format.js";
 import { extensionOf, isCadFile } from "../formats/file-formats.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { LengthOptions } from "../formats/units.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/project-types.js";
-import { fileMeshOf, type NameSource, regionSummaries, type RegionSummary } from "./generated-mesh.js";
+import { regionSummaries, type RegionSummary } from "./generated-mesh.js";
 import { checkControl } from "./input-checks.js";
 import { readSurface } from "./mesh-files.js";
 import type { Mesher } from "./mesher-interface.js";
@@ -64,14 +63,14 @@ export type MeshedFile =
   | (MeshFileOutcome & {
       readonly success: true;
       /** The mesh with its patches and regions, ready for `writeMesh`. */
-      readonly mesh: FileMesh;
+      readonly mesh: Mesh;
     })
   | (MeshFileOutcome & {
       readonly success: false;
       /** Why there is no mesh, and what to do, in a few sentences. All problems are in `report.diagnostics`. */
       readonly message: string;
       /** The mesh made so far, if the front stalled or was stopped. */
-      readonly mesh: FileMesh | undefined;
+      readonly mesh: Mesh | undefined;
     });
 
 /**
@@ -181,7 +180,7 @@ async function meshedProject(
     return failed([invalidOption(option, message, "Omit it: each body has a treatment of its own.")]);
   }
   const result = await mesher.meshProject(project, meshPart(options), control);
-  return outcome(result, { names: { project } });
+  return outcome(result);
 }
 
 interface SurfaceMeshingOptions {
@@ -192,11 +191,14 @@ interface SurfaceMeshingOptions {
 
 async function meshedSurface(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   { meshing, isCad, control }: SurfaceMeshingOptions,
 ): Promise<MeshedFile> {
-  const made = await surfaceMeshed(mesher, given, meshing, control, { isCad });
-  const { result, surface, changes, repairDeviation = 0, split, refinement, remesh } = made;
+  const made = await surfaceMeshed(mesher, given, meshing, control, {
+    isCad,
+    hasInterfacePatches: isCad,
+  });
+  const { surface, changes, repairDeviation = 0, split, refinement, remesh } = made;
   const notes = [
     ...readingNotes(given),
     ...(changes === undefined ? [] : [`repair: ${repairText(changes, repairDeviation)}`]),
@@ -209,22 +211,24 @@ async function meshedSurface(
     ...(refinement && { refinement }),
     ...(remesh && { remesh }),
   };
-  return outcome(result, { names: { surface, interfacePatches: isCad }, notes, done });
+  return outcome(made, { surface, notes, done });
 }
 
 interface Done {
-  readonly names: NameSource;
+  /** The surface that was meshed. */
+  readonly surface?: Mesh;
   readonly notes?: readonly string[];
   readonly done?: Omit<MeshFileReport, keyof MeshReport | "regions">;
 }
 
-function outcome(result: MeshResult, { names, notes = [], done = {} }: Done): MeshedFile {
-  const { report, volume } = result;
+function outcome(
+  { mesh: made, report }: MeshResult,
+  { surface, notes = [], done = {} }: Done = {},
+): MeshedFile {
   const { diagnostics, status } = report;
-  const isEmpty = volume.tetrahedra.length === 0;
-  const mesh = isEmpty ? undefined : fileMeshOf(result, names);
+  const mesh = made.tetrahedra.length === 0 ? undefined : made;
   const regions = mesh === undefined ? [] : regionSummaries(mesh);
-  const left = mesh === undefined || names.surface === undefined ? [] : unmeshedNotes(names.surface, mesh);
+  const left = mesh === undefined || surface === undefined ? [] : unmeshedNotes(surface, mesh);
   const others = diagnostics.filter(({ severity }) => severity !== "error");
   const all = [...notes, ...left, ...diagnosticLines(others).map(({ text }) => text)];
   const whole = { report: { ...report, ...done, regions }, notes: all };

@@ -18,13 +18,13 @@ import { noteLostRegions } from "../formats/format-limits.js";
 import { FileHead } from "../formats/other-content.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely } from "../formats/read-result.js";
 import { withMidNodes } from "../formats/second-order.js";
-import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import { surfaceOf } from "../formats/surface-file.js";
 import { inUnits, lengthInFile, type LengthOptions } from "../formats/units.js";
-import { type VolumeFile, volumeOf } from "../formats/volume-file.js";
+import { volumeOf } from "../formats/volume-file.js";
 import { MAX_LENGTH, MIN_LENGTH } from "../generated/constants.js";
-import type { ElementOrder, FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh, ElementOrder } from "../mesh/mesh.js";
 import { checkFileMesh } from "../mesh/mesh-checks.js";
-import { UNITS } from "../mesh/units.js";
+import { LENGTH_UNITS } from "../mesh/units.js";
 
 /** Options for reading a file. */
 export interface ReadFileOptions extends LengthOptions {
@@ -78,19 +78,19 @@ export interface WriteFileOptions {
  *     const read = await readSurface(file.stream(), { fileName: file.name });
  *     if (read.success) await mesher.fillSurface(read.value);
  */
-export function readSurface(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<SurfaceFile>> {
+export function readSurface(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<Mesh>> {
   return asResult(async () =>
     inSteps(surfaceOf(await readAny(source, options, ["surface"])), options.signal),
   );
 }
 
 /** Reads the tetrahedra of a file, with the nodes they use and the values at these nodes. */
-export function readVolume(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<VolumeFile>> {
+export function readVolume(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<Mesh>> {
   return asResult(async () => inSteps(volumeOf(await readAny(source, options, ["volume"])), options.signal));
 }
 
 /** Reads all triangles and tetrahedra of a file without welding. */
-export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<FileMesh>> {
+export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<Mesh>> {
   return asResult(() => readAny(source, options, ["surface", "volume"]));
 }
 
@@ -104,7 +104,7 @@ export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<
  * store elements of the wanted order.
  */
 export async function writeMesh(
-  mesh: FileMesh,
+  mesh: Mesh,
   fileName: string,
   options: WriteFileOptions = {},
 ): Promise<readonly WrittenFile[]> {
@@ -182,7 +182,7 @@ async function readAny(
   source: ByteSource,
   options: ReadFileOptions,
   contents: readonly Contents[],
-): Promise<FileMesh> {
+): Promise<Mesh> {
   checkSource(source);
   const { fileName, signal, size, openOther = () => Promise.resolve(undefined) } = checkedOptions(options);
   throwIfCancelled(signal);
@@ -240,7 +240,7 @@ function remedyOf(known: readonly string[]): string {
   return `Use only these options: ${known.join(", ")}.`;
 }
 
-const unit = v.optional(v.picklist(UNITS));
+const unit = v.optional(v.picklist(LENGTH_UNITS));
 const readOptions = v.object({
   size: v.optional(v.pipe(v.number(), v.finite(), v.gtValue(0))),
   openOther: v.optional(v.function()),

@@ -1,7 +1,6 @@
 /** The mesher: the engine in a worker, as callers see it. */
 import type { PartialControl, RunControl } from "../engine/control.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import type {
   MeshInspection,
   SurfaceInspection,
@@ -9,8 +8,7 @@ import type {
   SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
-import type { ImproveInput, MeshImprovement } from "../mesh/improvement.js";
-import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { MeshImprovement } from "../mesh/improvement.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -31,7 +29,7 @@ import type {
   SurfaceMeshOptions,
   SurfaceProposalOptions,
 } from "./option-types.js";
-import type { LocatedSurface } from "./region-location.js";
+import type { RegionLocation } from "./region-location.js";
 import type { MeshedSurface } from "./meshed-surface.js";
 
 /** Result of `proposeSizes`. */
@@ -68,16 +66,10 @@ export interface SurfaceSizeProposal {
   readonly tetrahedra: number;
 }
 
-/** Surface with patches that may have names, for example a `SurfaceFile`. */
-export interface SplitInput extends PatchedSurface {
-  readonly patches?: readonly FileGroup[] | undefined;
-}
-
-/** Patches of a surface that was split. */
-export interface SplitSurface {
-  /** Per triangle: index in `patches`. */
-  readonly trianglePatch: Uint32Array;
-  readonly patches: readonly FileGroup[];
+/** Result of `splitPatches`. */
+export interface PatchSplit {
+  /** The surface with its new patches. */
+  readonly mesh: Mesh;
 }
 
 /** One mesher: an engine in its own worker, in browsers and in Node. Runs are queued. */
@@ -109,13 +101,12 @@ export interface Mesher {
   /**
    * Meshes the surface of a file with fit elements, as `meshFile` does after reading: joins solids that touch, locates region
    * points, decides what becomes of the triangles (`surface`), and repairs before if that is asked for or implied. Ends and
-   * rejects as `meshProject` does. For `fileMeshOf`, pass the `surface` of the result.
+   * rejects as `meshProject` does.
    *
-   *     const { result, surface } = await mesher.meshSurface(file);
-   *     const mesh = fileMeshOf(result, { surface });
+   *     const { mesh, report } = await mesher.meshSurface(surface);
    */
   meshSurface(
-    surface: SurfaceFile,
+    surface: SurfaceInput,
     options?: SurfaceMeshOptions,
     control?: RunControl,
   ): Promise<MeshedSurface>;
@@ -148,12 +139,13 @@ export interface Mesher {
     control?: RunControl,
   ): Promise<SizeSamples>;
   /**
-   * Converts a mesh to a background grid, with the given sizes (one per node), or with sizes from its own edges, which ask
-   * for about as many elements as it has. Omits nodes without a tetrahedron. Rejects with `invalid-input` if the
-   * arrays are inconsistent.
+   * Converts a mesh to a background grid, with the given sizes (one per node), else with the node values `size` of its file,
+   * and with `stretching` and `direction` if it has both, else with sizes from its own edges, which ask for about as many
+   * elements as it has. A name may differ in case if no other name then matches. Omits nodes without a tetrahedron. Rejects with
+   * `invalid-input` if the arrays are inconsistent.
    */
   backgroundFromMesh(
-    mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+    mesh: VolumeInput,
     options?: { readonly sizes?: Float64Array | undefined },
     control?: RunControl,
   ): Promise<BackgroundArrays>;
@@ -176,16 +168,16 @@ export interface Mesher {
    * on the surface or every volume is a hole, and as `fillSurface` if the surface cannot be meshed. Repair a surface
    * before this call. O(n log n). Works in slices beside a run.
    *
-   *     const { surface } = await mesher.locateRegions(file);
-   *     const result = await mesher.fillSurface(surface);
+   *     const { mesh } = await mesher.locateRegions(surface);
+   *     const result = await mesher.fillSurface(mesh);
    */
-  locateRegions(surface: SurfaceFile, control?: RunControl): Promise<LocatedSurface>;
+  locateRegions(surface: SurfaceInput, control?: RunControl): Promise<RegionLocation>;
   /**
    * Returns the sizes that `remeshSurface` would use, and about how many triangles and tetrahedra they lead to. `background`
    * is not permitted. Rejects as `remeshSurface`. Works in slices beside a run.
    */
   proposeSurfaceSizes(
-    surface: PatchedSurface,
+    surface: SurfaceInput,
     options?: SurfaceProposalOptions,
     control?: RunControl,
   ): Promise<SurfaceSizeProposal>;
@@ -199,7 +191,7 @@ export interface Mesher {
    * Splits triangles that are larger than the target size, so that `fillSurface` with the same options can reach it
    * (otherwise it warns with `coarse-surface`). Edges longer than 1.41 target lengths are halved in all their triangles,
    * the longest edge of a triangle first: no angle falls below half of its former value, and the shape is kept up to the
-   * rounding of midpoints. `repairedSurface(file, refinement)` keeps the patches. Rejects with `invalid-input` if
+   * rounding of midpoints. Rejects with `invalid-input` if
    * numbers are invalid, or there would be too many triangles; with the enclosed `volume`, also if there would be more
    * tetrahedra than a run permits, before anything is split. Without sizes, the triangles' own edges are the sizes, limited by
    * growth: a large triangle beside small ones is split. O(n log n) for n triangles of the result; about 2 µs
@@ -214,16 +206,16 @@ export interface Mesher {
    * Replaces the triangles of a surface by new ones of the target size and good shape, near the given surface everywhere:
    * `deviation` is an upper bound. Sharp edges, corners and the lines between patches stay. The result is closed and free
    * of self-intersections, as the given surface must be. By default, the sizes follow from the shape.
-   * `repairedSurface(file, remesh)` keeps the patches and their names. Rejects with `invalid-input` if the surface cannot
+   * Rejects with `invalid-input` if the surface cannot
    * be filled, numbers are invalid, or there would be too many triangles. About linear in the number of given and new
    * triangles; 0.1 to 2 ms each. Works in slices beside a run. The surface is valid at any moment: with `partial: true`,
    * aborting the signal returns it as it is.
    *
-   *     const remesh = await mesher.remeshSurface(file);
-   *     const result = await mesher.fillSurface(repairedSurface(file, remesh));
+   *     const { mesh } = await mesher.remeshSurface(surface);
+   *     const result = await mesher.fillSurface(mesh);
    */
   remeshSurface(
-    surface: PatchedSurface,
+    surface: SurfaceInput,
     options?: RemeshOptions,
     control?: PartialControl,
   ): Promise<SurfaceRemesh>;
@@ -234,32 +226,28 @@ export interface Mesher {
    * `patches` limits the split to some of the patches. The surface may be open. Rejects with `invalid-input` if numbers
    * are invalid. O(n log n) for n triangles; about 1 µs each.
    *
-   *     const surface = await mesher.splitPatches(file, { angle: 30 });
+   *     const { mesh } = await mesher.splitPatches(surface, { angle: 30 });
    */
-  splitPatches<Surface extends SplitInput>(
-    surface: Surface,
-    options?: SplitOptions,
-    control?: RunControl,
-  ): Promise<Surface & SplitSurface>;
+  splitPatches(surface: SurfaceInput, options?: SplitOptions, control?: RunControl): Promise<PatchSplit>;
   /**
    * Reports whether a mesh is valid, the quality of its elements, and its boundary. Rejects with `invalid-input` if
    * coordinates or indices are invalid. O(n log n) for n elements; about 1 µs each. Works in slices beside a run.
    */
-  inspectMesh(mesh: MeshInput, control?: RunControl): Promise<MeshInspection>;
+  inspectMesh(mesh: VolumeInput, control?: RunControl): Promise<MeshInspection>;
   /**
    * Improves the elements of a mesh from any program by swaps, moves, splits and collapses, as after a run. Its boundary,
    * its interfaces and the given `triangles` stay, triangle for triangle; the sizes are those of its own edges. The result
    * is never worse: neither in its smallest dihedral angle, nor in its least or mean radius ratio, nor in the share of
    * elements outside 30 to 135 degrees, whose number may grow with that of all elements; its largest dihedral angle is at
    * most 135 degrees, or that of the given mesh. It has at most 5 % more elements, or as many more as `maxGrowth` permits.
-   * `improvedMesh(file, improvement)` returns it with the patches and names of a file. Rejects with `invalid-input` if
+   * Rejects with `invalid-input` if
    * elements have no volume or overlap, or if more than two share a face; the diagnostic names them. About 50 µs per
    * element. Works in slices beside a run. With `partial: true`, aborting the signal returns the mesh as it is.
    *
-   *     const improvement = await mesher.improveMesh({ ...file, regions: file.tetrahedronRegion });
+   *     const { mesh } = await mesher.improveMesh(given);
    */
   improveMesh(
-    mesh: ImproveInput,
+    mesh: VolumeInput,
     options?: ImproveOptions,
     control?: PartialControl,
   ): Promise<MeshImprovement>;

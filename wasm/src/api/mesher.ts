@@ -13,12 +13,11 @@ import type {
   SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
-import type { ImproveInput, MeshImprovement } from "../mesh/improvement.js";
-import type { MeshInput, PatchedSurface, SurfaceInput, VolumeMesh } from "../mesh/mesh.js";
+import type { MeshImprovement } from "../mesh/improvement.js";
+import type { SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import { inSteps } from "../calls/yielder.js";
 import { resolutionWarnings } from "../mesh/resolution-warnings.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import { modelWithBodyBoxes, projectArrays } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -45,11 +44,8 @@ import {
   preparedBody,
 } from "./body-preparation.js";
 import { unlessFailed } from "./best-repair.js";
-import { bodyRegions } from "./body-regions.js";
 import { beginCall } from "./call-checks.js";
 import type { FinerPart } from "./element-count.js";
-import { expectedElements, largestAutomaticSize } from "./counted-surface.js";
-import { elementsReached, meshedToElements } from "./element-target.js";
 import {
   checkControl,
   checkImproveInput,
@@ -64,15 +60,15 @@ import {
 } from "./input-checks.js";
 import { describedMesh } from "./inspection.js";
 import { describedImprovement, improvementErrors } from "./improvement.js";
+import { sizesAtNodes } from "./node-sizes.js";
 import type {
   Mesher,
+  PatchSplit,
   SizeProposal,
   SizeSamples,
-  SplitInput,
-  SplitSurface,
   SurfaceSizeProposal,
 } from "./mesher-interface.js";
-import { type LocatedSurface, locateRegions } from "./region-location.js";
+import { type RegionLocation, locateRegions } from "./region-location.js";
 import {
   ballOf,
   largestSize,
@@ -120,13 +116,13 @@ import {
   describedResult,
   emptyResult,
   withBodyDeviations,
-  withNamedRegions,
   withoutBodyNotes,
   withPreparation,
 } from "./report.js";
 import { givenRegionsOf, surfaceNamer } from "./surface-numbers.js";
-import { meshedSurface } from "./surface-meshing.js";
+import { meshedSurface, unmeshed } from "./surface-meshing.js";
 import { SurfaceTools } from "./surface-tools.js";
+import { namedMesh, type NameSource } from "./generated-mesh.js";
 
 /**
  * Starts a worker with an engine in it; resolves when it is loaded. Call `dispose` when done; in Node, an idle
@@ -134,7 +130,7 @@ import { SurfaceTools } from "./surface-tools.js";
  * if the signal is aborted before; no worker is then left.
  *
  *     const mesher = await createMesher();
- *     const { volume, report } = await mesher.fillSurface({ points, triangles }, { size: 0.1 });
+ *     const { mesh, report } = await mesher.fillSurface({ points, triangles }, { size: 0.1 });
  */
 export async function createMesher(control: AbortControl = {}): Promise<Mesher> {
   refuse(checkControl(control));
@@ -151,10 +147,12 @@ export async function createMesher(control: AbortControl = {}): Promise<Mesher> 
 }
 
 /** A mesh, and the bodies that were prepared for it. */
-interface ElementsMade {
-  readonly result: MeshResult;
+interface ElementsMade extends MeshResult {
   readonly bodies: readonly PreparedBody[];
 }
+
+/** Loaded when a number of elements is asked for. */
+const ofElements = () => import("./counted-surface.js");
 
 class WorkerMesher implements Mesher {
   readonly #client = new EngineClient();
@@ -196,6 +194,7 @@ class WorkerMesher implements Mesher {
     { elements, known }: { readonly elements: number; readonly known: readonly PreparedBody[] },
     control: RunControl,
   ): Promise<MeshResult> {
+    const { elementsReached, expectedElements, largestAutomaticSize } = await ofElements();
     const points = pointsOf(project);
     const size = options.size ?? largestSize(project, options);
     const automatic =
@@ -204,7 +203,7 @@ class WorkerMesher implements Mesher {
       automatic ? largestAutomaticSize(this, automatic, factor) : size && size * factor;
     // With a number of elements, triangles to be refined are replaced.
     const usable = known.filter(({ body }) => bodyWithId(project, body).surface !== "refine");
-    const run = async (factor: number, ofRun: RunControl, finer?: FinerPart) => {
+    const run = async (factor: number, ofRun: RunControl, finer?: FinerPart): Promise<ElementsMade> => {
       const isSame = factor === 1 && finer === undefined;
       const ofFactor = { ...scaledMeshOptions(options, factor), sizeFactor: factor };
       const finerSize = finer && (await sizeOf(finer.factor));
@@ -216,7 +215,7 @@ class WorkerMesher implements Mesher {
         ...ofRun,
         onBody,
       });
-      return { result, bodies };
+      return { ...result, bodies };
     };
     const expected =
       automatic !== undefined
@@ -225,10 +224,9 @@ class WorkerMesher implements Mesher {
           ? null
           : await this.#expected(project, options, control);
     const hasFinerParts = size !== undefined || automatic !== undefined;
-    const target = { elements, expected, run, hasFinerParts, resultOf: (made: ElementsMade) => made.result };
-    const { made, result } = await meshedToElements(target, control);
+    const { bodies, ...result } = await elementsReached({ elements, expected, run, hasFinerParts }, control);
     const isDone = result.report.status === "done";
-    for (const body of isDone ? made.bodies : []) {
+    for (const body of isDone ? bodies : []) {
       await untilCancelled<unknown>(() => control.onBody?.(body), control.signal);
     }
     return result;
@@ -266,10 +264,7 @@ class WorkerMesher implements Mesher {
       const later = known.length < bodies.length ? afterBodies(control, seconds()) : control;
       const preparation = seconds();
       const result = await this.#meshModel(project, options, later, joinedBodies(project, bodies));
-      const { length: regions } = result.report.quality.regions;
-      const named = bodyRegions(result, project, regions)?.regions.length ?? regions;
-      const counted = withNamedRegions(withoutBodyNotes(result, project), named);
-      const described = withBodyDeviations(counted, project, bodies);
+      const described = withBodyDeviations(withoutBodyNotes(result, project), project, bodies);
       return withPreparation(described, preparation, diagnostics);
     } catch (failure) {
       if (failure instanceof MesherError && failure.code === "cancelled") {
@@ -302,7 +297,7 @@ class WorkerMesher implements Mesher {
     } as const;
     const byName = projectNamer(project);
     const name = background === undefined ? byName : gridByIndex(byName);
-    return this.#run(request, control, ({ surface }) =>
+    return this.#run(request, control, { project }, ({ surface }) =>
       bodies === undefined ? name : withPatchOfTriangle(name, surface.trianglePatch),
     );
   }
@@ -321,6 +316,7 @@ class WorkerMesher implements Mesher {
       const ball = finer && ballOf(surface.points, longest * finer.factor, finer.share);
       return this.#fill(surface, { ...scaled, background: withBall(scaled.background, ball) }, ofRun);
     };
+    const { elementsReached } = await ofElements();
     return elementsReached({ elements, run, isKept: true, hasFinerParts }, control);
   }
 
@@ -342,15 +338,15 @@ class WorkerMesher implements Mesher {
     } as const;
     const name = surfaceNamer(surface);
     // The run takes its place in the queue at once.
-    const running = this.#run(request, control, () => name);
+    const running = this.#run(request, control, { surface }, () => name);
     const [result, coarse] = await Promise.all([running, inSteps(resolutionWarnings(surface))]);
     const diagnostics = [...result.report.diagnostics, ...coarse];
     return coarse.length === 0 ? result : { ...result, report: { ...result.report, diagnostics } };
   }
 
-  async meshSurface(surface: SurfaceFile, options: SurfaceMeshOptions = {}, control: RunControl = {}) {
+  async meshSurface(surface: SurfaceInput, options: SurfaceMeshOptions = {}, control: RunControl = {}) {
     const early = this.#endedEarly(control);
-    if (early !== undefined) return { surface, diagnostics: [], result: early, isExact: false };
+    if (early !== undefined) return unmeshed(early);
     return meshedSurface(this, surface, options, control);
   }
 
@@ -440,13 +436,14 @@ class WorkerMesher implements Mesher {
   }
 
   async backgroundFromMesh(
-    mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+    mesh: VolumeInput,
     options: { readonly sizes?: Float64Array | undefined } = {},
     control: RunControl = {},
   ): Promise<BackgroundArrays> {
     beginCall(this.#client, control);
     refuse(checkGridOptions(options));
-    const { sizes } = options;
+    refuse(checkVolume(mesh, options.sizes));
+    const { sizes, ...stretched } = options.sizes === undefined ? sizesAtNodes(mesh) : options;
     refuse(checkVolume(mesh, sizes));
     const { points, tetrahedra } = mesh;
     const id = this.#client.nextId();
@@ -461,7 +458,7 @@ class WorkerMesher implements Mesher {
       },
       sizes: sizes?.slice() ?? new Float64Array(),
     } as const;
-    return backgroundFrom(await this.#client.ask(question, control));
+    return { ...backgroundFrom(await this.#client.ask(question, control)), ...stretched };
   }
 
   async inspectSurface(
@@ -472,13 +469,13 @@ class WorkerMesher implements Mesher {
     return this.#surfaces.inspect(surface, options, control);
   }
 
-  async locateRegions(surface: SurfaceFile, control: RunControl = {}): Promise<LocatedSurface> {
+  async locateRegions(surface: SurfaceInput, control: RunControl = {}): Promise<RegionLocation> {
     beginCall(this.#client, control);
     return locateRegions(this.#client, surface, control);
   }
 
   async proposeSurfaceSizes(
-    surface: PatchedSurface,
+    surface: SurfaceInput,
     options: SurfaceProposalOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceSizeProposal> {
@@ -503,25 +500,25 @@ class WorkerMesher implements Mesher {
   }
 
   async remeshSurface(
-    surface: PatchedSurface,
+    surface: SurfaceInput,
     options: RemeshOptions = {},
     control: PartialControl = {},
   ): Promise<SurfaceRemesh> {
     return this.#surfaces.remesh(surface, options, control);
   }
 
-  async splitPatches<Surface extends SplitInput>(
-    surface: Surface,
+  async splitPatches(
+    surface: SurfaceInput,
     options: SplitOptions = {},
     control: RunControl = {},
-  ): Promise<Surface & SplitSurface> {
+  ): Promise<PatchSplit> {
     return this.#surfaces.split(surface, options, control);
   }
 
-  async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {
+  async inspectMesh(mesh: VolumeInput, control: RunControl = {}): Promise<MeshInspection> {
     beginCall(this.#client, control);
     refuse(checkMesh(mesh));
-    const { points, tetrahedra, regions = new Uint32Array() } = mesh;
+    const { points, tetrahedra, tetrahedronRegion: regions = new Uint32Array() } = mesh;
     const question = {
       kind: "inspect-mesh",
       id: this.#client.nextId(),
@@ -535,13 +532,14 @@ class WorkerMesher implements Mesher {
   }
 
   async improveMesh(
-    mesh: ImproveInput,
+    mesh: VolumeInput,
     options: ImproveOptions = {},
     control: PartialControl = {},
   ): Promise<MeshImprovement> {
     beginCall(this.#client, control);
     refuse([...checkImproveInput(mesh), ...checkImproveOptions(options)]);
-    const { points, tetrahedra, regions = new Uint32Array(), triangles = new Uint32Array() } = mesh;
+    const { points, tetrahedra, triangles = new Uint32Array() } = mesh;
+    const { tetrahedronRegion: regions = new Uint32Array() } = mesh;
     const question = {
       kind: "improve-mesh",
       id: this.#client.nextId(),
@@ -554,7 +552,7 @@ class WorkerMesher implements Mesher {
     const found = await this.#client.ask(question, control);
     if (!found.isReadable) refuse([unreadableMesh()]);
     refuse(improvementErrors(found));
-    return describedImprovement(found);
+    return describedImprovement(found, mesh);
   }
 
   dispose(): void {
@@ -571,12 +569,16 @@ class WorkerMesher implements Mesher {
 
   async #run(
     request: RunRequest,
-    control: RunControl,
+    { onUnoptimized, ...control }: RunControl,
+    names: NameSource,
     nameFor: (result: EngineResult) => EntityNamer,
   ): Promise<MeshResult> {
-    const result = await this.#client.run(request, control);
+    const result = await this.#client.run(request, {
+      ...control,
+      onUnoptimized: onUnoptimized && ((mesh) => onUnoptimized(namedMesh(mesh, names).mesh)),
+    });
     return "cancelledAfterSeconds" in result
       ? emptyResult("cancelled", [], result.cancelledAfterSeconds)
-      : describedResult(result, nameFor(result));
+      : describedResult(result, names, nameFor(result));
   }
 }

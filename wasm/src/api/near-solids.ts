@@ -15,8 +15,8 @@ import {
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import { short } from "../base/short.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Largest gap / diagonal of the surface that is reported. */
 const NEAR = 1 / 1000;
@@ -46,7 +46,7 @@ interface Gap {
  * triangles of the other solid; edges that cross without them are not found.
  */
 export function almostTouching(
-  given: SurfaceFile,
+  given: Mesh,
   touching: readonly Pick<TouchingPair, "regions">[],
 ): Diagnostic[] {
   const { surfaceRegions, points } = given;
@@ -63,11 +63,7 @@ export function almostTouching(
   );
 }
 
-function gapWarning(
-  { surfaceRegions }: SurfaceFile,
-  pair: readonly number[],
-  { width, position }: Gap,
-): Diagnostic {
+function gapWarning({ surfaceRegions }: Mesh, pair: readonly number[], { width, position }: Gap): Diagnostic {
   const names = pair.map((region) => `"${surfaceRegions?.regions[region]?.name ?? ""}"`).join(" and ");
   const text = short(width, DIGITS);
   const message = `The solids ${names} almost touch: a gap of ${text} is left between them, so they share no faces`;
@@ -76,7 +72,7 @@ function gapWarning(
   return { ...packageDiagnostic("touching-solids", message, remedy, "warning"), position };
 }
 
-function solidOf({ points, triangles, surfaceRegions }: SurfaceFile, region: number): Solid {
+function solidOf({ points, triangles, surfaceRegions }: Mesh, region: number): Solid {
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
   const own: number[] = [];
   const nodes = new Set<number>();
@@ -112,7 +108,7 @@ function narrower(one: Gap | undefined, other: Gap | undefined): Gap | undefined
 }
 
 /** Returns the smallest distance of nodes and centroids of a solid from the triangles of another one, if it is at most `near`. */
-function gapFrom(given: SurfaceFile, from: Solid, to: Solid, near: number): Gap | undefined {
+function gapFrom(given: Mesh, from: Solid, to: Solid, near: number): Gap | undefined {
   const { points } = given;
   const low = from.low.map((x, k) => Math.max(x, to.low[k] ?? x) - 2 * near);
   const high = from.high.map((x, k) => Math.min(x, to.high[k] ?? x) + 2 * near);

@@ -3,8 +3,42 @@ import type { CoverShape, FrontOrder, InnerShells, Optimization } from "../gener
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 
+/** What the sizes of a call are, and what is meshed: the same words in all calls. */
+export interface SizeOptions {
+  /**
+   * Target edge length in model units, from 1e-30 to 1e30, wherever nothing asks for smaller elements: sources, small triangles of
+   * a surface, or its shape if it is remeshed. In a project, it replaces the nodes and tetrahedra of the background grid. It
+   * cannot be combined with a `background` that has nodes.
+   */
+  readonly size?: number | undefined;
+  /**
+   * Growth of the size per unit of distance, 0 to 10: from the edges of a surface, from node to node of a background grid, and from
+   * where the shape asks for small sizes. Neighbouring elements then differ by a factor of at most 1 + growth. Default 0.3;
+   * `Infinity` takes the sizes of a grid as they are.
+   */
+  readonly growth?: number | undefined;
+  /**
+   * Largest volume of a tetrahedron, in cubed model units, above 0. Default: no limit. It caps all sizes, and larger
+   * tetrahedra are split without changes of the boundary. If rounding prevents that, `large-tetrahedra` warns;
+   * if too many tetrahedra would be required, `too-many-elements` is an error.
+   */
+  readonly maxVolume?: number | undefined;
+  /**
+   * Background grid, which must cover the model. It replaces the grid of a project, but not its sources; for a given
+   * surface, it replaces the sizes of the surface's own edges and automatic sizes. Without nodes, it adds its sources only.
+   */
+  readonly background?: BackgroundArrays | undefined;
+  /**
+   * What closed shells inside a region bound. Default `by-orientation`: a region if their triangles face the same way as
+   * those of the shell around them (outward), else a cavity, so that shells of cavities must have the opposite orientation. With
+   * `cavities`, they stay empty; with `regions`, each is meshed as a region that conforms to the surrounding one, and may have
+   * either orientation.
+   */
+  readonly innerShells?: InnerShells | undefined;
+}
+
 /** Options of `repairSurface`. By default, nothing is moved or added. */
-export interface RepairOptions {
+export interface RepairOptions extends Pick<SizeOptions, "innerShells"> {
   /**
    * Distance up to which nodes are welded, in model units. 0, the default, welds nodes with equal coordinates; `false`
    * welds none.
@@ -28,8 +62,6 @@ export interface RepairOptions {
    * that changes the volume by more than 0.1 % is not made; a quarter and a sixteenth of the distance are tried then. Default 0: none.
    */
   readonly weldIntersections?: number | undefined;
-  /** Meaning of inner shells, as in `MeshOptions`: shells of cavities have the opposite orientation. Default `by-orientation`. */
-  readonly innerShells?: InnerShells | undefined;
 }
 
 /** Options of `refineSurface`: those with which the surface will be filled. */
@@ -41,13 +73,11 @@ export interface RefineOptions extends Omit<MeshOptions, "elements"> {
   readonly volume?: number | undefined;
 }
 
-/** Options of `remeshSurface`. By default, the sizes follow from the shape of the surface. */
-export interface RemeshOptions {
-  /**
-   * Target edge length in model units, from 1e-30 to 1e30. If it is omitted, and `background` has no nodes, the sizes are
-   * automatic: they follow from curvature, thin walls, and gaps between feature lines.
-   */
-  readonly size?: number | undefined;
+/**
+ * Options of `remeshSurface`. Without `size`, and without nodes of a `background`, the sizes are automatic: they follow from
+ * curvature, thin walls, and gaps between feature lines.
+ */
+export interface RemeshOptions extends SizeOptions {
   /**
    * Smallest size that the shape may ask for, in model units. Default: a tenth of `size`, or 1/150 of the diagonal; and
    * smaller near sharp edges and gaps that are smaller themselves.
@@ -89,17 +119,6 @@ export interface RemeshOptions {
    * get coarser first, then curved ones, for which the automatic tolerance grows, then thin walls and gaps.
    */
   readonly sizeFactor?: number | undefined;
-  /** Growth of the size per unit of distance, 0 to 10. Default 0.3. */
-  readonly growth?: number | undefined;
-  /** Largest volume of a tetrahedron of the future mesh, as in `MeshOptions`: it caps all sizes. */
-  readonly maxVolume?: number | undefined;
-  /** Meaning of inner shells, as in `MeshOptions`. Default `by-orientation`. */
-  readonly innerShells?: InnerShells | undefined;
-  /**
-   * Background grid, which must cover the surface and cannot be combined with `size`. Without nodes, its sources cap
-   * `size` or the automatic sizes.
-   */
-  readonly background?: BackgroundArrays | undefined;
 }
 
 /** Options of a remeshing that a run without a remeshing does not have. */
@@ -137,14 +156,8 @@ export interface SplitOptions {
   readonly patches?: readonly number[] | undefined;
 }
 
-/** Options of `previewProject`. */
-export interface PreviewOptions {
-  /** Uniform size with which the project will be meshed: its background grid is then not checked. */
-  readonly size?: number | undefined;
-  /** Meaning of inner shells, as in `MeshOptions`, for diagnostics about regions and cavities. */
-  readonly innerShells?: InnerShells | undefined;
-  /** Background grid with which the project will be meshed instead of its own, as in `MeshOptions`. */
-  readonly background?: BackgroundArrays | undefined;
+/** Options of `previewProject`: the sizes are those with which the project will be meshed. */
+export interface PreviewOptions extends Pick<SizeOptions, "size" | "innerShells" | "background"> {
   /**
    * Whether lines and patches are only sampled, which is faster: the diagnostics are those of points, lines and patches by
    * themselves. Default false.
@@ -152,13 +165,8 @@ export interface PreviewOptions {
   readonly samplesOnly?: boolean | undefined;
 }
 
-/** Options of `inspectSurface`. */
-export interface InspectionOptions {
-  /**
-   * Meaning of inner shells, as in the `MeshOptions` with which the surface will be filled. Shells of cavities must have
-   * the opposite orientation; shells of regions may have either. Default `by-orientation`.
-   */
-  readonly innerShells?: InnerShells | undefined;
+/** Options of `inspectSurface`: inner shells as in the run that will fill the surface. */
+export interface InspectionOptions extends Pick<SizeOptions, "innerShells"> {
   /**
    * Number of diagnostics listed per code, from 1 to a million; the others are counted. Default 1000. Each takes about
    * 0.8 kB of memory and 10 µs.
@@ -166,40 +174,28 @@ export interface InspectionOptions {
   readonly maxDiagnostics?: number | undefined;
 }
 
-/** Options of `coverProject`. */
-export interface CoverOptions {
-  /** Size at every node, in model units. Default: 1/20 of the model's diagonal. */
-  readonly size?: number | undefined;
+/** Options of `coverProject`. The size is that of every node; by default 1/20 of the model's diagonal. */
+export interface CoverOptions extends Pick<SizeOptions, "size"> {
   /** Five tetrahedra that fill a box, or a single tetrahedron. Default `box`. */
   readonly shape?: CoverShape | undefined;
 }
 
-/** Options of `proposeSizes`. */
-export interface ProposalOptions {
-  /** Largest size. Default: 1/20 of the model's diagonal. */
-  readonly uniform?: number | undefined;
-  /** Smallest size. Default: 1/50 of the largest. */
-  readonly smallest?: number | undefined;
-  /** Number of elements around a full circle of a curved line or patch; 0 ignores curvature. Default 24. */
-  readonly elementsPerCircle?: number | undefined;
-  /** Number of elements across the gap between opposite patches; 0 ignores gaps. Default 3. */
-  readonly elementsPerGap?: number | undefined;
-  /** Growth of the proposed sources, per unit of distance. Default 0.3. */
-  readonly growth?: number | undefined;
-}
+/**
+ * Options of `proposeSizes`, with the meaning that they have for `remeshSurface`. Defaults: `maxSize` 1/20 of the model's diagonal,
+ * `minSize` 1/50 of `maxSize`, `anglePerEdge` 15, which gives 24 elements around a circle, `layers` 3. 0 for `anglePerEdge` ignores
+ * curvature, 0 for `layers` gaps between opposite patches. `growth` is that of the proposed sources.
+ */
+export type ProposalOptions = Pick<
+  RemeshOptions,
+  "maxSize" | "minSize" | "anglePerEdge" | "layers" | "growth"
+>;
 
-/** Options of `meshProject` and `fillSurface`. */
-export interface MeshOptions {
-  /**
-   * Element size in model units, from 1e-30 to 1e30. For a project, it replaces the nodes and tetrahedra of the background
-   * grid, but not its sources. For a given surface, it is the largest size. It cannot be combined with a `background`
-   * that has nodes.
-   *
-   * The triangles of a given surface are kept. Where they are larger than the target size, the elements next to them are
-   * as large (`coarse-surface`), and sizes decrease inwards by `growth`, at most 0.5, per unit of distance.
-   * `refineSurface` splits such triangles first.
-   */
-  readonly size?: number | undefined;
+/**
+ * Options of `meshProject` and `fillSurface`. The triangles of a given surface are kept. Where they are larger than the target size,
+ * the elements next to them are as large (`coarse-surface`), and sizes decrease inwards by `growth`, at most 0.5, per unit of
+ * distance. `refineSurface` splits such triangles first.
+ */
+export interface MeshOptions extends SizeOptions {
   /**
    * Number of elements that the mesh is to have, a whole number from 1 to 20 million; it is reached within 5 % where the shape
    * permits. All sizes are multiplied by one factor, found by a few runs: given ones, and automatic ones too. Of a surface
@@ -207,30 +203,6 @@ export interface MeshOptions {
    * `element-count` warns. It cannot be combined with `size`; in a project, it scales that of the project.
    */
   readonly elements?: number | undefined;
-  /**
-   * Background grid, which must cover the model. It replaces the grid of a project, but not its sources; for a given
-   * surface, it replaces the sizes of the surface's own edges. Without nodes, it adds its sources only.
-   */
-  readonly background?: BackgroundArrays | undefined;
-  /** Growth of the size per unit of distance from the edges of a given surface, 0 to 10. Default 0.3. */
-  readonly growth?: number | undefined;
-  /**
-   * Largest ratio of the sizes of neighbouring elements in a background grid, above 1 and up to 10; larger sizes are
-   * capped. Default 1.3; 0 means no limit.
-   */
-  readonly gradation?: number | undefined;
-  /**
-   * Largest volume of a tetrahedron, in cubed model units, above 0. Default: no limit. It caps all sizes, and larger
-   * tetrahedra are split without changes of the boundary. If rounding prevents that, `large-tetrahedra` warns;
-   * if too many tetrahedra would be required, `too-many-elements` is an error.
-   */
-  readonly maxVolume?: number | undefined;
-  /**
-   * What closed shells inside a region bound. Default `by-orientation`: a region if their triangles face the same way as
-   * those of the shell around them (outward), else a cavity. With `cavities`, they stay empty; with `regions`, each is meshed as a
-   * region that conforms to the surrounding one.
-   */
-  readonly innerShells?: InnerShells | undefined;
   /**
    * Order in which faces leave the front. Default `layered`; `smallest-first` is that of the paper. `first-in` and
    * `random` ignore the sizes; they are for comparison and make poorer meshes.

@@ -92,8 +92,8 @@ const sizeOption = (label: string) =>
 const growthOption = (otherwise: number) =>
   option(
     "growth",
-    `a growth from 0 to ${LIMITS.growth}, for example ${MESH_DEFAULTS.growth}`,
-    within(0, LIMITS.growth),
+    `a growth from 0 to ${LIMITS.growth}, for example ${MESH_DEFAULTS.growth}, or Infinity for no limit`,
+    v.union([within(0, LIMITS.growth), v.literal(Infinity)]),
     otherwise,
   );
 function choiceOption<const Choice extends string>(
@@ -122,15 +122,6 @@ const meshEntries = {
   elements: elementsOption,
   background,
   growth: growthOption(MESH_DEFAULTS.growth),
-  gradation: option(
-    "gradation",
-    `0, or a gradation above 1 and up to ${LIMITS.gradation}, such as ${MESH_DEFAULTS.gradation}`,
-    v.pipe(
-      within(0, LIMITS.gradation),
-      v.check((value) => value === 0 || value > 1),
-    ),
-    MESH_DEFAULTS.gradation,
-  ),
   maxVolume: option(
     "largest volume of a tetrahedron",
     "a volume above 0, in cubed model units",
@@ -265,14 +256,23 @@ const coverSchema = objectWith({
   shape: choiceOption("shape", COVER_SHAPES, DEFAULT_COVER_SHAPE),
 } satisfies EntriesOf<CoverOptions>);
 
-const MAX_PROPOSED = 1000;
-const countOption = (label: string, otherwise: number) =>
-  option(label, `a number from 0 to ${MAX_PROPOSED}; 0 omits it`, within(0, MAX_PROPOSED), otherwise);
+/** Largest number of elements around a circle, and across a gap, in a proposal. */
+export const MAX_PROPOSED = 1000;
 const proposalSchema = objectWith({
-  uniform: sizeOption("uniform size"),
-  smallest: sizeOption("smallest size"),
-  elementsPerCircle: countOption("number of elements per circle", PROPOSAL_DEFAULTS.elementsPerCircle),
-  elementsPerGap: countOption("number of elements per gap", PROPOSAL_DEFAULTS.elementsPerGap),
+  maxSize: remeshEntries.maxSize,
+  minSize: remeshEntries.minSize,
+  anglePerEdge: option(
+    "angle per edge",
+    `0, or an angle from ${360 / MAX_PROPOSED} to 360 degrees; 0 omits it`,
+    v.union([v.literal(0), within(360 / MAX_PROPOSED, 360)]),
+    360 / PROPOSAL_DEFAULTS.elementsPerCircle,
+  ),
+  layers: option(
+    "number of layers",
+    `a number from 0 to ${MAX_PROPOSED}; 0 omits it`,
+    within(0, MAX_PROPOSED),
+    PROPOSAL_DEFAULTS.elementsPerGap,
+  ),
   growth: growthOption(PROPOSAL_DEFAULTS.growth),
 } satisfies EntriesOf<ProposalOptions>);
 
@@ -437,10 +437,27 @@ export function withSettings(options: MeshOptions, { meshing }: Project): MeshOp
   const given = Object.entries(own).filter(([, value]) => value !== undefined);
   const { background } = options;
   const keepsSize = background === undefined || hasSourcesOnly(background);
-  const { elements: _ofProject, ...others } = meshing;
-  const settings = keepsSize ? others : { ...others, size: undefined };
+  const { elements: _ofProject, gradation, ...others } = meshing;
+  const growth = gradation === undefined ? {} : { growth: growthOf(gradation) };
+  const settings = { ...others, ...growth, ...(!keepsSize && { size: undefined }) };
   return { ...settings, ...Object.fromEntries(given) };
 }
+
+/** Returns a diagnostic if a ratio of the sizes of neighbouring elements is invalid. */
+export function checkGradation(gradation: number, name = "gradation"): Diagnostic[] {
+  if (gradation === 0 || (gradation > 1 && gradation <= LIMITS.gradation)) return [];
+  const remedy = `Use 0, or a gradation above 1 and up to ${LIMITS.gradation}, such as ${MESH_DEFAULTS.gradation}.`;
+  return [invalidOption(name, `the gradation is ${gradation}`, remedy)];
+}
+
+/** Returns the growth per unit of distance for a ratio of the sizes of neighbouring elements; 0 means no limit. */
+export const growthOf = (gradation: number): number => (gradation === 0 ? Infinity : gradation - 1);
+
+/** The engine's ratio for a growth; it must be above 1. */
+const gradationOf = (growth: number): number =>
+  growth === Infinity ? 0 : Math.min(LIMITS.gradation, 1 + Math.max(Number.EPSILON, growth));
+
+const finiteGrowth = (growth: number): number => Math.min(LIMITS.growth, growth);
 
 /** Returns the number of elements that a mesh of a project is to have: that of the caller, whose size would replace the project's. */
 export function wantedElements({ elements, size }: MeshOptions, { meshing }: Project): number | undefined {
@@ -455,10 +472,13 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     elements: _elements,
     size = MESH_DEFAULTS.size,
     maxVolume = MESH_DEFAULTS.maxVolume,
+    growth,
     ...chosen
   } = parsed;
   return {
     ...chosen,
+    growth: finiteGrowth(growth),
+    gradation: gradationOf(growth),
     size,
     maxVolume,
     innerShells: INNER_SHELL_NUMBERS[chosen.innerShells],
@@ -482,12 +502,14 @@ export function engineCoverOptions(options: CoverOptions): { readonly size: numb
 
 /** Converts valid options. */
 export function engineProposalOptions(options: ProposalOptions): EngineProposalOptions {
-  const {
-    uniform = PROPOSAL_DEFAULTS.uniform,
-    smallest = PROPOSAL_DEFAULTS.smallest,
-    ...rest
-  } = v.parse(proposalSchema, options);
-  return { uniform, smallest, ...rest };
+  const { maxSize, minSize, anglePerEdge, layers, growth } = v.parse(proposalSchema, options);
+  return {
+    uniform: maxSize ?? PROPOSAL_DEFAULTS.uniform,
+    smallest: minSize ?? PROPOSAL_DEFAULTS.smallest,
+    elementsPerCircle: anglePerEdge === 0 ? 0 : 360 / anglePerEdge,
+    elementsPerGap: layers,
+    growth: finiteGrowth(growth),
+  };
 }
 
 /** Returns the angle of valid options. */
@@ -508,6 +530,7 @@ export function engineRemeshOptions(options: RemeshOptions): EngineRemeshOptions
   return {
     ...REMESH_DEFAULTS,
     ...chosen,
+    growth: finiteGrowth(parsed.growth),
     dropPoorDetails: parsed.dropDetails === undefined,
     innerShells: INNER_SHELL_NUMBERS[parsed.innerShells],
   };

@@ -5,8 +5,7 @@ import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
-import type { SurfaceInput } from "../mesh/mesh.js";
+import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { short } from "../base/short.js";
 
 /** Significant digits of a volume. */
@@ -25,7 +24,7 @@ export interface Whole {
  */
 export async function overlappingSolids(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   pairs: readonly TouchingPair[],
   whole: Whole,
 ): Promise<Overlap[]> {
@@ -43,7 +42,7 @@ export async function overlappingSolids(
 /** Two solids share a volume if the repaired surface of both encloses less than they do one by one. */
 async function overlapOf(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   pair: TouchingPair,
   solids: readonly Solid[],
 ): Promise<Overlap[]> {
@@ -53,7 +52,7 @@ async function overlapOf(
   const smaller = Math.min(one.volume, other.volume);
   const limit = SMALLEST_OVERLAP * smaller;
   if (commonBox(one, other) <= limit) return [];
-  const { surface } = await mesher.repairSurface(partOf(given, new Set<number>(regions)));
+  const { mesh: surface } = await mesher.repairSurface(partOf(given, new Set<number>(regions)));
   const { isFillable, volume } = await mesher.inspectSurface(surface);
   const common = one.volume + other.volume - volume;
   return isFillable && common > limit ? [{ ...pair, volume: common, share: common / smaller }] : [];
@@ -78,10 +77,7 @@ function commonBox(one: Solid, other: Solid): number {
 }
 
 /** Returns the triangles of some solids, with their own points. */
-function partOf(
-  { points, triangles, surfaceRegions }: SurfaceFile,
-  regions: ReadonlySet<number>,
-): SurfaceInput {
+function partOf({ points, triangles, surfaceRegions }: Mesh, regions: ReadonlySet<number>): SurfaceInput {
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
   const corners: number[] = [];
   triangles.forEach((node, corner) => {
@@ -92,7 +88,7 @@ function partOf(
 }
 
 /** Returns the volume and the box of a solid, whose triangles face outward where it is on their first side. */
-export function solidOf({ points, triangles, surfaceRegions }: SurfaceFile, region: number): Solid {
+export function solidOf({ points, triangles, surfaceRegions }: Mesh, region: number): Solid {
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -194,7 +190,7 @@ function withOwnPoints(points: Float64Array, corners: readonly number[]): Surfac
 /** Returns the volume of a body, negative if its triangles face inward; one with holes is closed first. */
 async function volumeOf(mesher: SurfaceMesher, body: SurfaceInput, hasHoles: boolean): Promise<number> {
   if (hasHoles) {
-    const { surface } = await mesher.repairSurface(body);
+    const { mesh: surface } = await mesher.repairSurface(body);
     const { isFillable, volume } = await mesher.inspectSurface(surface);
     if (isFillable) return volume;
   }

@@ -1,7 +1,6 @@
 /** Patches into which a surface is split, and their names. */
 import { hasGenericName } from "../formats/groups.js";
-import { type FileGroup, isColorName } from "../mesh/file-mesh.js";
-import type { SplitSurface } from "./mesher-interface.js";
+import { type MeshGroup, isColorName, type Mesh } from "../mesh/mesh.js";
 
 /** Pieces of patches, ordered by position. */
 interface PatchPieces {
@@ -14,9 +13,9 @@ interface PatchPieces {
 /** Returns the patches of a split surface. `split`: indices of the given patches that are split; default all. O(n). */
 export function splitSurface(
   pieces: PatchPieces,
-  given: readonly FileGroup[],
+  given: readonly MeshGroup[],
   split?: readonly number[],
-): SplitSurface {
+): Pick<Mesh, "trianglePatch" | "patches"> {
   const chosen = split && new Set(split);
   const isSplit = (group: number): boolean => chosen?.has(group) ?? true;
   const { trianglePatch, patchGroup } = chosen ? withWholePatches(pieces, isSplit) : pieces;
@@ -50,14 +49,14 @@ function withWholePatches(
  */
 export function splitGroups(
   patchGroup: Uint32Array,
-  given: readonly FileGroup[],
+  given: readonly MeshGroup[],
   isSplit: (group: number) => boolean = () => true,
-): FileGroup[] {
+): MeshGroup[] {
   const pieces = new Uint32Array(patchGroup.reduce((most, group) => Math.max(most, group + 1), 0));
   for (const group of patchGroup) pieces[group] = (pieces[group] ?? 0) + 1;
-  const isUnnamed = (group: FileGroup): boolean =>
+  const isUnnamed = (group: MeshGroup): boolean =>
     hasGenericName(group) || (given.length === 1 && isColorName(group.name));
-  const named = (index: number): FileGroup | undefined => {
+  const named = (index: number): MeshGroup | undefined => {
     const group = given[index];
     return group === undefined || (isSplit(index) && isUnnamed(group)) ? undefined : group;
   };

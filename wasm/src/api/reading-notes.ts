@@ -1,10 +1,10 @@
 /** Sentences about content of a file that is not used. */
 import { plural } from "../base/plural.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Returns sentences about ignored content of a file. */
 export function readingNotes(
-  mesh: Pick<FileMesh, "notes" | "duplicateTetrahedra" | "duplicateTriangles" | "unlocatedRegions">,
+  mesh: Pick<Mesh, "notes" | "duplicateTetrahedra" | "duplicateTriangles" | "unlocatedRegions">,
 ): string[] {
   return [...duplicateLines(mesh), ...unlocatedLines(mesh), ...(mesh.notes ?? [])];
 }
@@ -13,14 +13,14 @@ export function readingNotes(
 function duplicateLines({
   duplicateTetrahedra = 0,
   duplicateTriangles = 0,
-}: Pick<FileMesh, "duplicateTetrahedra" | "duplicateTriangles">): string[] {
+}: Pick<Mesh, "duplicateTetrahedra" | "duplicateTriangles">): string[] {
   const lines = (count: number, noun: string) =>
     count === 0 ? [] : [`${plural(count, "repeated entry")} of ${noun} ignored: the first entry counts`];
   return [...lines(duplicateTetrahedra, "tetrahedra"), ...lines(duplicateTriangles, "triangles")];
 }
 
 /** Reports names of regions that are lost. */
-function unlocatedLines({ unlocatedRegions = [] }: Pick<FileMesh, "unlocatedRegions">): string[] {
+function unlocatedLines({ unlocatedRegions = [] }: Pick<Mesh, "unlocatedRegions">): string[] {
   if (unlocatedRegions.length === 0) return [];
   const names = unlocatedRegions.map((name) => `"${name}"`).join(", ");
   return [
@@ -30,8 +30,8 @@ function unlocatedLines({ unlocatedRegions = [] }: Pick<FileMesh, "unlocatedRegi
 
 /** Reports regions of the file that are not meshed. */
 export function unmeshedNotes(
-  { surfaceRegions, givenRegions }: Pick<FileMesh, "surfaceRegions" | "givenRegions">,
-  { regions }: Pick<FileMesh, "regions">,
+  { surfaceRegions, givenRegions }: Pick<Mesh, "surfaceRegions" | "givenRegions">,
+  { regions }: Pick<Mesh, "regions">,
 ): string[] {
   const leftOut = (surfaceRegions?.regions ?? []).filter(({ tag }) =>
     regions.every((one) => one.tag !== tag),

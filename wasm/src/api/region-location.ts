@@ -1,24 +1,21 @@
 /** Turns the points of a file that mark regions and holes into the regions on the sides of its triangles. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import { checkArgument } from "../calls/argument-checks.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import type { EngineClient } from "../engine/engine-client.js";
 import type { EngineLocation } from "../engine/loader.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
-import { withPatches } from "../mesh/mesh-checks.js";
-import type { RegionPoint, RegionPoints } from "../mesh/mesh.js";
-import { checkPatchedSurface, checkRegionPoints } from "./input-checks.js";
+import type { MeshGroup, Mesh, SurfaceInput, RegionPoint, RegionPoints } from "../mesh/mesh.js";
+import { checkSurface } from "./input-checks.js";
+import { completeSurface } from "./carried-mesh.js";
 import { changeDiagnostics } from "./inspection.js";
 import { chainedOrigins, surfaceNamer } from "./surface-numbers.js";
 
 /** Result of `locateRegions`. */
-export interface LocatedSurface {
+export interface RegionLocation {
   /** The surface without the triangles between holes and the outside; all others face outward. */
-  readonly surface: SurfaceFile;
+  readonly mesh: Mesh;
   /** Warnings about points without effect. */
   readonly diagnostics: readonly Diagnostic[];
 }
@@ -26,12 +23,10 @@ export interface LocatedSurface {
 /** Implements `Mesher.locateRegions`. */
 export async function locateRegions(
   client: EngineClient,
-  surface: SurfaceFile,
+  surface: SurfaceInput,
   control: RunControl,
-): Promise<LocatedSurface> {
-  refuse(checkPatchedSurface(surface));
-  checkArgument("surface", surface, withPatches);
-  refuse(checkRegionPoints(surface));
+): Promise<RegionLocation> {
+  refuse(checkSurface(surface));
   const { regionPoints = { holes: [], regions: [] } } = surface;
   const question = {
     kind: "locate-regions",
@@ -45,7 +40,7 @@ export async function locateRegions(
   refuse(changeDiagnostics(location, surfaceNamer(surface)).filter(isError));
   const found = volumesOf(regionPoints, location);
   refuse(found.diagnostics.filter(isError));
-  return { surface: locatedSurface(surface, location, found), diagnostics: found.diagnostics };
+  return { mesh: locatedSurface(completeSurface(surface), location, found), diagnostics: found.diagnostics };
 }
 
 /** Values of `volumeOf` in the engine's answer. */
@@ -94,10 +89,10 @@ function volumesOf({ holes, regions }: RegionPoints, { volumes, volumeOf }: Engi
 }
 
 /** Returns the surface with its regions, by the engine's answer about it. */
-function locatedSurface(given: SurfaceFile, location: EngineLocation, found: Volumes): SurfaceFile {
+function locatedSurface(given: Mesh, location: EngineLocation, found: Volumes): Mesh {
   const { isHole, pointOf } = found;
   const regionOf = isHole.map((): number => NO_REGION);
-  const regions: FileGroup[] = [];
+  const regions: MeshGroup[] = [];
   const maxVolumes: number[] = [];
   let lastTag = pointOf.reduce((last, point) => Math.max(last, Math.floor(point?.tag ?? 0)), 0);
   pointOf.forEach((point, volume) => {

@@ -9,28 +9,37 @@ import type { EntityNamer } from "../diagnostics/entity-names.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { EnginePreview } from "../engine/loader.js";
 import type { EngineResult } from "../engine/protocol.js";
-import { NO_QUALITY } from "../engine/quality-report.js";
+import { NO_QUALITY, withRegions } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { PatchQuality } from "../mesh/quality.js";
 import type { Project } from "../project/project-types.js";
 import type { ProjectPreview } from "../project/preview.js";
+import { noVolume } from "../formats/boundary.js";
+import { namedMesh, type NameSource } from "./generated-mesh.js";
 
-/** Returns the engine's result; its diagnostics use the names given by the user. */
-export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {
+/** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
+export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {
   const { status, surface, volume, metricShapes, statistics, hasFoundNothingBetter, recording } = result;
+  const { mesh, indices } = namedMesh(result, names);
+  const quality = withRegions(statistics.quality, indices);
+  const named = quality.regions.length;
   return {
-    surface,
-    volume,
+    mesh,
+    surfaceNodes: surface.points.length / 3,
+    front: volume.front,
+    sides: surface.sides,
+    sideLine: surface.sideLine,
     ...(metricShapes && { metricShapes }),
     ...(recording && { recording }),
     report: {
       status,
       ...statistics,
+      quality,
       diagnostics: [
-        ...describeAll(result.diagnostics, name),
-        ...poorElementWarnings(statistics.quality),
+        ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, named)),
+        ...poorElementWarnings(quality),
         ...(hasFoundNothingBetter ? [nothingBetter()] : []),
       ],
     },
@@ -112,22 +121,17 @@ export function withPreparation(
 }
 
 /**
- * Returns a result whose note on the number of regions counts solids in several parts once, as the list of regions does.
- * `named`: number of regions with names of their own.
+ * Returns a note on the number of regions that counts solids in several parts once, as the list of regions does. `named`: number
+ * of regions with names of their own.
  */
-export function withNamedRegions(result: MeshResult, named: number): MeshResult {
-  const { report } = result;
-  const diagnostics = report.diagnostics.map((found) => {
-    if (found.code !== "nested-regions" || found.data.regions <= named) return found;
-    const { regions } = found.data;
-    const whole = `The model has ${plural(regions, "region")}`;
-    const message = found.message.replace(
-      whole,
-      `The model has ${plural(named, "region")} in ${regions} separate parts`,
-    );
-    return { ...found, message, data: { ...found.data, regions: named } };
-  });
-  return { ...result, report: { ...report, diagnostics } };
+function withNamedRegions(found: Diagnostic, named: number): Diagnostic {
+  if (found.code !== "nested-regions" || found.data.regions <= named) return found;
+  const { regions } = found.data;
+  const message = found.message.replace(
+    `The model has ${plural(regions, "region")}`,
+    `The model has ${plural(named, "region")} in ${regions} separate parts`,
+  );
+  return { ...found, message, data: { ...found.data, regions: named } };
 }
 
 /** Returns a result without a mesh, for a run that was rejected, or cancelled before it made any element. */
@@ -137,20 +141,18 @@ export function emptyResult(
   seconds = 0,
 ): MeshResult {
   return {
-    surface: {
+    mesh: {
       points: new Float64Array(),
       triangles: new Uint32Array(),
       trianglePatch: new Uint32Array(),
+      patches: [],
       triangleRegions: new Uint32Array(),
-      sides: new Uint32Array(),
-      sideLine: new Uint32Array(),
+      ...noVolume(),
     },
-    volume: {
-      points: new Float64Array(),
-      tetrahedra: new Uint32Array(),
-      regions: new Uint32Array(),
-      front: new Uint32Array(),
-    },
+    surfaceNodes: 0,
+    front: new Uint32Array(),
+    sides: new Uint32Array(),
+    sideLine: new Uint32Array(),
     report: emptyReport(status, diagnostics, seconds),
   };
 }

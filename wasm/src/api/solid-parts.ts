@@ -1,4 +1,4 @@
-/** The solids of an STL file that are prepared by themselves, because others of the file touch. */
+/** The solids of an STL file that are prepared by themselves, because others of the file touch; and what became of all of them. */
 import { inSteps } from "../calls/yielder.js";
 import { solidsOfPatches } from "../formats/patch-solids.js";
 import {
@@ -10,23 +10,19 @@ import {
   type SolidsSurface,
   unitedSurfaces,
 } from "../formats/solid-units.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
+import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 import { withSolidRegions } from "./solids.js";
 import { withoutRegions } from "./stated-solids.js";
-import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
-import type { ReadyPart, ReadySurface } from "./surface-meshing.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
-import type { TreatedSurface, Treatment } from "./surface-treatment.js";
+import type { TreatedSurface } from "./surface-treatment.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /**
  * Returns the surfaces of solids that are prepared together, by their first solids; undefined if all are, or if the file states
  * other solids. Solids that touch are one surface, with their regions; those that may touch, but do not, one each; all others
  * one together. O(n log n) per pair of solids whose boxes are not apart.
  */
-export async function solidParts(
-  mesher: SurfaceMesher,
-  given: SurfaceFile,
-): Promise<readonly SurfaceFile[] | undefined> {
+export async function solidParts(mesher: SurfaceMesher, given: Mesh): Promise<readonly Mesh[] | undefined> {
   const divided = await inSteps(solidsOfPatches(given));
   if (divided?.surfaceRegions === undefined) return undefined;
   const solids: SolidsSurface = { ...divided, surfaceRegions: divided.surfaceRegions };
@@ -41,7 +37,7 @@ export async function solidParts(
   }
   const groups = connectedGroups(units.length, touching);
   if (groups.length < 2) return undefined;
-  const parts: SurfaceFile[] = [];
+  const parts: Mesh[] = [];
   for (const group of groups) {
     const own = group.flatMap((unit) => units[unit] ?? []).sort((a, b) => a - b);
     const surface = partOfSolids(solids, own);
@@ -51,33 +47,16 @@ export async function solidParts(
 }
 
 /** Returns solids that do not touch, with the regions on both sides of their triangles: one may lie within another. */
-async function apart(mesher: SurfaceMesher, part: SolidsSurface): Promise<SurfaceFile> {
+async function apart(mesher: SurfaceMesher, part: SolidsSurface): Promise<Mesh> {
   const { regions } = part.surfaceRegions;
   const located = regions.length < 2 ? part : (await withSolidRegions(mesher, part, part)).surface;
   return withoutRegions({ ...part, surfaceRegions: located.surfaceRegions });
 }
 
-async function isFillable(mesher: SurfaceMesher, surfaces: readonly SurfaceFile[]): Promise<boolean> {
+async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Promise<boolean> {
   const [first] = surfaces;
   const surface = surfaces.length === 1 && first !== undefined ? first : unitedSurfaces(surfaces);
   return (await mesher.inspectSurface(surface)).isFillable;
-}
-
-/** Returns the surface of several solids that are ready. */
-export function unitedParts(parts: readonly ReadyPart[], treatment: Treatment): ReadySurface {
-  const all = parts.map(({ ready }) => ready);
-  const changes = all.flatMap((one) => one.changes ?? []);
-  const deviations = all.flatMap(({ repairDeviation }) => repairDeviation ?? []);
-  return {
-    surface: unitedSurfaces(all.map(({ surface }) => surface)),
-    treatment,
-    parts,
-    ...(all.some((one) => one.changes !== undefined) && {
-      changes,
-      repairDeviation: Math.max(0, ...deviations),
-    }),
-    diagnostics: all.flatMap(({ diagnostics }) => diagnostics),
-  };
 }
 
 /** Returns what became of several surfaces as one: counts are sums, and shapes and distances the worst. */
@@ -132,3 +111,5 @@ function unitedRemeshes(all: readonly RemeshReport[]): RemeshReport | undefined 
     isPartial: all.some(({ isPartial }) => isPartial),
   };
 }
+
+export { unitedSurfaces } from "../formats/solid-units.js";

@@ -5,9 +5,9 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_ORIGIN, NO_REGION } from "../generated/constants.js";
 import { short } from "../base/short.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Number of significant digits of volumes. */
 const DIGITS = 3;
@@ -25,7 +25,7 @@ interface Cell {
 }
 
 export interface SolidRegions {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   /** Notes about closed gaps between solids, which stay empty. */
   readonly gaps: readonly Diagnostic[];
   /** Volumes inside several solids. */
@@ -46,12 +46,12 @@ export interface CommonVolume {
  */
 export async function solidRegions(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
-  made: SurfaceFile,
+  given: Mesh,
+  made: Mesh,
   isAssigned: boolean,
 ): Promise<SolidRegions> {
   const { regionPoints: _, givenRegions: __, surfaceRegions: ___, origin: ____, ...plain } = made;
-  const { surface: located } = await mesher.locateRegions(plain);
+  const { mesh: located } = await mesher.locateRegions(plain);
   const cellOf = located.givenRegions?.triangleRegions ?? new Uint32Array();
   const origins = Uint32Array.from(located.origin ?? [], (t) =>
     made === given ? t : (made.origin?.[t] ?? NO_ORIGIN),
@@ -70,7 +70,7 @@ export async function solidRegions(
   const smallest = SMALLEST_GAP * diagonalOf(given.points);
   const gaps = cells.filter((cell) => widthOf(cell) > smallest).flatMap((cell) => gapNote(given, cell));
   const regions = given.surfaceRegions?.regions ?? [];
-  const whole: SurfaceFile = {
+  const whole: Mesh = {
     ...located,
     origin: origins,
     surfaceRegions: { regions, triangleRegions },
@@ -83,7 +83,7 @@ export async function solidRegions(
 }
 
 /** Returns the region of each volume, as the sides of the triangles state it. */
-function assignedRegions(made: SurfaceFile, located: SurfaceFile, cellOf: Uint32Array): number[] {
+function assignedRegions(made: Mesh, located: Mesh, cellOf: Uint32Array): number[] {
   const sides = made.givenRegions?.triangleRegions ?? new Uint32Array();
   const regionOf: number[] = [];
   (located.origin ?? []).forEach((from, t) => {
@@ -102,7 +102,7 @@ interface Sides {
   readonly origins: Uint32Array;
 }
 
-function cellsOf(given: SurfaceFile, located: SurfaceFile, { cellOf, origins }: Sides): Cell[] {
+function cellsOf(given: Mesh, located: Mesh, { cellOf, origins }: Sides): Cell[] {
   const count = cellOf.reduce((most, cell) => (cell === NO_REGION ? most : Math.max(most, cell + 1)), 0);
   const cells = Array.from({ length: count }, (): Cell => ({
     volume: 0,
@@ -154,7 +154,7 @@ const SMALLEST_GAP = 1e-6;
 const widthOf = ({ volume, area }: Cell): number => (2 * volume) / area;
 
 /** Two solids that enclose a volume outside of both have a gap between them. A solid alone has a cavity. */
-function gapNote({ surfaceRegions }: SurfaceFile, cell: Cell): Diagnostic[] {
+function gapNote({ surfaceRegions }: Mesh, cell: Cell): Diagnostic[] {
   const { inside, beside, volume, position } = cell;
   if (inside.size > 0 || beside.size < 2) return [];
   const names = [...beside].sort((a, b) => a - b).map((r) => `"${surfaceRegions?.regions[r]?.name ?? ""}"`);
@@ -165,7 +165,7 @@ function gapNote({ surfaceRegions }: SurfaceFile, cell: Cell): Diagnostic[] {
 }
 
 /** Leaves out triangles with the same region on both sides. */
-function withoutInnerTriangles(surface: SurfaceFile): SurfaceFile {
+function withoutInnerTriangles(surface: Mesh): Mesh {
   const { triangles, trianglePatch, origin, surfaceRegions, givenRegions } = surface;
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
   const kept = [...trianglePatch.keys()].filter((t) => sides[2 * t] !== sides[2 * t + 1]);

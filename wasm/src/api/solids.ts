@@ -10,10 +10,8 @@ import {
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
-import { NO_REGION } from "../generated/constants.js";
-import type { InnerShells } from "../generated/constants.js";
-import type { SurfaceRegions } from "../mesh/file-mesh.js";
+import { NO_REGION, type InnerShells } from "../generated/constants.js";
+import type { Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import type { SharedVolume } from "../mesh/inspection.js";
 import { almostTouching } from "./near-solids.js";
 import { solidOf } from "./overlaps.js";
@@ -22,7 +20,7 @@ import { type CommonVolume, solidRegions } from "./solid-regions.js";
 import { withoutRegions } from "./stated-solids.js";
 
 export interface Solids {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   readonly warnings: readonly Diagnostic[];
 }
 
@@ -41,8 +39,8 @@ interface Known {
  */
 export async function withSolidRegions(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
-  made: SurfaceFile,
+  given: Mesh,
+  made: Mesh,
   { touching, overlaps, assigned }: Known = { touching: [], overlaps: [] },
 ): Promise<Solids> {
   const { surface, gaps, shared } = await solidRegions(mesher, given, made, assigned !== undefined);
@@ -81,7 +79,7 @@ function haveSameSides(one: SurfaceRegions | undefined, other: SurfaceRegions | 
 
 /** Says which solid got a volume that two shared. */
 function assignedDiagnostic(
-  given: SurfaceFile,
+  given: Mesh,
   { regions, position, volume, depth }: SharedVolume,
   isLeft: (region: number) => boolean,
 ): Diagnostic {
@@ -95,7 +93,7 @@ function assignedDiagnostic(
 
 /** Returns the overlaps of the solids of a shared volume that are not known yet. */
 function overlapsIn(
-  given: SurfaceFile,
+  given: Mesh,
   { regions, volume, position }: CommonVolume,
   known: readonly Overlap[],
 ): Overlap[] {
@@ -116,7 +114,7 @@ const JOINED_REMEDY =
 /** As `withSolidRegions` for a surface that is not repaired. Rejects with `invalid-input`, which names the solids that intersect. */
 export async function checkedSolids(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<Solids> {
   const { isFillable, diagnostics } = await mesher.inspectSurface(withoutRegions(given), { innerShells });
@@ -130,7 +128,7 @@ export async function checkedSolids(
 }
 
 /** Returns a note on which solids share faces. */
-function sharedFacesNote({ surfaceRegions }: SurfaceFile): Diagnostic[] {
+function sharedFacesNote({ surfaceRegions }: Mesh): Diagnostic[] {
   if (surfaceRegions === undefined || surfaceRegions.regions.length < 2) return [];
   const { regions, triangleRegions } = surfaceRegions;
   const pairs = new Set<string>();

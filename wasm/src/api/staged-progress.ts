@@ -1,5 +1,5 @@
 /** Progress of a call that consists of several others. */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import type { RunControl } from "../engine/control.js";
 
 /** Fractions of the whole call at which each stage begins and ends: estimates. */
@@ -14,7 +14,7 @@ export function stagedControl(control: RunControl): (stage: Stage) => RunControl
   return (stage) => {
     if (onProgress === undefined) return control;
     const [from, to] = STAGES[stage];
-    const shared = (progress: Progress): void => {
+    const shared = (progress: CallProgress): void => {
       reached = Math.max(reached, from + (to - from) * progress.fraction);
       const elapsedSeconds = (performance.now() - began) / 1000;
       const phase = stage === "remesh" ? stage : progress.phase;

@@ -7,18 +7,15 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
-import { carriedRegions } from "../formats/region-names.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
-import { filledToElements } from "./counted-surface.js";
 import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
-import { checkControl, checkFileSurface as checkSurface } from "./input-checks.js";
+import { checkControl, checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
 import type { ChangedSurface, MeshedSurface } from "./meshed-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, SurfaceMeshOptions } from "./option-types.js";
-import { emptyResult, withNamedRegions } from "./report.js";
+import { emptyResult } from "./report.js";
 import { stagedControl } from "./staged-progress.js";
 import {
   checkSurfaceMeshOptions,
@@ -34,8 +31,12 @@ import { preparedSurface, withoutCracks } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
 import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
+import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
+import { completeSurface } from "./carried-mesh.js";
+import { hasNamedPatches } from "./generated-mesh.js";
+import { withInterfacePatches } from "./interface-patches.js";
 
-/** Loaded when it is needed: most surfaces have one solid. */
+/** Loaded when it is needed: most files have one solid, or state what is joined. */
 const ofParts = () => import("./solid-parts.js");
 
 /** A surface whose options are decided, ready for its treatment. */
@@ -46,8 +47,8 @@ export interface ReadySurface extends ChangedSurface {
 }
 
 /** Solids that are ready by themselves, and their given surface. */
-export interface ReadyPart {
-  readonly given: SurfaceFile;
+interface ReadyPart {
+  readonly given: Mesh;
   readonly ready: ReadySurface;
 }
 
@@ -55,6 +56,11 @@ export interface ReadyPart {
 export interface SurfaceOrigin {
   /** Whether it was triangulated from shapes: then it is remeshed, and repaired if it cannot be filled. Default false. */
   readonly isCad?: boolean | undefined;
+  /**
+   * Whether triangles between two regions form patches of their own, "base / post": a repair cuts such interfaces out of the
+   * faces of solids. Default false.
+   */
+  readonly hasInterfacePatches?: boolean | undefined;
 }
 
 /**
@@ -63,7 +69,7 @@ export interface SurfaceOrigin {
  */
 export async function readySurface(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   options: SurfaceMeshOptions,
   origin: SurfaceOrigin,
   isExact = false,
@@ -76,18 +82,36 @@ export async function readySurface(
     splitPart(options) === undefined &&
     innerShells !== "cavities" &&
     given.patches.length > 1;
-  const parts = mayBeDivided ? await (await import("./solid-parts.js")).solidParts(mesher, given) : undefined;
+  const parts = mayBeDivided ? await (await ofParts()).solidParts(mesher, given) : undefined;
   if (parts === undefined) return readyWhole(mesher, given, asked, options, origin, isExact);
   const ready: ReadyPart[] = [];
   for (const part of parts)
     ready.push({ given: part, ready: await readyWhole(mesher, part, asked, options, origin, isExact) });
-  return (await ofParts()).unitedParts(ready, asked);
+  return unitedParts(ready, asked);
+}
+
+/** Returns the surface of several solids that are ready. */
+async function unitedParts(parts: readonly ReadyPart[], treatment: Treatment): Promise<ReadySurface> {
+  const all = parts.map(({ ready }) => ready);
+  const changes = all.flatMap((one) => one.changes ?? []);
+  const deviations = all.flatMap(({ repairDeviation }) => repairDeviation ?? []);
+  const { unitedSurfaces } = await ofParts();
+  return {
+    surface: unitedSurfaces(all.map(({ surface }) => surface)),
+    treatment,
+    parts,
+    ...(all.some((one) => one.changes !== undefined) && {
+      changes,
+      repairDeviation: Math.max(0, ...deviations),
+    }),
+    diagnostics: all.flatMap(({ diagnostics }) => diagnostics),
+  };
 }
 
 /** As `readySurface`, for a surface of which all solids are treated alike. `asked`: what becomes of triangles that do not touch others. */
 async function readyWhole(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   asked: Treatment,
   options: SurfaceMeshOptions,
   { isCad = false }: SurfaceOrigin,
@@ -111,7 +135,7 @@ async function readyWhole(
   }
   const treatment = repair === undefined ? first : await decided(whole, wanted, options);
   const split = splitPart(options);
-  const divided = split === undefined ? whole : await mesher.splitPatches(whole, split);
+  const divided = split === undefined ? whole : (await mesher.splitPatches(whole, split)).mesh;
   const { surface, diagnostics } = await located(mesher, divided, innerShells);
   return {
     surface,
@@ -126,7 +150,7 @@ async function readyWhole(
 /** Returns the treatment; solids that touch in faces that are triangulated differently are remeshed too, which gives both the same face. */
 async function decidedForSolids(
   mesher: SurfaceMesher,
-  surface: SurfaceFile,
+  surface: Mesh,
   treatment: Treatment,
   options: SurfaceMeshOptions,
 ): Promise<Treatment> {
@@ -139,7 +163,7 @@ async function decidedForSolids(
 /** Returns the number of pairs of solids that touch. If the surface states no solids, its closed shells count. */
 async function countTouching(
   mesher: SurfaceMesher,
-  surface: SurfaceFile,
+  surface: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<number> {
   if (!hasSolids(surface)) return touchingShells(mesher, surface, innerShells);
@@ -149,7 +173,7 @@ async function countTouching(
 
 /** Decides what becomes of the triangles: needles, and those for which options of a remeshing are given, are replaced. */
 async function decided(
-  surface: SurfaceFile,
+  surface: Mesh,
   wanted: NonNullable<SurfaceMeshOptions["surface"]>,
   options: SurfaceMeshOptions,
 ): Promise<Treatment> {
@@ -175,7 +199,7 @@ export interface FillingOptions extends SurfaceOrigin {
 /** As `filledOnce`, until the mesh has the number of elements, if that is asked for. */
 export async function filledSurface(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   ready: ReadySurface,
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
@@ -186,6 +210,7 @@ export async function filledSurface(
   const parts = ready.parts?.map((part) => part.ready.surface) ?? [surface];
   const counted = { surface, parts, isRemeshed: treatment.kind === "remesh" };
   try {
+    const { filledToElements } = await import("./counted-surface.js");
     return await filledToElements(mesher, counted, { ...filling, elements }, (scaled) =>
       filledOnce(mesher, given, ready, { ...filling, ...scaled }),
     );
@@ -200,7 +225,7 @@ export async function filledSurface(
  */
 async function filledOnce(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   ready: ReadySurface,
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
@@ -216,10 +241,7 @@ async function filledOnce(
     const filled = await filledBest(tried, (made) => fill(mesher, made, mesh, controlOf()));
     const { made, prepared, result, isExact } = filled;
     const { treatment: _, ...done } = prepared;
-    const { surface, invalid, diagnostics: __, ...counts } = made;
-    return invalid === undefined
-      ? { ...done, ...counts, surface, result, isExact }
-      : { ...done, result, isExact };
+    return meshed(result, done, made, { ...filling, isExact });
   } catch (failure) {
     return cancelled(failure, ready);
   }
@@ -236,10 +258,7 @@ async function partsFilled(
   for (const { ready: part } of parts) made.push(await treated(mesher, part, filling));
   const united = (await ofParts()).unitedTreated(made);
   const result = await fill(mesher, united, meshPart(filling.options), filling.controlOf());
-  const { surface, invalid, diagnostics: ___, ...counts } = united;
-  return invalid === undefined
-    ? { ...ready, ...counts, surface, result, isExact: false }
-    : { ...ready, result, isExact: false };
+  return meshed(result, ready, united, { ...filling, isExact: false });
 }
 
 function treated(
@@ -255,7 +274,27 @@ function treated(
 /** Returns what a run that was cancelled has made; throws other failures. */
 function cancelled(failure: unknown, ready: ReadySurface): MeshedSurface {
   if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
-  return { ...ready, result: emptyResult("cancelled"), isExact: false };
+  return { ...emptyResult("cancelled"), ...ready, isExact: false };
+}
+
+/** Returns the mesh of a surface, and what was done to the surface before. */
+function meshed(
+  result: MeshResult,
+  ready: ChangedSurface,
+  { invalid, diagnostics: _, ...treated }: TreatedSurface,
+  {
+    hasInterfacePatches,
+    isExact,
+  }: Pick<FillingOptions, "hasInterfacePatches"> & { readonly isExact: boolean },
+): MeshedSurface {
+  const all = { ...ready, ...(invalid === undefined && treated), isExact };
+  return { ...(hasInterfacePatches === true ? withInterfaces(result, all.surface) : result), ...all };
+}
+
+/** Returns the result with patches for interfaces, if the surface states its regions. */
+function withInterfaces(result: MeshResult, surface: Mesh): MeshResult {
+  const isStated = surface.surfaceRegions !== undefined && hasNamedPatches(surface);
+  return isStated ? { ...result, mesh: { ...result.mesh, ...withInterfacePatches(result.mesh) } } : result;
 }
 
 async function fill(
@@ -265,34 +304,29 @@ async function fill(
   control: RunControl,
 ): Promise<MeshResult> {
   if (invalid !== undefined) return emptyResult("invalid-input", invalid);
-  const result = ofSolids(await mesher.fillSurface(surface, options, control), surface);
+  const result = await mesher.fillSurface(surface, options, control);
   const { report } = result;
   // Those of the treatment came first.
   return { ...result, report: { ...report, diagnostics: [...diagnostics, ...report.diagnostics] } };
 }
 
-/** Returns a result whose notes count the regions as their list does. */
-function ofSolids(result: MeshResult, { surfaceRegions }: SurfaceFile): MeshResult {
-  const count = result.report.quality.regions.length;
-  if (surfaceRegions === undefined || count < 2) return result;
-  return withNamedRegions(result, carriedRegions(result, surfaceRegions, count).regions.length);
+/** Returns the end of a run in which nothing became of the surface. */
+export function unmeshed(result: MeshResult, surface = result.mesh): MeshedSurface {
+  return { ...result, surface, diagnostics: [], isExact: false };
 }
 
 /** Implements `meshSurface` of the mesher. */
 export async function meshedSurface(
   mesher: Mesher,
-  given: SurfaceFile,
+  surface: SurfaceInput,
   options: SurfaceMeshOptions,
   control: RunControl,
   origin: SurfaceOrigin = {},
 ): Promise<MeshedSurface> {
   refuse(checkControl(control));
-  const refused = (diagnostics: readonly Diagnostic[]): MeshedSurface => {
-    const result = emptyResult("invalid-input", diagnostics);
-    return { surface: given, diagnostics: [], result, isExact: false };
-  };
-  const wrong = [...checkSurface(given), ...checkSurfaceMeshOptions(options)];
-  if (wrong.length > 0) return refused(wrong);
+  const wrong = [...checkSurface(surface), ...checkSurfaceMeshOptions(options)];
+  if (wrong.length > 0) return unmeshed(emptyResult("invalid-input", wrong));
+  const given = completeSurface(surface);
   const controlOf = stagedControl(control);
   const found: Diagnostic[] = [];
   try {
@@ -300,13 +334,12 @@ export async function meshedSurface(
     found.push(...ready.diagnostics);
     const ofRun = (step?: string) => controlOf(step === "remesh" ? step : "run");
     const made = await filledSurface(mesher, given, ready, { options, ...origin, controlOf: ofRun });
-    const { report } = made.result;
-    const diagnostics = [...made.diagnostics, ...report.diagnostics];
-    return { ...made, result: { ...made.result, report: { ...report, diagnostics } } };
+    const diagnostics = [...made.diagnostics, ...made.report.diagnostics];
+    return { ...made, report: { ...made.report, diagnostics } };
   } catch (failure) {
     if (!(failure instanceof MesherError)) throw failure;
-    if (failure.code === "cancelled") return { ...refused([]), result: emptyResult("cancelled", found) };
+    if (failure.code === "cancelled") return unmeshed(emptyResult("cancelled", found), given);
     if (failure.code !== "invalid-input") throw failure;
-    return refused([...failure.data.diagnostics, ...found]);
+    return unmeshed(emptyResult("invalid-input", [...failure.data.diagnostics, ...found]), given);
   }
 }

@@ -5,26 +5,25 @@ import { inSteps } from "../calls/yielder.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/inspection.js";
 import { withoutFilledPatch } from "./filled-holes.js";
 import { hasRegionVolumes } from "./input-checks.js";
 import { nearNodeWeld } from "./near-nodes.js";
 import type { RepairOptions } from "./option-types.js";
-import { repairedSurface } from "./repaired-surface.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import type { Solids } from "./solids.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
 import { overlapWarning, touchingPairs, touchingSolids } from "./touching-solids.js";
 import { isVisiblyChanged, keepsTriangles } from "./visible-change.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Loaded when they are needed: most surfaces have one solid. */
 const ofSolids = () => import("./solids.js");
 const ofOverlaps = () => import("./overlaps.js");
 
 export interface PreparedSurface {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   /** Undefined if no repair was requested. */
   readonly changes?: readonly RepairChange[] | undefined;
   /** Largest distance by which the repair moved a node, in model units; as `changes`. */
@@ -35,13 +34,12 @@ export interface PreparedSurface {
 
 export async function repaired(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   options: RepairOptions | undefined,
 ): Promise<PreparedSurface> {
   if (options === undefined) return { surface: given };
   const repair = (await weldedCracks(mesher, given, options)) ?? (await withinLimit(mesher, given, options));
-  const { changes, deviation: repairDeviation, diagnostics } = repair;
-  const surface = repairedSurface(given, repair);
+  const { mesh: surface, changes, deviation: repairDeviation, diagnostics } = repair;
   if (hasSolids(given)) {
     const before = await mesher.inspectSurface(withoutRegions(given));
     const found = await mesher.inspectSurface(withoutRegions(surface));
@@ -62,30 +60,29 @@ export async function repaired(
 /** Returns a note if bodies of one region were joined. */
 async function joinedByRepair(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
-  made: SurfaceFile,
-  { changes, surface }: SurfaceRepair,
+  given: Mesh,
+  made: Mesh,
+  { changes }: SurfaceRepair,
   innerShells: InnerShells | undefined,
 ): Promise<Diagnostic[]> {
   const isCut = changes.some(({ kind }) => kind === "resolved-intersection");
   const isOneRegion = (given.surfaceRegions?.regions.length ?? 0) < 2;
   if (!isCut || !isOneRegion) return [];
   const { volume } = await mesher.inspectSurface(made, { innerShells });
-  return (await ofOverlaps()).joinedBodies(mesher, given, surface, volume);
+  return (await ofOverlaps()).joinedBodies(mesher, given, made, volume);
 }
 
 /** Returns the surface after a repair with the regions of its solids. `before` and `found`: inspections, without regions. */
 async function solidsOfRepair(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
-  surface: SurfaceFile,
+  given: Mesh,
+  surface: Mesh,
   repair: SurfaceRepair,
   { before, found }: { readonly before: SurfaceInspection; readonly found: SurfaceInspection },
 ): Promise<Solids> {
   const touching = touchingPairs(given.surfaceRegions, before.diagnostics);
-  const isAssigned = repair.surface.givenRegions !== undefined;
   const { withSolidRegions } = await ofSolids();
-  return isAssigned
+  return repair.isSeparated
     ? withSolidRegions(mesher, given, surface, { touching, overlaps: [], assigned: repair.sharedVolumes })
     : withSolidRegions(mesher, given, surface, {
         touching,
@@ -99,7 +96,7 @@ async function solidsOfRepair(
  */
 async function weldedCracks(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   options: RepairOptions,
 ): Promise<SurfaceRepair | undefined> {
   if (options.weld !== undefined) return undefined;
@@ -107,7 +104,7 @@ async function weldedCracks(
   if (weld === 0) return undefined;
   const repair = await mesher.repairSurface(given, { ...options, weld, resolveIntersections: false });
   if (!keepsTriangles(repair)) return undefined;
-  const { isFillable } = await mesher.inspectSurface(withoutRegions(repairedSurface(given, repair)), {
+  const { isFillable } = await mesher.inspectSurface(withoutRegions(repair.mesh), {
     innerShells: options.innerShells,
   });
   return isFillable ? repair : undefined;
@@ -119,7 +116,7 @@ async function weldedCracks(
  */
 async function withinLimit(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   options: RepairOptions,
 ): Promise<SurfaceRepair> {
   const repair = await mesher.repairSurface(given, options);
@@ -147,7 +144,7 @@ export interface Preparation {
 /** Returns the surface after the repair that is requested or implied. Rejects with `invalid-input`. */
 export async function preparedSurface(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   preparation: Preparation,
 ): Promise<PreparedSurface> {
   const { repair, innerShells, isRepairImplied } = preparation;
@@ -165,7 +162,7 @@ export async function preparedSurface(
  */
 export async function madeFillable(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   {
     innerShells,
     isRemeshed,
@@ -187,7 +184,7 @@ export async function madeFillable(
   const wanted = { innerShells, weldIntersections };
   const repair = (await weldedCracks(mesher, given, wanted)) ?? (await withinLimit(mesher, given, wanted));
   const { changes, deviation: repairDeviation, diagnostics } = repair;
-  const made = repairedSurface(withoutRegions(given), repair);
+  const made = repair.isSeparated ? repair.mesh : withoutRegions(repair.mesh);
   const joined = await joinedByRepair(mesher, given, made, repair, innerShells);
   const surface = withoutFilledPatch(made);
   const found = await mesher.inspectSurface(withoutRegions(surface), { innerShells });
@@ -226,13 +223,12 @@ export async function madeFillable(
  */
 export async function withoutCracks(
   mesher: SurfaceMesher,
-  given: SurfaceFile,
+  given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<PreparedSurface | undefined> {
   const repair = await weldedCracks(mesher, given, { innerShells });
   if (repair === undefined) return undefined;
-  const { changes, deviation: repairDeviation } = repair;
-  const welded = repairedSurface(given, repair);
+  const { mesh: welded, changes, deviation: repairDeviation } = repair;
   const solids = hasSolids(given)
     ? await (await ofSolids()).withSolidRegions(mesher, given, welded)
     : undefined;

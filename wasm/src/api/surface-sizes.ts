@@ -2,8 +2,8 @@
 import type { EngineClient } from "../engine/engine-client.js";
 import type { RunControl } from "../engine/control.js";
 import { refuse } from "../diagnostics/mesher-error.js";
-import type { PatchedSurface } from "../mesh/mesh.js";
-import { checkLocatedSurface, checkPatchedSurface, withInnerShells } from "./input-checks.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
+import { checkLocatedSurface, checkSurface, withInnerShells } from "./input-checks.js";
 import { changeDiagnostics } from "./inspection.js";
 import type { SurfaceSizeProposal } from "./mesher-interface.js";
 import type { SurfaceProposalOptions } from "./option-types.js";
@@ -13,11 +13,11 @@ import { surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
 /** Implements `Mesher.proposeSurfaceSizes`. */
 export async function proposeSurfaceSizes(
   client: EngineClient,
-  surface: PatchedSurface,
+  surface: SurfaceInput,
   options: SurfaceProposalOptions,
   control: RunControl,
 ): Promise<SurfaceSizeProposal> {
-  refuse([...checkPatchedSurface(surface), ...checkSurfaceProposalOptions(options)]);
+  refuse([...checkSurface(surface), ...checkSurfaceProposalOptions(options)]);
   refuse(checkLocatedSurface(surface));
   const question = {
     kind: "propose-surface",

@@ -11,20 +11,13 @@ import type {
   SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
-import type { PatchedSurface, SurfaceInput } from "../mesh/mesh.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
 import { resolutionWarnings } from "../mesh/resolution-warnings.js";
 import { thinBodyNotes } from "./thin-bodies.js";
 import { volumeWarnings } from "./volume-warnings.js";
 import { emptyGrid, withNodes } from "../project/grid-arrays.js";
 import { afterPause, beginCall } from "./call-checks.js";
-import {
-  checkGroups,
-  checkLocatedSurface,
-  withInnerShells,
-  checkPatchedSurface,
-  checkSurface,
-  checkWeld,
-} from "./input-checks.js";
+import { checkLocatedSurface, checkSurface, checkWeld, withInnerShells } from "./input-checks.js";
 import {
   changeDiagnostics,
   describedInspection,
@@ -32,7 +25,7 @@ import {
   describedRemesh,
   describedRepair,
 } from "./inspection.js";
-import type { SplitInput, SplitSurface } from "./mesher-interface.js";
+import type { PatchSplit } from "./mesher-interface.js";
 import type {
   InspectionOptions,
   RefineOptions,
@@ -52,6 +45,7 @@ import {
   engineRemeshOptions,
   engineRepairOptions,
 } from "./options.js";
+import { completeSurface } from "./carried-mesh.js";
 import { splitSurface } from "./patch-names.js";
 import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
 
@@ -146,17 +140,17 @@ export class SurfaceTools {
     } as const;
     const refinement = await this.#client.ask(question, control);
     refuse(changeDiagnostics(refinement, name));
-    return describedRefinement(refinement);
+    return describedRefinement(refinement, surface);
   }
 
   async remesh(
-    surface: PatchedSurface,
+    surface: SurfaceInput,
     options: RemeshOptions,
     control: PartialControl,
     name?: EntityNamer,
   ): Promise<SurfaceRemesh> {
     beginCall(this.#client, control);
-    refuse([...checkPatchedSurface(surface), ...checkRemeshOptions(options)]);
+    refuse([...checkSurface(surface), ...checkRemeshOptions(options)]);
     refuse(checkLocatedSurface(surface));
     const { background } = options;
     const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
@@ -178,7 +172,7 @@ export class SurfaceTools {
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
-    const made = describedRemesh(remesh, [...found, ...coarse, ...volumeWarnings(remesh)]);
+    const made = describedRemesh(remesh, surface, [...found, ...coarse, ...volumeWarnings(remesh)]);
     const thin = await inSteps(thinBodyNotes(made, options));
     return thin.length === 0 ? made : { ...made, diagnostics: [...made.diagnostics, ...thin] };
   }
@@ -198,14 +192,9 @@ export class SurfaceTools {
     return diagnostics.filter(({ code }) => code === "reoriented-patch");
   }
 
-  async split<Surface extends SplitInput>(
-    surface: Surface,
-    options: SplitOptions,
-    control: RunControl,
-  ): Promise<Surface & SplitSurface> {
+  async split(surface: SurfaceInput, options: SplitOptions, control: RunControl): Promise<PatchSplit> {
     beginCall(this.#client, control);
-    refuse([...checkPatchedSurface(surface), ...checkSplitOptions(options)]);
-    refuse(checkGroups(surface.patches));
+    refuse([...checkSurface(surface), ...checkSplitOptions(options)]);
     const question = {
       kind: "split-patches",
       id: this.#client.nextId(),
@@ -217,6 +206,7 @@ export class SurfaceTools {
     const { patches } = options;
     const pieces = await this.#client.ask(question, control);
     refuse(changeDiagnostics(pieces, surfaceNamer(surface)));
-    return { ...surface, ...splitSurface(pieces, surface.patches ?? [], patches) };
+    const split = splitSurface(pieces, surface.patches ?? [], patches);
+    return { mesh: { ...completeSurface(surface), ...split } };
   }
 }

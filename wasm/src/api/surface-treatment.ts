@@ -4,9 +4,8 @@ import { short } from "../base/short.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { SurfaceInspection, SurfaceRefinement } from "../mesh/inspection.js";
-import { type TriangleShapes } from "../mesh/triangle-shapes.js";
+import type { TriangleShapes } from "../mesh/triangle-shapes.js";
 import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type {
@@ -16,7 +15,7 @@ import type {
   RemeshSettings,
   SurfaceTreatment,
 } from "./option-types.js";
-import { repairedSurface } from "./repaired-surface.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** What was decided for a surface: never `auto`. */
 export interface Treatment {
@@ -28,7 +27,7 @@ export interface Treatment {
 }
 
 export interface TreatedSurface {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   readonly refinement?: RefinementCounts;
   readonly remesh?: RemeshReport;
   /** Problems that prevent meshing. */
@@ -53,7 +52,7 @@ export interface TreatmentOptions {
 /** Returns the surface after its treatment. */
 export async function treatedSurface(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   wanted: TreatmentOptions,
 ): Promise<TreatedSurface> {
   const { treatment } = wanted;
@@ -73,7 +72,7 @@ export async function treatedSurface(
 
 async function replaced(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   { treatment: { needles, touching }, remeshing, options, sizeFactor, controlOf }: TreatmentOptions,
 ): Promise<TreatedSurface> {
   const { size, growth, maxVolume, innerShells, background } = options;
@@ -96,7 +95,7 @@ function hasSizes({ size, background, maxVolume }: MeshOptions): boolean {
 /** Inspects before refining, so that diagnostics use the triangle indices of the given surface. */
 async function inspected(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   { options, controlOf }: TreatmentOptions,
 ): Promise<{ readonly found: SurfaceInspection; readonly refine: () => ReturnType<typeof refined> }> {
   const { elements: _, ...sizes } = options;
@@ -117,7 +116,7 @@ export const areTooLarge = ({ lengthRatio }: Pick<SurfaceRefinement, "lengthRati
 /** Splits triangles that are too large. The run reports what is wrong with a surface that cannot be filled. */
 async function withSmallerTriangles(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   treating: TreatmentOptions,
 ): Promise<TreatedSurface> {
   const { found, refine } = await inspected(mesher, given, treating);
@@ -147,41 +146,34 @@ function touchingNote(pairs: number): Diagnostic {
   return packageDiagnostic("replaced-surface", message, "", "information");
 }
 
-const countTriangles = ({ triangles }: SurfaceFile) => triangles.length / 3;
+const countTriangles = ({ triangles }: Mesh) => triangles.length / 3;
 
 export async function refined(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   options: RefineOptions,
   control: RunControl,
-): Promise<{ readonly surface: SurfaceFile; readonly refinement: RefinementCounts }> {
-  const {
-    surface: split,
-    origin,
-    splitEdges,
-    lengthRatio,
-  } = await mesher.refineSurface(given, options, control);
-  const surface = repairedSurface(given, { surface: split, origin });
+): Promise<{ readonly surface: Mesh; readonly refinement: RefinementCounts }> {
+  const { mesh: surface, splitEdges, lengthRatio } = await mesher.refineSurface(given, options, control);
   const counts = { given: countTriangles(given), triangles: countTriangles(surface) };
   const refinement = { ...counts, splitEdges, lengthRatio };
   return { surface, refinement };
 }
 
 interface RemeshedSurface {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   readonly remesh: RemeshReport;
   readonly diagnostics: readonly Diagnostic[];
 }
 
 export async function remeshed(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   options: RemeshOptions,
   control: PartialControl,
 ): Promise<RemeshedSurface> {
   const made = await mesher.remeshSurface(given, options, control);
-  const { surface: _surface, origin: _origin, triangleDeviation: _deviation, diagnostics, ...figures } = made;
-  const surface = repairedSurface(given, made);
+  const { mesh: surface, origin: _origin, triangleDeviation: _deviation, diagnostics, ...figures } = made;
   const remesh = { given: countTriangles(given), triangles: countTriangles(surface), ...figures };
   return { surface, remesh, diagnostics };
 }

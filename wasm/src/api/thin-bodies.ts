@@ -20,17 +20,17 @@ const REMEDY =
 
 /** Returns a note about a remeshed body with automatic sizes, if it is thin and its triangles are very many. O(n). */
 export function* thinBodyNotes(
-  { surface, volume }: Pick<SurfaceRemesh, "surface" | "volume">,
+  { mesh, volume }: Pick<SurfaceRemesh, "mesh" | "volume">,
   { size, background, layers }: RemeshOptions,
 ): Steps<Diagnostic[]> {
   const isChosen = size !== undefined || background !== undefined || layers !== undefined;
-  const count = surface.triangles.length / 3;
+  const count = mesh.triangles.length / 3;
   if (isChosen || count < MANY_TRIANGLES) return [];
   let area = 0;
   yield* stepwise(count, (t) => {
-    area += lengthOf(normalOf(cornersOf(surface, t))) / 2;
+    area += lengthOf(normalOf(cornersOf(mesh, t))) / 2;
   });
-  const [thickness, diagonal] = [(2 * Math.abs(volume)) / area, diagonalOf(surface.points)];
+  const [thickness, diagonal] = [(2 * Math.abs(volume)) / area, diagonalOf(mesh.points)];
   if (!(thickness < THIN * diagonal)) return [];
   const message = `the body is about ${short(thickness, DIGITS)} thick and ${short(diagonal, DIGITS)} large, so that one layer of good elements takes ${count} triangles, and more elements`;
   return [packageDiagnostic("thin-body", message, REMEDY, "information")];

@@ -3,9 +3,8 @@ import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { shellsOf } from "../formats/solid-names.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_REGION, type InnerShells } from "../generated/constants.js";
-import type { SurfaceRegions } from "../mesh/file-mesh.js";
+import type { Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
 
 /** Two solids with intersecting triangles: indices of their regions, the smaller first. */
@@ -45,7 +44,7 @@ export function touchingPairs(
  * Returns a surface with a region per solid if it states none, but its patches are closed by themselves, as the solids of an STL
  * file. Else returns the given surface.
  */
-export async function withSolidsOfPatches(given: SurfaceFile): Promise<SurfaceFile> {
+export async function withSolidsOfPatches(given: Mesh): Promise<Mesh> {
   if (given.patches.length < 2) return given;
   const { solidsOfPatches } = await import("../formats/patch-solids.js");
   return (await inSteps(solidsOfPatches(given))) ?? given;
@@ -54,9 +53,9 @@ export async function withSolidsOfPatches(given: SurfaceFile): Promise<SurfaceFi
 /** As `withSolidsOfPatches`, if solids touch or intersect. */
 export async function withTouchingSolids(
   mesher: Pick<SurfaceMesher, "inspectSurface">,
-  given: SurfaceFile,
+  given: Mesh,
   innerShells: InnerShells | undefined,
-): Promise<SurfaceFile> {
+): Promise<Mesh> {
   if (innerShells === "cavities") return given;
   const solids = await withSolidsOfPatches(given);
   if (solids === given) return given;
@@ -75,7 +74,7 @@ export async function withTouchingSolids(
  */
 export async function touchingShells(
   mesher: Pick<SurfaceMesher, "inspectSurface">,
-  given: SurfaceFile,
+  given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<number> {
   const shells = shellsOf(given.triangles, given.points.length / 3);

@@ -72,21 +72,21 @@ interface RecordedRun {
 
 /** Returns the trace of a run with `onTrace` as a file; undefined if the front of the volume never began. */
 export function recordedTrace(
-  { recording, report, surface }: MeshResult,
+  { recording, report, mesh, surfaceNodes }: MeshResult,
   events: readonly Uint8Array[],
   { name, order = MESH_DEFAULTS.order, experiment }: RecordedRun,
 ): Uint8Array<ArrayBuffer> | undefined {
   if (recording === undefined || recording.steps === 0) return undefined;
   const header = {
     name,
-    nodes: surface.points.length / 3,
+    nodes: surfaceNodes,
     steps: recording.steps,
     order,
     status: frontStatus(report.status, recording.fingerprint),
     fingerprint: recording.fingerprint,
     experiment,
   } as const;
-  return traceFile(header, surface.points, events);
+  return traceFile(header, mesh.points.subarray(0, 3 * surfaceNodes), events);
 }
 
 function frontStatus(status: MeshStatus, fingerprint: string): TraceStatus {

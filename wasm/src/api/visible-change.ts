@@ -10,14 +10,13 @@ import {
   type Vector,
 } from "../base/vectors.js";
 import { diagonalOf } from "../formats/near-points.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import { NO_ORIGIN } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
-import type { SurfaceInput } from "../mesh/mesh.js";
+import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 
 /** A surface after a repair. */
 interface Repaired {
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
   readonly changes?: readonly RepairChange[] | undefined;
   readonly repairDeviation?: number | undefined;
 }
@@ -38,7 +37,7 @@ const INSIDE = 0.25;
  * Returns whether a repair moved a node, moved the box of the surface, filled a hole or removed triangles so that it can be
  * seen. Parts inside bodies that intersect are removed without being seen.
  */
-export function isVisiblyChanged(given: SurfaceFile, made: Repaired): boolean {
+export function isVisiblyChanged(given: Mesh, made: Repaired): boolean {
   const { surface, changes = [], repairDeviation = 0 } = made;
   if (changes.length === 0) return false;
   const limit = VISIBLE * diagonalOf(given.points);

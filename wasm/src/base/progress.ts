@@ -8,7 +8,7 @@ import type { Phase } from "../generated/constants.js";
 export type ProgressPhase = Phase | "bodies" | "remesh";
 
 /** Progress of a run or another call. For other calls the phase is `check` or `bodies`, and the counts are 0. */
-export interface Progress {
+export interface CallProgress {
   readonly phase: ProgressPhase;
   /** Id of the body that is being prepared, in the phase `bodies`. */
   readonly body?: number | undefined;

@@ -14,8 +14,8 @@ import { countOf } from "../diagnostics/lines.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { listed } from "../formats/groups.js";
-import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import { surfaceOf } from "../formats/surface-file.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "../mesh/inspection.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import { bodySurface } from "../project/bodies.js";
@@ -182,14 +182,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     refuseRepair(repair, "a mesh of tetrahedra");
     refuseOption("--inner-shells", options.innerShells, "surfaces and projects", "a mesh of tetrahedra");
     refuseOption("--max-diagnostics", options.maxDiagnostics, "surfaces", "a mesh of tetrahedra");
-    const {
-      boundary: _,
-      quality,
-      ...inspection
-    } = await mesher.inspectMesh({
-      ...mesh,
-      regions: mesh.tetrahedronRegion,
-    });
+    const { boundary: _, quality, ...inspection } = await mesher.inspectMesh(mesh);
     const defects = defectsOf(inspection, mesh);
     return {
       kind: "mesh",
@@ -236,7 +229,7 @@ interface SurfaceCheck {
 /** Checks the surface that `mesh` would treat and fill. If `mesh` refuses it, says why, and describes it as it is. */
 async function inspectedSurface(
   mesher: Mesher,
-  given: SurfaceFile,
+  given: Mesh,
   { options, isCad, notes: others }: SurfaceCheck,
 ): Promise<CheckResult> {
   const { repair, weld, fillHoles, innerShells } = options;
@@ -285,7 +278,7 @@ function refusal(failure: unknown): { readonly refused: readonly Diagnostic[] } 
 }
 
 /** Notes about the file that are not problems. */
-function notes(mesh: FileMesh): Diagnostic[] {
+function notes(mesh: Mesh): Diagnostic[] {
   return [...oppositeOrderLines(mesh), ...readingNotes(mesh)].map((line) =>
     packageDiagnostic("left-out", line, "", "information"),
   );
@@ -303,7 +296,7 @@ const NONE = new Uint32Array();
 /** Describes the defects of a mesh. */
 function defectsOf(
   found: Omit<MeshInspection, "boundary" | "quality">,
-  { invertedTetrahedra = NONE }: FileMesh,
+  { invertedTetrahedra = NONE }: Mesh,
 ): Diagnostic[] {
   // The reader knows which tetrahedra are inverted if it reversed their nodes; otherwise only their number is
   // known.

@@ -12,7 +12,6 @@ const OPTIONS: ReadonlySet<string> = new Set([
     "growth",
     "background",
     "maxVolume",
-    "gradation",
     "innerShells",
     "order",
     "optimization",

@@ -16,9 +16,9 @@ import type { Contents, WrittenFile } from "../formats/file-format.js";
 import { extensionOf, extensionsFor, formatOf } from "../formats/file-formats.js";
 import { omittedDataMessage } from "../formats/format-limits.js";
 import { numbered } from "../formats/groups.js";
-import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import { surfaceOf } from "../formats/surface-file.js";
 import { findDefects, tetFaces } from "../formats/tet-faces.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { createBodies } from "../project/solid-bodies.js";
 import { writeProject } from "../project/project.js";
 import { PROJECT_FORMAT, type Project, type ProjectBody } from "../project/project-types.js";
@@ -114,11 +114,7 @@ async function convertToProject(
   return ExitCode.meshed;
 }
 
-async function withSplitPatches(
-  input: string,
-  mesh: FileMesh,
-  options: ConvertCommandOptions,
-): Promise<FileMesh> {
+async function withSplitPatches(input: string, mesh: Mesh, options: ConvertCommandOptions): Promise<Mesh> {
   const split = splitOptions(options);
   if (split === undefined || mesh.triangles.length === 0) return mesh;
   const made = await withMesher((mesher) => withSplit(mesher, mesh, split));
@@ -177,7 +173,7 @@ interface Conversion extends Destination {
   readonly repair: RepairOptions | undefined;
 }
 
-async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMesh> {
+async function prepared(mesh: Mesh, conversion: Conversion): Promise<Mesh> {
   const { output, name, repair } = conversion;
   const writes = formatOf(name)?.writable ?? [];
   if (mesh.tetrahedra.length > 0) {
@@ -193,7 +189,7 @@ async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMes
   return surfaceFrom(mesh, conversion);
 }
 
-async function surfaceFrom(mesh: FileMesh, { input, repair, isQuiet }: Conversion): Promise<FileMesh> {
+async function surfaceFrom(mesh: Mesh, { input, repair, isQuiet }: Conversion): Promise<Mesh> {
   const given = await inSteps(surfaceOf(mesh));
   if (repair === undefined) return welded(mesh, given);
   const made = await withMesher((mesher) => repaired(mesher, given, repair));
@@ -207,7 +203,7 @@ function asWarning(defect: Diagnostic): Diagnostic {
 }
 
 /** Replaces the triangles by the exactly welded surface, as formats with nodes expect. */
-function welded(mesh: FileMesh, surface: SurfaceFile): FileMesh {
+function welded(mesh: Mesh, surface: Mesh): Mesh {
   const { points, triangles, trianglePatch, patches, notes } = surface;
   const isSame = points.length === mesh.points.length;
   return {
@@ -222,9 +218,8 @@ function welded(mesh: FileMesh, surface: SurfaceFile): FileMesh {
 }
 
 /** Adds the boundary faces as triangles, one patch per region. */
-export async function withBoundary(mesh: FileMesh): Promise<FileMesh> {
-  const regions = mesh.tetrahedronRegion;
-  const { boundary } = await withMesher((mesher) => mesher.inspectMesh({ ...mesh, regions }));
+export async function withBoundary(mesh: Mesh): Promise<Mesh> {
+  const { boundary } = await withMesher((mesher) => mesher.inspectMesh(mesh));
   return {
     ...mesh,
     triangles: boundary.triangles,
@@ -233,7 +228,7 @@ export async function withBoundary(mesh: FileMesh): Promise<FileMesh> {
   };
 }
 
-function contentsOf({ points, triangles, tetrahedra }: FileMesh): string {
+function contentsOf({ points, triangles, tetrahedra }: Mesh): string {
   const parts = [plural(points.length / 3, "point"), plural(triangles.length / 3, "triangle")];
   return [...parts, ...(tetrahedra.length > 0 ? [plural(tetrahedra.length / 4, "tetrahedron")] : [])].join(
     ", ",

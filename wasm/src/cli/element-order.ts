@@ -2,7 +2,7 @@
 import { Option } from "commander";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { FILE_FORMATS, formatOf } from "../formats/file-formats.js";
-import type { ElementOrder } from "../mesh/file-mesh.js";
+import type { ElementOrder } from "../mesh/mesh.js";
 import { refuseOptions } from "./input.js";
 
 export interface ElementOrderOption {

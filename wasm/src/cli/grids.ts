@@ -2,7 +2,7 @@
 import type { Mesher } from "../api/mesher-interface.js";
 import { createMesher } from "../api/mesher.js";
 import type { CoverOptions, ProposalOptions } from "../api/option-types.js";
-import { checkCoverOptions, checkProposalOptions } from "../api/options.js";
+import { checkCoverOptions, checkProposalOptions, MAX_PROPOSED } from "../api/options.js";
 import { plural } from "../base/plural.js";
 import { extensionOf } from "../formats/file-formats.js";
 import type { CoverShape } from "../generated/constants.js";
@@ -10,6 +10,7 @@ import { writeProject } from "../project/project.js";
 import type { Project, ProjectBackground, ProjectSource } from "../project/project-types.js";
 import { checkOutput, FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
 import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./input.js";
+import { countProblems } from "./numbers.js";
 import { ExitCode, print, reportFailure } from "./messages.js";
 
 /** Options as commander passes them: numbers are still text. */
@@ -45,19 +46,23 @@ export function coverFile(input: string, options: CoverCommandOptions): Promise<
 
 /** Runs `propose`; resolves with the exit code. */
 export function proposeForFile(input: string, options: ProposeCommandOptions): Promise<number> {
+  const [perCircle, perGap] = [numberIn(options.perCircle), numberIn(options.perGap)];
   const proposal: ProposalOptions = {
-    uniform: numberIn(options.uniform),
-    smallest: numberIn(options.smallest),
-    elementsPerCircle: numberIn(options.perCircle),
-    elementsPerGap: numberIn(options.perGap),
+    maxSize: numberIn(options.uniform),
+    minSize: numberIn(options.smallest),
+    anglePerEdge: perCircle && 360 / perCircle,
+    layers: perGap,
     growth: numberIn(options.growth),
   };
   return rewritten(input, options, {
-    check: () => checkProposalOptions(proposal),
+    check: () => [
+      ...countProblems("--per-circle", perCircle, [1, MAX_PROPOSED]),
+      ...checkProposalOptions(proposal),
+    ],
     change: async (mesher, project) => {
       const { size, sources } = await mesher.proposeSizes(project, {
         ...proposal,
-        uniform: proposal.uniform ?? project.meshing?.size,
+        maxSize: proposal.maxSize ?? project.meshing?.size,
       });
       const background = await mesher.coverProject(project, {
         ...(size > 0 ? { size } : {}),

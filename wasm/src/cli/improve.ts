@@ -1,14 +1,13 @@
 /** `tetrafront improve`: improves the elements of a volume mesh, and compares their shapes before and after. */
 import { readingNotes } from "../api/reading-notes.js";
 import type { ImproveOptions } from "../api/option-types.js";
-import { improvedMesh } from "../api/improvement.js";
 import { checkImproveOptions } from "../api/options.js";
 import { writeMesh } from "../api/mesh-files.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { omittedDataMessage } from "../formats/format-limits.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
 import { withBoundary, writableName, writeAll } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
@@ -68,14 +67,11 @@ async function improveAndWrite(input: string, options: ImproveCommandOptions): P
     }
   }
   const made = await withRun(isQuiet, (mesher, controlOf) =>
-    mesher.improveMesh({ ...given, regions: given.tetrahedronRegion }, chosen, {
-      ...controlOf("improve"),
-      partial: true,
-    }),
+    mesher.improveMesh(given, chosen, { ...controlOf("improve"), partial: true }),
   );
-  const { points, tetrahedra, regions, nodeOrigin: _, diagnostics: found, ...figures } = made;
+  const { mesh: better, nodeOrigin: _, diagnostics: found, ...figures } = made;
   const diagnostics = found.map(withRemedy);
-  const mesh = made.isImproved ? improvedMesh(given, { ...made, points, tetrahedra, regions }) : given;
+  const mesh = made.isImproved ? better : given;
   const files = await writeMesh(mesh.triangles.length > 0 ? mesh : await withBoundary(mesh), name);
   await writeAll(files, { input, output, name, isQuiet });
   printDiagnostics(input, diagnostics, { isQuiet });
@@ -105,7 +101,7 @@ async function checkPaths(input: string, options: ImproveCommandOptions): Promis
   return name;
 }
 
-async function readVolumeMesh(input: string, options: InputOptions): Promise<FileMesh> {
+async function readVolumeMesh(input: string, options: InputOptions): Promise<Mesh> {
   const mesh = await readMeshFile(input, options);
   if (mesh.tetrahedra.length > 0) return mesh;
   const remedy = "Use a volume mesh; `tetrafront mesh` makes one of a surface.";

@@ -5,12 +5,17 @@ import { short } from "../base/short.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { formatOf } from "../formats/file-formats.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import { entityLabel } from "../diagnostics/entity-names.js";
 import { bodyBox } from "../project/bodies.js";
 import { bodyArrays } from "../project/body-arrays.js";
-import { GROUP_KINDS } from "../project/project-types.js";
-import type { BodySurface, Project, ProjectBody, ProjectGroup } from "../project/project-types.js";
+import {
+  GROUP_KINDS,
+  type BodySurface,
+  type Project,
+  type ProjectBody,
+  type ProjectGroup,
+} from "../project/project-types.js";
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
@@ -63,9 +68,7 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
       const none = packageDiagnostic("no-tetrahedra", "the file contains no tetrahedra", remedy);
       throw new InvalidInput(input, [none]);
     }
-    const found = await withMesher((mesher) =>
-      mesher.inspectMesh({ ...mesh, regions: mesh.tetrahedronRegion }),
-    );
+    const found = await withMesher((mesher) => mesher.inspectMesh(mesh));
     const { boundary, ...statistics } = found;
     const reversedInFile = mesh.reversedTetrahedra ?? 0;
     const json = { ...statistics, reversedInFile, boundaryTriangles: boundary.triangles.length / 3 };
@@ -193,7 +196,7 @@ interface HeldPatch extends HeldGroup {
   readonly normal: readonly number[] | null;
 }
 
-function meshContents(mesh: FileMesh) {
+function meshContents(mesh: Mesh) {
   return {
     unit: mesh.unit ?? null,
     points: mesh.points.length / 3,
@@ -209,7 +212,7 @@ function meshContents(mesh: FileMesh) {
   };
 }
 
-function heldGroups(groups: readonly FileGroup[], positions: Uint32Array): HeldGroup[] {
+function heldGroups(groups: readonly MeshGroup[], positions: Uint32Array): HeldGroup[] {
   const counts = new Uint32Array(groups.length);
   for (const position of positions) counts[position] = (counts[position] ?? 0) + 1;
   return groups.map(({ name, tag }, i) => ({ name, tag, elements: counts[i] ?? 0 }));
@@ -223,7 +226,7 @@ function heldSurfaceRegions({ regions, triangleRegions }: SurfaceRegions): HeldG
   );
 }
 
-function heldPatches(mesh: FileMesh): HeldPatch[] {
+function heldPatches(mesh: Mesh): HeldPatch[] {
   const { patches, trianglePatch, triangles, points } = mesh;
   const shapes = patchShapes(mesh);
   const boxes = patches.map(() => emptyBox());

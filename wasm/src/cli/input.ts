@@ -1,19 +1,16 @@
 /** Reads the input of commands: numbers in options, projects, surfaces, background grids. */
 import { type ReadFileOptions, readMesh, readSurface, readVolume } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
-import { volumeBackground } from "../api/volume-background.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import { extensionOf, extensionsFor, FILE_FORMATS, isCadFile } from "../formats/file-formats.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
-import type { VolumeFile } from "../formats/volume-file.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import { backgroundArrays } from "../project/grid-arrays.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/project-types.js";
 import { checkInput, FileError, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
-import { InvalidInput, unreadable } from "./messages.js";
+import { asInvalidInput, InvalidInput, unreadable } from "./messages.js";
 import { enterStage } from "./stages.js";
 import { lengthOptions, refuseUnits, type UnitOptions } from "./units.js";
 
@@ -23,10 +20,10 @@ export const PROJECT_EXTENSION = ".json";
 
 export type Input =
   | { readonly kind: "project"; readonly project: Project }
-  | { readonly kind: "surface"; readonly surface: SurfaceFile };
+  | { readonly kind: "surface"; readonly surface: Mesh };
 
 /** Returns the surface of an input that is known to be none else. */
-export function surfaceIn(input: Input): SurfaceFile {
+export function surfaceIn(input: Input): Mesh {
   if (input.kind === "surface") return input.surface;
   throw new TypeError("the input is a project");
 }
@@ -34,7 +31,7 @@ export function surfaceIn(input: Input): SurfaceFile {
 /** Background grid in the form of its file; a mesher converts a mesh to a grid. */
 export type GridInput =
   | { readonly kind: "project"; readonly background: BackgroundArrays }
-  | { readonly kind: "volume"; readonly volume: VolumeFile };
+  | { readonly kind: "volume"; readonly volume: Mesh };
 
 /** Returns the extension of a format, given as an extension with or without its dot, or by the format's id. */
 export function extensionOfFormat(format: string): string {
@@ -91,10 +88,7 @@ export async function readModel(
 }
 
 /** Reads all contents of a mesh file without welding. */
-export async function readMeshFile(
-  input: string,
-  { from, ...lengths }: InputOptions = {},
-): Promise<FileMesh> {
+export async function readMeshFile(input: string, { from, ...lengths }: InputOptions = {}): Promise<Mesh> {
   const name = formatName(input, from);
   const known = new Set([...extensionsFor("read", "surface"), ...extensionsFor("read", "volume")]);
   await checkedExtension(input, name, [...known], OR_FROM);
@@ -143,13 +137,9 @@ export async function readGrid(file: string): Promise<GridInput> {
 /** Returns the arrays of a grid. Throws an InvalidInput about its file if the values at its nodes are not valid sizes. */
 export async function gridArrays(mesher: Mesher, file: string, grid: GridInput): Promise<BackgroundArrays> {
   if (grid.kind === "project") return grid.background;
-  const read = await volumeBackground(mesher, grid.volume);
-  if (!read.success)
-    throw new InvalidInput(
-      file,
-      read.errors.map((error) => unreadable(error)),
-    );
-  return read.value;
+  return mesher.backgroundFromMesh(grid.volume).catch((failure: unknown) => {
+    throw asInvalidInput(failure, file) ?? failure;
+  });
 }
 
 function openedAs(file: string, fileName: string): ReadFileOptions {

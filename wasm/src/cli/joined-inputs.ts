@@ -5,11 +5,12 @@ import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { assemblyOf, type AssemblyPart } from "../formats/assembly.js";
-import { type SurfaceFile, surfaceOf } from "../formats/surface-file.js";
+import { surfaceOf } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
 import { withMesher } from "./grids.js";
 import { type Input, type InputOptions, readModel } from "./input.js";
 import { asInvalidInput, InvalidInput } from "./messages.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 interface GivenOptions extends InputOptions {
   /** All inputs, if they are joined to one model. */
@@ -64,7 +65,7 @@ async function readJoined(
   return { surface: await inSteps(surfaceOf(await inSteps(assemblyOf(parts)))), diagnostics };
 }
 
-async function locatedPart(file: string, surface: SurfaceFile, innerShells?: InnerShells): Promise<Located> {
+async function locatedPart(file: string, surface: Mesh, innerShells?: InnerShells): Promise<Located> {
   if (surface.regionPoints === undefined) return { surface, diagnostics: [] };
   try {
     return await withMesher((mesher) => located(mesher, surface, innerShells));

@@ -1,8 +1,9 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
-import { fileMeshOf, regionSummaries, type RegionSummary } from "../api/generated-mesh.js";
+import { regionSummaries, type RegionSummary } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
+import { checkGradation, growthOf } from "../api/options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { checkSurfaceMeshOptions, meshPart, repairPart, splitPart } from "../api/surface-mesh-options.js";
 import { withControl } from "../api/surface-mesher.js";
@@ -14,9 +15,8 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/project-types.js";
@@ -134,10 +134,8 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const made = await meshInput(input, options, () => checkMeshPaths(input, options));
   const { given, result, model: meshed, found } = made;
   const { changes, repairDeviation, refinement, remesh } = made.made ?? {};
-  const { report } = result;
+  const { mesh, report } = result;
   const shouldWrite = mayWrite(result, options);
-  const isAssembly = isAnyCad(input, options) || (options.joined ?? []).length > 1;
-  const mesh = fileMeshOf(result, { ...meshed, interfacePatches: isAssembly });
   const written = shouldWrite && (await writeResult(input, options, mesh, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") print(summary(subject, report, written, options));
   const isLost = shouldWrite && written === null;
@@ -206,14 +204,21 @@ export async function meshInput(
     const isCad = isAnyCad(input, options);
     const ready = await readySurface(withControl(mesher, controlOf("check")), surface, all, { isCad });
     if (!isQuiet) printReady(subject, surface, ready);
-    const filling = { options: all, isCad, controlOf: control, isRecorded: recording.onTrace !== undefined };
+    const hasInterfacePatches = isCad || (options.joined ?? []).length > 1;
+    const filling = {
+      options: all,
+      isCad,
+      hasInterfacePatches,
+      controlOf: control,
+      isRecorded: recording.onTrace !== undefined,
+    };
     const made = await filledSurface(mesher, surface, ready, filling).catch((failure: unknown) => {
       // Warnings of the repair say why the surface is invalid.
       printWithGrid({ input: subject, background: options.background }, ready.diagnostics, isQuiet);
       throw failure;
     });
     const model = { kind: "surface", surface: made.surface } as const;
-    return { result: made.result, model, found: [...read, ...made.diagnostics], made };
+    return { result: made, model, found: [...read, ...made.diagnostics], made };
   }).catch((failure: unknown) => cancelledOr(failure, given, read));
   if (meshed.made !== undefined) printMade(subject, meshed.made, isQuiet);
   const { diagnostics } = meshed.result.report;
@@ -254,7 +259,7 @@ function isAnyCad(
 }
 
 /** Prints what was done before the surface is meshed. */
-function printReady(subject: string, given: SurfaceFile, ready: ReadySurface): void {
+function printReady(subject: string, given: Mesh, ready: ReadySurface): void {
   printChanges(subject, ready);
   const { split } = ready;
   if (split !== undefined) print(`${subject}: ${splitText(split)}`);
@@ -307,7 +312,7 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOp
     ...sizesIn(options),
     ...remeshSettingsIn(options),
     elements: numberIn(options.elements),
-    gradation: numberIn(options.gradation),
+    growth: growthIn(options),
     maxVolume: numberIn(options.maxVolume),
     innerShells: options.innerShells,
     order: options.order,
@@ -322,6 +327,24 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOp
   refuseOptions([...checkSurfaceMeshOptions(meshOptions), ...checkSizes(options)]);
   return meshOptions;
 }
+
+/** Returns the growth of sizes, which a gradation states as a ratio. Throws an InvalidInput. */
+function growthIn({
+  growth,
+  gradation,
+}: Pick<MeshCommandOptions, "growth" | "gradation">): number | undefined {
+  const ratio = numberIn(gradation);
+  if (ratio === undefined) return numberIn(growth);
+  refuseOptions(checkGradation(ratio, "--gradation"));
+  if (growth !== undefined) refuseOptions([gradationAndGrowth]);
+  return growthOf(ratio);
+}
+
+const gradationAndGrowth = invalidOption(
+  "--gradation",
+  "--gradation and --growth exclude each other: a gradation is 1 + growth",
+  "Use one of them.",
+);
 
 async function checkMeshPaths(input: string, options: MeshCommandOptions): Promise<void> {
   const { output, to } = options;
@@ -340,14 +363,14 @@ async function checkReportPath(input: string, options: MeshCommandOptions): Prom
   await checkNoOverwrite(kept, [{ words: "the report", file: report }]);
 }
 
-function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {
-  return report.status === "done" || (keepPartial === true && volume.tetrahedra.length > 0);
+function mayWrite({ report, mesh }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {
+  return report.status === "done" || (keepPartial === true && mesh.tetrahedra.length > 0);
 }
 
 async function writeResult(
   input: string,
   options: MeshCommandOptions,
-  mesh: FileMesh,
+  mesh: Mesh,
   model: Input,
 ): Promise<boolean> {
   const { output, to, quiet: isQuiet = false } = options;

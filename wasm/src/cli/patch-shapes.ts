@@ -1,5 +1,5 @@
 /** Areas and normals of the patches of a mesh, by which a user recognizes them. */
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 interface PatchShape {
   /** Sum of the areas of its triangles. */
@@ -17,7 +17,7 @@ export function patchShapes({
   trianglePatch,
   triangles,
   points,
-}: Pick<FileMesh, "patches" | "trianglePatch" | "triangles" | "points">): PatchShape[] {
+}: Pick<Mesh, "patches" | "trianglePatch" | "triangles" | "points">): PatchShape[] {
   const sums = patches.map(() => ({ area: 0, vector: [0, 0, 0] }));
   trianglePatch.forEach((patch, triangle) => {
     const sum = sums[patch];

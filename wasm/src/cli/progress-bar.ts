@@ -1,5 +1,5 @@
 import { MultiBar, Presets, SingleBar } from "cli-progress";
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 
 /** Progress bar on stderr, for terminals. */
 export class ProgressBar {
@@ -20,7 +20,7 @@ export class ProgressBar {
   }
 
   /** `step`: word for work other than a run, which has no elements yet. */
-  update({ fraction, phase, tetrahedra, frontFaces, exactFillFraction }: Progress, step?: string): void {
+  update({ fraction, phase, tetrahedra, frontFaces, exactFillFraction }: CallProgress, step?: string): void {
     const left =
       exactFillFraction > 0
         ? `exact fill of remaining pockets: ${(100 * exactFillFraction).toFixed(1)} %`

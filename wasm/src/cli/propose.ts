@@ -6,13 +6,13 @@ import { located } from "../api/located-surface.js";
 import { madeFillable } from "../api/surface-preparation.js";
 import { plural } from "../base/plural.js";
 import { short } from "../base/short.js";
-import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { MAX_LAYERS, MIN_REMESH_ANGLE } from "../generated/constants.js";
 import { writeToStandardOutput } from "./files.js";
 import { type ProposeCommandOptions, proposeForFile, withMesher } from "./grids.js";
 import { isProject, numberIn, readModel, refuseOptions } from "./input.js";
 import { ExitCode, printDiagnostics, reportFailure } from "./messages.js";
+import { countProblems } from "./numbers.js";
 import { printChanges } from "./repair.js";
 import { refuseUnits, type UnitOptions } from "./units.js";
 
@@ -80,9 +80,9 @@ function surfaceOptions(options: ProposeOptions): SurfaceProposalOptions {
   const [uniform, smallest, growth] = [options.uniform, options.smallest, options.growth].map(numberIn);
   const [perCircle, perGap] = [numberIn(options.perCircle), numberIn(options.perGap)];
   refuseOptions([
-    ...checkProposalOptions({ uniform, smallest, growth }),
-    ...countProblems("--per-circle", perCircle, 2, MAX_PER_CIRCLE),
-    ...countProblems("--per-gap", perGap, 0, MAX_LAYERS),
+    ...checkProposalOptions({ maxSize: uniform, minSize: smallest, growth }),
+    ...countProblems("--per-circle", perCircle, [2, MAX_PER_CIRCLE], " for a surface"),
+    ...countProblems("--per-gap", perGap, [0, MAX_LAYERS], " for a surface"),
   ]);
   const sizes: SurfaceProposalOptions = {
     maxSize: uniform,
@@ -94,12 +94,6 @@ function surfaceOptions(options: ProposeOptions): SurfaceProposalOptions {
   };
   refuseOptions(checkSurfaceProposalOptions(sizes));
   return sizes;
-}
-
-function countProblems(option: string, count: number | undefined, min: number, max: number): Diagnostic[] {
-  if (count === undefined || count === 0 || (count >= min && count <= max)) return [];
-  const range = `${min === 0 ? "" : "0 or "}a number from ${min} to ${max}`;
-  return [invalidOption(option, `${option} is ${count}`, `Use ${range} for a surface; 0 means no limit.`)];
 }
 
 function proposalText(input: string, proposal: SurfaceSizeProposal, unit: string): string {

@@ -13,11 +13,9 @@ import { countOf } from "../diagnostics/lines.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { WrittenFile } from "../formats/file-format.js";
 import { formatOf } from "../formats/file-formats.js";
-import type { SurfaceFile } from "../formats/surface-file.js";
 import type { InnerShells } from "../generated/constants.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
-import type { RepairChange } from "../mesh/inspection.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
+import type { RepairChange } from "../mesh/inspection.js";
 import { writableName, writeAll } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
 import { readModel, refuseOptions } from "./input.js";
@@ -124,7 +122,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
       const others = found.filter((one) => !isTold(one));
       printDiagnostics(input, others, { isQuiet });
     }
-    const files = await writeMesh(fileMesh(made.surface), name);
+    const files = await writeMesh(made.surface, name);
     const diagnostics = await problemsInFile(mesher, files, made.surface, { name, innerShells });
     await writeAll(files, { input, output, name, isQuiet });
     const { isPartial } = made.remesh;
@@ -172,22 +170,6 @@ async function checkPaths(input: string, options: RemeshFileOptions): Promise<st
   await checkNoOverwrite([...inputFiles(input, from), ...gridFiles(options)], written);
   await checkWritable(written);
   return name;
-}
-
-function fileMesh(surface: SurfaceFile): FileMesh {
-  const { points, triangles, trianglePatch, patches, surfaceRegions } = surface;
-  const none = new Uint32Array();
-  return {
-    points,
-    triangles,
-    trianglePatch,
-    patches,
-    tetrahedra: none,
-    tetrahedronRegion: none,
-    regions: [],
-    ...(surfaceRegions && { surfaceRegions }),
-    nodeData: new Map(),
-  };
 }
 
 interface FileContext {

@@ -1,9 +1,10 @@
 /** `--split-patches`: patches by the sharp edges of a surface. */
-import type { Mesher, SplitInput, SplitSurface } from "../api/mesher-interface.js";
+import type { Mesher } from "../api/mesher-interface.js";
 import type { SplitOptions } from "../api/option-types.js";
 import { checkSplitOptions } from "../api/options.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { numberIn, refuseOptions } from "./input.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Options as commander passes them. */
 export interface SplitCommandOptions {
@@ -28,10 +29,10 @@ export function refuseSplit(options: SplitOptions | undefined): void {
 }
 
 /** Returns the surface with its patches split, if that is requested. */
-export async function withSplit<Surface extends SplitInput & SplitSurface>(
+export async function withSplit(
   mesher: Mesher,
-  surface: Surface,
+  surface: Mesh,
   options: SplitOptions | undefined,
-): Promise<Surface> {
-  return options === undefined ? surface : mesher.splitPatches(surface, options);
+): Promise<Mesh> {
+  return options === undefined ? surface : (await mesher.splitPatches(surface, options)).mesh;
 }

@@ -1,9 +1,9 @@
 /** Statistics as lines of text. */
-import { unusedData } from "../api/volume-background.js";
+import { unusedData } from "../api/node-sizes.js";
 import { plural } from "../base/plural.js";
 import { short } from "../base/short.js";
 import { listed } from "../formats/groups.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { EdgeLengths, MeshInspection, SurfaceInspection } from "../mesh/inspection.js";
 import type { QualityReport } from "../mesh/quality.js";
 
@@ -65,7 +65,7 @@ export interface Box {
 }
 
 /** Returns a line if the node order of some tetrahedra in the file is opposite to that of the others. */
-export function mixedOrientationLines({ points, tetrahedra, invertedTetrahedra }: FileMesh): string[] {
+export function mixedOrientationLines({ points, tetrahedra, invertedTetrahedra }: Mesh): string[] {
   const count = invertedTetrahedra?.length ?? 0;
   if (invertedTetrahedra === undefined || count === 0) return [];
   const all = plural(tetrahedra.length / 4, "tetrahedron");
@@ -78,13 +78,13 @@ export function mixedOrientationLines({ points, tetrahedra, invertedTetrahedra }
 }
 
 /** Returns a line if the node order of all tetrahedra in the file is the opposite one, which is not a problem. */
-export function oppositeOrderLines({ tetrahedra, reversedTetrahedra }: FileMesh): string[] {
+export function oppositeOrderLines({ tetrahedra, reversedTetrahedra }: Mesh): string[] {
   const isOtherWay = tetrahedra.length > 0 && reversedTetrahedra === tetrahedra.length / 4;
   return isOtherWay ? ["the file uses the opposite node order: all tetrahedra were reoriented"] : [];
 }
 
 /** Reports values at the nodes of a background grid that are not used. */
-export function unusedLines(volume: Pick<FileMesh, "nodeData">): string[] {
+export function unusedLines(volume: Pick<Mesh, "nodeData">): string[] {
   const unused = unusedData(volume);
   if (unused.length === 0) return [];
   const names = listed(unused.map((name) => `"${name}"`));
@@ -92,7 +92,7 @@ export function unusedLines(volume: Pick<FileMesh, "nodeData">): string[] {
 }
 
 /** Returns a sentence about points that a command does not use. */
-export function unusedPointLines({ regionPoints }: Pick<FileMesh, "regionPoints">): string[] {
+export function unusedPointLines({ regionPoints }: Pick<Mesh, "regionPoints">): string[] {
   const { holes = [], regions = [] } = regionPoints ?? {};
   const counts = [
     ...(holes.length > 0 ? [plural(holes.length, "hole point")] : []),

@@ -4,14 +4,14 @@ import { limitText } from "../base/limits.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { MAX_LENGTH, MIN_LENGTH } from "../generated/constants.js";
 import type { LengthOptions } from "../formats/units.js";
-import { type Unit, UNITS } from "../mesh/units.js";
+import { type LengthUnit, LENGTH_UNITS } from "../mesh/units.js";
 import { numberIn, refuseOptions } from "./numbers.js";
 
 /** Options as commander passes them: numbers are still text. */
 export interface UnitOptions {
   readonly scale?: string;
-  readonly units?: Unit;
-  readonly fileUnits?: Unit;
+  readonly units?: LengthUnit;
+  readonly fileUnits?: LengthUnit;
 }
 
 export const withUnits = (command: Command): Command =>
@@ -19,11 +19,13 @@ export const withUnits = (command: Command): Command =>
     .option("--scale <factor>", "multiply all coordinates of the input (default 1)")
     .addOption(
       new Option("--units <unit>", "convert the input to this unit; other lengths are in it too").choices(
-        UNITS,
+        LENGTH_UNITS,
       ),
     )
     .addOption(
-      new Option("--file-units <unit>", "unit of an input whose format does not define one").choices(UNITS),
+      new Option("--file-units <unit>", "unit of an input whose format does not define one").choices(
+        LENGTH_UNITS,
+      ),
     );
 
 /** Returns the options of reading. Throws an InvalidInput if the scale is invalid. */

@@ -1,6 +1,6 @@
 /** Errors with which calls of the package reject. */
 import { plural } from "../base/plural.js";
-import type { Progress, ProgressPhase } from "../base/progress.js";
+import type { CallProgress, ProgressPhase } from "../base/progress.js";
 import type { CallFailure } from "../generated/constants.js";
 import type { DiagnosticCode } from "./codes.js";
 import type { Diagnostic } from "./diagnostic.js";
@@ -149,7 +149,7 @@ export function crashError(reason: string): MesherError {
  */
 export function failureError(
   { reason, message, bytes }: EngineFailure,
-  progress: Progress | undefined,
+  progress: CallProgress | undefined,
   triangles: number,
 ): MesherError {
   if (reason === "engine-failed") {

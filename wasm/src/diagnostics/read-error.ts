@@ -10,7 +10,6 @@
  * - `missing-file`: the format needs another file next to this one, which was not found.
  * - `missing-library`: the library that reads CAD files could not be loaded.
  * - `no-triangles`, `no-tetrahedra`: the file contains none.
- * - `invalid-sizes`: the values at its nodes are not valid element sizes.
  * - `not-a-project`: neither format nor structure are those of a project.
  * - `later-version`: a project of a later version of Tetrafront.
  * - `invalid-project`: a project with an invalid value; `path` locates it.
@@ -26,7 +25,6 @@ export type ReadCode =
   | "missing-library"
   | "no-triangles"
   | "no-tetrahedra"
-  | "invalid-sizes"
   | "not-a-project"
   | "later-version"
   | "invalid-project";

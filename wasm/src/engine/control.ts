@@ -1,8 +1,8 @@
 /** How a caller follows and cancels a call. */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import type { FrontExperiment } from "../trace/experiment.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
-import type { SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Callbacks and signal of a call. */
 export interface RunControl {
@@ -10,7 +10,7 @@ export interface RunControl {
    * Called at most ten times a second, and once at the end. If it throws, or its promise rejects, the call rejects with
    * the same reason.
    */
-  readonly onProgress?: ((progress: Progress) => void) | undefined;
+  readonly onProgress?: ((progress: CallProgress) => void) | undefined;
   /**
    * Called by `meshProject` and `fillSurface` at most four times a second while the front advances, with x y z of the
    * three corners of each of its faces. The caller owns the array. Costs at most 2 % of the run's time. A failure of
@@ -30,7 +30,7 @@ export interface RunControl {
    * about 0.25 s after the front has closed, unless the run has ended by then. The caller owns the arrays.
    * Costs a copy of the mesh. A failure of this function has the same effect as one of `onProgress`.
    */
-  readonly onUnoptimized?: ((mesh: UnoptimizedMesh) => void) | undefined;
+  readonly onUnoptimized?: ((mesh: Mesh) => void) | undefined;
   /**
    * Called by `meshProject` with each body that it has prepared, before the front begins. The caller must not change its
    * arrays. If it returns a promise, the run goes on when that is settled. A failure of this function has the same effect as
@@ -52,12 +52,6 @@ export interface PartialControl extends RunControl {
    * result is then true. Default false: the call rejects.
    */
   readonly partial?: boolean | undefined;
-}
-
-/** Complete mesh whose elements are still being improved. */
-export interface UnoptimizedMesh {
-  readonly surface: SurfaceMesh;
-  readonly volume: VolumeMesh;
 }
 
 /** Signal of `createMesher`. */

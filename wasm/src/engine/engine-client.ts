@@ -2,9 +2,9 @@
  * The client of the worker: any number of questions at once, one run at a time; progress, cancellation, and a new worker
  * if it has failed or does not answer.
  */
-import type { Progress } from "../base/progress.js";
-import type { PartialControl, RunControl } from "./control.js";
-import { notify, type ProgressListener } from "./progress-listener.js";
+import type { CallProgress } from "../base/progress.js";
+import type { PartialControl } from "./control.js";
+import { notify, type ProgressListener, type RunListeners } from "./progress-listener.js";
 import {
   cancelledError,
   disposedError,
@@ -33,7 +33,7 @@ interface Job extends ProgressListener {
   /** Time at which it was sent to the worker, in milliseconds. */
   began: number | undefined;
   /** Latest reported progress. */
-  progress: Progress | undefined;
+  progress: CallProgress | undefined;
   readonly resolve: (result: EngineResult | Cancelled) => void;
 }
 
@@ -43,7 +43,7 @@ export interface Cancelled {
 }
 
 /** Returns the error with which a call rejects; `progress` is the latest of a run. */
-type FailureAt = (progress: Progress | undefined) => MesherError;
+type FailureAt = (progress: CallProgress | undefined) => MesherError;
 
 interface OpenQuestion extends ProgressListener {
   readonly question: Question;
@@ -150,7 +150,7 @@ export class EngineClient {
   /** Resolves when the run ends; the arrays of the request are transferred. */
   async run(
     request: RunRequest,
-    { signal, onProgress, onFront, onUnoptimized, onTrace }: RunControl,
+    { signal, onProgress, onFront, onUnoptimized, onTrace }: RunListeners,
   ): Promise<EngineResult | Cancelled> {
     let onAbort: (() => void) | undefined;
     try {

@@ -1,5 +1,11 @@
 /** Calls the caller's functions while a call is in progress, and handles their failures. */
 import type { RunControl } from "./control.js";
+import type { EngineMesh } from "./engine-mesh.js";
+
+/** Callbacks and signal of a run, before its mesh has names. */
+export interface RunListeners extends Omit<RunControl, "onUnoptimized"> {
+  readonly onUnoptimized?: ((mesh: EngineMesh) => void) | undefined;
+}
 
 /** A call in progress. */
 export interface ProgressListener {
@@ -9,7 +15,7 @@ export interface ProgressListener {
   onProgress: RunControl["onProgress"];
   /** Like `onProgress`, but for runs only. */
   onFront?: RunControl["onFront"];
-  onUnoptimized?: RunControl["onUnoptimized"];
+  onUnoptimized?: RunListeners["onUnoptimized"];
   onTrace?: RunControl["onTrace"];
 }
 

@@ -1,9 +1,9 @@
 /** Messages between the page (or a Node program) and the worker. */
 import type { FrontExperiment } from "../trace/experiment.js";
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
-import type { GivenRegions, SurfaceMesh, VolumeMesh } from "../mesh/mesh.js";
-import type { UnoptimizedMesh } from "./control.js";
+import type { GivenRegions } from "../mesh/mesh.js";
+import type { EngineMesh, EngineVolume } from "./engine-mesh.js";
 import type { MetricShapes } from "../mesh/quality.js";
 import type { FrontRecording, MeshReport, MeshStatus } from "../mesh/report.js";
 import type { BodySurfaceArrays, GridArrays, ModelArrays } from "../generated/constants.js";
@@ -80,7 +80,7 @@ export type Question =
   | {
       readonly kind: "background-from-mesh";
       readonly id: number;
-      readonly mesh: VolumeMesh;
+      readonly mesh: EngineVolume;
       readonly sizes: Float64Array;
     }
   | {
@@ -220,10 +220,8 @@ export type Request =
   | { readonly kind: "stop"; readonly id: number };
 
 /** A result whose diagnostics are not yet described in words; only the sender of the request can do that. */
-export interface EngineResult {
+export interface EngineResult extends EngineMesh {
   readonly status: MeshStatus;
-  readonly surface: SurfaceMesh;
-  readonly volume: VolumeMesh;
   /** Absent without stretching. */
   readonly metricShapes?: MetricShapes;
   readonly statistics: Omit<MeshReport, "diagnostics" | "status">;
@@ -266,10 +264,10 @@ export type Reply =
   | { readonly kind: "wanted"; readonly name: ModuleName }
   /** Sent once per module, when it is loaded, with its code for other workers. Requests that need it wait. */
   | { readonly kind: "ready"; readonly name: ModuleName; readonly module: CompiledModule }
-  | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
+  | { readonly kind: "progress"; readonly id: number; readonly progress: CallProgress }
   /** The current front: x y z of three corners per face. */
   | { readonly kind: "front"; readonly id: number; readonly corners: Float64Array }
-  | { readonly kind: "unoptimized"; readonly id: number; readonly mesh: UnoptimizedMesh }
+  | { readonly kind: "unoptimized"; readonly id: number; readonly mesh: EngineMesh }
   /** The events of the front since the last reply (docs/TRACE.md). */
   | { readonly kind: "trace"; readonly id: number; readonly events: Uint8Array }
   /** The run takes no further step; its result is being copied. */

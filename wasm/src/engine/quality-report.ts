@@ -105,3 +105,29 @@ function shapesOfAll(regions: readonly RegionQuality[]): ShapeStatistics {
     radiusRatio: { min: Math.min(...ratios.map(({ min }) => min)), mean: sum / all },
   };
 }
+
+/** Returns the statistics with other regions. `indices`: per region its new index; several may be one. */
+export function withRegions(quality: QualityReport, indices: readonly number[]): QualityReport {
+  const found = new Map<number, RegionQuality>();
+  for (const one of quality.regions) {
+    const region = indices[one.region] ?? one.region;
+    const known = found.get(region);
+    found.set(region, known === undefined ? { ...one, region } : unitedRegions(known, one));
+  }
+  return { ...quality, regions: [...found.values()].sort((a, b) => a.region - b.region) };
+}
+
+function unitedRegions(one: RegionQuality, other: RegionQuality): RegionQuality {
+  const sums = (name: "dihedral" | "smallestDihedral" | "radiusRatio" | "edge") =>
+    one[name].map((count, bin) => count + (other[name][bin] ?? 0));
+  return {
+    region: one.region,
+    tetrahedra: one.tetrahedra + other.tetrahedra,
+    volume: one.volume + other.volume,
+    shapes: shapesOfAll([one, other]),
+    dihedral: sums("dihedral"),
+    smallestDihedral: sums("smallestDihedral"),
+    radiusRatio: sums("radiusRatio"),
+    edge: sums("edge"),
+  };
+}

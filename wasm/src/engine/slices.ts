@@ -3,7 +3,7 @@
  * without shared memory; and V8 never replaces the code of a running WebAssembly function, so that one long call
  * would stay in slow baseline code.
  */
-import type { Progress } from "../base/progress.js";
+import type { CallProgress } from "../base/progress.js";
 import {
   CALL_FAILURES,
   ENGINE_STATUSES,
@@ -12,7 +12,7 @@ import {
   PHASES,
 } from "../generated/constants.js";
 import type { MeshStatus } from "../mesh/report.js";
-import type { UnoptimizedMesh } from "./control.js";
+import type { EngineMesh } from "./engine-mesh.js";
 import type { EngineRun, EngineTool } from "./loader.js";
 import type { RunClock } from "./run-clock.js";
 
@@ -36,7 +36,7 @@ const FRONT_REST = 50;
 
 export interface SliceControl {
   readonly isCancelled: () => boolean;
-  readonly onProgress: (progress: Progress) => void;
+  readonly onProgress: (progress: CallProgress) => void;
   readonly letRequestsIn: () => Promise<void>;
 }
 
@@ -54,7 +54,7 @@ export interface RunSliceControl extends SliceControl {
   /** Receives the events that the run has recorded since the last call, after each slice; undefined if it records none. */
   readonly onTrace: ((events: Uint8Array) => void) | undefined;
   /** Receives the mesh once while it is optimized or verified; undefined for never. */
-  readonly onUnoptimized: ((mesh: UnoptimizedMesh) => void) | undefined;
+  readonly onUnoptimized: ((mesh: EngineMesh) => void) | undefined;
 }
 
 export function failureOf(work: { failure(): number }): CallFailure {
@@ -118,10 +118,10 @@ class FrontSnapshots {
 /** Sends one copy of the mesh, a while after the front has closed: a short optimization needs none. */
 class UnoptimizedSnapshot {
   readonly #run: EngineRun;
-  readonly #onUnoptimized: (mesh: UnoptimizedMesh) => void;
+  readonly #onUnoptimized: (mesh: EngineMesh) => void;
   #dueAt: number | undefined;
 
-  constructor(run: EngineRun, onUnoptimized: (mesh: UnoptimizedMesh) => void) {
+  constructor(run: EngineRun, onUnoptimized: (mesh: EngineMesh) => void) {
     this.#run = run;
     this.#onUnoptimized = onUnoptimized;
   }
@@ -183,6 +183,6 @@ function phaseOf(run: EngineRun): Phase {
   return PHASES[run.phase()] ?? "check";
 }
 
-function progressOf(run: EngineRun, clock: RunClock): Progress {
+function progressOf(run: EngineRun, clock: RunClock): CallProgress {
   return { ...run.progress(), phase: phaseOf(run), elapsedSeconds: clock.elapsedSeconds() };
 }

@@ -2,7 +2,7 @@
 import { workerPort } from "#worker-port";
 import type { FailureReason } from "../diagnostics/mesher-error.js";
 import type { FrontRecording, MeshStatus } from "../mesh/report.js";
-import type { UnoptimizedMesh } from "./control.js";
+import type { EngineMesh } from "./engine-mesh.js";
 import { LazyModule, textOf } from "./lazy-module.js";
 import {
   type Engine,
@@ -256,7 +256,7 @@ async function mesh(
     assertHealthy(run);
     const onFront = (corners: Float64Array): void =>
       workerPort.post({ kind: "front", id, corners }, buffersOf(corners));
-    const onUnoptimized = (mesh: UnoptimizedMesh): void =>
+    const onUnoptimized = (mesh: EngineMesh): void =>
       workerPort.post({ kind: "unoptimized", id, mesh }, buffersOf(mesh));
     const onTrace = (events: Uint8Array): void =>
       workerPort.post({ kind: "trace", id, events }, buffersOf(events));

@@ -5,7 +5,7 @@
  * user.
  */
 import { stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { type Group, type Naming, patchGroups, regionGroups, usedGroups } from "./groups.js";
@@ -59,7 +59,7 @@ function nodeSets(patches: readonly Group[]): string[] {
   });
 }
 
-function* surfaces(mesh: FileMesh, patches: readonly Group[]): Generator<Part, void> {
+function* surfaces(mesh: Mesh, patches: readonly Group[]): Generator<Part, void> {
   const { faceOfTriangle, twin } = yield* tetFaces(mesh);
   const numbers = elementNumbers(mesh);
   /** Per patch: the element faces oriented as its triangles, and those of the elements across an interface. */
@@ -84,7 +84,7 @@ function* surfaces(mesh: FileMesh, patches: readonly Group[]): Generator<Part, v
 }
 
 /** Returns the number of each tetrahedron, from 1, when they are written region by region. */
-export function elementNumbers({ tetrahedronRegion, regions }: FileMesh): Uint32Array {
+export function elementNumbers({ tetrahedronRegion, regions }: Mesh): Uint32Array {
   const next = new Uint32Array(regions.length + 1);
   for (const region of tetrahedronRegion) next[region + 1] = (next[region + 1] ?? 0) + 1;
   for (let r = 1; r < next.length; r++) next[r] = (next[r] ?? 0) + (next[r - 1] ?? 0);

@@ -1,14 +1,13 @@
 /** Joins the surfaces of several files, such as the parts of an assembly, to one with a region per solid. */
 import { type Steps, stepwise } from "../base/steps.js";
-import { type FileMesh, isNumberedSolid } from "../mesh/file-mesh.js";
+import { type Mesh, isNumberedSolid } from "../mesh/mesh.js";
 import type { Shape, ShapeFace } from "./joined-shapes.js";
 import { surfaceOfShapes } from "./shape-surface.js";
-import type { SurfaceFile } from "./surface-file.js";
 
 /** The surface of a file, and the name of its solid if the file has one without a name of its own. */
 export interface AssemblyPart {
   readonly name: string;
-  readonly surface: SurfaceFile;
+  readonly surface: Mesh;
 }
 
 /**
@@ -16,7 +15,7 @@ export interface AssemblyPart {
  * their names, made different by numbers, and their largest volumes of tetrahedra. The unit is that of the first part. Points
  * that mark regions and holes must have been located.
  */
-export function* assemblyOf(parts: readonly AssemblyPart[]): Steps<FileMesh> {
+export function* assemblyOf(parts: readonly AssemblyPart[]): Steps<Mesh> {
   const shapes: Shape[] = [];
   for (const part of parts) shapes.push(...(yield* shapesOf(part)));
   const mesh = yield* surfaceOfShapes(shapes);
@@ -43,7 +42,7 @@ function* shapesOf({ name, surface }: AssemblyPart): Steps<Shape[]> {
 
 /** `signOf`: 1 for the triangles of the solid that face outward, -1 for those that face inward, 0 for others. */
 function* shapeOf(
-  { points, triangles, trianglePatch, patches }: SurfaceFile,
+  { points, triangles, trianglePatch, patches }: Mesh,
   name: string,
   signOf: (triangle: number) => number,
 ): Steps<Shape> {

@@ -1,9 +1,9 @@
 /** Extracts the triangles of a mesh with the points they use, for formats that hold surfaces only. */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 
 /** Returns the mesh without tetrahedra and unused nodes; the order of nodes is kept. */
-export function* boundaryOf(mesh: FileMesh): Steps<FileMesh> {
+export function* boundaryOf(mesh: Mesh): Steps<Mesh> {
   const { points, triangles } = mesh;
   const numbers = new Uint32Array(points.length / 3);
   let total = 0;
@@ -12,7 +12,7 @@ export function* boundaryOf(mesh: FileMesh): Steps<FileMesh> {
     total += 1 - (numbers[node] ?? 0);
     numbers[node] = 1;
   });
-  if (total === numbers.length) return { ...mesh, ...NO_VOLUME };
+  if (total === numbers.length) return { ...mesh, ...noVolume() };
   let count = 0;
   const kept = new Float64Array(3 * total);
   yield* stepwise(numbers.length, (node) => {
@@ -26,19 +26,21 @@ export function* boundaryOf(mesh: FileMesh): Steps<FileMesh> {
     ...mesh,
     points: kept,
     triangles: renumbered,
-    ...NO_VOLUME,
+    ...noVolume(),
   };
 }
 
-const NO_VOLUME = {
-  tetrahedra: new Uint32Array(),
-  tetrahedronRegion: new Uint32Array(),
-  regions: [],
-  nodeData: new Map(),
-} satisfies Partial<FileMesh>;
+/** Returns the parts of a mesh without tetrahedra. They are its own: arrays that are transferred are lost. */
+export const noVolume = () =>
+  ({
+    tetrahedra: new Uint32Array(),
+    tetrahedronRegion: new Uint32Array(),
+    regions: [],
+    nodeData: new Map(),
+  }) satisfies Partial<Mesh>;
 
 /** Returns a colour per patch: its own, or one of a cyclic list of distinguishable colours (Okabe and Ito). */
-export function colorsOf({ patches }: FileMesh): (readonly [number, number, number])[] {
+export function colorsOf({ patches }: Mesh): (readonly [number, number, number])[] {
   return patches.map(({ color }, p) => color ?? DISTINCT[p % DISTINCT.length] ?? [0.5, 0.5, 0.5]);
 }
 

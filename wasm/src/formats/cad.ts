@@ -7,7 +7,7 @@ import { GENERIC } from "../cad/opencascade.js";
 import type { CadFormat, CadReply, CadShape, Deflection } from "../cad/protocol.js";
 import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { damagedBrep } from "./brep-counts.js";
 import { allBytes, type ByteSource, piecesOf } from "./byte-source.js";
 import type { MeshReader } from "./file-format.js";
@@ -38,7 +38,7 @@ const PER_SIZE = 1 / 100;
 const FINEST = 1e-5;
 
 function readerOf(format: CadFormat): MeshReader {
-  return async (source: ByteSource, { signal, size, onWork }): Promise<FileMesh> => {
+  return async (source: ByteSource, { signal, size, onWork }): Promise<Mesh> => {
     const bytes = await allBytes(inUtf8(piecesOf(source)));
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
     const wrong = format === "brep" ? await inSteps(damagedBrep(bytes), signal) : undefined;

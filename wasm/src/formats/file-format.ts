@@ -3,7 +3,7 @@
  * entry in file-formats.ts.
  */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { ByteSource } from "./byte-source.js";
 import type { Part } from "./bytes.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -50,7 +50,7 @@ export interface ReadContext {
  * Rejects with an Error if the file cannot be read; `readMesh` turns it into a result with code, location and
  * remedy.
  */
-export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<FileMesh>;
+export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<Mesh>;
 /**
  * Returns the files of a mesh; the first has the given name. Throws a MesherError if the format cannot hold the
  * mesh.

@@ -1,5 +1,5 @@
 /** Adapts a mesh to the tags and node values that a format can store; reports every change. */
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import { hasGenericName, listed, numbered, usedGroups } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -25,7 +25,7 @@ const MAX_TAG = 0x7fffffff;
 export function fitToFormat(mesh: WrittenMesh, limits: FormatLimits, note: Note): WrittenMesh {
   const { minTag, maxTag = MAX_TAG, hasSharedTags = false, canHoldData } = limits;
   const takenByPatches = new Set<number>();
-  const settled = (word: "patches" | "regions", groups: readonly FileGroup[], owners: Uint32Array) => {
+  const settled = (word: "patches" | "regions", groups: readonly MeshGroup[], owners: Uint32Array) => {
     const used = usedGroups(owners, groups);
     const taken = hasSharedTags ? takenByPatches : new Set<number>();
     const tags = usableTags(groups, used, { lowest: minTag ?? 1, highest: maxTag, taken });
@@ -54,7 +54,7 @@ export function fitToFormat(mesh: WrittenMesh, limits: FormatLimits, note: Note)
 }
 
 /** Returns whether this program chose all tags, to which nothing refers yet. */
-function isNumbered(word: "patches" | "regions", groups: readonly FileGroup[]): boolean {
+function isNumbered(word: "patches" | "regions", groups: readonly MeshGroup[]): boolean {
   const own = numbered(word === "patches" ? "patch" : "region", groups.length);
   return groups.every(
     ({ name, tag, isTagChosen = false }, g) => isTagChosen || (name === own[g]?.name && tag === own[g].tag),
@@ -71,7 +71,7 @@ interface Numbers {
 
 /** Keeps each group's tag if it is permitted and free; other groups get the lowest free tags. */
 function usableTags(
-  groups: readonly FileGroup[],
+  groups: readonly MeshGroup[],
   used: ReadonlySet<number>,
   { lowest, highest, taken }: Numbers,
 ): readonly number[] {
@@ -103,7 +103,7 @@ export function omittedDataMessage(names: readonly string[]): string {
 }
 
 /** Reports regions that would be lost with a surface: no supported format can store regions without tetrahedra. */
-function noteUnwrittenRegions({ tetrahedra, surfaceRegions }: FileMesh, note: Note): void {
+function noteUnwrittenRegions({ tetrahedra, surfaceRegions }: Mesh, note: Note): void {
   const named = surfaceRegions?.regions.filter((region) => !hasGenericName(region)) ?? [];
   if (tetrahedra.length > 0 || named.length === 0) return;
   note(
@@ -112,7 +112,7 @@ function noteUnwrittenRegions({ tetrahedra, surfaceRegions }: FileMesh, note: No
 }
 
 /** Reports the named regions of a mesh that is written in a format for surfaces, which has no place for its tetrahedra. */
-export function noteLostRegions({ tetrahedronRegion, regions }: FileMesh, note: Note): void {
+export function noteLostRegions({ tetrahedronRegion, regions }: Mesh, note: Note): void {
   const used = usedGroups(tetrahedronRegion, regions);
   const named = regions.filter((region, r) => used.has(r) && !hasGenericName(region));
   if (named.length === 0) return;

@@ -2,7 +2,7 @@
  * Writes glTF 2.0 as a binary file (GLB): the boundary, with one primitive and material per patch, named after the
  * patch. Coordinates are float32, as the format requires; the axes are those of the mesh.
  */
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { boundaryOf, colorsOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -20,7 +20,7 @@ const FLOAT = 5126;
 const UNSIGNED_INT = 5125;
 
 /** Returns the bytes of a GLB file. A surface without triangles becomes a scene without a mesh. */
-export function* writeGlb(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeGlb(mesh: Mesh, note: Note): Generator<Part, void> {
   const surface = yield* boundaryOf(mesh);
   yield* noteMerged(surface.points, note);
   const groups = yield* patchGroups(surface, { note });
@@ -39,7 +39,7 @@ export function* writeGlb(mesh: FileMesh, note: Note): Generator<Part, void> {
   ];
 }
 
-function description(surface: FileMesh, groups: readonly Group[]): object {
+function description(surface: Mesh, groups: readonly Group[]): object {
   const asset = { version: "2.0", generator: "Tetrafront" };
   if (groups.length === 0) return { asset, scene: 0, scenes: [{}] };
   const used = usedGroups(surface.trianglePatch, surface.patches);

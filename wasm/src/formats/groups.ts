@@ -1,6 +1,6 @@
 /** Triangles by patch and tetrahedra by region, with names: the groups that other programs assign conditions to. */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { MeshGroup } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import type { WrittenMesh } from "./second-order.js";
 
@@ -40,7 +40,7 @@ export function numbered(
   word: string,
   count: number,
   names: readonly (string | undefined)[] = [],
-): FileGroup[] {
+): MeshGroup[] {
   return Array.from({ length: count }, (_, i) => ({ name: names[i] ?? `${word} ${i + 1}`, tag: i + 1 }));
 }
 
@@ -67,7 +67,7 @@ export function countOf(indices: Uint32Array): number {
  * Returns the indices of the groups that own an element, in ascending order. O(n), and about a hundred times faster
  * than a set built from the owners one by one.
  */
-export function usedGroups(owners: Uint32Array, groups: readonly FileGroup[]): ReadonlySet<number> {
+export function usedGroups(owners: Uint32Array, groups: readonly MeshGroup[]): ReadonlySet<number> {
   const isUsed = new Uint8Array(groups.length);
   for (const owner of owners) isUsed[owner] = 1;
   return new Set(groups.flatMap((_, g) => (isUsed[g] === 1 ? [g] : [])));
@@ -100,7 +100,7 @@ interface Elements {
 function* groupsOf(
   { kind, corners, middles = new Uint32Array() }: Elements,
   owners: Uint32Array,
-  groups: readonly FileGroup[],
+  groups: readonly MeshGroup[],
   word: string,
   naming: Naming = {},
 ): Steps<Group[]> {
@@ -173,20 +173,20 @@ export function shortened(text: string, bytes: number): string {
 }
 
 /** Returns whether a group's name carries no more information than its tag. */
-export function hasGenericName({ name, tag }: FileGroup): boolean {
+export function hasGenericName({ name, tag }: MeshGroup): boolean {
   return (
     ["", "surface", String(tag)].includes(name) || /^(patch|shell|region|boundary|entity) \d+$/.test(name)
   );
 }
 
 /** Returns whether a reader of a file without names would give the group the same name. */
-export function hasDefaultName(word: "patch" | "region", { name, tag }: FileGroup): boolean {
+export function hasDefaultName(word: "patch" | "region", { name, tag }: MeshGroup): boolean {
   return ["", "surface", String(tag), `${word} ${tag}`].includes(name);
 }
 
 /** Reports the names that a format without names drops. `tags`: the numbers written to the file. */
 export function noteNames(
-  groups: readonly FileGroup[],
+  groups: readonly MeshGroup[],
   note: Note,
   numbers = groups.map(({ tag }) => tag),
 ): void {

@@ -12,7 +12,7 @@ import {
   pointOf,
   type Vector,
 } from "../base/vectors.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { MeshGroup } from "../mesh/mesh.js";
 import { differentNames, listed } from "./groups.js";
 import { diagonalOf, weldWithin } from "./near-points.js";
 import { weldPoints } from "./weld.js";
@@ -23,7 +23,7 @@ export interface ShapeFace {
   readonly name?: string | undefined;
   /** Number of its triangles, which follow those of the face before it. */
   readonly triangles: number;
-  readonly color: FileGroup["color"];
+  readonly color: MeshGroup["color"];
 }
 
 export interface Shape {

@@ -2,7 +2,7 @@
  * Reads Medit `.mesh` files (text): triangles and quadrilaterals with their reference as patch, tetrahedra with
  * their reference as region. Other sections, such as edges, corners and normals, are skipped.
  */
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { MeshBuilder } from "./mesh-builder.js";
@@ -31,7 +31,7 @@ const SKIPPED = new Set([
 const OTHERS =
   /^(hexahedra|hexaedra|prisms|pyramids|(triangles|tetrahedra|hexahedra|prisms|pyramids)[pq][2-4]|quadrilaterals[pq][2-4])$/;
 
-export function readMedit(source: ByteSource): Promise<FileMesh> {
+export function readMedit(source: ByteSource): Promise<Mesh> {
   const names = new NameLines();
   const options = { remedy: REMEDY, comment: "#", onComment: names.readComment };
   return ByteReader.over(source, options, async (reader) => {

@@ -2,14 +2,14 @@
  * Writes Medit `.mesh` files (text): the tetrahedra with their region as reference, and the triangles of the
  * boundary with their patch as reference. Comments hold the names.
  */
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { allNameLines } from "./name-lines.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 
 /** Returns the bytes of a Medit file. */
-export function writeMedit(mesh: FileMesh, note: Note): Part[] {
+export function writeMedit(mesh: Mesh, note: Note): Part[] {
   const { points } = mesh;
   return [
     "MeshVersionFormatted 2\n\nDimension 3\n\n",
@@ -28,7 +28,7 @@ function elements(
   nodes: Uint32Array,
   width: number,
   owners: Uint32Array,
-  groups: readonly FileGroup[],
+  groups: readonly MeshGroup[],
 ): Part[] {
   return [
     `\n${name}\n${nodes.length / width}\n`,

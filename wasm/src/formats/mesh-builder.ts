@@ -1,5 +1,5 @@
 /** Collects the points, elements and groups found by a reader. */
-import type { FileGroup, FileMesh, NodeData } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh, NodeData } from "../mesh/mesh.js";
 import { Column } from "./column.js";
 import { facetPolygons } from "./facets.js";
 import { addPolygon, ClippingBudget, type Position3 } from "./polygons.js";
@@ -10,7 +10,7 @@ import { PointWelder } from "./weld.js";
 /** Groups in order of first appearance, identified by a key of the format. */
 export class GroupList {
   readonly #indices = new Map<string | number, number>();
-  readonly #groups: FileGroup[] = [];
+  readonly #groups: MeshGroup[] = [];
   /** Indices of the groups that the file identifies by tag. */
   readonly #tagged = new Set<number>();
   readonly #word: string;
@@ -38,11 +38,11 @@ export class GroupList {
   }
 
   /** Returns the index of the group with this name; adds it if it is new. New groups are numbered from 1. */
-  named(name: string, color?: FileGroup["color"]): number {
+  named(name: string, color?: MeshGroup["color"]): number {
     return this.of(name, () => ({ name, tag: this.#groups.length + 1, color }));
   }
 
-  of(key: string | number, make: () => FileGroup): number {
+  of(key: string | number, make: () => MeshGroup): number {
     const known = this.#indices.get(key);
     if (known !== undefined) return known;
     this.#indices.set(key, this.#groups.length);
@@ -50,7 +50,7 @@ export class GroupList {
   }
 
   /** Returns the groups. `names` apply to groups identified by tag. Other groups get tags that differ from those. */
-  groups(names: ReadonlyMap<number, string> = new Map()): readonly FileGroup[] {
+  groups(names: ReadonlyMap<number, string> = new Map()): readonly MeshGroup[] {
     const taken = new Set(this.#groups.filter((_, g) => this.#tagged.has(g)).map(({ tag }) => tag));
     let free = 1;
     const numberFor = (tag: number): number => {
@@ -187,7 +187,7 @@ export class MeshBuilder {
       readonly patches?: ReadonlyMap<number, string>;
       readonly regions?: ReadonlyMap<number, string>;
     } = {},
-  ): FileMesh {
+  ): Mesh {
     return this.#secondOrder.leftOutOf({
       points: this.#welder?.taken() ?? this.#points.taken(),
       isWelded: this.#welder !== undefined,

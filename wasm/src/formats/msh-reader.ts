@@ -4,7 +4,7 @@
  * entity. Values at nodes are kept. Points, lines and other sections are skipped.
  */
 import { plural } from "../base/plural.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { DuplicateElements } from "./duplicate-elements.js";
@@ -48,7 +48,7 @@ const MAX_COMPONENTS = 9;
 /** Largest number of `$NodeData` sections: each needs memory for all nodes, however few values it has. */
 const MAX_DATA = 16;
 
-export function readMsh(source: ByteSource): Promise<FileMesh> {
+export function readMsh(source: ByteSource): Promise<Mesh> {
   return ByteReader.over(source, { remedy: REMEDY }, async (reader) =>
     new MshReader(reader, await readFormat(reader)).read(),
   );
@@ -100,7 +100,7 @@ class MshReader {
   }
 
   /** Reads the sections after the format. */
-  async read(): Promise<FileMesh> {
+  async read(): Promise<Mesh> {
     for (;;) {
       await this.#reader.fill();
       const section = this.#reader.word();
@@ -110,7 +110,7 @@ class MshReader {
     }
   }
 
-  #mesh(): FileMesh {
+  #mesh(): Mesh {
     const mesh = this.#builder.mesh(this.#names);
     const surfaceRegions = this.#volumes.regions(mesh, this.#names.regions);
     const isLost = surfaceRegions === undefined && mesh.regions.length === 0 && this.#names.regions.size > 0;

@@ -1,5 +1,5 @@
 /** Volumes of a Gmsh model in a file that holds its surfaces only, found by the surfaces that bound them or by name. */
-import type { FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
+import type { Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
 import { GroupList } from "./mesh-builder.js";
 
@@ -27,7 +27,7 @@ export class MshVolumes {
    * volumes, a single name applies to all.
    */
   regions(
-    { triangles }: Pick<FileMesh, "triangles">,
+    { triangles }: Pick<Mesh, "triangles">,
     names: ReadonlyMap<number, string>,
   ): SurfaceRegions | undefined {
     const regions = new GroupList("region");

@@ -2,7 +2,7 @@
  * Names of patches and regions as lines of text: "patch 4 inlet". Formats that store only numbers keep these lines
  * in text that other programs ignore, such as comments.
  */
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, listed, shortened, usedGroups } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
@@ -14,7 +14,7 @@ const MAX_LINE_BYTES = 500;
  * Returns one line per group that has elements and an informative name; without line ends. Groups without elements
  * are skipped: a reader would take their name for that of another group.
  */
-export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note): string[] {
+export function nameLines(word: "patch" | "region", mesh: Mesh, note: Note): string[] {
   const [groups, owners] =
     word === "patch" ? [mesh.patches, mesh.trianglePatch] : [mesh.regions, mesh.tetrahedronRegion];
   const used = usedGroups(owners, groups);
@@ -32,7 +32,7 @@ export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note):
 }
 
 /** Returns the lines of patches and regions. */
-export function allNameLines(mesh: FileMesh, note: Note): string[] {
+export function allNameLines(mesh: Mesh, note: Note): string[] {
   return [...nameLines("patch", mesh, note), ...nameLines("region", mesh, note)];
 }
 
@@ -58,11 +58,11 @@ export class NameLines {
    * Returns the mesh with the names. If the mesh and the lines have one patch each, the name applies whatever the
    * tag.
    */
-  applyTo(mesh: FileMesh): FileMesh {
+  applyTo(mesh: Mesh): Mesh {
     const { patches, regions } = mesh;
     const [only, ...others] = this.patches;
     const isOne = only !== undefined && others.length === 0 && patches.length === 1;
-    const named = (groups: readonly FileGroup[], names: ReadonlyMap<number, string>) =>
+    const named = (groups: readonly MeshGroup[], names: ReadonlyMap<number, string>) =>
       groups.map((group) => ({ ...group, name: names.get(group.tag) ?? group.name }));
     return {
       ...mesh,
@@ -86,7 +86,7 @@ const RANGES_PER_LINE = 100;
  * Returns lines such as "faces of patch 4: 0-11 20-20", for formats that store nothing per face; none for a single
  * patch.
  */
-export function faceLines(owners: Uint32Array, groups: readonly FileGroup[]): string[] {
+export function faceLines(owners: Uint32Array, groups: readonly MeshGroup[]): string[] {
   if (groups.length < 2) return [];
   const ranges = groups.map((): string[] => []);
   for (let begin = 0, end = 0; begin < owners.length; begin = end) {
@@ -118,7 +118,7 @@ export class FaceLines extends NameLines {
    * Also assigns the patches if the lines cover every face exactly once; otherwise they were written for other
    * polygons.
    */
-  override applyTo(mesh: FileMesh): FileMesh {
+  override applyTo(mesh: Mesh): Mesh {
     const count = mesh.trianglePatch.length;
     const covered = this.#ranges.reduce((sum, [, begin, end]) => sum + end + 1 - begin, 0);
     const isWhole = covered === count && this.#ranges.every(([, begin, end]) => begin <= end && end < count);

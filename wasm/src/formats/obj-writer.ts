@@ -1,5 +1,5 @@
 /** Writes OBJ (text): the boundary with one group per patch; the material has the same name. */
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -7,7 +7,7 @@ import { patchGroups } from "./groups.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 
 /** Returns the bytes of an OBJ file. The triangles are sorted by patch. */
-export function* writeObj(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeObj(mesh: Mesh, note: Note): Generator<Part, void> {
   const surface = yield* boundaryOf(mesh);
   yield [
     "# Tetrafront\n",

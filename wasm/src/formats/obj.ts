@@ -5,7 +5,7 @@
  * continues it. Polygons are cut into triangles. Free-form curves and surfaces are rejected.
  */
 import { plural } from "../base/plural.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
@@ -18,7 +18,7 @@ const CORNER_REMEDY =
 /** Keywords of free-form geometry, without which the mesh would be incomplete. */
 const FREE_FORM = new Set(["curv", "curv2", "surf", "cstype", "deg", "bmat"]);
 
-export function readObj(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
+export function readObj(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<Mesh> {
   const options = { remedy: REMEDY, comment: "#", continuation: "\\", signal };
   return ByteReader.over(source, options, async (reader) => {
     const builder = new MeshBuilder();
@@ -68,7 +68,7 @@ class Kinds {
   }
 
   /** Merges combinations that end up with the same name, as a group and a material may. */
-  named({ trianglePatch }: FileMesh): Pick<FileMesh, "trianglePatch" | "patches"> {
+  named({ trianglePatch }: Mesh): Pick<Mesh, "trianglePatch" | "patches"> {
     const names = new Map<string, number>();
     for (const { name } of this.#kinds) names.set(name, (names.get(name) ?? 0) + 1);
     const hasGroups = names.size > 1 || this.#kinds.length === 1;

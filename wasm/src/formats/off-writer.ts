@@ -3,7 +3,7 @@
  * programs read three corners per line and reject or garble the rest. Patches are therefore listed in comments at
  * the end.
  */
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -11,7 +11,7 @@ import { faceLines, nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
 /** Returns the bytes of an OFF file. */
-export function* writeOff(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeOff(mesh: Mesh, note: Note): Generator<Part, void> {
   const { points, triangles, trianglePatch, patches } = yield* boundaryOf(mesh);
   yield [
     `OFF\n${points.length / 3} ${triangles.length / 3} 0\n`,

@@ -3,7 +3,7 @@
  * of the variants are skipped. Faces of one colour become a patch. Polygons are cut into triangles.
  */
 import { plural } from "../base/plural.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch, numbersInLine } from "./colors.js";
@@ -20,7 +20,7 @@ const COUNTS_BYTES = 64;
 /** Larger counts indicate a damaged file. */
 const MAX_COUNT = 0x7fffffff;
 
-export function readOff(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
+export function readOff(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<Mesh> {
   const lines = new FaceLines();
   const options = { remedy: REMEDY, comment: "#", onComment: lines.readComment, signal };
   return ByteReader.over(source, options, async (reader) => {

@@ -6,7 +6,7 @@
  * `defaultFaces`.
  */
 import { PAUSE, type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { patchGroups, regionGroups, usedGroups } from "./groups.js";
@@ -32,7 +32,7 @@ interface PolyMesh {
 }
 
 /** Returns the bytes of the zip. */
-export function* writeOpenFoam(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeOpenFoam(mesh: Mesh, note: Note): Generator<Part, void> {
   const poly = yield* polyMesh(mesh, note);
   yield PAUSE;
   const owners = poly.faces.map((face) => face >>> 2);
@@ -63,7 +63,7 @@ export function* writeOpenFoam(mesh: FileMesh, note: Note): Generator<Part, void
   );
 }
 
-function* polyMesh(mesh: FileMesh, note: Note): Steps<PolyMesh> {
+function* polyMesh(mesh: Mesh, note: Note): Steps<PolyMesh> {
   const found = yield* validFaces(mesh);
   noteFreeTriangles(found.faceOfTriangle.filter((face) => face === NONE).length, note);
   const isDuplicate = (t: number, face: number) => face !== NONE && found.triangle[face] !== t;
@@ -151,7 +151,7 @@ function* membersOf(owners: Uint32Array, groups: number): Steps<number[][]> {
 }
 
 /** Returns names that OpenFOAM accepts, by patch index; undefined for patches without triangles. */
-function* namesOf(mesh: FileMesh, note: Note): Steps<(string | undefined)[]> {
+function* namesOf(mesh: Mesh, note: Note): Steps<(string | undefined)[]> {
   const used = usedGroups(mesh.trianglePatch, mesh.patches);
   const names = (yield* patchGroups(mesh, { toPlain: word, note })).map(({ name }) => name);
   return mesh.patches.map((_, patch) => (used.has(patch) ? names.shift() : undefined));
@@ -193,7 +193,7 @@ function zoneEntry({ name, faces }: { readonly name: string; readonly faces: Uin
   );
 }
 
-function* cellZones(mesh: FileMesh, note: Note): Steps<Part> {
+function* cellZones(mesh: Mesh, note: Note): Steps<Part> {
   const cells = yield* membersOf(mesh.tetrahedronRegion, mesh.regions.length);
   const filled = cells.filter((own) => own.length > 0);
   const groups = yield* regionGroups(mesh, { toPlain: word, note });

@@ -4,7 +4,7 @@
  */
 import { plural } from "../base/plural.js";
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import { listed } from "./groups.js";
 import { cornersOf, NONE, validFaces } from "./tet-faces.js";
@@ -16,7 +16,7 @@ export const UNNAMED_FACES = "unnamed faces";
  * Returns the mesh with the boundary faces as its triangles. Throws a MesherError if its elements do not fit
  * together.
  */
-export function* withOuterFaces(mesh: FileMesh, note: Note): Steps<FileMesh> {
+export function* withOuterFaces(mesh: Mesh, note: Note): Steps<Mesh> {
   const { tetrahedra, trianglePatch, patches } = mesh;
   const { twin, triangle, faceOfTriangle } = yield* validFaces(mesh);
   const faces: number[] = [];
@@ -55,11 +55,7 @@ export function* withOuterFaces(mesh: FileMesh, note: Note): Steps<FileMesh> {
   };
 }
 
-function noteInterfaces(
-  { trianglePatch, patches }: FileMesh,
-  interfaces: readonly number[],
-  note: Note,
-): void {
+function noteInterfaces({ trianglePatch, patches }: Mesh, interfaces: readonly number[], note: Note): void {
   if (interfaces.length === 0) return;
   const names = new Set(interfaces.map((t) => `"${patches[trianglePatch[t] ?? 0]?.name ?? ""}"`));
   note(
@@ -80,6 +76,6 @@ export function noteUnnamedFaces(count: number, patch: string, note: Note): void
   note(`added to "${patch}": ${plural(count, "boundary face")} without a patch`);
 }
 
-export function noteRegions({ regions }: FileMesh, note: Note): void {
+export function noteRegions({ regions }: Mesh, note: Note): void {
   if (regions.length > 1) note(`the ${regions.length} regions are merged: the format cannot store regions`);
 }

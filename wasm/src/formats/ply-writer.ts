@@ -2,7 +2,7 @@
  * Writes PLY (text): points and triangles; if there are several patches, each triangle has the number and colour of
  * its patch. Text, because Gmsh reads no binary PLY, and meshio reads no face properties in binary files.
  */
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { boundaryOf, colorsOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -10,7 +10,7 @@ import { nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
 /** Returns the bytes of a PLY file. */
-export function* writePly(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writePly(mesh: Mesh, note: Note): Generator<Part, void> {
   const { points, triangles, trianglePatch, patches } = yield* boundaryOf(mesh);
   const hasPatches = patches.length > 1;
   const lineEnds = colorsOf(mesh).map(

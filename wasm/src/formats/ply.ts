@@ -4,7 +4,7 @@
  * properties and elements are skipped. Polygons and strips are cut into triangles.
  */
 import { plural } from "../base/plural.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch } from "./colors.js";
@@ -79,7 +79,7 @@ interface PlyReading {
   faces: number;
 }
 
-export function readPly(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
+export function readPly(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<Mesh> {
   return ByteReader.over(source, { remedy: REMEDY, signal }, async (reader) => {
     if (reader.line() !== "ply") reader.fail('the file does not begin with "ply"', FIRST_LINE);
     const names = new NameLines();

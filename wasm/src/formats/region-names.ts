@@ -3,9 +3,8 @@
  * region next to most of its triangles.
  */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { MeshResult } from "../mesh/report.js";
 import { hasGenericName } from "./groups.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
@@ -13,7 +12,7 @@ import { NONE, tetFaces } from "./tet-faces.js";
  * Returns the regions on the sides of the triangles, from the file's volumes or else its tetrahedra; undefined if
  * the file has neither. O(n) expected.
  */
-export function* surfaceRegionsOf(mesh: FileMesh): Steps<SurfaceRegions | undefined> {
+export function* surfaceRegionsOf(mesh: Mesh): Steps<SurfaceRegions | undefined> {
   const { regions, tetrahedronRegion, surfaceRegions } = mesh;
   if (mesh.tetrahedra.length === 0) return surfaceRegions;
   if (regions.length === 1 && regions.every(hasGenericName)) return undefined;
@@ -29,16 +28,22 @@ export function* surfaceRegionsOf(mesh: FileMesh): Steps<SurfaceRegions | undefi
   return { regions, triangleRegions };
 }
 
+/** Regions with names, and per region of a run the index of that which it is, or is a part of. */
+export interface NamedRegions {
+  readonly regions: readonly MeshGroup[];
+  readonly indices: readonly number[];
+}
+
 /** Returns the regions of a mesh generated from the surface, with the tags and names of their matches. */
 export function carriedRegions(
-  { surface, volume }: Pick<MeshResult, "surface" | "volume">,
+  triangleRegions: Uint32Array,
   given: SurfaceRegions,
   count: number,
-): Pick<FileMesh, "regions" | "tetrahedronRegion"> {
-  const found = matches(surface.triangleRegions, given, count);
+): NamedRegions {
+  const found = matches(triangleRegions, given, count);
   const used = [...new Set(found)].filter((region) => region !== NO_REGION).sort((a, b) => a - b);
   // Several volumes of a file may be one region: they have the same tag and name.
-  const isSame = (one: FileGroup | undefined, other: FileGroup | undefined) =>
+  const isSame = (one: MeshGroup | undefined, other: MeshGroup | undefined) =>
     one?.tag === other?.tag && one?.name === other?.name;
   const groups = used.flatMap((region) => given.regions[region] ?? []);
   const regions = groups.filter((group, g) => groups.findIndex((other) => isSame(group, other)) === g);
@@ -49,7 +54,7 @@ export function carriedRegions(
     regions.push({ name: `region ${own + 1}`, tag: lastTag + ++added, isTagChosen: true });
     return regions.length - 1;
   });
-  return { regions, tetrahedronRegion: volume.regions.map((region) => indices[region] ?? 0) };
+  return { regions, indices };
 }
 
 /** Triangles with the same regions on their sides, in the mesh and in the file. */

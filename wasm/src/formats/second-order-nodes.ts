@@ -1,6 +1,6 @@
 /** The nodes of a file that lie on edges of second-order elements. The mesh is read by the corners of its elements. */
 import { plural } from "../base/plural.js";
-import type { FileMesh, NodeData } from "../mesh/file-mesh.js";
+import type { Mesh, NodeData } from "../mesh/mesh.js";
 import { Column } from "./column.js";
 import { edgesOf } from "./second-order.js";
 
@@ -34,7 +34,7 @@ export class SecondOrderNodes {
   }
 
   /** Returns the mesh without these nodes, except those that are corners of other elements, and with a note. O(n). */
-  leftOutOf(mesh: FileMesh): FileMesh {
+  leftOutOf(mesh: Mesh): Mesh {
     if (this.#elements === 0) return mesh;
     const { points, triangles, tetrahedra, nodeData } = mesh;
     const isLeftOut = new Uint8Array(points.length / 3);

@@ -4,7 +4,7 @@
  * tetrahedron, as in VTK, Abaqus and Nastran.
  */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh, NodeData } from "../mesh/file-mesh.js";
+import type { Mesh, NodeData } from "../mesh/mesh.js";
 
 /** Nodes at the middles of the edges: three per triangle, six per tetrahedron. */
 export interface MidNodes {
@@ -13,7 +13,7 @@ export interface MidNodes {
 }
 
 /** Mesh that a writer gets; with middle nodes if it writes second-order elements. */
-export type WrittenMesh = FileMesh & { readonly midNodes?: MidNodes | undefined };
+export type WrittenMesh = Mesh & { readonly midNodes?: MidNodes | undefined };
 
 const TRIANGLE_EDGES = [0, 1, 1, 2, 2, 0] as const;
 const TETRAHEDRON_EDGES = [...TRIANGLE_EDGES, 0, 3, 1, 3, 2, 3] as const;
@@ -24,7 +24,7 @@ export function edgesOf(nodes: number): readonly number[] {
 }
 
 /** Returns the mesh with the middle nodes after its own, and with the mean values of the ends of each edge at them. O(n). */
-export function* withMidNodes(mesh: FileMesh): Steps<FileMesh & { readonly midNodes: MidNodes }> {
+export function* withMidNodes(mesh: Mesh): Steps<Mesh & { readonly midNodes: MidNodes }> {
   const count = mesh.points.length / 3;
   const edges = new EdgeNodes(count);
   const [triangles, tetrahedra] = [

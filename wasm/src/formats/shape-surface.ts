@@ -4,7 +4,7 @@
  */
 import { type Steps, stepwise } from "../base/steps.js";
 import { NO_REGION } from "../generated/constants.js";
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import { listed } from "./groups.js";
 import { imprinted } from "./imprint.js";
 import {
@@ -19,14 +19,14 @@ import {
 import { shareFaces, sharePlanarPieces, shareTriangles } from "./shared-faces.js";
 
 /** Returns the surface of all shapes. Its notes list what was changed, open shapes and faces without triangles. */
-export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<FileMesh> {
+export function* surfaceOfShapes(shapes: readonly Shape[]): Steps<Mesh> {
   return (yield* joinedSurface(shapes)).mesh;
 }
 
 /** Like `surfaceOfShapes`; also returns how many of the shapes are closed. */
 export function* joinedSurface(
   shapes: readonly Shape[],
-): Steps<{ readonly mesh: FileMesh; readonly closedShapes: number }> {
+): Steps<{ readonly mesh: Mesh; readonly closedShapes: number }> {
   let joined = joinedShapes(shapes);
   const open = yield* weldShapes(joined);
   yield* orientShapes(joined);
@@ -50,7 +50,7 @@ export function* joinedSurface(
  * Several solids state what is meshed on either side: a solid may fill a cavity of another, and one that is not closed keeps
  * its region when a repair closes it. One solid does so for the largest volume of its tetrahedra.
  */
-function withGivenRegions(mesh: FileMesh, shapes: readonly Shape[]): FileMesh {
+function withGivenRegions(mesh: Mesh, shapes: readonly Shape[]): Mesh {
   const { triangleRegions = new Uint32Array() } = mesh.surfaceRegions ?? {};
   const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);
   const maxVolumes = isLimited
@@ -59,7 +59,7 @@ function withGivenRegions(mesh: FileMesh, shapes: readonly Shape[]): FileMesh {
   return { ...mesh, givenRegions: { triangleRegions, maxVolumes } };
 }
 
-function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<FileMesh> {
+function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<Mesh> {
   const { names, points, shapeOf, faceOf, twin, isDropped, notes } = joined;
   const patches = new SharedPatches(shapes, names);
   const kept = shapeOf.map((_, t) => t).filter((t) => isDropped[t] === 0);
@@ -96,7 +96,7 @@ function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<FileMesh
 
 /** Patches of faces, and of pairs of faces that two shapes share, in the order in which they are asked for. */
 class SharedPatches {
-  readonly groups: FileGroup[] = [];
+  readonly groups: MeshGroup[] = [];
   readonly #faces: readonly (ShapeFace & { readonly shape: string; readonly label: string })[];
   readonly #indices = new Map<string, number>();
   /** Number of interfaces per pair of shapes. */
@@ -136,7 +136,7 @@ class SharedPatches {
     return empty.length === 0 ? [] : [`without triangles: ${listed(empty)}`];
   }
 
-  #index(key: string, make: () => FileGroup): number {
+  #index(key: string, make: () => MeshGroup): number {
     const known = this.#indices.get(key);
     if (known !== undefined) return known;
     this.#indices.set(key, this.groups.length);

@@ -1,17 +1,25 @@
 /** Names of regions from the solids or groups of a file that bound them: the format states no regions. */
-import { type FileGroup, isColorName, isNumberedSolid } from "../mesh/file-mesh.js";
-import type { SurfaceMesh } from "../mesh/mesh.js";
+import {
+  isColorName,
+  isNumberedSolid,
+  type Mesh,
+  type MeshGroup,
+  type SurfaceRegions,
+} from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
 import { differentNames, hasGenericName } from "./groups.js";
+
+/** Triangles with the regions on both sides. */
+type TrianglesBetween = Pick<Mesh, "points" | "triangles"> & Pick<SurfaceRegions, "triangleRegions">;
 
 /**
  * Returns the name of each region: that of the patch which alone is its outer shell; undefined for other regions, and without a
  * name. Names that several regions would have are numbered: "bolt", "bolt 2". `trianglePatch`: indices in `patches`. O(n).
  */
 export function namesOfSolids(
-  surface: Pick<SurfaceMesh, "points" | "triangles" | "triangleRegions">,
+  surface: TrianglesBetween,
   trianglePatch: Uint32Array,
-  patches: readonly FileGroup[],
+  patches: readonly MeshGroup[],
   regions: number,
 ): (string | undefined)[] {
   const shells = shellsOf(surface.triangles, surface.points.length / 3);
@@ -47,7 +55,7 @@ export function shellsOf(triangles: Uint32Array, nodes: number): Uint32Array {
 
 /** Returns the shell of each region that has a node farthest along x: nothing of the region lies outside of it. */
 function outerShells(
-  { points, triangles, triangleRegions }: Pick<SurfaceMesh, "points" | "triangles" | "triangleRegions">,
+  { points, triangles, triangleRegions }: TrianglesBetween,
   shells: Uint32Array,
   regions: number,
 ): number[] {

@@ -4,8 +4,8 @@
  * others are free, and one surface too.
  */
 import { NO_REGION } from "../generated/constants.js";
-import type { SurfaceRegions } from "../mesh/file-mesh.js";
-import type { SurfaceFile } from "./surface-file.js";
+import type { SurfaceRegions, Mesh } from "../mesh/mesh.js";
+import { noVolume } from "./boundary.js";
 
 /** A box that contains a solid. */
 export interface Box {
@@ -14,7 +14,7 @@ export interface Box {
 }
 
 /** A surface whose solids are known. */
-export interface SolidsSurface extends Omit<SurfaceFile, "surfaceRegions"> {
+export interface SolidsSurface extends Omit<Mesh, "surfaceRegions"> {
   readonly surfaceRegions: SurfaceRegions;
 }
 
@@ -93,7 +93,7 @@ export function boxOf(points: Float64Array): Box {
 }
 
 function boxesOf(
-  { points, triangles }: Pick<SurfaceFile, "points" | "triangles">,
+  { points, triangles }: Pick<Mesh, "points" | "triangles">,
   count: number,
   triangleRegions: Uint32Array,
 ): Box[] {
@@ -138,6 +138,7 @@ export function partOfSolids(given: SolidsSurface, solids: readonly number[]): S
   const triangleRegions = Uint32Array.from(sides);
   const maxVolumes = Float64Array.from(solids, (region) => given.givenRegions?.maxVolumes[region] ?? 0);
   return {
+    ...noVolume(),
     points: Float64Array.from({ length: 3 * kept.length }, (_, i) => {
       return points[3 * (kept[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0;
     }),
@@ -167,8 +168,8 @@ class Numbering {
 }
 
 /** Returns surfaces as one; its nodes, patches and regions are those of the first, then of the next. O(n). */
-export function unitedSurfaces(parts: readonly SurfaceFile[]): SurfaceFile {
-  const sum = (of: (part: SurfaceFile) => number): number => parts.reduce((all, part) => all + of(part), 0);
+export function unitedSurfaces(parts: readonly Mesh[]): Mesh {
+  const sum = (of: (part: Mesh) => number): number => parts.reduce((all, part) => all + of(part), 0);
   const points = new Float64Array(sum((part) => part.points.length));
   const triangles = new Uint32Array(sum((part) => part.triangles.length));
   const trianglePatch = new Uint32Array(triangles.length / 3);
@@ -196,6 +197,7 @@ export function unitedSurfaces(parts: readonly SurfaceFile[]): SurfaceFile {
   }
   const [first] = parts;
   return {
+    ...noVolume(),
     points,
     triangles,
     trianglePatch,

@@ -4,7 +4,7 @@
  * its 80 bytes.
  */
 import { stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -22,7 +22,7 @@ const MAX_ATTRIBUTE = 0x7fff;
  * Returns the bytes of an STL file. Patches beyond 32767 share the attribute 0, and coordinates are rounded to
  * float32.
  */
-export function* writeStl(given: FileMesh, note: Note): Generator<Part, void> {
+export function* writeStl(given: Mesh, note: Note): Generator<Part, void> {
   const mesh = yield* boundaryOf(given);
   const { points, triangles, trianglePatch } = mesh;
   yield* noteMerged(points, note);
@@ -50,7 +50,7 @@ export function* writeStl(given: FileMesh, note: Note): Generator<Part, void> {
  * Returns the attribute per patch: the tags if all are unique and permitted, else numbers from 1 in order, and 0
  * beyond the largest.
  */
-function attributesOf({ patches, trianglePatch }: FileMesh, note: Note): Uint16Array {
+function attributesOf({ patches, trianglePatch }: Mesh, note: Note): Uint16Array {
   const attributes = new Uint16Array(patches.length);
   const [first] = patches;
   if (patches.length === 1 && first?.tag === 1 && hasGenericName(first)) return attributes;
@@ -77,7 +77,7 @@ function attributesOf({ patches, trianglePatch }: FileMesh, note: Note): Uint16A
  * The header must not begin with "solid", which begins text files, nor contain zero bytes or "COLOR=", which have a
  * meaning.
  */
-function header({ patches, trianglePatch }: FileMesh, attributes: Uint16Array, note: Note): Uint8Array {
+function header({ patches, trianglePatch }: Mesh, attributes: Uint16Array, note: Note): Uint8Array {
   const used = [...usedGroups(trianglePatch, patches)].sort(
     (a, b) => (attributes[a] ?? 0) - (attributes[b] ?? 0),
   );

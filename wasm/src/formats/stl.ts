@@ -7,7 +7,7 @@
  */
 import { plural } from "../base/plural.js";
 import { inSteps } from "../calls/yielder.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { hexOf } from "./colors.js";
@@ -31,7 +31,7 @@ const BATCH = 1024;
 
 const REMEDY = "Export the surface again; the file is damaged or not STL.";
 
-export function readStl(source: ByteSource): Promise<FileMesh> {
+export function readStl(source: ByteSource): Promise<Mesh> {
   return ByteReader.over(source, { remedy: REMEDY }, (reader) => {
     const head = reader.peek(SNIFFED_BYTES);
     const startsLikeText = /^\s*solid/i.test(new TextDecoder().decode(head.subarray(0, HEADER_BYTES)));
@@ -46,7 +46,7 @@ export function readStl(source: ByteSource): Promise<FileMesh> {
   });
 }
 
-async function readBinary(reader: ByteReader): Promise<FileMesh> {
+async function readBinary(reader: ByteReader): Promise<Mesh> {
   const head = await reader.bytes(HEADER_BYTES);
   const count = reader.integer(COUNT_BYTES, false);
   const builder = new MeshBuilder(true);
@@ -198,7 +198,7 @@ class Attributes {
   }
 
   /** Adds the names that this package writes to the header, in the order of the attributes. */
-  named(mesh: FileMesh, head: Uint8Array): FileMesh {
+  named(mesh: Mesh, head: Uint8Array): Mesh {
     const title = textOf(head).replace(/\0+$/, "");
     if (!title.startsWith(STL_NAMES)) return mesh;
     const names = title.slice(STL_NAMES.length).split(NAME_BREAK);
@@ -211,7 +211,7 @@ class Attributes {
   }
 }
 
-async function readText(reader: ByteReader): Promise<FileMesh> {
+async function readText(reader: ByteReader): Promise<Mesh> {
   const builder = new MeshBuilder(true);
   let patch = 0;
   let isOpen = false;
@@ -233,7 +233,7 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
 }
 
 /** Accepts a file without its last line, which some programs omit, unless open edges show that triangles are missing too. */
-async function withoutEnd(reader: ByteReader, mesh: FileMesh): Promise<FileMesh> {
+async function withoutEnd(reader: ByteReader, mesh: Mesh): Promise<Mesh> {
   const open = await inSteps(openEdges(mesh.triangles, mesh.points.length / 3));
   if (open.length > 0 || mesh.triangles.length === 0) {
     reader.failAtEnd('"facet" or "endsolid"');

@@ -3,7 +3,7 @@
  * underscores replace the characters that end or split names in SU2's configuration files. The format cannot store
  * regions and the interfaces between them.
  */
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { type Naming, patchGroups } from "./groups.js";
@@ -17,7 +17,7 @@ const VTK_TETRA = 10;
 const NAMING: Naming = { toPlain: plainName, maxBytes: 199 };
 
 /** Returns the bytes of an SU2 file. */
-export function* writeSu2(mesh: FileMesh, note: Note): Generator<Part, void> {
+export function* writeSu2(mesh: Mesh, note: Note): Generator<Part, void> {
   const { points, tetrahedra } = mesh;
   const markers = yield* patchGroups(yield* withOuterFaces(mesh, note), { ...NAMING, note });
   noteRegions(mesh, note);

@@ -1,38 +1,16 @@
 /** Surfaces from files: the triangles of a mesh file, welded exactly, those of soups within rounding. */
 import { plural } from "../base/plural.js";
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileGroup, FileMesh, SurfaceRegions } from "../mesh/file-mesh.js";
-import type { SurfaceInput } from "../mesh/mesh.js";
-import type { Unit } from "../mesh/units.js";
-import { boundaryOf } from "./boundary.js";
+import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
+import { boundaryOf, noVolume } from "./boundary.js";
 import { ReadFailure } from "./read-result.js";
 import { surfaceRegionsOf } from "./region-names.js";
 import { type WeldedByRounding, weldRounding } from "./rounding.js";
 import { isSoup } from "./soup.js";
 import { weldPoints } from "./weld.js";
 
-export interface SurfaceFile extends SurfaceInput {
-  /** Per triangle: index in `patches`. */
-  readonly trianglePatch: Uint32Array;
-  /** Tags, colours, solids or groups of the file; one patch if it has none. */
-  readonly patches: readonly FileGroup[];
-  /**
-   * Regions on the sides of the triangles, from tetrahedra or, in Gmsh files, from volumes; undefined if the file
-   * has neither.
-   */
-  readonly surfaceRegions?: SurfaceRegions | undefined;
-  /** Names of regions whose location the file does not define; they are lost. */
-  readonly unlocatedRegions?: readonly string[] | undefined;
-  /** Unit of the coordinates, if the file or the options of reading define one; they are converted to it. */
-  readonly unit?: Unit | undefined;
-  /** Sentences about other content of the file that was ignored. */
-  readonly notes?: readonly string[] | undefined;
-  /** Number of repeated listings of a triangle. It is kept once, in its first group. */
-  readonly duplicateTriangles?: number | undefined;
-}
-
 /** Returns the triangles of a file with the points they use. Throws a ReadFailure if there are no triangles. */
-export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
+export function* surfaceOf(mesh: Mesh): Steps<Mesh> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
   const { trianglePatch, patches, unit, unlocatedRegions, duplicateTriangles = 0 } = mesh;
   const { regionPoints, givenRegions } = mesh;
@@ -44,6 +22,7 @@ export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
     triangles,
     trianglePatch,
     patches,
+    ...noVolume(),
     ...(surfaceRegions && { surfaceRegions }),
     ...(unit && { unit }),
     ...(unlocatedRegions && { unlocatedRegions }),
@@ -55,7 +34,7 @@ export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
 }
 
 /** Welds equal points, and in a soup those that differ by rounding. */
-function* withoutNoise(mesh: FileMesh): Steps<WeldedByRounding> {
+function* withoutNoise(mesh: Mesh): Steps<WeldedByRounding> {
   const { points, triangles, tetrahedra, isWelded = false } = mesh;
   const exact = yield* exactlyWelded(yield* boundaryOf(mesh));
   const mayBeSoup = tetrahedra.length === 0 && !isWelded;
@@ -71,7 +50,7 @@ function roundingNote(welded: number, distance: number): string {
   return `${words}, by at most ${Number(distance.toPrecision(2))}`;
 }
 
-function* exactlyWelded({ points: given, triangles, isWelded }: FileMesh): Steps<SurfaceInput> {
+function* exactlyWelded({ points: given, triangles, isWelded }: Mesh): Steps<SurfaceInput> {
   if (isWelded === true) return { points: given, triangles };
   const { points, indices } = yield* weldPoints(given);
   const welded = new Uint32Array(triangles.length);

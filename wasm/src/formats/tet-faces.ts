@@ -3,7 +3,7 @@ import { PAUSE, type Steps, stepwise } from "../base/steps.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { sixfoldVolume } from "./sixfold-volume.js";
 
 export const NONE = 0xffffffff;
@@ -34,7 +34,7 @@ export interface TetFaces {
  * Finds the faces that share nodes. O(n) expected: buckets are hashed by all three nodes, as many faces may share
  * one or two.
  */
-export function* tetFaces({ triangles, tetrahedra }: FileMesh): Steps<TetFaces> {
+export function* tetFaces({ triangles, tetrahedra }: Mesh): Steps<TetFaces> {
   const faceCount = tetrahedra.length;
   let buckets = 16;
   while (buckets < faceCount) buckets *= 2;
@@ -120,7 +120,7 @@ function hasSameOrientation([a, b, c]: FaceNodes, [x, y, z]: FaceNodes): boolean
 }
 
 /** Reports the tetrahedra that do not fit into a valid mesh, by kind of defect. */
-export function* findDefects(mesh: FileMesh, { twin, nonManifold }: TetFaces): Steps<Diagnostic[]> {
+export function* findDefects(mesh: Mesh, { twin, nonManifold }: TetFaces): Steps<Diagnostic[]> {
   const { points, tetrahedra } = mesh;
   const inverted: number[] = [];
   const flat: number[] = [];
@@ -162,7 +162,7 @@ function fault(ids: readonly number[], words: string, remedy: string): Diagnosti
 }
 
 /** Returns `tetFaces`, for formats that require a valid mesh. Throws a MesherError if the mesh is invalid. */
-export function* validFaces(mesh: FileMesh): Steps<TetFaces> {
+export function* validFaces(mesh: Mesh): Steps<TetFaces> {
   const faces = yield* tetFaces(mesh);
   refuse(yield* findDefects(mesh, faces));
   return faces;

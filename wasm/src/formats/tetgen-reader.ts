@@ -5,8 +5,7 @@
  * Points mark holes and regions of the model; those of regions have an attribute and a largest volume.
  */
 import { plural } from "../base/plural.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
-import type { RegionPoint, RegionPoints } from "../mesh/mesh.js";
+import type { Mesh, RegionPoint, RegionPoints } from "../mesh/mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { OpenOther, ReadContext } from "./file-format.js";
@@ -30,7 +29,7 @@ interface Points {
 export async function readTetgen(
   source: ByteSource,
   { fileName, openOther, signal }: ReadContext,
-): Promise<FileMesh> {
+): Promise<Mesh> {
   const [, stem = "", extension = ""] = /^(.*)\.([^.]*)$/.exec(fileName) ?? [];
   const points: Points = { builder: new MeshBuilder(), first: 0, names: new NameLines(), signal };
   let regionPoints: RegionPoints | undefined;

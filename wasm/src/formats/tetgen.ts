@@ -3,7 +3,7 @@
  * attribute, and `.face` with the boundary's triangles and their patch as marker. Numbers count from 1; comments
  * hold names.
  */
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { FileParts, Note } from "./file-format.js";
 import { nameLines } from "./name-lines.js";
@@ -11,7 +11,7 @@ import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { zipped } from "./zip.js";
 
 /** Returns three files with the same stem. */
-export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): readonly FileParts[] {
+export function writeTetgen(mesh: Mesh, fileName: string, note: Note): readonly FileParts[] {
   const stem = fileName.replace(/\.[^.]*$/, "");
   return [
     { fileName: `${stem}.node`, parts: nodes(mesh) },
@@ -21,20 +21,20 @@ export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): reado
 }
 
 /** Returns the three files in one zip. */
-export function* writeTetgenZip(mesh: FileMesh, note: Note, fileName: string): Generator<Part, void> {
+export function* writeTetgenZip(mesh: Mesh, note: Note, fileName: string): Generator<Part, void> {
   const [base = ""] = /[^/\\]*$/.exec(fileName) ?? [];
   const files = writeTetgen(mesh, `${base.replace(/(\.tetgen)?\.zip$/i, "")}.node`, note);
   yield* zipped(files);
 }
 
-function nodes({ points }: FileMesh): Part[] {
+function nodes({ points }: Mesh): Part[] {
   return [
     `# points\n${points.length / 3} 3 0 0\n`,
     numberRows(points, 3, (row, i) => `${i + 1} ${coordinates(row)}`),
   ];
 }
 
-function elements(mesh: FileMesh, note: Note): Part[] {
+function elements(mesh: Mesh, note: Note): Part[] {
   const { tetrahedra, tetrahedronRegion, regions } = mesh;
   return [
     ...comments("tetrahedra with their region", nameLines("region", mesh, note)),
@@ -43,7 +43,7 @@ function elements(mesh: FileMesh, note: Note): Part[] {
   ];
 }
 
-function faces(mesh: FileMesh, note: Note): Part[] {
+function faces(mesh: Mesh, note: Note): Part[] {
   const { triangles, trianglePatch, patches } = mesh;
   return [
     ...comments("triangles with their patch", nameLines("patch", mesh, note)),
@@ -57,6 +57,6 @@ function comments(...lines: readonly (string | readonly string[])[]): string[] {
 }
 
 /** Each line has the number, the corners counted from 1, and the tag. */
-function rows(nodes: Uint32Array, width: number, owners: Uint32Array, groups: readonly FileGroup[]): Part {
+function rows(nodes: Uint32Array, width: number, owners: Uint32Array, groups: readonly MeshGroup[]): Part {
   return numberRows(nodes, width, (row, e) => `${e + 1} ${fromOne(row)} ${groups[owners[e] ?? 0]?.tag ?? 0}`);
 }

@@ -1,6 +1,6 @@
 /** Parses the model of a 3MF file: objects, colours and materials, and what is to be built of them. */
 import { PAUSE, STEP, type Steps } from "../base/steps.js";
-import type { FileGroup } from "../mesh/file-mesh.js";
+import type { MeshGroup } from "../mesh/mesh.js";
 import { Column } from "./column.js";
 import { failureAt } from "./read-result.js";
 import { type Attributes, attributesIn, lineAt, tagsIn } from "./xml-tags.js";
@@ -34,7 +34,7 @@ export interface Model {
   readonly scale: number;
   readonly objects: ReadonlyMap<string, ModelObject>;
   /** What triangles consist of; the first one is nothing in particular. */
-  readonly properties: readonly Pick<FileGroup, "name" | "color">[];
+  readonly properties: readonly Pick<MeshGroup, "name" | "color">[];
   readonly items: readonly Use[];
 }
 
@@ -68,7 +68,7 @@ class ModelParser {
   readonly #bytes: Uint8Array;
   #scale: number | undefined;
   readonly #objects = new Map<string, ModelObject>();
-  readonly #properties: Pick<FileGroup, "name" | "color">[] = [{ name: "" }];
+  readonly #properties: Pick<MeshGroup, "name" | "color">[] = [{ name: "" }];
   /** Index of a property by the id of its group and its index there. */
   readonly #propertyOf = new Map<string, number>();
   readonly #items: Use[] = [];

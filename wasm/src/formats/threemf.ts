@@ -5,7 +5,7 @@
 import { unzipSync } from "fflate";
 import { type Steps, stepwise } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
 import type { Shape, ShapeFace } from "./joined-shapes.js";
@@ -33,7 +33,7 @@ const MAX_TRIANGLES = 20_000_000;
 /** Work per use of an object, in triangles. */
 const PER_USE = 1000;
 
-export async function readThreeMf(source: ByteSource, { signal }: ReadContext): Promise<FileMesh> {
+export async function readThreeMf(source: ByteSource, { signal }: ReadContext): Promise<Mesh> {
   const bytes = await allBytes(source);
   if (bytes.length === 0) {
     const message = "the file is empty";
@@ -42,7 +42,7 @@ export async function readThreeMf(source: ByteSource, { signal }: ReadContext): 
   return inSteps(meshIn(bytes), signal);
 }
 
-function* meshIn(file: Uint8Array): Steps<FileMesh> {
+function* meshIn(file: Uint8Array): Steps<Mesh> {
   const bytes = modelIn(file);
   const model = yield* parseModel(bytes);
   const shapes: Shape[] = [];

@@ -4,7 +4,7 @@
  * The format has no names and no regions.
  */
 import type { Steps } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { bigEndianDoubles, bigEndianInts, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { noteNames } from "./groups.js";
@@ -12,7 +12,7 @@ import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
 
 /** Returns the bytes of a UGRID file as text. */
-export function* writeUgrid(given: FileMesh, note: Note): Generator<Part, void> {
+export function* writeUgrid(given: Mesh, note: Note): Generator<Part, void> {
   const mesh = yield* boundedMesh(given, note);
   yield [
     `${countsOf(mesh).join(" ")}\n`,
@@ -24,7 +24,7 @@ export function* writeUgrid(given: FileMesh, note: Note): Generator<Part, void> 
 }
 
 /** Returns the bytes of a binary UGRID file, high byte first. */
-export function* writeUgridBinary(given: FileMesh, note: Note): Generator<Part, void> {
+export function* writeUgridBinary(given: Mesh, note: Note): Generator<Part, void> {
   const mesh = yield* boundedMesh(given, note);
   yield [
     bigEndianInts(countsOf(mesh)),
@@ -35,17 +35,17 @@ export function* writeUgridBinary(given: FileMesh, note: Note): Generator<Part, 
   ];
 }
 
-function boundedMesh(mesh: FileMesh, note: Note): Steps<FileMesh> {
+function boundedMesh(mesh: Mesh, note: Note): Steps<Mesh> {
   noteRegions(mesh, note);
   noteNames(mesh.patches, note);
   return withOuterFaces(mesh, note);
 }
 
 /** Nodes, triangles, quadrilaterals, tetrahedra, pyramids, prisms, hexahedra. */
-function countsOf({ points, triangles, tetrahedra }: FileMesh): number[] {
+function countsOf({ points, triangles, tetrahedra }: Mesh): number[] {
   return [points.length / 3, triangles.length / 3, 0, tetrahedra.length / 4, 0, 0, 0];
 }
 
-function tagsOfTriangles({ trianglePatch, patches }: FileMesh): Uint32Array {
+function tagsOfTriangles({ trianglePatch, patches }: Mesh): Uint32Array {
   return trianglePatch.map((patch) => patches[patch]?.tag ?? 0);
 }

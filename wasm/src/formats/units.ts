@@ -1,11 +1,11 @@
 /** Units of length: converts the coordinates of files, and what is measured in them. */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
-import { UNITS, type Unit } from "../mesh/units.js";
+import type { Mesh } from "../mesh/mesh.js";
+import { LENGTH_UNITS, type LengthUnit } from "../mesh/units.js";
 import { ReadFailure } from "./read-result.js";
 
 /** Length of a unit in micrometres, exact. */
-const MICROMETRES: Readonly<Record<Unit, number>> = {
+const MICROMETRES: Readonly<Record<LengthUnit, number>> = {
   um: 1,
   mm: 1e3,
   cm: 1e4,
@@ -18,10 +18,10 @@ const MICROMETRES: Readonly<Record<Unit, number>> = {
 export interface LengthOptions {
   /** Factor of all coordinates, from 1e-30 to 1e30. Default 1. */
   readonly scale?: number | undefined;
-  /** Unit into which the lengths of the file are converted. Default: none. Requires that the file's unit is known. */
-  readonly units?: Unit | undefined;
-  /** Unit of the file, if its format does not define one. */
-  readonly fileUnits?: Unit | undefined;
+  /** LengthUnit into which the lengths of the file are converted. Default: none. Requires that the file's unit is known. */
+  readonly units?: LengthUnit | undefined;
+  /** LengthUnit of the file, if its format does not define one. */
+  readonly fileUnits?: LengthUnit | undefined;
 }
 
 /** Divides both numbers by their common factors: multiplication and division by 1 are without rounding. */
@@ -41,7 +41,7 @@ export function lengthInFile(length: number, { scale = 1, units, fileUnits = "mm
  * the scale: millimetres become metres like the decimal number. Converts the points that mark regions, their volumes, and
  * values at nodes named `size`. Throws a ReadFailure if the file's unit is unknown or contradicts the options.
  */
-export function* inUnits(mesh: FileMesh, { scale = 1, units, fileUnits }: LengthOptions): Steps<FileMesh> {
+export function* inUnits(mesh: Mesh, { scale = 1, units, fileUnits }: LengthOptions): Steps<Mesh> {
   if (mesh.unit !== undefined && fileUnits !== undefined && fileUnits !== mesh.unit) {
     const message = `the format defines the unit of the file, ${mesh.unit}, but ${fileUnits} is given`;
     throw new ReadFailure({ code: "invalid-argument", message, remedy: "Omit `fileUnits`." });
@@ -49,7 +49,7 @@ export function* inUnits(mesh: FileMesh, { scale = 1, units, fileUnits }: Length
   const from = mesh.unit ?? fileUnits;
   if (units !== undefined && from === undefined) {
     const message = `the lengths cannot be converted to ${units}, because the file does not state its unit`;
-    const remedy = `State it by \`fileUnits\`, one of ${UNITS.join(", ")}, or use \`scale\`.`;
+    const remedy = `State it by \`fileUnits\`, one of ${LENGTH_UNITS.join(", ")}, or use \`scale\`.`;
     throw new ReadFailure({ code: "invalid-argument", message, remedy });
   }
   const to = units ?? from;

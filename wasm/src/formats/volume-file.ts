@@ -1,23 +1,13 @@
 /** Volumes from files, for use as background grids: tetrahedra and the values at their nodes. */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh, NodeData } from "../mesh/file-mesh.js";
+import type { Mesh, NodeData } from "../mesh/mesh.js";
 import { ReadFailure } from "./read-result.js";
-
-/** Tetrahedra and their nodes; every node belongs to a tetrahedron. */
-export interface VolumeFile {
-  /** x y z per node. */
-  readonly points: Float64Array;
-  /** Four node indices per tetrahedron. */
-  readonly tetrahedra: Uint32Array;
-  /** By name, as in the file. */
-  readonly nodeData: ReadonlyMap<string, NodeData>;
-}
 
 /**
  * Returns the tetrahedra of a file with the nodes they use, in file order. Throws a ReadFailure if there are none
  * or if a corner is not a node. O(n).
  */
-export function* volumeOf({ points, tetrahedra, nodeData }: FileMesh): Steps<VolumeFile> {
+export function* volumeOf({ points, tetrahedra, nodeData, ...rest }: Mesh): Steps<Mesh> {
   const remedy = "Use a file with linear tetrahedra.";
   if (tetrahedra.length === 0) {
     throw new ReadFailure({ code: "no-tetrahedra", message: "the file contains no tetrahedra", remedy });
@@ -41,7 +31,15 @@ export function* volumeOf({ points, tetrahedra, nodeData }: FileMesh): Steps<Vol
   for (const [name, { components, values }] of nodeData) {
     kept.set(name, { components, values: yield* rowsKept(values, components, numbers, count) });
   }
-  return { points: yield* rowsKept(points, 3, numbers, count), tetrahedra: renumbered, nodeData: kept };
+  return {
+    ...rest,
+    points: yield* rowsKept(points, 3, numbers, count),
+    tetrahedra: renumbered,
+    nodeData: kept,
+    triangles: new Uint32Array(),
+    trianglePatch: new Uint32Array(),
+    patches: [],
+  };
 }
 
 /** Marks a node without an index. */

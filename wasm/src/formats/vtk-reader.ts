@@ -5,7 +5,7 @@
 import { plural } from "../base/plural.js";
 import { type Steps, stepwise } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";
@@ -59,7 +59,7 @@ interface CellList {
   readonly nodes: Float64Array;
 }
 
-export function readVtk(source: ByteSource, { signal }: ReadContext): Promise<FileMesh> {
+export function readVtk(source: ByteSource, { signal }: ReadContext): Promise<Mesh> {
   return ByteReader.over(source, { remedy: REMEDY }, (reader) => new VtkReader(reader, signal).read());
 }
 
@@ -88,7 +88,7 @@ class VtkReader {
     this.#signal = signal;
   }
 
-  async read(): Promise<FileMesh> {
+  async read(): Promise<Mesh> {
     this.#readHead();
     for (;;) {
       await this.#reader.fill();

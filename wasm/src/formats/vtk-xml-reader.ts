@@ -6,7 +6,7 @@
 import { plural } from "../base/plural.js";
 import { firstOf, STEP, type Steps, stepwise } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
 import { MeshBuilder } from "./mesh-builder.js";
@@ -115,13 +115,13 @@ class XmlFile {
 
 const MAX_ESTIMATE = 0.99;
 
-export async function readVtkXml(source: ByteSource, { signal, onWork }: ReadContext): Promise<FileMesh> {
+export async function readVtkXml(source: ByteSource, { signal, onWork }: ReadContext): Promise<Mesh> {
   const mesh = await inSteps(meshIn(xmlInUtf8(await allBytes(source)), onWork), signal);
   onWork?.(1);
   return mesh;
 }
 
-function* meshIn(bytes: Uint8Array, onWork: ReadContext["onWork"]): Steps<FileMesh> {
+function* meshIn(bytes: Uint8Array, onWork: ReadContext["onWork"]): Steps<Mesh> {
   const file = new XmlFile(bytes, onWork);
   const builder = new MeshBuilder();
   const held: PieceReading[] = [];

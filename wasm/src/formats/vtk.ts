@@ -4,7 +4,7 @@
  * the number of nodes before each cell, because Gmsh reads no other. The title holds the names, if all fit.
  */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { FileMesh } from "../mesh/file-mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { noteNames } from "./groups.js";
@@ -43,7 +43,7 @@ export function* writeVtk(mesh: WrittenMesh, note: Note): Generator<Part, void> 
 }
 
 /** Writes the values at the nodes. In their names, blanks and other separators are encoded like %20. */
-function pointData({ points, nodeData }: FileMesh): Part[] {
+function pointData({ points, nodeData }: Mesh): Part[] {
   if (nodeData.size === 0) return [];
   const count = points.length / 3;
   const arrays = [...nodeData].flatMap(([name, { components, values }]): Part[] => [
@@ -60,7 +60,7 @@ function nameWord(name: string): string {
 }
 
 /** Returns a title line of at most 255 bytes. */
-function title(mesh: FileMesh, note: Note): string {
+function title(mesh: Mesh, note: Note): string {
   const cut: string[] = [];
   const lines = allNameLines(mesh, (message) => cut.push(message));
   const text = ["Tetrafront", ...lines].join(NAME_BREAK);

@@ -6,7 +6,7 @@
  */
 import { zlibSync } from "fflate";
 import { PAUSE, type Steps, stepwise } from "../base/steps.js";
-import type { FileGroup, FileMesh } from "../mesh/file-mesh.js";
+import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import { IS_LITTLE_ENDIAN, joinBytes, type Part, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, usedGroups } from "./groups.js";
@@ -71,12 +71,12 @@ export function* writeVtu(mesh: WrittenMesh, note: Note): Generator<Part, void> 
  * Returns an array with the tag and the dimension of each named group. ParaView displays it, and meshio keeps the
  * physical names of Gmsh files in the same form.
  */
-function fieldData(mesh: FileMesh): string[] {
+function fieldData(mesh: Mesh): string[] {
   const taken = new Set<string>();
   const arrays = (
     word: "patch" | "region",
     dimension: number,
-    groups: readonly FileGroup[],
+    groups: readonly MeshGroup[],
     owners: Uint32Array,
   ) => {
     const used = usedGroups(owners, groups);

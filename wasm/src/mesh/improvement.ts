@@ -1,15 +1,6 @@
 /** Result of the improvement of a given mesh. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import type { MeshInput } from "./mesh.js";
-
-/** Mesh to be improved, for example `{ ...file, regions: file.tetrahedronRegion }` with a `FileMesh`. */
-export interface ImproveInput extends MeshInput {
-  /**
-   * Three node indices per triangle, for example the patches of a file. Those that are faces of elements stay, also inside
-   * a region, and so do their nodes. The boundary and the interfaces between regions stay in any case.
-   */
-  readonly triangles?: Uint32Array | undefined;
-}
+import type { Mesh } from "./mesh.js";
 
 /** Number and shapes of the elements of a mesh. */
 export interface MeshShapes {
@@ -34,12 +25,11 @@ export interface MeshImprovement {
   readonly isImproved: boolean;
   /** Whether the call was stopped early. */
   readonly isPartial: boolean;
-  /** x y z per node. */
-  readonly points: Float64Array;
-  /** Four node indices per element, a b c d with (b-a)×(c-a)·(d-a) > 0. */
-  readonly tetrahedra: Uint32Array;
-  /** Per element: its region, with the given numbers. */
-  readonly regions: Uint32Array;
+  /**
+   * The improved elements with the triangles, patches and regions of the given mesh; without values at the nodes, which have
+   * moved.
+   */
+  readonly mesh: Mesh;
   /** Per node: its index in the given mesh; `NO_ORIGIN` if it may have moved or is new. */
   readonly nodeOrigin: Uint32Array;
   /** Number of elements that were given with negative volume; two of their nodes were exchanged. */

@@ -1,6 +1,6 @@
 /** Results of the inspection, repair and refinement of given surfaces and meshes. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import type { SurfaceInput } from "./mesh.js";
+import type { Mesh } from "./mesh.js";
 import type { QualityReport } from "./quality.js";
 
 /** Position in model units. */
@@ -17,7 +17,7 @@ export interface EdgeLengths {
 export interface ShellInfo {
   readonly firstTriangle: number;
   readonly triangles: number;
-  /** Region on its inner side, as in `VolumeMesh.regions`. */
+  /** Region on its inner side, as in `tetrahedronRegion`. */
   readonly region: number;
   /** Whether it bounds a cavity of that region. */
   readonly isCavity: boolean;
@@ -120,8 +120,13 @@ export interface SharedVolume {
 
 /** Repaired surface. Inspect it: it may still have problems. */
 export interface SurfaceRepair {
-  /** Has `givenRegions` if the given regions shared volumes, and could be separated. */
-  readonly surface: SurfaceInput;
+  /**
+   * The repaired surface, with the patches and regions of the given one. Triangles that fill holes form one more patch, the
+   * last, named "filled holes".
+   */
+  readonly mesh: Mesh;
+  /** Whether the given regions shared volumes, and were separated. */
+  readonly isSeparated: boolean;
   /** Per triangle: its index in the given surface; `NO_ORIGIN` if it fills a hole. */
   readonly origin: Uint32Array;
   /** All changes. */
@@ -136,8 +141,8 @@ export interface SurfaceRepair {
 
 /** Surface whose large triangles are split; its shape is the same. */
 export interface SurfaceRefinement {
-  /** The given points, followed by the midpoints of the split edges. */
-  readonly surface: SurfaceInput;
+  /** The given points, followed by the midpoints of the split edges; with the patches and regions of the given surface. */
+  readonly mesh: Mesh;
   /** Per triangle: index of the given triangle that contains it. */
   readonly origin: Uint32Array;
   /** Number of split edges, including halves that were split again; equals the number of new points. */
@@ -154,7 +159,8 @@ export interface MergedDetail {
 
 /** Surface with new triangles near the given one. */
 export interface SurfaceRemesh {
-  readonly surface: SurfaceInput;
+  /** The new surface, with the patches and regions of the given one. */
+  readonly mesh: Mesh;
   /** Per triangle: index of a given triangle near it, in the same patch. */
   readonly origin: Uint32Array;
   /**

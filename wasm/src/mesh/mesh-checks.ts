@@ -6,13 +6,18 @@ import { isA, isArrayOf, isDetached, shown } from "../base/values.js";
 import { doubles, integers } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { FileMesh } from "./file-mesh.js";
+import type { Mesh } from "./mesh.js";
 import { NO_REGION } from "../generated/constants.js";
 
-const group = v.object({ name: v.string(), tag: v.number(), color: v.optional(v.array(v.number())) });
+export const groupSchema = v.object({
+  name: v.string(),
+  tag: v.number(),
+  color: v.optional(v.array(v.number())),
+});
 
-const regionsOnSides = v.pipe(
-  v.object({ regions: v.array(group), triangleRegions: integers(2) }),
+/** Regions on the sides of triangles. */
+export const regionsOnSides = v.pipe(
+  v.object({ regions: v.array(groupSchema), triangleRegions: integers(2) }),
   v.rawCheck(({ dataset, addIssue }) => {
     if (!dataset.typed) return;
     const { regions, triangleRegions } = dataset.value;
@@ -23,26 +28,19 @@ const regionsOnSides = v.pipe(
   }),
 );
 
-/** Patches and regions of a file's surface. */
-export const withPatches = v.object({
-  trianglePatch: integers(),
-  patches: v.array(group),
-  surfaceRegions: v.optional(regionsOnSides),
-});
-
 /**
  * Checks types, lengths and indices, because callers without type checks may pass anything. Returns no diagnostic
  * if they are valid.
  */
-export function* checkFileMesh(mesh: FileMesh): Steps<Diagnostic[]> {
+export function* checkFileMesh(mesh: Mesh): Steps<Diagnostic[]> {
   const given: unknown = mesh;
   const what = yield* faultIn(typeof given === "object" && given !== null ? given : {});
   if (what === undefined) return [];
-  const remedy = "Pass a mesh from readMesh or fileMeshOf.";
+  const remedy = "Pass a mesh from a reader or a run.";
   return [packageDiagnostic("invalid-arrays", `the mesh is invalid: ${what}`, remedy)];
 }
 
-function* faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): Steps<string | undefined> {
+function* faultIn({ points, nodeData, ...rest }: Partial<Mesh>): Steps<string | undefined> {
   if (!isArrayOf(Float64Array, points) || points.length % 3 !== 0 || isDetached(points)) {
     return "points is not a Float64Array with x y z per node";
   }
@@ -88,7 +86,7 @@ function* faultOf(
   const wild = yield* firstOf(nodes, (node) => node >= count);
   if (wild >= 0)
     return `${word} ${Math.floor(wild / width)} refers to node ${nodes[wild]}, but the number of nodes is ${count}`;
-  const named = groups.findIndex((given) => !v.is(group, given));
+  const named = groups.findIndex((given) => !v.is(groupSchema, given));
   if (named >= 0) return `group ${named} of the ${pluralOf(word)} has no valid name, tag or color`;
   const lost = yield* firstOf(owners, (owner) => owner >= groups.length);
   return lost < 0

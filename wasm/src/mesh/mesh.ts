@@ -1,7 +1,45 @@
 /**
- * Surfaces and volume meshes as flat arrays. They survive `structuredClone`; between threads, typed arrays are
- * transferred and not copied.
+ * The mesh: triangles, tetrahedra, or both, with the names of their patches and regions. Every reader returns one, every call
+ * takes it or a part of it. Its arrays survive `structuredClone`; between threads, typed arrays are transferred and not
+ * copied.
  */
+import type { LengthUnit } from "./units.js";
+
+/** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
+export interface MeshGroup {
+  readonly name: string;
+  /** Number in the file; meshes made by this program count from 1. */
+  readonly tag: number;
+  /** Red, green and blue from 0 to 1. */
+  readonly color?: readonly [number, number, number] | undefined;
+  /** Whether the tag was chosen while reading, because the file has no numbers: nothing refers to it. */
+  readonly isTagChosen?: true | undefined;
+}
+
+/**
+ * Returns whether readers have named a patch after its colour or attribute. Such a name distinguishes patches; that of the
+ * only patch carries no information.
+ */
+export function isColorName(name: string): boolean {
+  return /^(#[0-9a-f]{6}|color \d+|attribute \d+)$/.test(name);
+}
+
+/** Values at the nodes, such as sizes. */
+export interface NodeData {
+  /** Number of values per node. */
+  readonly components: number;
+  readonly values: Float64Array;
+}
+
+/** Regions on the sides of a file's triangles. */
+export interface SurfaceRegions {
+  readonly regions: readonly MeshGroup[];
+  /** Two per triangle, in either order: index in `regions` of the region on that side, `NO_REGION` if there is none. */
+  readonly triangleRegions: Uint32Array;
+}
+
+/** Order of the elements of a written file: 2 adds a node at the middle of every edge. */
+export type ElementOrder = 1 | 2;
 
 /** Regions of a surface that are known before it is meshed. */
 export interface GivenRegions {
@@ -35,75 +73,85 @@ export interface RegionPoints {
   readonly regions: readonly RegionPoint[];
 }
 
-/** Closed triangle surface: x y z per node, three node indices per triangle, in any orientation. */
-export interface SurfaceInput {
+/**
+ * Triangles and tetrahedra with their patches and regions, and the values at their nodes. A surface has no tetrahedra; it is
+ * ready to be meshed if its nodes are welded, as those of `readSurface` are.
+ */
+export interface Mesh {
+  /** x y z per node. */
   readonly points: Float64Array;
+  /** Three node indices per triangle. On the boundary of tetrahedra made here, they are counter-clockwise seen from outside. */
   readonly triangles: Uint32Array;
+  /** Per triangle: index in `patches`. */
+  readonly trianglePatch: Uint32Array;
+  /** Tags, colours, solids or groups of a file; one patch if it has none. */
+  readonly patches: readonly MeshGroup[];
+  /** Four node indices per tetrahedron, a b c d with (b-a)×(c-a)·(d-a) > 0. */
+  readonly tetrahedra: Uint32Array;
+  /** Per tetrahedron: index in `regions`. */
+  readonly tetrahedronRegion: Uint32Array;
+  readonly regions: readonly MeshGroup[];
+  /** By name, as in the file. */
+  readonly nodeData: ReadonlyMap<string, NodeData>;
   /**
-   * Per triangle, if the surface was made from another one (`repairSurface`, `refineSurface`, `remeshSurface`): its index
-   * there, by which messages name it, or `NO_ORIGIN`. Default: its own index.
+   * In the result of a run, two per triangle: index in `regions` of the region from which its nodes are seen clockwise, and of
+   * that from which they are seen counter-clockwise (`NO_REGION` except for interfaces). Empty until the boundary is known to be
+   * closed.
+   */
+  readonly triangleRegions?: Uint32Array | undefined;
+  /** Regions between the triangles, if a file defines them without tetrahedra. */
+  readonly surfaceRegions?: SurfaceRegions | undefined;
+  /** What is meshed, if it follows from the sides of the triangles alone; replaces `innerShells`. */
+  readonly givenRegions?: GivenRegions | undefined;
+  /**
+   * Per triangle, if the mesh was made from another one (`repairSurface`, `refineSurface`, `remeshSurface`): its index there,
+   * by which messages name it, or `NO_ORIGIN`. Default: its own index.
    */
   readonly origin?: Uint32Array | undefined;
   /** The same per node. */
   readonly nodeOrigin?: Uint32Array | undefined;
-  /** What is meshed, as `locateRegions` finds it; replaces `innerShells`. */
-  readonly givenRegions?: GivenRegions | undefined;
   /**
-   * Points of its file that mark regions and holes. Such a surface is not meshed until `locateRegions` has used them. If
+   * Points of its file that mark regions and holes of a surface. It is not meshed until `locateRegions` has used them. If
    * the file's format has such points, but the file has none, both lists are empty, and closed shells inside a region are
    * regions unless `innerShells` says otherwise.
    */
   readonly regionPoints?: RegionPoints | undefined;
-}
-
-/** Surface whose triangles belong to patches, for example a `SurfaceFile`. */
-export interface PatchedSurface extends SurfaceInput {
-  /** Per triangle: index of its patch. If omitted, all triangles are in one patch. */
-  readonly trianglePatch?: Uint32Array | undefined;
-}
-
-/** Mesh from any source: as `VolumeMesh`, but elements may have either orientation. */
-export interface MeshInput {
-  /** x y z per node. */
-  readonly points: Float64Array;
-  /** Four node indices per element. */
-  readonly tetrahedra: Uint32Array;
-  /** One per element; if omitted, all are in region 0. */
-  readonly regions?: Uint32Array | undefined;
-  /** Elements that were inverted in their file (see `FileMesh`); they count as inverted. */
+  /** LengthUnit of the coordinates, if the file or the options of reading define one; they are converted to it. */
+  readonly unit?: LengthUnit | undefined;
+  /** Format and version as stated by the file, if the file's name does not decide: "Gmsh 2.2". */
+  readonly format?: string | undefined;
+  /** Whether all points differ, so that exact welding changes nothing. Default false. */
+  readonly isWelded?: boolean | undefined;
+  /** Whether the format lists each triangle by its positions, as STL does: nodes are shared because they are equal. */
+  readonly isSoup?: true | undefined;
+  /**
+   * Number of tetrahedra whose nodes the reader reordered to make the volume positive. If it is all of them, the
+   * file uses the opposite node order.
+   */
+  readonly reversedTetrahedra?: number | undefined;
+  /**
+   * Tetrahedra whose node order in the file is opposite to that of most others: inverted elements, which a valid
+   * mesh does not have. Here their order is corrected; `inspectMesh` counts them as they are in the file.
+   */
   readonly invertedTetrahedra?: Uint32Array | undefined;
+  /** Number of repeated listings of a tetrahedron, for another group. It is kept once, in its first group. */
+  readonly duplicateTetrahedra?: number | undefined;
+  /** Number of repeated listings of a triangle. It is kept once, in its first group. */
+  readonly duplicateTriangles?: number | undefined;
+  /** Names of regions whose location the file does not define; they are lost. */
+  readonly unlocatedRegions?: readonly string[] | undefined;
+  /** Sentences about other content of the file that was ignored and may matter. */
+  readonly notes?: readonly string[] | undefined;
 }
 
-/**
- * Boundary of a mesh. Node i has the position points[3i..3i+2]; triangle t has the nodes triangles[3t..3t+2],
- * counter-clockwise seen from outside. An interface between two regions exists once, in either orientation.
- */
-export interface SurfaceMesh {
-  readonly points: Float64Array;
-  readonly triangles: Uint32Array;
-  /**
-   * Per triangle: index of its patch in the project, first those drawn, then those of the bodies; for a given surface, its
-   * shell.
-   */
-  readonly trianglePatch: Uint32Array;
-  /**
-   * Two per triangle: the region from which its nodes are seen clockwise, and the region from which they are seen
-   * counter-clockwise (`NO_REGION` except for interfaces). Empty until the boundary is known to be closed.
-   */
-  readonly triangleRegions: Uint32Array;
-  /** Two nodes per side of a divided line; empty for a given surface. */
-  readonly sides: Uint32Array;
-  /** Per side: index of its line in the project. */
-  readonly sideLine: Uint32Array;
-}
+/** The part of a mesh that a call about its triangles needs, and whatever else is known of it. */
+export type SurfaceInput = Pick<Mesh, "points" | "triangles"> & PartialMesh;
 
-/** Volume mesh. Tetrahedron t has the nodes tetrahedra[4t..4t+3] = a b c d with (b-a)×(c-a)·(d-a) > 0. */
-export interface VolumeMesh {
-  /** x y z per node; the nodes of the surface come first, in its order. */
-  readonly points: Float64Array;
-  readonly tetrahedra: Uint32Array;
-  /** Per tetrahedron: its region, from 0. */
-  readonly regions: Uint32Array;
-  /** Faces of the front that remain if the mesh is partial: three nodes per face. */
-  readonly front: Uint32Array;
-}
+/** The part of a mesh that a call about its tetrahedra needs, and whatever else is known of it. */
+export type VolumeInput = Pick<Mesh, "points" | "tetrahedra"> & PartialMesh;
+
+/** Mesh whose parts may all be missing: without groups, its triangles are in one patch, its tetrahedra in one region. */
+export type PartialMesh = { readonly [Part in keyof Mesh]?: Mesh[Part] | undefined };
+
+/** Returns whether a reader gave the name to a solid or a region without one. */
+export const isNumberedSolid = (name: string): boolean => /^(solid|region) \d+$/.test(name);

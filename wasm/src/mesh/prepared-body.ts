@@ -6,7 +6,7 @@ import type { SurfaceRemesh } from "./inspection.js";
  * Placed surface of a body with the triangles that will be meshed. It becomes out of date with every change of the body
  * and of the sizes. The figures of a `SurfaceRemesh` are present if the surface was remeshed.
  */
-export interface PreparedBody extends Partial<Omit<SurfaceRemesh, "surface" | "origin" | "diagnostics">> {
+export interface PreparedBody extends Partial<Omit<SurfaceRemesh, "mesh" | "origin" | "diagnostics">> {
   /** Id of the body. */
   readonly body: number;
   /** x y z per node. */

@@ -42,7 +42,7 @@ export interface ShapeStatistics {
 
 /** Histograms of one region; bin i counts the values in [i, i + 1) bin widths. */
 export interface RegionQuality {
-  /** As in `VolumeMesh.regions`. */
+  /** As in `tetrahedronRegion`. */
   readonly region: number;
   readonly tetrahedra: number;
   readonly volume: number;

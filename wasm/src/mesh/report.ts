@@ -1,7 +1,7 @@
 /** Result of a run: the mesh, its statistics, and the diagnostics. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EngineStatus } from "../generated/constants.js";
-import type { SurfaceMesh, VolumeMesh } from "./mesh.js";
+import type { Mesh } from "./mesh.js";
 import type { MetricShapes, PatchQuality, QualityReport } from "./quality.js";
 
 /** How a run ended. Only `done` has a complete mesh; `stalled` and `cancelled` may have a partial one. */
@@ -90,10 +90,22 @@ export interface FrontRecording {
   readonly fingerprint: string;
 }
 
-/** Mesh with its boundary and its report; after a run that ended early, the mesh made so far. */
+/** Result of a run. */
 export interface MeshResult {
-  readonly surface: SurfaceMesh;
-  readonly volume: VolumeMesh;
+  /**
+   * The mesh with its boundary, ready for `writeMesh`; after a run that ended early, what was made so far. The nodes of the
+   * boundary come first. Its patches are those of the project and its bodies (named, else "patch 12" by id), those of the given
+   * surface, or its shells. Its regions are those of the surface, else those of its solids, else numbered.
+   */
+  readonly mesh: Mesh;
+  /** Number of nodes of the boundary. */
+  readonly surfaceNodes: number;
+  /** Faces of the front that remain if the mesh is partial: three nodes per face. */
+  readonly front: Uint32Array;
+  /** Two nodes per side of a divided line; empty for a given surface. */
+  readonly sides: Uint32Array;
+  /** Per side: index of its line in the project. */
+  readonly sideLine: Uint32Array;
   /** Shapes of the elements of a finished mesh in the metric of its size field; absent if the field is not stretched. */
   readonly metricShapes?: MetricShapes | undefined;
   /** Present after a run with `onTrace`, unless its worker had to be terminated. */

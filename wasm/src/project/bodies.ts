@@ -2,12 +2,11 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { doubles, index, integers } from "../calls/schemas.js";
-import { type FileGroup, isColorName } from "../mesh/file-mesh.js";
+import { type MeshGroup, isColorName, type Mesh } from "../mesh/mesh.js";
 import type { Position } from "../mesh/inspection.js";
-import type { PatchedSurface } from "../mesh/mesh.js";
 import { bodyArrays, textOfArray } from "./body-arrays.js";
 import { bodySchema } from "./schema.js";
-import { type BodyId, type BodyPlacement, type PatchId, type ProjectBody } from "./project-types.js";
+import type { BodyId, BodyPlacement, PatchId, ProjectBody } from "./project-types.js";
 
 /** Ids and name of a new body. */
 export interface NewBody {
@@ -32,6 +31,12 @@ export const surfaceSchema = v.pipe(
 );
 export const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.optional(v.string()) });
 
+/** Triangles of a new body, and the names and colours of their patches. */
+export interface GivenTriangles extends Pick<Mesh, "points" | "triangles"> {
+  readonly trianglePatch?: Uint32Array | undefined;
+  readonly patches?: readonly Pick<MeshGroup, "name" | "color">[] | undefined;
+}
+
 /**
  * Returns a body with the triangles of a surface, and with its patches, if it has any. A surface without named patches
  * gets one patch with the name of the body; a colour is not a name. Its regions are not part of a body. O(n). Throws a
@@ -40,10 +45,7 @@ export const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.
  *     const file = await readSurface("bracket.stl", bytes);
  *     const body = createBody(file, { id: 1, firstPatchId: 1, name: "bracket" });
  */
-export function createBody(
-  surface: PatchedSurface & { readonly patches?: readonly Pick<FileGroup, "name" | "color">[] | undefined },
-  body: NewBody,
-): ProjectBody {
+export function createBody(surface: GivenTriangles, body: NewBody): ProjectBody {
   checkArgument("surface", surface, surfaceSchema);
   checkArgument("body", body, newBodySchema);
   const { points, triangles, trianglePatch } = surface;
@@ -74,11 +76,8 @@ export function createBody(
 /** Readers call the only patch of a file without patches "surface". */
 const isUnnamed = (name: string) => ["", "surface"].includes(name);
 
-/** The triangles of a body at its placement. */
-export interface PlacedSurface extends PatchedSurface {
-  /** Per triangle: index in the body's patches. */
-  readonly trianglePatch: Uint32Array;
-}
+/** The triangles of a body at its placement; patches are indices in those of the body. */
+export type PlacedSurface = Pick<Mesh, "points" | "triangles" | "trianglePatch">;
 
 /**
  * Returns the given triangles of a body at its placement, in new arrays. Points are scaled, then rotated, then moved;

@@ -3,16 +3,15 @@ import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { integers } from "../calls/schemas.js";
 import { NO_REGION } from "../generated/constants.js";
-import { type FileGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/file-mesh.js";
 import { partOfSolids, type SolidsSurface } from "../formats/solid-units.js";
-import type { PatchedSurface } from "../mesh/mesh.js";
-import { createBody, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
+import { type MeshGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/mesh.js";
+import { createBody, type GivenTriangles, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
 import type { ProjectBody } from "./project-types.js";
 
 /** A surface with patches, and with regions if its file defines them. */
-export interface SolidSurface extends PatchedSurface {
+export interface SolidSurface extends GivenTriangles {
   readonly trianglePatch: Uint32Array;
-  readonly patches: readonly Pick<FileGroup, "name" | "color">[];
+  readonly patches: readonly Pick<MeshGroup, "name" | "color">[];
   readonly surfaceRegions?: SurfaceRegions | undefined;
 }
 

@@ -16,7 +16,7 @@ export interface TracedMesh {
   /** Four nodes per tetrahedron. */
   readonly tetrahedra: Uint32Array;
   /** Region per tetrahedron. */
-  readonly regions: Uint32Array;
+  readonly tetrahedronRegion: Uint32Array;
   /** 16 hexadecimal digits: hash of points and tetrahedra. */
   readonly fingerprint: string;
 }
@@ -45,18 +45,18 @@ export function finalMesh(
   for (const { nodes } of passes) nodes.forEach(add);
 
   const tetrahedra = new Uint32Array(4 * count);
-  const regions = new Uint32Array(count);
+  const tetrahedronRegion = new Uint32Array(count);
   let at = 0;
   for (const list of live) {
     for (const element of list) {
       for (let corner = 0; corner < 4; corner++)
         tetrahedra[4 * at + corner] = indexOf[elements.nodes[4 * element + corner] ?? 0] ?? 0;
-      regions[at++] = elements.regions[element] ?? 0;
+      tetrahedronRegion[at++] = elements.regions[element] ?? 0;
     }
   }
   const fingerprint = new Fingerprint();
   const coordinates = points.slice(0, 3 * nodeCount);
   fingerprint.addDoubles(coordinates);
   fingerprint.addIntegers(tetrahedra);
-  return { points: coordinates, tetrahedra, regions, fingerprint: fingerprint.text() };
+  return { points: coordinates, tetrahedra, tetrahedronRegion, fingerprint: fingerprint.text() };
 }

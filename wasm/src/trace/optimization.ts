@@ -1,7 +1,7 @@
 /** The optimization at the end of a trace, sweep by sweep. */
 import { GrowingArray } from "./growing-array.js";
 import { NONE } from "./layout.js";
-import { type OptimizationSummary, readSweepGeometry } from "./sweep-events.js";
+import { type OptimizationSummary, readSweepGeometry, type SweepEvents } from "./sweep-events.js";
 import { TraceCursor } from "./trace-cursor.js";
 
 /** The mesh after a sweep. */
@@ -11,25 +11,25 @@ export interface SweptMesh {
   /** Four nodes per tetrahedron. */
   readonly tetrahedra: Uint32Array;
   /** Region per tetrahedron. */
-  readonly regions: Uint32Array;
+  readonly tetrahedronRegion: Uint32Array;
 }
 
 /** The sweeps of the optimizer after the front, as recorded. */
 export class TracedOptimization {
   readonly #bytes: Uint8Array;
   readonly #offsets: readonly number[];
+  readonly #changed: readonly number[];
   readonly #boundary: Float64Array;
   #state: SweepState;
 
-  constructor(
-    bytes: Uint8Array,
-    /** Angles, counts and changes of all sweeps. */
-    readonly summary: OptimizationSummary,
-    offsets: readonly number[],
-    boundary: Float64Array,
-  ) {
+  /** Angles, counts and changes of all sweeps. */
+  readonly summary: OptimizationSummary;
+
+  constructor(bytes: Uint8Array, { summary, offsets, changed }: SweepEvents, boundary: Float64Array) {
     this.#bytes = bytes;
+    this.summary = summary;
     this.#offsets = offsets;
+    this.#changed = changed;
     this.#boundary = boundary;
     this.#state = new SweepState(boundary);
   }
@@ -41,15 +41,15 @@ export class TracedOptimization {
 
   /**
    * Returns the mesh after sweep `sweep`, from 1; that before the first one for 0; undefined for other numbers, and of meshes
-   * that are too large to be recorded. The next sweep is found in O(elements), earlier ones from the first.
+   * that are too large to be recorded. The next sweep is found in O(elements), others from the first.
    */
   meshAfter(sweep: number): SweptMesh | undefined {
     if (!Number.isInteger(sweep) || sweep < 0 || sweep >= this.#offsets.length) return undefined;
-    if (this.#state.sweep >= sweep) this.#state = new SweepState(this.#boundary);
-    while (this.#state.sweep < sweep) {
-      const offset = this.#offsets[this.#state.sweep + 1] ?? 0;
-      this.#state.apply(new TraceCursor(this.#bytes, offset));
-    }
+    const path: number[] = [];
+    for (let at = sweep; at >= 0 && at !== this.#state.sweep; at = this.#changed[at - 1] ?? -1)
+      path.unshift(at);
+    if (path[0] === 0) this.#state = new SweepState(this.#boundary);
+    for (const next of path) this.#state.apply(new TraceCursor(this.#bytes, this.#offsets[next] ?? 0), next);
     return this.#state.mesh();
   }
 }
@@ -66,9 +66,9 @@ class SweepState {
     for (const coordinate of boundary) this.#positions.push(coordinate);
   }
 
-  apply(cursor: TraceCursor): void {
+  apply(cursor: TraceCursor, sweep: number): void {
     const geometry = readSweepGeometry(cursor, this.sweep >= 0);
-    this.sweep++;
+    this.sweep = sweep;
     geometry.movedNodes.forEach((node, i) => {
       for (let axis = 0; axis < 3; axis++) {
         const at = 3 * node + axis;
@@ -95,7 +95,7 @@ class SweepState {
     return {
       points: this.#positions.copy(),
       tetrahedra: Uint32Array.from(tetrahedra),
-      regions: Uint32Array.from(regions),
+      tetrahedronRegion: Uint32Array.from(regions),
     };
   }
 }

@@ -123,8 +123,7 @@ function* traceIn(cursor: TraceCursor): Steps<Trace> {
   const hasSurface = surface !== undefined && surface.divisions.length > 0;
   const traced = hasSurface ? new SurfaceTrace(cursor.file, surface, nodes.positions) : null;
   const boundary = nodes.positions.subarray(0, 3 * header.nodes);
-  const optimization =
-    sweeps && new TracedOptimization(cursor.file, sweeps.summary, sweeps.offsets, boundary);
+  const optimization = sweeps && new TracedOptimization(cursor.file, sweeps, boundary);
   const columns = [nodes, faces, elements, steps] as const;
   return new Trace(cursor.file, header, ...columns, replay.fronts, traced, optimization, lists);
 }

@@ -39,10 +39,12 @@ export interface OptimizationSummary {
 }
 
 /** What the events of the optimizer say. */
-interface SweepEvents {
+export interface SweepEvents {
   readonly summary: OptimizationSummary;
   /** Where the geometry of the first mesh and of each sweep begins in the file; empty if it was not recorded. */
   readonly offsets: readonly number[];
+  /** Per sweep, number of the one whose mesh it has changed: the one before it, unless an earlier mesh of its region was restored. */
+  readonly changed: readonly number[];
 }
 
 /** What a sweep does to the mesh; the first one makes it. The numbers of elements are those of slots, which are reused. */
@@ -61,7 +63,8 @@ export interface SweepGeometry {
 /** Reads all sweeps; null if the optimizer has not begun. The cursor is behind the end of the last front. */
 export function* readSweeps(cursor: TraceCursor, boundaryNodes: number): Steps<SweepEvents | null> {
   if (cursor.ahead === 0) return null;
-  const known = { nodes: boundaryNodes, slots: 0 };
+  let known = { nodes: boundaryNodes, slots: 0 };
+  const knownAfter: (typeof known)[] = [];
   const offsets: number[] = [];
   const geometryBit = (cursor.peek() >> KIND_BITS) & SWEEP_GEOMETRY_BIT;
   // The byte of an event without its kind and the bit for its geometry; that kind and bit must be right.
@@ -74,20 +77,23 @@ export function* readSweeps(cursor: TraceCursor, boundaryNodes: number): Steps<S
   const readGeometry = (hasMoves: boolean): void => {
     if (geometryBit === 0) return;
     offsets.push(cursor.at);
-    check(readSweepGeometry(cursor, hasMoves), known, cursor);
+    known = check(readSweepGeometry(cursor, hasMoves), known, cursor);
+    knownAfter.push(known);
   };
   if (detail() !== 0) fail(cursor);
   const before = readMeasures(cursor);
   readGeometry(false);
   const sweeps: TracedSweep[] = [];
+  const changed: number[] = [];
+  let result = 0;
   while (cursor.ahead > 0) {
     yield PAUSE;
     const next = detail();
     if (next === SWEEP_RESTORED) {
-      const result = cursor.varint();
-      return result > sweeps.length || cursor.ahead > 0
-        ? fail(cursor)
-        : { summary: { before, sweeps, result }, offsets };
+      result = cursor.varint();
+      if (result > sweeps.length) fail(cursor);
+      known = knownAfter[result] ?? known;
+      continue;
     }
     const kind = SWEEP_KINDS[next - 1] ?? fail(cursor);
     const movedNodes = cursor.varint();
@@ -96,8 +102,10 @@ export function* readSweeps(cursor: TraceCursor, boundaryNodes: number): Steps<S
     const changedElements = cursor.varint();
     sweeps.push({ kind, movedNodes, addedNodes, removedNodes, changedElements, ...readMeasures(cursor) });
     readGeometry(true);
+    changed.push(result);
+    result = sweeps.length;
   }
-  return { summary: { before, sweeps, result: sweeps.length }, offsets };
+  return { summary: { before, sweeps, result }, offsets, changed };
 }
 
 function fail(cursor: TraceCursor): never {
@@ -140,18 +148,18 @@ function readIndices(cursor: TraceCursor, what: string): readonly number[] {
   return Array.from({ length: count }, () => (last += cursor.varint()));
 }
 
-/** Checks that the geometry names only what exists, and adds what it makes to the numbers of nodes and slots. */
+/** Checks that the geometry names only what exists, and returns the numbers of nodes and slots with what it makes. */
 function check(
   { movedNodes, newNodes, removedElements, elements, corners }: SweepGeometry,
-  known: { nodes: number; slots: number },
+  known: { readonly nodes: number; readonly slots: number },
   cursor: TraceCursor,
-): void {
+): { nodes: number; slots: number } {
   const lastSlot = elements.at(-1) ?? -1;
   const isKnown = (movedNodes.at(-1) ?? 0) < known.nodes && (removedElements.at(-1) ?? -1) < known.slots;
-  known.nodes += newNodes.length / 3;
+  const nodes = known.nodes + newNodes.length / 3;
   // Slots are used one after the other.
   const hasSlots = lastSlot < known.slots + elements.length;
-  known.slots = Math.max(known.slots, lastSlot + 1);
-  const hasNodes = corners.every((node, i) => i % 5 === 4 || (node >= 0 && node < known.nodes));
+  const hasNodes = corners.every((node, i) => i % 5 === 4 || (node >= 0 && node < nodes));
   if (!isKnown || !hasSlots || !hasNodes) fail(cursor);
+  return { nodes, slots: Math.max(known.slots, lastSlot + 1) };
 }

@@ -6,7 +6,6 @@ import { nextBodyIds } from "../body-edits";
 import type { Offer } from "../create";
 import { bodiesOf, type Entity } from "../entities";
 import { insertion, mainEntities, withInsertion } from "../insert-shape";
-import { replacing } from "../transforms/join-points";
 import { combine, type Combined } from "./combine";
 import type { BooleanKind } from "./kinds";
 import { planarShape } from "./planar-result";
@@ -37,10 +36,9 @@ export function offerBoolean(
     const shape = planarShape(combined, [first, second]);
     if (!shape) return { possible: false, reason: texts.nothing };
     const made = insertion(rest, shape, { join: true });
-    const lists = { ...rest, ...withInsertion(rest, made) };
     return {
       possible: true,
-      creation: { entities: mainEntities(made), edit: { label, replace: replacing(project, lists) } },
+      creation: { entities: mainEntities(made), edit: { label, replace: withInsertion(rest, made) } },
     };
   }
   const body = bodyOf(rest, combined, [first, second]);
@@ -48,16 +46,7 @@ export function offerBoolean(
     possible: true,
     creation: {
       entities: [{ kind: "body", id: body.id }],
-      edit: {
-        label,
-        replace: [
-          ...replacing(project, rest),
-          [
-            ["project", "bodies"],
-            [...bodiesOf(rest), body],
-          ],
-        ],
-      },
+      edit: { label, replace: { ...rest, bodies: [...bodiesOf(rest), body] } },
     },
   };
 }

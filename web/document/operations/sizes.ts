@@ -1,6 +1,6 @@
 import type { Project } from "tetrafront/project";
 import type { Offer } from "../create";
-import type { DocumentContent } from "../edit";
+import type {} from "../edit";
 import type { DraftChange } from "../edit";
 import { rangeAlong } from "../extent";
 
@@ -52,18 +52,15 @@ export function sizedOffer(project: Project, offer: Offer): Offer {
   const { creation } = offer;
   const { edit } = creation;
   if (!("replace" in edit)) return offer;
-  const points = edit.replace.find(([path]) => path.join(".") === "project.points")?.[1];
-  const size = points === undefined ? undefined : proposedSize(points as Project["points"]);
+  const { points = project.points } = edit.replace;
+  const size = points === project.points ? undefined : proposedSize(points);
   if (size === undefined) return offer;
-  const meshing = [["project", "meshing"], { ...project.meshing, size }] as const;
-  return { ...offer, creation: { ...creation, edit: { ...edit, replace: [...edit.replace, meshing] } } };
+  const meshing = { ...project.meshing, size };
+  return { ...offer, creation: { ...creation, edit: { ...edit, replace: { ...edit.replace, meshing } } } };
 }
 
 /** Returns a change that also gives the project a uniform size if it has no sizes, so that it can be meshed at once. */
-export function withSizes(
-  project: Project,
-  { change }: DraftChange<DocumentContent>,
-): DraftChange<DocumentContent> {
+export function withSizes(project: Project, { change }: DraftChange): DraftChange {
   if (hasSizes(project)) return { change };
   return {
     change: (draft) => {

@@ -152,21 +152,24 @@ export function offerLineSplit(project: Project, selection: readonly Entity[], a
     possible: true,
     creation: {
       entities: [{ kind: "point", id: split.point }],
-      edit: { label: stepNames.splitLine(line.id), replace: replacingLists(project, split.project) },
+      edit: { label: stepNames.splitLine(line.id), replace: changedLists(project, split.project) },
     },
   };
 }
 
-/** Returns the replacements that make a project another one with other lists. */
-export function replacingLists(before: Project, after: Project) {
-  return (["points", "lines", "patches", "groups", "expressions"] as const satisfies readonly (keyof Lists)[])
-    .filter((key) => before[key] !== after[key])
-    .map((key) => [["project", key], after[key]] as const);
-}
+const listNames = [
+  "points",
+  "lines",
+  "patches",
+  "groups",
+  "expressions",
+] as const satisfies readonly (keyof Lists)[];
 
-/** As `replacingLists`, by key. */
+/** Returns the lists of a project that it does not share with the one before. */
 export const changedLists = (before: Project, after: Project): Partial<Lists> =>
-  Object.fromEntries(replacingLists(before, after).map(([[, key], list]) => [key, list]));
+  Object.fromEntries(
+    listNames.filter((name) => before[name] !== after[name]).map((name) => [name, after[name]]),
+  );
 
 /** Returns the parameter halfway along a curve, by length. */
 function middleParameter({ at, knots }: LineCurve): number {

@@ -1,15 +1,14 @@
 import type { Project, ProjectBody, ProjectSource } from "tetrafront/project";
 import { operationStrings } from "../../strings";
-import { emptyProject, nextId, type Offer } from "../create";
+import { nextId, type Offer } from "../create";
 import { bodiesOf, entityKey, type Entity } from "../entities";
 import { insertion, withInsertion, type Insertion } from "../insert-shape";
 import { mapPoints, type Shape } from "../shape";
 import type { KeptExpression } from "../expression-edits";
 import { determinant, mapPosition, type Affine } from "./affine";
-import { replacing } from "./join-points";
 import { keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, shapeOf, type SelectedParts } from "./selected-parts";
-import { movedPlacement, movedSizes, type TransformOptions } from "./transform";
+import { movedPlacement, movedSource, type TransformOptions } from "./transform";
 
 const texts = operationStrings.refusals;
 
@@ -78,14 +77,7 @@ export function offerCopiesFrom(
       ...(!isFollowing && { note: operationStrings.numbersKept }),
       edit: {
         label,
-        replace: [
-          ...replacing(project, lists),
-          ...(lists.bodies !== project.bodies ? [[["project", "bodies"], lists.bodies] as const] : []),
-          ...(lists.background !== project.background
-            ? [[["project", "background"], lists.background] as const]
-            : []),
-          ...keptInstead(project, isFollowing ? kept.flat() : []),
-        ],
+        replace: { ...lists, ...keptInstead(project, isFollowing ? kept.flat() : []) },
       },
     },
   };
@@ -176,14 +168,12 @@ function copiedSources(
   const first = nextId(project, "source");
   const originals = bodiesOf(from).filter(({ id }) => parts.bodies.has(id));
   const copyOf = new Map(originals.map(({ id }, i) => [id, copies[i]?.id]));
-  const moved = movedSizes(from.background, { ...emptyParts, sources }, map).sources ?? [];
-  return moved
+  return (from.background.sources ?? [])
     .filter(({ id }) => sources.has(id))
-    .map(({ body: painted, ...source }, i) => {
+    .map((original, i) => {
+      const { body: painted, ...source } = movedSource(original, map);
       const body = painted === undefined ? undefined : (copyOf.get(painted) ?? painted);
       const isKept = body !== undefined && (from === project || body !== painted);
       return { ...source, id: first + i, ...(isKept && { body }) };
     });
 }
-
-const emptyParts: SelectedParts = selectedParts(emptyProject(), []);

@@ -23,7 +23,6 @@ import {
 } from "../quantity-positions";
 import { ShapeBuilder, type Shape } from "../shape";
 import { addScaled, cross, dot, frameAlong, length, subtract } from "../vectors";
-import { replacing } from "./join-points";
 import { keptCoordinates, keptInstead } from "./mapped-expressions";
 import { distanceFrom, flattened, isInside } from "./polygons";
 
@@ -78,10 +77,11 @@ export function offerHoleThrough(project: Project, hole: Hole, label: string): O
       ...(!kept && { note: operationStrings.numbersKept }),
       edit: {
         label,
-        replace: [
-          ...replacing(project, { ...lists, patches: lists.patches.map(withHole) }),
+        replace: {
+          ...lists,
+          patches: lists.patches.map(withHole),
           ...keptInstead(project, keptCoordinates(project, made.pointIds, kept ?? [])),
-        ],
+        },
       },
     },
   };

@@ -144,10 +144,3 @@ function withLines(patch: ProjectPatch, lineIds: LineIds): ProjectPatch {
   );
   return { ...patch, loops };
 }
-
-/** Returns the paths and values with which joined lists replace those of a project. */
-export function replacing(project: Drawn, joined: Joined) {
-  return (["points", "lines", "patches"] as const)
-    .filter((list) => project[list] !== joined[list])
-    .map((list) => [["project", list], joined[list]] as const);
-}

@@ -1,4 +1,4 @@
-import type { Project, ProjectExpression } from "tetrafront/project";
+import type { Project } from "tetrafront/project";
 import { formulaText, quantity, times, type Quantity } from "../../expressions/quantity";
 import { expressionFinder, withKept, type KeptExpression } from "../expression-edits";
 import { numberAt, recordFinder, type EntityNumber } from "../number-paths";
@@ -98,11 +98,8 @@ export function keptCoordinates(
   );
 }
 
-/** Returns the path and value with which expressions to keep replace those of a project. */
-export function keptInstead(
+/** Returns the expressions of a project with those to keep, as a change; nothing if there are none to keep. */
+export const keptInstead = (
   { expressions = [] }: Project,
   kept: readonly KeptExpression[],
-): readonly (readonly [string[], readonly ProjectExpression[]])[] {
-  const after = withKept(expressions, kept);
-  return after === expressions ? [] : [[["project", "expressions"], after]];
-}
+): Partial<Project> => (kept.length > 0 ? { expressions: withKept(expressions, kept) } : {});

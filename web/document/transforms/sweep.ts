@@ -5,7 +5,6 @@ import { insertion, withInsertion } from "../insert-shape";
 import { storableTexts } from "../quantity-positions";
 import { mapPoints, type Shape } from "../shape";
 import { mapPosition, type Affine } from "./affine";
-import { replacing } from "./join-points";
 import { keptCoordinates, keptInstead } from "./mapped-expressions";
 import type { Profile } from "./profile";
 import { mapQuantities, typedMap } from "./typed-maps";
@@ -57,10 +56,10 @@ export function offerSweep(
       ...(!texts && { note: operationStrings.numbersKept }),
       edit: {
         label,
-        replace: [
-          ...replacing(project, lists),
+        replace: {
+          ...lists,
           ...keptInstead(project, keptCoordinates(project, made.pointIds, texts ?? [])),
-        ],
+        },
       },
     },
   };

@@ -1,12 +1,11 @@
-import type { BodyPlacement, Project } from "tetrafront/project";
+import type { BodyPlacement, Project, ProjectBackgroundNode, ProjectSource } from "tetrafront/project";
 import type { Offer } from "../create";
 import { nounOf } from "../draft-records";
-import type { Entity } from "../entities";
+import { existingIn, type Entity } from "../entities";
 import { combined, noRotation } from "../placement";
-import type { Position } from "../position";
 import { operationStrings, stepNames } from "../../strings";
 import { determinant, keepsCircles, mapDirection, mapPosition, meanFactor, type Affine } from "./affine";
-import { joinPoints, replacing } from "./join-points";
+import { joinPoints } from "./join-points";
 import { forgotten, hasExpressions, keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, type SelectedParts } from "./selected-parts";
 
@@ -30,39 +29,52 @@ export function offerTransform(
   project: Project,
   selection: readonly Entity[],
   map: Affine,
-  { label, join }: TransformOptions,
+  options: TransformOptions,
 ): Offer {
+  return transformer(project, selection)(map, options);
+}
+
+/**
+ * Returns a function that offers what `offerTransform` does, by one map after the other: what does not depend on the map is
+ * found once. Without joining, an offer takes time for what it moves, and one copy of each changed list.
+ */
+export function transformer(
+  project: Project,
+  selection: readonly Entity[],
+): (map: Affine, options: TransformOptions) => Offer {
   const parts = selectedParts(project, selection);
-  if (!hasParts(parts)) return { possible: false, reason: texts.nothingSelected };
-  if (parts.bodies.size > 0 && !map.similarity) return { possible: false, reason: texts.bodies };
-  if (determinant(map) === 0) return { possible: false, reason: texts.flat };
-  if (!keepsCircles(map) && parts.lines.some(({ type }) => type === "arc" || type === "circle"))
-    return { possible: false, reason: texts.arcs };
-  const images = hasExpressions(project, map) ? movedImages(project, parts) : [];
-  const kept = mappedExpressions(project, images, map);
-  const moved = movedProject(project, parts, map);
-  const drawn = join && parts.points.length > 0 ? joinPoints(moved) : moved;
-  const patches = new Set(drawn.patches.map(({ id }) => id));
-  return {
-    possible: true,
-    creation: {
-      entities: selection.filter(({ kind, id }) => kind !== "patch" || patches.has(id)),
-      ...(kept === null && { note: operationStrings.numbersKept }),
-      edit: {
-        label,
-        replace: [
-          ...replacing(project, drawn),
-          ...(parts.bodies.size > 0 ? [[["project", "bodies"], moved.bodies] as const] : []),
-          ...(parts.nodes.size > 0
-            ? [[["project", "background", "nodes"], moved.background.nodes] as const]
-            : []),
-          ...(parts.sources.size > 0
-            ? [[["project", "background", "sources"], moved.background.sources] as const]
-            : []),
-          ...keptInstead(project, kept ?? forgotten(project, images)),
-        ],
+  const move = mover(project, parts);
+  return (map, { label, join }) => {
+    if (!hasParts(parts)) return { possible: false, reason: texts.nothingSelected };
+    if (parts.bodies.size > 0 && !map.similarity) return { possible: false, reason: texts.bodies };
+    if (determinant(map) === 0) return { possible: false, reason: texts.flat };
+    if (!keepsCircles(map) && parts.lines.some(({ type }) => type === "arc" || type === "circle"))
+      return { possible: false, reason: texts.arcs };
+    const images = hasExpressions(project, map) ? movedImages(project, parts) : [];
+    const kept = mappedExpressions(project, images, map);
+    const changes = move(map);
+    const moved = { ...project, ...changes };
+    const { points, lines, patches } = join && parts.points.length > 0 ? joinPoints(moved) : moved;
+    return {
+      possible: true,
+      creation: {
+        entities:
+          patches === project.patches
+            ? selection
+            : existingIn({ ...moved, points, lines, patches }, selection),
+        ...(kept === null && { note: operationStrings.numbersKept }),
+        edit: {
+          label,
+          replace: {
+            ...changes,
+            points,
+            lines,
+            patches,
+            ...keptInstead(project, kept ?? forgotten(project, images)),
+          },
+        },
       },
-    },
+    };
   };
 }
 
@@ -90,40 +102,54 @@ function movedImages(
   ];
 }
 
-function movedProject(project: Project, parts: SelectedParts, map: Affine): Project {
-  const pointIds = new Set(parts.points.map(({ id }) => id));
-  const at = (position: Position): Position => mapPosition(map, position);
-  const { background, bodies } = project;
-  return {
-    ...project,
-    points: project.points.map((point) =>
-      pointIds.has(point.id) ? { ...point, position: at(point.position) } : point,
-    ),
-    ...(bodies && {
-      bodies: bodies.map((body) =>
-        parts.bodies.has(body.id) ? { ...body, placement: movedPlacement(body.placement, map) } : body,
-      ),
+/** Returns a function that maps parts of a project: the places of the parts in its lists are found once. */
+function mover({ points, bodies = [], background }: Project, parts: SelectedParts) {
+  const changePoints = recordChanger(points, new Set(parts.points.map(({ id }) => id)));
+  const changeBodies = recordChanger(bodies, parts.bodies);
+  const changeNodes = recordChanger(background.nodes, parts.nodes);
+  const changeSources = recordChanger(background.sources ?? [], parts.sources);
+  return (map: Affine): Partial<Project> => ({
+    points: changePoints((point) => ({ ...point, position: mapPosition(map, point.position) })),
+    ...(parts.bodies.size > 0 && {
+      bodies: changeBodies((body) => ({ ...body, placement: movedPlacement(body.placement, map) })),
     }),
-    background: { ...background, ...movedSizes(background, parts, map) },
+    ...(parts.nodes.size + parts.sources.size > 0 && {
+      background: {
+        ...background,
+        nodes: changeNodes((node) => movedNode(node, map)),
+        ...(background.sources && { sources: changeSources((source) => movedSource(source, map)) }),
+      },
+    }),
+  });
+}
+
+/** Returns a function that changes the records with some ids in copies of a list. Without such records it returns the list. */
+function recordChanger<Item extends { readonly id: number }>(
+  list: readonly Item[],
+  ids: ReadonlySet<number>,
+): (change: (item: Item) => Item) => readonly Item[] {
+  const found = list.flatMap((item, index) => (ids.has(item.id) ? [[index, item] as const] : []));
+  return (change) => {
+    if (found.length === 0) return list;
+    const changed = list.slice();
+    for (const [index, item] of found) changed[index] = change(item);
+    return changed;
   };
 }
 
-export function movedSizes({ nodes, sources }: Project["background"], parts: SelectedParts, map: Affine) {
+function movedNode(node: ProjectBackgroundNode, map: Affine): ProjectBackgroundNode {
+  const direction = node.direction && { direction: mapDirection(map, node.direction) };
+  const position = mapPosition(map, node.position);
+  return { ...node, position, size: node.size * meanFactor(map), ...direction };
+}
+
+export function movedSource(source: ProjectSource, map: Affine): ProjectSource {
   const factor = meanFactor(map);
-  const at = (position: Position): Position => mapPosition(map, position);
   return {
-    nodes: nodes.map((node) => {
-      if (!parts.nodes.has(node.id)) return node;
-      const direction = node.direction && { direction: mapDirection(map, node.direction) };
-      return { ...node, position: at(node.position), size: node.size * factor, ...direction };
-    }),
-    ...(sources && {
-      sources: sources.map((source) => {
-        if (!parts.sources.has(source.id)) return source;
-        const reach = source.distance !== undefined && { distance: source.distance * factor };
-        return { ...source, positions: source.positions.map(at), size: source.size * factor, ...reach };
-      }),
-    }),
+    ...source,
+    positions: source.positions.map((position) => mapPosition(map, position)),
+    size: source.size * factor,
+    ...(source.distance !== undefined && { distance: source.distance * factor }),
   };
 }
 

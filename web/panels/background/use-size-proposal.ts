@@ -1,11 +1,12 @@
 import { useEffect, useState } from "react";
-import type { ProposalOptions, SizeProposal } from "tetrafront";
+import type { SizeProposal } from "tetrafront";
+import type { PROPOSAL_DEFAULTS } from "tetrafront/internal";
 import { expectedTetrahedra } from "../../session/expected-tetrahedra";
 import { useApp } from "../shared/app-context";
 import { failureText } from "../../session/failure-text";
 
 /** The options of a proposal that the user can change. */
-export type ProposalFields = { readonly [Field in keyof ProposalOptions]-?: number };
+export type ProposalFields = Readonly<Record<keyof typeof PROPOSAL_DEFAULTS, number>>;
 
 /** The engine's answer to some options. */
 export interface ProposalAnswer {
@@ -35,7 +36,18 @@ export function useSizeProposal(options: ProposalFields): SizeProposalState {
     const ask = async (): Promise<void> => {
       const { project } = app.documents;
       const mesher = await app.mesher;
-      const proposal = await mesher.proposeSizes(project, options, { signal });
+      const { uniform, smallest, elementsPerCircle, elementsPerGap, growth } = options;
+      const proposal = await mesher.proposeSizes(
+        project,
+        {
+          maxSize: uniform,
+          minSize: smallest,
+          anglePerEdge: elementsPerCircle && 360 / elementsPerCircle,
+          layers: elementsPerGap,
+          growth,
+        },
+        { signal },
+      );
       const tetrahedra = await expectedTetrahedra(mesher, project, proposal, signal);
       setAnswer({ options, proposal, tetrahedra });
     };

@@ -25,7 +25,8 @@ export function CommandPalette() {
   useRun((state) => state.busy);
   useView((state) => state.selection.length);
   useStore(app.viewer);
-  const { listed, found } = opened ? paletteItems(app, query) : nothing;
+  const lessons = useLessonTitles(opened);
+  const { listed, found } = opened ? paletteItems(app, query, lessons) : nothing;
   const actions = inGroups(searchPalette(query, listed, found)).map(({ group, items }) => ({
     group,
     actions: items.map(({ id, label, hotkey, needs, run, begins, takesFocus = false }) => ({
@@ -81,6 +82,20 @@ export function CommandPalette() {
       }}
     />
   );
+}
+
+/** Returns the titles of the lessons, which are loaded when the palette is first opened; null until then. */
+function useLessonTitles(opened: boolean): readonly (string | null)[] | null {
+  const [titles, setTitles] = useState<readonly (string | null)[] | null>(null);
+  useEffect(() => {
+    if (!opened || titles !== null) return;
+    import("../../lessons/course")
+      .then(({ course }) => course())
+      .then(({ lessons }) => setTitles(lessons.map((lesson) => lesson?.title ?? null)))
+      // Without a network, lessons are found by their number only.
+      .catch(() => undefined);
+  }, [opened, titles]);
+  return titles;
 }
 
 /** Selects the first action for keys that the field did not get, as after typing, and runs it if Enter was among them. */

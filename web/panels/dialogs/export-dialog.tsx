@@ -1,6 +1,6 @@
 import { Button, Group, Radio, SegmentedControl, Select, Text } from "@mantine/core";
 import { useState } from "react";
-import { UNITS, type ElementOrder, type Unit } from "tetrafront";
+import { LENGTH_UNITS, type ElementOrder, type LengthUnit } from "tetrafront";
 import { downloadMesh, downloadReport } from "../../commands/download-actions";
 import {
   encodingsOf,
@@ -29,7 +29,7 @@ interface Choice {
   readonly order: ElementOrder;
   readonly encoding: Encoding;
   /** Null: the unit of the project. */
-  readonly unit: Unit | null;
+  readonly unit: LengthUnit | null;
 }
 
 /** Saves the mesh in a file of another program: the format, and what it keeps. */
@@ -178,13 +178,13 @@ function EncodingChoice({ format, encoding, onChange }: EncodingChoiceProps) {
 
 interface UnitChoiceProps {
   /** The unit of the project; null if it has none. */
-  readonly own: Unit | null;
-  readonly unit: Unit | null;
-  readonly onChange: (unit: Unit | null) => void;
+  readonly own: LengthUnit | null;
+  readonly unit: LengthUnit | null;
+  readonly onChange: (unit: LengthUnit | null) => void;
 }
 
 function UnitChoice({ own, unit, onChange }: UnitChoiceProps) {
-  const others = UNITS.filter((other) => other !== own);
+  const others = LENGTH_UNITS.filter((other) => other !== own);
   return (
     <>
       <FieldRow label={texts.units}>

@@ -1,4 +1,3 @@
-import { Button } from "@mantine/core";
 import { useEffect, useRef, useState } from "react";
 import { strings } from "../../strings";
 import { enlarging } from "../../viewer/materials/enlarging";
@@ -50,7 +49,7 @@ function isTaken({ key, target }: KeyboardEvent): boolean {
   return !target.matches(choices) && inputMode(target) !== "view";
 }
 
-/** Large type for an audience (base.css), and a laser pointer. Escape ends it, unless something else uses the key. */
+/** Large type for an audience (base.css), and a laser pointer: its buttons are in the status bar. Escape ends it, unless something else uses the key. */
 export function Presenter() {
   const isOn = useShell((state) => state.isPresenting);
   return isOn ? <Presentation /> : null;
@@ -58,7 +57,7 @@ export function Presenter() {
 
 function Presentation() {
   const app = useApp();
-  const [hasLaser, setLaser] = useState(false);
+  const hasLaser = useShell((state) => state.hasLaser);
   const [isBlank, setBlank] = useState(false);
   useLargeView();
   useEscape(() => (isBlank ? setBlank(false) : app.shell.setState({ isPresenting: false })));
@@ -71,26 +70,6 @@ function Presentation() {
   });
   return (
     <>
-      <section className={styles["bar"]} aria-label={texts.title} data-testid="presenter" data-presented>
-        <Button
-          size="compact-md"
-          className={styles["laserButton"]}
-          variant={hasLaser ? "filled" : "default"}
-          aria-pressed={hasLaser}
-          data-testid="presenter-laser"
-          onClick={() => setLaser(!hasLaser)}
-        >
-          {texts.laser}
-        </Button>
-        <Button
-          size="compact-md"
-          variant="default"
-          data-testid="presenter-end"
-          onClick={() => app.shell.setState({ isPresenting: false })}
-        >
-          {texts.end}
-        </Button>
-      </section>
       {hasLaser && <Laser />}
       {isBlank && (
         <div
@@ -117,6 +96,7 @@ function useLargeView(): void {
     enlarge(presentedScale);
     return () => {
       delete dataset["presenter"];
+      app.shell.setState({ hasLaser: false });
       enlarge(1);
     };
   }, [app]);

@@ -1,5 +1,11 @@
-import { LIMITS, type LineType, type PatchType } from "tetrafront";
-import { BODY_SURFACES, type BodySurface, type Project } from "tetrafront/project";
+import { LIMITS } from "tetrafront";
+import {
+  type LineType,
+  type PatchType,
+  BODY_SURFACES,
+  type BodySurface,
+  type Project,
+} from "tetrafront/project";
 import { SegmentedControl } from "@mantine/core";
 import { setCommonSurface } from "../../document/body-edits";
 import {

@@ -1,7 +1,6 @@
 import { Text } from "@mantine/core";
 import { IconTrash } from "@tabler/icons-react";
-import type { PatchType } from "tetrafront";
-import type { Project, ProjectPatch } from "tetrafront/project";
+import type { PatchType, Project, ProjectPatch } from "tetrafront/project";
 import { setPatchLoops, setPatchType } from "../../document/edits";
 import { rotateToSecond } from "../../document/loops";
 import { patchMisfit, patchRules, patchTypes } from "../../document/patch-rules";

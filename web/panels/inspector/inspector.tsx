@@ -1,5 +1,5 @@
 import { Text } from "@mantine/core";
-import type { Unit } from "tetrafront";
+import type { LengthUnit } from "tetrafront";
 import { renameProject } from "../../document/edits";
 import { existingIn } from "../../document/entities";
 import { qualityIn } from "../../document/mesh-quality";
@@ -52,7 +52,7 @@ export function Inspector() {
 function ProjectCard() {
   const app = useApp();
   const project = useProject();
-  const changeUnit = (unit: Unit | null): void => {
+  const changeUnit = (unit: LengthUnit | null): void => {
     const from = unitOf(project.units);
     if (from && unit && from !== unit && hasLengths(project)) app.shell.setState({ chosenUnit: unit });
     else app.documents.edit(setProjectUnit(unit));
@@ -107,7 +107,7 @@ function ElementCard({ tetrahedron }: { readonly tetrahedron: number }) {
   const mesh = useRun((state) => state.mesh);
   const space = useQualitySpace();
   if (!mesh) return null;
-  const nodes = [...mesh.volume.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4)];
+  const nodes = [...mesh.mesh.tetrahedra.subarray(4 * tetrahedron, 4 * tetrahedron + 4)];
   return (
     <>
       <SectionTitle>{strings.inspector.element(String(tetrahedron))}</SectionTitle>

@@ -1,7 +1,7 @@
 import { getHotkeyHandler, type HotkeyItem } from "@mantine/hooks";
 import { useEffect } from "react";
 import type { App } from "../../app/app";
-import { commands, runCommand } from "../../commands/registry";
+import { commands, hotkeysOf, runCommand } from "../../commands/registry";
 import type { Command } from "../../commands/command";
 import { frontCommands } from "../../commands/front-commands";
 import { closeMenus, inputMode, isOfWidget, takesChord } from "../../tools/input-mode";
@@ -11,12 +11,12 @@ import { isPaletteOpen } from "../shared/palette";
 
 type Apps = Pick<PageApps<App>, "owns" | "contains">;
 
-/** Returns whether a hotkey of the command works for an event with this target. */
-function isMeant(app: App, apps: Apps, { inFields }: Command, target: EventTarget | null): boolean {
+/** Returns whether a hotkey of the command works for an event. */
+function isMeant(app: App, apps: Apps, { inFields }: Command, { key, target }: KeyboardEvent): boolean {
   if (isPaletteOpen() || !apps.owns(app, target)) return false;
   const mode = inputMode(target);
-  // The page may have fields outside the app.
-  return mode === "view" || (mode === "field" && inFields && apps.contains(app, target));
+  // The page may have fields outside the app. The browser would open its own help.
+  return mode === "view" || (mode === "field" && (inFields || key === "F1") && apps.contains(app, target));
 }
 
 /** Returns a handler of key events that calls `act` with the command of a key. */
@@ -26,7 +26,11 @@ const handlerOf = (
 ): ((event: KeyboardEvent) => void) =>
   getHotkeyHandler(
     among.flatMap((command) =>
-      command.keys.map((key): HotkeyItem => [key, (event) => act(command, event), { preventDefault: false }]),
+      hotkeysOf(command).map((key): HotkeyItem => [
+        key,
+        (event) => act(command, event),
+        { preventDefault: false },
+      ]),
     ),
   );
 
@@ -40,7 +44,7 @@ export function hotkeyListener(
   among: readonly Command[] = commands,
 ): (event: KeyboardEvent) => void {
   return handlerOf(among, (command, event) => {
-    if (!isMeant(app, apps, command, event.target) || !command.enabled(app)) return;
+    if (!isMeant(app, apps, command, event) || !command.enabled(app)) return;
     if (event.defaultPrevented || isOfWidget(event)) return;
     event.preventDefault();
     runCommand(app, command);

@@ -47,9 +47,10 @@ const presenting = {
   limits: { left: ["0px", "0px"], right: "720px", bottom: "540px" },
 } as const;
 
+/** The player of an audience has two rows. */
 const presentingLens = {
-  across: ["390px", 100, "440px"],
-  down: presenting.down,
+  across: ["390px", 100, "400px"],
+  down: [100, "184px"],
   limits: { ...presenting.limits, left: ["280px", "600px"] },
 } as const;
 

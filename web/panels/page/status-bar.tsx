@@ -1,6 +1,6 @@
 import { Progress, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
-import type { MeshReport, Progress as RunProgressReport } from "tetrafront";
+import type { MeshReport, CallProgress } from "tetrafront";
 import type { Trace } from "tetrafront/trace";
 import { useStore } from "zustand";
 import { useMemo } from "react";
@@ -32,6 +32,7 @@ import {
 import { roomyBounds } from "../../viewer/bounds";
 import { groundSpacing } from "../../viewer/layers/ground-layer";
 import { useThrottled } from "../shared/use-throttled";
+import { PresenterButtons } from "./presenter-buttons";
 import styles from "./status-bar.module.css";
 
 /** Time between two announcements to screen readers, in milliseconds. */
@@ -62,10 +63,7 @@ function frontText(trace: Trace, step: number): string {
   return strings.status.frontAt[phase](formatCount(step - from), formatCount(to - from));
 }
 
-function phaseText(
-  task: RunState["task"],
-  { phase, exactFillFraction: exactFill }: RunProgressReport,
-): string {
+function phaseText(task: RunState["task"], { phase, exactFillFraction: exactFill }: CallProgress): string {
   if (task === "improve") return strings.status.improving;
   return exactFill > 0 ? strings.status.filling : phaseNames[phase];
 }
@@ -78,6 +76,7 @@ export function StatusBar() {
     <footer className={styles["bar"]} data-testid="status" data-presented>
       {reading ? <Reading {...reading} /> : busy ? <RunProgress /> : <Outcome />}
       <PointerPlace />
+      <PresenterButtons />
       <MeshNumbers />
     </footer>
   );

@@ -2,6 +2,7 @@ import { useEffect, useRef, type ReactNode } from "react";
 import { strings } from "../../strings";
 import tables from "../../ui/table.module.css";
 import { useApp, useShell } from "../shared/app-context";
+import { useLayout } from "../shared/use-layout";
 import styles from "./player.module.css";
 
 const texts = strings.player;
@@ -26,20 +27,21 @@ interface CandidateTableProps {
 }
 
 /**
- * The candidates of a step, and the formulas of the chosen one. An audience sees the formulas first. Otherwise they follow the list,
- * which keeps its place when another candidate is chosen.
+ * The candidates of a step, and the formulas of the chosen one. An audience sees the formulas first, and so does a phone, which has
+ * room for one of both. Otherwise they follow the list, which keeps its place when another candidate is chosen.
  */
 export function CandidatesAndFormulas({
   children,
   ...props
 }: CandidateTableProps & { readonly children: ReactNode }) {
   const isPresenting = useShell((state) => state.isPresenting);
+  const isFirst = useLayout() === "phone" || isPresenting;
   const count = props.rows.length;
   return (
     <>
-      {isPresenting && children}
+      {isFirst && children}
       <CandidateTable {...props} />
-      {!isPresenting && children}
+      {!isFirst && children}
       {count > 1 && count <= ROWS_IN_VIEW && <p className={styles["hint"]}>{props.scoreHint}</p>}
     </>
   );

@@ -3,15 +3,15 @@ import { tolerance, type LayeredTest } from "../../player/layered-test";
 import type { SideAndFace } from "../../player/crossing";
 import { strings } from "../../strings";
 import { Formula } from "./formula";
-import { digits, linesOf } from "./latex";
+import { digits } from "./latex";
 import styles from "./player.module.css";
 
 const texts = strings.player.test;
 
-const meeting = linesOf(
+const meeting = [
   String.raw`\mathbf{x}_\mathrm{f}+\alpha^1\mathbf{g}_1+\alpha^2\mathbf{g}_2=\mathbf{x}_\mathrm{s}+\alpha^3\mathbf{g}_3,`,
   String.raw`\alpha^4=1-\alpha^1-\alpha^2`,
-);
+];
 
 /** The three layers of the paper's test, with the numbers of a candidate and a face, and which of them decides. */
 export function CrossingFormula({ face, layers }: NonNullable<LensCandidate["test"]>) {
@@ -22,17 +22,17 @@ export function CrossingFormula({ face, layers }: NonNullable<LensCandidate["tes
       <p data-testid="lens-layer">{sentenceOf(face, layers)}</p>
       <Layer name={texts.layer.a} excess={boxGap} limit={minGap} />
       <Formula
-        text={linesOf(
+        parts={[
           String.raw`\max_i\mathrm{gap}^i=${digits(boxGap)}`,
           String.raw`\quad${relation(boxGap, minGap)}d=${digits(minGap)}`,
-        )}
+        ]}
       />
       <Layer name={texts.layer.b} excess={shapeExcess} limit={tolerance} />
       <Formula
-        text={linesOf(
+        parts={[
           String.raw`\max_i\max(-\!\max N^i,\ \min N^i\!-1)`,
           String.raw`\quad=${digits(shapeExcess)}${relation(shapeExcess, tolerance)}t`,
-        )}
+        ]}
       />
       {pair && <SidesAndFaces pair={pair} finds={layers.finds} />}
       <p className={styles["hint"]}>{texts.hint}</p>
@@ -51,13 +51,13 @@ function SidesAndFaces({ pair, finds }: { readonly pair: SideAndFace; readonly f
       <p>
         {texts.layer.c}: {finds ? texts.verdicts.crosses : texts.verdicts.apart}
       </p>
-      <Formula text={meeting} />
-      <Formula text={String.raw`\begin{aligned}${numbers}\end{aligned}`} />
+      <Formula parts={meeting} />
+      <Formula parts={[String.raw`\begin{aligned}${numbers}\end{aligned}`]} />
       <Formula
-        text={linesOf(
+        parts={[
           String.raw`\max_i\max(-\alpha^i,\alpha^i-1)`,
           String.raw`\quad=${digits(excess)}${relation(excess, tolerance)}t=${digits(tolerance)}`,
-        )}
+        ]}
       />
     </>
   );

@@ -4,18 +4,31 @@ import { useLayoutEffect, useRef } from "react";
 import { useScrollFocus } from "../../ui/use-scroll-focus";
 import styles from "./player.module.css";
 
-/** A formula in LaTeX; screen readers get MathML. One that is too wide scrolls, also with the keys. */
-export function Formula({ text }: { readonly text: string }) {
+/**
+ * A formula in LaTeX, in parts between which it may be broken; screen readers get MathML. A part that is too wide scrolls, also
+ * with the keys.
+ */
+export function Formula({ parts }: { readonly parts: readonly string[] }) {
+  const text = parts.join("\n");
   const box = useRef<HTMLDivElement>(null);
   const formula = useRef<HTMLParagraphElement>(null);
   useLayoutEffect(() => {
     // As elements: the policy of the page forbids style attributes in HTML.
-    if (formula.current) katex.render(text, formula.current, { throwOnError: false });
+    const spans = formula.current?.children ?? [];
+    text.split("\n").forEach((part, i) => {
+      const span = spans[i];
+      if (span instanceof HTMLElement) katex.render(part, span, { throwOnError: false });
+    });
   }, [text]);
   useScrollFocus(box, "p", text);
   return (
     <div ref={box}>
-      <p ref={formula} className={styles["formula"]} />
+      <p ref={formula} className={styles["formula"]}>
+        {parts.map((_, i) => (
+          // Parts have no identity beside their order.
+          <span key={i} className={styles["part"]} />
+        ))}
+      </p>
     </div>
   );
 }

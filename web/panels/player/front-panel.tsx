@@ -1,16 +1,17 @@
 import { Button, Progress, Text } from "@mantine/core";
-import { IconPlayerRecordFilled } from "@tabler/icons-react";
-import { useDeferredValue } from "react";
+import { IconDots, IconPlayerRecordFilled } from "@tabler/icons-react";
+import { useDeferredValue, useState } from "react";
 import { strings } from "../../strings";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
-import { useApp, useRun } from "../shared/app-context";
+import { useApp, useRun, useShell } from "../shared/app-context";
+import { IconButton } from "../../ui/icon-button";
 import { useLayout } from "../shared/use-layout";
 import { JumpControl } from "./jump-control";
 import { Lens } from "./lens";
 import { OpenTrace } from "./trace-files";
 import styles from "./player.module.css";
 import { ScrubBar } from "./scrub-bar";
-import { Transport } from "./transport";
+import { LoopButton, Transport, TransportChoices } from "./transport";
 import { useHasLens } from "./use-has-lens";
 import { usePlayer } from "./use-player";
 import { ViewChoices } from "./view-choices";
@@ -141,26 +142,59 @@ function Choices() {
 }
 
 function Player() {
+  const isPresenting = useShell((state) => state.isPresenting);
+  const isShort = useLayout() === "phone" || isPresenting;
   return (
     <div className={styles["player"]} data-testid="player">
-      <section className={styles["controls"]} aria-label={texts.transport}>
-        <Transport />
-        <ScrubBar />
-        {useLayout() === "phone" ? (
-          <details className={styles["more"]} data-testid="player-more">
-            <summary>{texts.moreControls}</summary>
-            <Choices />
-          </details>
-        ) : (
-          <Choices />
-        )}
-        <Failure />
-      </section>
+      {isShort ? <ShortControls /> : <Controls />}
       {!useHasLens() && (
         <div className={styles["beside"]}>
           <Lens />
         </div>
       )}
     </div>
+  );
+}
+
+/** Few rows for an audience and on a phone; what is used less is behind a button. */
+function ShortControls() {
+  const [isMore, setMore] = useState(false);
+  return (
+    <section className={styles["controls"]} data-short aria-label={texts.transport}>
+      <Transport isShort>
+        <IconButton
+          label={texts.moreControls}
+          aria-expanded={isMore}
+          data-testid="player-more"
+          onClick={() => setMore(!isMore)}
+        >
+          <IconDots size={15} aria-hidden />
+        </IconButton>
+      </Transport>
+      <ScrubBar />
+      {isMore && (
+        <>
+          <div className={styles["row"]}>
+            <LoopButton />
+            <TransportChoices />
+          </div>
+          <Choices />
+        </>
+      )}
+      <Failure />
+    </section>
+  );
+}
+
+function Controls() {
+  return (
+    <section className={styles["controls"]} aria-label={texts.transport}>
+      <Transport>
+        <TransportChoices />
+      </Transport>
+      <ScrubBar />
+      <Choices />
+      <Failure />
+    </section>
   );
 }

@@ -3,6 +3,7 @@ import type { PlanarLensCandidate } from "../../player/planar-lens";
 import { metricLength, planeOf, targetLength } from "../../player/planar-judge";
 import { strings } from "../../strings";
 import { Formula } from "./formula";
+import { digits } from "./latex";
 import styles from "./player.module.css";
 
 const texts = strings.player.patch;
@@ -24,7 +25,7 @@ export function PlanarFormula({ front, step, examined }: PlanarFormulaProps) {
     <section aria-label={texts.test} data-testid="lens-formula">
       <h2 className={styles["title"]}>{texts.test}</h2>
       {(verdict === "accepted" || verdict === "too-close") && <Lengths front={front} step={step} />}
-      <Formula text={testOf(front, step, examined)} />
+      <Formula parts={testOf(front, step, examined)} />
       <p className={styles["hint"]}>{texts.testHints[verdict]}</p>
     </section>
   );
@@ -36,32 +37,46 @@ function Lengths({ front, step }: { readonly front: PlanarFront; readonly step: 
   const base = a && b ? metricLength(step.metric, [b[0] - a[0], b[1] - a[1]]) : 0;
   return (
     <>
-      <Formula text={metricRule} />
-      <Formula text={lengthRule} />
-      <Formula text={String.raw`b=${digits(base)},\quad\delta=${digits(targetLength(front, step))}`} />
+      <Formula parts={[metricRule]} />
+      <Formula parts={[lengthRule]} />
+      <Formula parts={[`b=${digits(base)},`, String.raw`\delta=${digits(targetLength(front, step))}`]} />
     </>
   );
 }
 
-function testOf(front: PlanarFront, { nodes, metric }: EdgeStep, examined: PlanarLensCandidate): string {
+function testOf(
+  front: PlanarFront,
+  { nodes, metric }: EdgeStep,
+  examined: PlanarLensCandidate,
+): readonly string[] {
   const { candidate, doubleArea, inside, distance, leastDistance } = examined;
   switch (candidate.verdict) {
     case "behind":
-      return String.raw`(\mathbf{b}-\mathbf{a})\times(\mathbf{p}-\mathbf{a})=${digits(doubleArea)}\le 0`;
+      return [
+        String.raw`(\mathbf{b}-\mathbf{a})\times(\mathbf{p}-\mathbf{a})`,
+        String.raw`\quad=${digits(doubleArea)}\le 0`,
+      ];
     case "crosses": {
       const [from, to] = inside ?? [0, 0];
-      return String.raw`\mathbf{a}+t\,(\mathbf{b}-\mathbf{a}),\quad ${digits(from)}\le t\le ${digits(to)}`;
+      return [
+        String.raw`\mathbf{a}+t\,(\mathbf{b}-\mathbf{a}),`,
+        String.raw`${digits(from)}\le t\le ${digits(to)}`,
+      ];
     }
     case "too-close":
-      return String.raw`\mathrm{dist}_G=${digits(distance ?? 0)}<0.55\,\delta=${digits(leastDistance)}`;
+      return [
+        String.raw`\mathrm{dist}_G=${digits(distance ?? 0)}`,
+        String.raw`\quad<0.55\,\delta=${digits(leastDistance)}`,
+      ];
     default: {
       const arms = nodes.map((node) => {
         const [x, y] = planeOf(front, node);
         return metricLength(metric, [candidate.plane[0] - x, candidate.plane[1] - y]);
       });
-      return String.raw`\|\mathbf{p}-\mathbf{a}\|_G=${digits(arms[0] ?? 0)},\quad\|\mathbf{p}-\mathbf{b}\|_G=${digits(arms[1] ?? 0)}`;
+      return [
+        String.raw`\|\mathbf{p}-\mathbf{a}\|_G=${digits(arms[0] ?? 0)},`,
+        String.raw`\|\mathbf{p}-\mathbf{b}\|_G=${digits(arms[1] ?? 0)}`,
+      ];
     }
   }
 }
-
-const digits = (value: number): string => String(Number(value.toPrecision(3)));

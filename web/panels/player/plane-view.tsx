@@ -113,7 +113,7 @@ function Drawing({ front, step, state, box }: DrawingProps) {
   // With a refused candidate that is chosen, the front as it was when it was tried.
   const shownState = supposedCandidate(step, candidate) ? state - 1 : state;
   const paths = useMemo(() => planePaths(front, shownState), [front, shownState]);
-  const viewBox = `${box.left} ${-box.top} ${box.size} ${box.size}`;
+  const viewBox = `${box.left} ${-box.top} ${box.width} ${box.height}`;
   return (
     <svg
       className={styles["drawing"]}

@@ -4,7 +4,7 @@ import { newElement, sixVolumes } from "../../player/judge";
 import { distanceToFace, idealNumbers } from "../../player/unit-space";
 import { strings } from "../../strings";
 import { Formula } from "./formula";
-import { digits, linesOf } from "./latex";
+import { digits } from "./latex";
 import styles from "./player.module.css";
 import { useTrace } from "./use-player";
 
@@ -18,17 +18,17 @@ export function IdealFormula({ step }: { readonly step: AdvanceStep }) {
     <section aria-label={idealTexts.title} data-testid="lens-ideal">
       <h2 className={styles["title"]}>{idealTexts.title}</h2>
       <Formula
-        text={linesOf(
+        parts={[
           String.raw`h=\min(\max(0.97\,\delta,\,0.55\,b),\,2\,b)`,
           String.raw`\quad=${digits(size)},`,
           String.raw`\delta=${digits(target)},\quad b=${digits(base)}`,
-        )}
+        ]}
       />
       <Formula
-        text={linesOf(
+        parts={[
           String.raw`\max\!\left(\sqrt{h^2-R^2},\ 0.3\,h\right)=${digits(height)}`,
           String.raw`R=${digits(radius)}`,
-        )}
+        ]}
       />
       <p className={styles["hint"]}>{step.tensor ? idealTexts.stretchedHint : idealTexts.hint}</p>
     </section>
@@ -60,10 +60,10 @@ function TooClose({ step, candidate, face }: RefusalFormulaProps & { readonly fa
     <section aria-label={refusalTexts.tooClose} data-testid="lens-refusal">
       <h2 className={styles["title"]}>{refusalTexts.tooClose}</h2>
       <Formula
-        text={linesOf(
+        parts={[
           String.raw`\mathrm{dist}=${digits(distance)}\,h=${digits(distance * size)}`,
           String.raw`\quad${distance < least ? "<" : String.raw`\ge`}${digits(least)}\,h=${digits(least * size)}`,
-        )}
+        ]}
       />
       <p className={styles["hint"]}>{refusalTexts.tooCloseHint}</p>
     </section>
@@ -77,10 +77,10 @@ function Behind({ step, candidate }: RefusalFormulaProps) {
     <section aria-label={refusalTexts.behind} data-testid="lens-refusal">
       <h2 className={styles["title"]}>{refusalTexts.behind}</h2>
       <Formula
-        text={linesOf(
+        parts={[
           String.raw`6\,V=((\mathbf{b}-\mathbf{a})\times(\mathbf{c}-\mathbf{a}))\cdot(\mathbf{p}-\mathbf{a})`,
           String.raw`\quad=${digits(sixVolumes(corners))}`,
-        )}
+        ]}
       />
       <p className={styles["hint"]}>{refusalTexts.behindHint}</p>
     </section>

@@ -11,6 +11,7 @@ import {
   IconX,
 } from "@tabler/icons-react";
 import { NativeSelect, Toolbar } from "@mantine/core";
+import type { ReactNode } from "react";
 import type { Trace } from "tetrafront/trace";
 import { loopAround, loopLimits, shownLoop, withLoopEnd, type Loop } from "../../player/loop";
 import { frontSizeAt, phaseAt } from "../../player/phases";
@@ -29,8 +30,13 @@ import { ViewChecks } from "./view-choices";
 const texts = strings.player;
 const icon = { size: 15, "aria-hidden": true } as const;
 
-/** Buttons that move through the steps, the step shown, and the speed. */
-export function Transport() {
+interface TransportProps {
+  readonly isShort?: boolean;
+  readonly children: ReactNode;
+}
+
+/** Buttons that move through the steps, the step shown, and what follows in the same row. */
+export function Transport({ isShort = false, children }: TransportProps) {
   const { player } = useApp();
   const isPlaying = usePlayer((state) => state.isPlaying);
   return (
@@ -57,15 +63,24 @@ export function Transport() {
         <IconButton label={texts.end} data-testid="player-end" onClick={() => player.move(Infinity)}>
           <IconPlayerSkipForwardFilled {...icon} />
         </IconButton>
-        <LoopButton />
+        {!isShort && <LoopButton />}
       </Toolbar>
       <LoopFields />
       <Counter />
-      <SpeedSelect />
       <StillsHint />
+      {children}
+    </div>
+  );
+}
+
+/** The speed, what the view follows and fades, and the buttons of the trace. */
+export function TransportChoices() {
+  return (
+    <>
+      <SpeedSelect />
       <ViewChecks />
       <TraceButtons />
-    </div>
+    </>
   );
 }
 
@@ -109,7 +124,7 @@ export function StillsHint() {
 }
 
 /** Repeats the steps around the present one. */
-function LoopButton() {
+export function LoopButton() {
   const { player } = useApp();
   const trace = useTrace();
   const loop = usePlayer((state) => state.loop);

@@ -18,7 +18,7 @@ const maxListed = 100;
 
 /** Returns the surface that the triangles of a problem belong to, and where it is. */
 function useSurface({ body: id }: Problem) {
-  const rejected = useRun((state) => state.outcome?.result.surface);
+  const rejected = useRun((state) => state.outcome?.result.mesh);
   const bodies = useStore(useApp().bodies.state, (state) => state.byId);
   if (id === null) return rejected && { surface: rejected };
   const body = bodies.get(id);

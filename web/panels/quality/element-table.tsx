@@ -1,4 +1,4 @@
-import type { ElementQuality } from "tetrafront";
+import type { ElementQuality } from "tetrafront/internal";
 import { showElement } from "../../commands/selection-actions";
 import { formatAngle, formatCount, formatPosition } from "../../ui/format";
 import { strings } from "../../strings";
@@ -26,7 +26,7 @@ export function ElementButton({ element: { tetrahedron, centroid }, text, testId
       aria-label={label}
       title={label}
       data-testid={testId}
-      onClick={() => showElement(app, tetrahedron)}
+      onClick={() => void showElement(app, tetrahedron)}
     >
       {text}
     </TextButton>

@@ -1,6 +1,6 @@
 import { Button, Text } from "@mantine/core";
 import { IconSparkles } from "@tabler/icons-react";
-import type { MeshShapes } from "tetrafront";
+import type { MeshShapes } from "tetrafront/internal";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { canImprove } from "../../session/run";
 import { formatAngle, formatCount } from "../../ui/format";

@@ -1,6 +1,6 @@
 import type { MouseEvent } from "react";
 import { Text, UnstyledButton } from "@mantine/core";
-import type { PatchQuality } from "tetrafront";
+import type { PatchQuality } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
 import { showEntities } from "../../commands/selection-actions";
 import { entityKey, entityOfKey, patchAt, type Entity } from "../../document/entities";

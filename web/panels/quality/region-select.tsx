@@ -17,7 +17,7 @@ export interface RegionSelectProps {
 
 /** Chooses the region that the charts show. */
 export function RegionSelect({ quality, choice, onChoose }: RegionSelectProps) {
-  const names = useRun((state) => state.regionNames);
+  const groups = useRun((state) => state.mesh?.mesh.regions);
   const all = quality.regions.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
   return (
     <Select
@@ -30,7 +30,7 @@ export function RegionSelect({ quality, choice, onChoose }: RegionSelectProps) {
         { value: "all", label: texts.allRegions(formatCount(all)) },
         ...quality.regions.map(({ region, tetrahedra }) => ({
           value: String(region),
-          label: texts.oneRegion(region + 1, names[region], formatCount(tetrahedra)),
+          label: texts.oneRegion(region + 1, groups?.[region]?.name, formatCount(tetrahedra)),
         })),
       ]}
       value={choice === null ? "all" : String(choice)}

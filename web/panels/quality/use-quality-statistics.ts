@@ -29,7 +29,7 @@ function useInspection(mesh: MeshResult | null): MeshInspection | null {
     const abort = new AbortController();
     const { signal } = abort;
     app.mesher
-      .then((mesher) => mesher.inspectMesh(mesh.volume, { signal }))
+      .then((mesher) => mesher.inspectMesh(mesh.mesh, { signal }))
       .then((inspection) => setKnown({ mesh, inspection }))
       .catch((error: unknown) => {
         if (!signal.aborted) showFailure(app, strings.report.title, error);

@@ -8,7 +8,7 @@ import { isOfOtherBodies, isStale, type RunState } from "../../session/run";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { ViewState } from "../../document/selection";
 import type { ShellState } from "../../session/shell";
-import type { RegionQuality } from "tetrafront";
+import type { RegionQuality } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
 import { calmDocuments } from "./calm-documents";
 

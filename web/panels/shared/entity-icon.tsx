@@ -10,8 +10,7 @@ import {
   IconVectorBezier,
   IconVectorSpline,
 } from "@tabler/icons-react";
-import type { LineType } from "tetrafront";
-import type { Project } from "tetrafront/project";
+import type { LineType, Project } from "tetrafront/project";
 import { findRecord, type Entity } from "../../document/entities";
 
 const size = 15;

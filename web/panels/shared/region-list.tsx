@@ -19,7 +19,7 @@ export interface RegionListProps {
 export function RegionList({ testId }: RegionListProps) {
   const app = useApp();
   const regions = useRegions();
-  const names = useRun((state) => state.regionNames);
+  const groups = useRun((state) => state.mesh?.mesh.regions);
   const hidden = useView((state) => state.hiddenRegions);
   return (
     <ul className={styles["list"]}>
@@ -28,14 +28,14 @@ export function RegionList({ testId }: RegionListProps) {
           <UnstyledButton
             className={styles["region"]}
             aria-pressed={!hidden.has(region)}
-            aria-label={strings.report.oneRegion(region + 1, names[region], formatCount(tetrahedra))}
+            aria-label={strings.report.oneRegion(region + 1, groups?.[region]?.name, formatCount(tetrahedra))}
             title={hidden.has(region) ? strings.regions.show : strings.regions.hide}
             data-testid={`${testId}-${region + 1}`}
             onClick={() => app.view.toggleRegion(region)}
           >
             <RegionSwatch region={region} />
             <b>{region + 1}</b>
-            <span className={styles["name"]}>{ownRegionName(region + 1, names[region])}</span>
+            <span className={styles["name"]}>{ownRegionName(region + 1, groups?.[region]?.name)}</span>
             <span>{formatCount(tetrahedra)}</span>
           </UnstyledButton>
         </li>

@@ -1,5 +1,5 @@
 import { Select } from "@mantine/core";
-import { UNITS, type Unit } from "tetrafront";
+import { LENGTH_UNITS, type LengthUnit } from "tetrafront";
 import { FieldRow } from "../../ui/fields/field-row";
 import { strings } from "../../strings";
 
@@ -7,16 +7,16 @@ const none = "none";
 
 interface UnitSelectProps {
   readonly label: string;
-  readonly value: Unit | null;
+  readonly value: LengthUnit | null;
   /** Label of the choice without a unit; null if there is none. */
   readonly without: string | null;
   readonly testId: string;
-  readonly onChange: (unit: Unit | null) => void;
+  readonly onChange: (unit: LengthUnit | null) => void;
 }
 
 /** A choice of length units. */
 export function UnitSelect({ label, value, without, testId, onChange }: UnitSelectProps) {
-  const units = UNITS.map((unit) => ({ value: unit, label: strings.units[unit] }));
+  const units = LENGTH_UNITS.map((unit) => ({ value: unit, label: strings.units[unit] }));
   return (
     <FieldRow label={label}>
       <Select
@@ -27,7 +27,7 @@ export function UnitSelect({ label, value, without, testId, onChange }: UnitSele
         value={value ?? (without === null ? null : none)}
         placeholder={strings.units.other}
         allowDeselect={false}
-        onChange={(chosen) => onChange(UNITS.find((unit) => unit === chosen) ?? null)}
+        onChange={(chosen) => onChange(LENGTH_UNITS.find((unit) => unit === chosen) ?? null)}
       />
     </FieldRow>
   );

@@ -9,7 +9,7 @@ import {
   type Icon,
 } from "@tabler/icons-react";
 import { useStore } from "zustand";
-import type { LineType, SourceType } from "tetrafront";
+import type { LineType, SourceType } from "tetrafront/project";
 import { commandNamed, runCommand } from "../../commands/registry";
 import { lineTypes } from "../../document/line-types";
 import {

@@ -3,7 +3,7 @@ import { IconCopy } from "@tabler/icons-react";
 import { useEffect, useRef } from "react";
 import { useStore } from "zustand";
 import { pasteLines } from "../../commands/clipboard-actions";
-import type { Unit } from "tetrafront";
+import type { LengthUnit } from "tetrafront";
 import { unitOf } from "../../document/length-units";
 import { measure } from "../../document/measurement";
 import type { Position } from "../../document/position";
@@ -186,7 +186,7 @@ function MeasurementCard({ places, viewer }: MeasurementProps) {
 /** Returns the names and values of a measurement: lengths with the unit of the project, if it has one. */
 export function measurementRows(
   places: readonly Position[],
-  unit: Unit | null,
+  unit: LengthUnit | null,
 ): readonly (readonly [name: string, value: string])[] {
   const measured = measure(places);
   if (!measured) return [];

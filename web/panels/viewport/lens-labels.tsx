@@ -10,6 +10,9 @@ import { usePlayer } from "../player/use-player";
 import { placedAround, type Label } from "../../viewer/apart";
 import styles from "./lens-labels.module.css";
 
+/** Width or height of a view, in CSS pixels, in which labels of further candidates would cover what is examined. */
+const smallView = 360;
+
 /** What the lens shows in the view, by name and number, with lines to it. The panel says the same for screen readers. */
 export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
   const scene = usePlayer(lensSceneOf);
@@ -26,18 +29,20 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
     const follow = (): void => {
       const view = lines.current;
       if (!view || !box.current) return;
+      const area = viewer.labelArea;
+      const isSmall = Math.min(area.width, area.height) < smallView;
       // All sizes are read before anything is written: otherwise the browser would lay out the page again for each label.
       const shown: (Label & { readonly marker: HTMLElement; readonly line: Element | undefined })[] = [];
       const hidden: typeof shown = [];
       [...box.current.children].forEach((marker, i) => {
-        const position = labels[i]?.position;
-        if (!(marker instanceof HTMLElement) || !position) return;
-        const at = viewer.toScreen(position);
+        const named = labels[i];
+        if (!(marker instanceof HTMLElement) || !named) return;
+        const at = isSmall && named.isMinor ? null : viewer.toScreen(named.position);
         const size = { width: marker.offsetWidth, height: marker.offsetHeight };
         const label = { x: 0, y: 0, ...at, ...size, marker, line: view.children[i] };
         (at ? shown : hidden).push(label);
       });
-      const places = placedAround(shown, viewer.labelArea, coversOf(view));
+      const places = placedAround(shown, area, [viewer.cubeArea, ...coversOf(view)]);
       for (const { marker, line } of hidden) setShown(marker, line, false);
       shown.forEach(({ x, y, marker, line }, i) => {
         const place = places[i] ?? null;

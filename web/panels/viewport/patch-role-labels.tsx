@@ -1,7 +1,6 @@
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
-import type { PatchType } from "tetrafront";
-import type { Project, ProjectPatch, ProjectPreview } from "tetrafront/project";
+import type { PatchType, Project, ProjectPatch, ProjectPreview } from "tetrafront/project";
 import { findRecord, indexById } from "../../document/entities";
 import { strings } from "../../strings";
 import type { Position } from "../../document/position";

@@ -15,7 +15,7 @@ import {
 export function ViewState({ container }: { readonly container: RefObject<HTMLDivElement | null> }) {
   const mesh = useRun((state) => state.mesh);
   const busy = useRun((state) => state.busy);
-  const front = useRun((state) => state.progress?.frontFaces ?? (state.mesh?.volume.front.length ?? 0) / 3);
+  const front = useRun((state) => state.progress?.frontFaces ?? (state.mesh?.front.length ?? 0) / 3);
   const drawnFront = useRun((state) => state.front && state.front.length / 9);
   const stale = useStale();
   const pending = useAutosavePending();

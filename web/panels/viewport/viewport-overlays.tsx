@@ -17,7 +17,13 @@ export function CutBar() {
   const app = useApp();
   const cut = useView((state) => state.cut);
   return (
-    <div className={styles["cutBar"]} role="group" aria-label={strings.display.cut} data-presented>
+    <div
+      className={styles["cutBar"]}
+      role="group"
+      aria-label={strings.display.cut}
+      data-presented
+      data-covers-labels
+    >
       <Switch
         size="xs"
         label={strings.display.cut}

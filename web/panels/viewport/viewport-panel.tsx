@@ -66,6 +66,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       className={styles["view"]}
       data-operation={hasOperation || undefined}
       data-split={showsPlane || undefined}
+      data-without-tools={isLessonModel || undefined}
       data-start={showsStart || undefined}
       data-replaying={isReplaying || undefined}
     >

@@ -1,4 +1,4 @@
-import type { LineType } from "tetrafront";
+import type { LineType } from "tetrafront/project";
 import { circleThrough, middleOfArc, onArc, quantityMiddleOfArc } from "../../document/arcs";
 import { drawLine, placeAt, quantitiesAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
@@ -58,8 +58,8 @@ interface Link {
   readonly from: number;
   readonly to: number;
   readonly closes: boolean;
-  /** The patches of the step that added it; null if the project had the line already. */
-  readonly step: HistoryEntry["forward"] | null;
+  /** The change of the step that added it; null if the project had the line already. */
+  readonly step: HistoryEntry["change"] | null;
 }
 
 /**
@@ -176,7 +176,7 @@ export class LineTool extends DrawingTool {
     const link = this.#links[this.#drawn - 1];
     if (link) {
       const { past } = this.stores.documents.state.getState().history;
-      if (link.step !== null && past.at(-1)?.forward === link.step) this.stores.documents.undo();
+      if (link.step !== null && past.at(-1)?.change === link.step) this.stores.documents.undo();
       else this.#links = this.#links.slice(0, this.#drawn - 1);
       this.#follow();
       return true;
@@ -252,7 +252,7 @@ export class LineTool extends DrawingTool {
     const links = this.#links.slice(0, this.#drawn);
     const closes = to === links[0]?.from;
     const { past } = this.stores.documents.state.getState().history;
-    const step = creation ? (past.at(-1)?.forward ?? null) : null;
+    const step = creation ? (past.at(-1)?.change ?? null) : null;
     const begin = findRecord(this.project, "line", line)?.points[0];
     this.#links = [...links, { line, first: begin, picked: first, from, to, closes, step }];
     this.#follow();
@@ -346,7 +346,7 @@ export class LineTool extends DrawingTool {
     if (first === undefined || !found?.points.includes(first)) return false;
     if (index < this.#drawn || step === null) return true;
     const { past } = this.stores.documents.state.getState().history;
-    return past.some(({ forward }) => forward === step);
+    return past.some(({ change }) => change === step);
   }
 
   /** Returns the place from which the chain goes on; none if it is closed. */

@@ -1,4 +1,4 @@
-import type { SourceType } from "tetrafront";
+import type { SourceType } from "tetrafront/project";
 import { addSourceAt, cornersOf } from "../../document/create";
 import type { Place } from "../../document/draw";
 import type { Position } from "../../document/position";

@@ -1,6 +1,6 @@
 import { TextInput } from "@mantine/core";
 import { useContext, useLayoutEffect, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
-import { UNITS } from "tetrafront";
+import { LENGTH_UNITS } from "tetrafront";
 import {
   isPlainNumber,
   readNumber,
@@ -72,7 +72,7 @@ const textOf = (value: number | null, minDigits = 0): string =>
 /** Returns why a text is no number. `isOwn`: it may use the names of own values. */
 function problemOf(text: string, named: NamedNumbers, isOwn: boolean): string {
   const lacksUnit = [...unitsIn(text)].some(
-    (word) => UNITS.some((unit) => unit === word) && !named.has(unitKey(word)),
+    (word) => LENGTH_UNITS.some((unit) => unit === word) && !named.has(unitKey(word)),
   );
   if (lacksUnit) return strings.fields.noProjectUnit;
   const unknown = isOwn ? undefined : unknownNameIn(text, named);

@@ -78,13 +78,11 @@ export class FrontLayer implements Layer {
  * Returns the corners of the front at which an incomplete mesh ends; without tetrahedra, those of the
  * boundary.
  */
-function remainingFront(mesh: MeshResult | null): Float64Array {
-  const isIncomplete = mesh?.report.status === "stalled" || mesh?.report.status === "cancelled";
-  if (!mesh || !isIncomplete) return new Float64Array();
-  const { volume, surface } = mesh;
-  return volume.tetrahedra.length === 0
-    ? cornersOf(surface.points, surface.triangles)
-    : cornersOf(volume.points, volume.front);
+function remainingFront(result: MeshResult | null): Float64Array {
+  const isIncomplete = result?.report.status === "stalled" || result?.report.status === "cancelled";
+  if (!result || !isIncomplete) return new Float64Array();
+  const { mesh, front } = result;
+  return cornersOf(mesh.points, mesh.tetrahedra.length === 0 ? mesh.triangles : front);
 }
 
 function cornersOf(points: Float64Array, triangles: Uint32Array): Float64Array {

@@ -28,7 +28,7 @@ export interface MeshLayerEvents {
 }
 
 /** The result of a run, or a mesh that a run is optimizing. */
-type ShownMesh = Pick<MeshResult, "surface" | "volume" | "metricShapes">;
+type ShownMesh = Pick<MeshResult, "mesh" | "metricShapes">;
 
 /** Which faces to draw. Compared by identity. */
 interface FaceRequest {
@@ -248,8 +248,8 @@ export class MeshLayer implements HittableLayer {
   #patchOf(face: number): number | null {
     const { mesh } = this.#drawn.request;
     if (!mesh) return null;
-    this.#patchFinder ??= new PatchFinder(mesh.surface);
-    const { tetrahedra } = mesh.volume;
+    this.#patchFinder ??= new PatchFinder(mesh.mesh);
+    const { tetrahedra } = mesh.mesh;
     const local = 3 * (face & 3);
     return this.#patchFinder.patchOf(
       [0, 1, 2].map((k) => tetrahedra[(face & ~3) + (faceNodes[local + k] ?? 0)] ?? 0),

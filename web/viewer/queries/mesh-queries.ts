@@ -10,7 +10,7 @@ import {
   type QualityMeasure,
   type QualitySpace,
 } from "../../document/mesh-quality";
-import type { VolumeMesh } from "tetrafront";
+import type { Mesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../../document/selection";
 import type { Position } from "../../document/position";
 import { findNeighbours, outside } from "./topology";
@@ -25,7 +25,7 @@ import {
 
 /** The arrays of a mesh that the queries use. */
 export interface QueriedMesh extends MeasuredMesh {
-  readonly volume: Elements & Pick<VolumeMesh, "regions">;
+  readonly mesh: Elements & Pick<Mesh, "tetrahedronRegion">;
 }
 
 /** Which faces of a mesh are drawn, and how. */
@@ -60,7 +60,7 @@ export interface DrawnFaces {
  * million tetrahedra, so this class is used in a worker.
  */
 export class MeshQueries {
-  readonly #mesh: QueriedMesh["volume"];
+  readonly #mesh: QueriedMesh["mesh"];
   readonly #measured: MeasuredMesh;
   #neighbours: Int32Array | null = null;
   /** Scratch space with an entry per face 4t + f, because every face may become visible. */
@@ -71,17 +71,17 @@ export class MeshQueries {
   readonly #extents = new Map<CutAxis, readonly [number, number]>();
   readonly #qualities = new Map<QualityMeasure, Float32Array>();
 
-  constructor(mesh: QueriedMesh) {
-    this.#mesh = mesh.volume;
-    this.#measured = mesh;
-    this.#hidden = new Uint8Array(mesh.volume.tetrahedra.length / 4);
+  constructor(measured: QueriedMesh) {
+    this.#mesh = measured.mesh;
+    this.#measured = measured;
+    this.#hidden = new Uint8Array(measured.mesh.tetrahedra.length / 4);
   }
 
   facesOf({ origin, cut, hiddenRegions, shading, qualitySpace }: ViewOptions): DrawnFaces {
     const neighbours = this.#cachedNeighbours();
     this.#hidden.fill(0);
     if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
-    hideRegions(this.#mesh.regions, hiddenRegions, this.#hidden);
+    hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
     const count = collectVisibleFaces(neighbours, this.#hidden, this.#faces);
     const faces = this.#faces.slice(0, count);
     const corners = new Float32Array(9 * count);
@@ -103,7 +103,7 @@ export class MeshQueries {
   }
 
   #endsRegion(face: number, neighbours: Int32Array): boolean {
-    const { regions } = this.#mesh;
+    const { tetrahedronRegion: regions } = this.#mesh;
     const beyond = neighbours[face] ?? outside;
     return beyond === outside || regions[beyond] !== regions[face >> 2];
   }
@@ -131,7 +131,7 @@ export class MeshQueries {
     return values;
   }
 
-  readonly #regionOf = (tetrahedron: number): number => this.#mesh.regions[tetrahedron] ?? 0;
+  readonly #regionOf = (tetrahedron: number): number => this.#mesh.tetrahedronRegion[tetrahedron] ?? 0;
 
   #qualityBy(measure: QualityMeasure, space: QualitySpace): (tetrahedron: number) => number {
     const measured = this.#measured;

@@ -1,8 +1,10 @@
 import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mesh-quality";
+import type { Position } from "../../document/position";
+import type { Cut } from "../../document/selection";
 import { copyForTransfer } from "../../workers/transfer";
 import { WorkerClient } from "../../workers/worker-client";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
-import type { MeshQueryProtocol } from "./mesh-query-protocol";
+import type { MeshQueryProtocol, PictureSize } from "./mesh-query-protocol";
 import type { SerializedTree } from "../triangle-tree";
 
 const startWorker = (): Worker =>
@@ -49,6 +51,16 @@ export class MeshQueryClient {
     return this.#query(mesh, () => this.#worker.call("histogram", { measure, space, barCount }));
   }
 
+  /** Returns the cut that exposes an element to a viewer in a direction. */
+  cutTo(mesh: QueriedMesh, element: number, toEye: Position): Promise<Cut> {
+    return this.#query(mesh, () => this.#worker.call("cut", { element, toEye }));
+  }
+
+  /** Returns a small picture of the middle of a view, which it takes over. */
+  pictureOf(view: ImageBitmap, size: PictureSize): Promise<Blob> {
+    return this.#worker.call("picture", { view, size }, [view]);
+  }
+
   /** Builds a tree for hit tests over any triangles, x y z of three corners each. Takes over the array. */
   treeOf(corners: Float32Array<ArrayBuffer>): Promise<SerializedTree> {
     return this.#worker.call("tree", corners, [corners.buffer]);
@@ -82,11 +94,11 @@ export class MeshQueryClient {
   /** Copies a mesh in slices and posts it, after the one before. */
   async #send(mesh: QueriedMesh, before: Promise<void>): Promise<void> {
     await before.catch(() => undefined);
-    const { points, tetrahedra, regions } = mesh.volume;
-    const volume = await copyForTransfer({ points, tetrahedra, regions });
+    const { points, tetrahedra, tetrahedronRegion } = mesh.mesh;
+    const elements = await copyForTransfer({ points, tetrahedra, tetrahedronRegion });
     const shapes = mesh.metricShapes && (await copyForTransfer(mesh.metricShapes));
-    const copy = { volume: volume.copy, metricShapes: shapes?.copy };
-    const buffers = [...volume.buffers, ...(shapes?.buffers ?? [])];
+    const copy = { mesh: elements.copy, metricShapes: shapes?.copy };
+    const buffers = [...elements.buffers, ...(shapes?.buffers ?? [])];
     // If this call fails, the query after it fails too.
     this.#worker.call("setMesh", copy, buffers).catch(() => undefined);
   }

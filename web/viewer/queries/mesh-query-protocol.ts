@@ -1,6 +1,14 @@
 import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mesh-quality";
+import type { Position } from "../../document/position";
+import type { Cut } from "../../document/selection";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { SerializedTree } from "../triangle-tree";
+
+/** In pixels. */
+export interface PictureSize {
+  readonly width: number;
+  readonly height: number;
+}
 
 /** The calls that the mesh query worker answers, all but `tree` in order. */
 export interface MeshQueryProtocol {
@@ -14,6 +22,16 @@ export interface MeshQueryProtocol {
       readonly barCount: number;
     };
     readonly answer: Histogram;
+  };
+  /** The cut that exposes an element to a viewer in a direction. */
+  readonly cut: {
+    readonly argument: { readonly element: number; readonly toEye: Position };
+    readonly answer: Cut;
+  };
+  /** A small picture of the middle of a large one, which the page would have to wait for. */
+  readonly picture: {
+    readonly argument: { readonly view: ImageBitmap; readonly size: PictureSize };
+    readonly answer: Blob;
   };
   /** For hit tests: x y z of three corners per triangle, of the mesh or of anything else. */
   readonly tree: { readonly argument: Float32Array<ArrayBuffer>; readonly answer: SerializedTree };

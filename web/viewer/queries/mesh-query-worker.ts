@@ -1,16 +1,19 @@
 /** The worker that answers queries about the shown mesh; in the page, they would block it. */
 import { serveCalls } from "../../workers/serve-calls";
-import { MeshQueries } from "./mesh-queries";
-import type { MeshQueryProtocol } from "./mesh-query-protocol";
+import { cutToElement } from "../cut-to-element";
+import { MeshQueries, type QueriedMesh } from "./mesh-queries";
+import type { MeshQueryProtocol, PictureSize } from "./mesh-query-protocol";
 
 const noMesh = {
-  volume: { points: new Float64Array(), tetrahedra: new Uint32Array(), regions: new Uint32Array() },
+  mesh: { points: new Float64Array(), tetrahedra: new Uint32Array(), tetrahedronRegion: new Uint32Array() },
 };
-let queries = new MeshQueries(noMesh);
+let shown: QueriedMesh = noMesh;
+let queries = new MeshQueries(shown);
 
 serveCalls<MeshQueryProtocol>({
   setMesh: (mesh) => {
-    queries = new MeshQueries(mesh ?? noMesh);
+    shown = mesh ?? noMesh;
+    queries = new MeshQueries(shown);
     return { answer: null };
   },
   faces: (options) => {
@@ -18,6 +21,8 @@ serveCalls<MeshQueryProtocol>({
     const { faces, onBoundary, corners, values } = answer;
     return { answer, transfer: [faces.buffer, onBoundary.buffer, corners.buffer, values.buffer] };
   },
+  cut: ({ element, toEye }) => ({ answer: cutToElement(shown.mesh, element, toEye) }),
+  picture: async ({ view, size }) => ({ answer: await smallPicture(view, size) }),
   tree: async (corners) => {
     // Load the library on demand: it is large, and no picture needs it.
     const { buildTree } = await import("../triangle-tree");
@@ -26,3 +31,16 @@ serveCalls<MeshQueryProtocol>({
   },
   histogram: ({ measure, space, barCount }) => ({ answer: queries.histogram(measure, space, barCount) }),
 });
+
+/** Returns the middle of a view, as large as it fits. */
+function smallPicture(view: ImageBitmap, { width, height }: PictureSize): Promise<Blob> {
+  const canvas = new OffscreenCanvas(width, height);
+  const paper = canvas.getContext("2d");
+  if (!paper) throw new Error("The browser offers no canvas");
+  const scale = Math.max(width / view.width, height / view.height);
+  const [across, down] = [scale * view.width, scale * view.height];
+  paper.imageSmoothingQuality = "high";
+  paper.drawImage(view, (width - across) / 2, (height - down) / 2, across, down);
+  view.close();
+  return canvas.convertToBlob({ type: "image/webp", quality: 0.85 });
+}

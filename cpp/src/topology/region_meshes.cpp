@@ -1,0 +1,57 @@
+#include "topology/region_meshes.h"
+
+#include <utility>
+
+namespace tetrafront {
+namespace {
+
+template <class Nodes>
+Nodes named(Nodes nodes, const NodeNames& names) {
+  for (NodeId& node : nodes) node = NodeId(names.of(node));
+  return nodes;
+}
+
+void append(TetMesh& mesh, RegionMesh part) {
+  const NodeNames names{part.nodeOf, static_cast<std::uint32_t>(mesh.points.size())};
+  const TetMesh& own = part.mesh;
+  mesh.points.insert(mesh.points.end(),
+                     own.points.begin() + static_cast<std::ptrdiff_t>(own.boundaryNodes),
+                     own.points.end());
+  mesh.regions.insert(mesh.regions.end(), own.regions.begin(), own.regions.end());
+  for (const NodeQuad& nodes : own.tetrahedra) mesh.tetrahedra.push_back(named(nodes, names));
+  for (const NodeTriple& nodes : own.front) mesh.front.push_back(named(nodes, names));
+}
+
+}  // namespace
+
+std::size_t RegionMeshes::nodeCount() const {
+  std::size_t count = boundary.size();
+  for (const RegionMesh& region : regions) count += region.innerNodeCount();
+  return count;
+}
+
+std::size_t RegionMeshes::tetrahedronCount() const {
+  std::size_t count = 0;
+  for (const RegionMesh& region : regions) count += region.mesh.tetrahedra.size();
+  return count;
+}
+
+std::size_t RegionMeshes::frontFaceCount() const {
+  std::size_t count = waiting.size();
+  for (const RegionMesh& region : regions) count += region.mesh.front.size();
+  return count;
+}
+
+VolumeMesh joined(RegionMeshes meshes) {
+  TetMesh mesh;
+  if (meshes.regions.size() == 1 && meshes.regions.front().nodeOf.empty()) {
+    mesh = std::move(meshes.regions.front().mesh);
+  } else if (!meshes.regions.empty()) {
+    mesh.points = std::move(meshes.boundary);
+    for (RegionMesh& region : meshes.regions) append(mesh, std::exchange(region, {}));
+  }
+  mesh.front.insert(mesh.front.end(), meshes.waiting.begin(), meshes.waiting.end());
+  return toVolumeMesh(std::move(mesh));
+}
+
+}  // namespace tetrafront

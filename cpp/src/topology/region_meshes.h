@@ -1,0 +1,54 @@
+#pragma once
+
+/// @file The meshes of all regions of one boundary. Each has nodes of its own, so that it is made and optimized without the others;
+/// together they are the mesh of the boundary.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/ids.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/vec3.h"
+#include "topology/tet_mesh.h"
+
+namespace tetrafront {
+
+/// Names of the nodes of one region in the mesh of all regions. By default, all nodes keep theirs.
+struct NodeNames {
+  std::span<const std::uint32_t> ofBoundary;  ///< per node of the region's boundary
+  std::uint32_t firstNew = 0;                 ///< name of the first node inside the region
+
+  [[nodiscard]] std::uint32_t of(NodeId node) const {
+    if (ofBoundary.empty()) return node.value;
+    if (node.index() < ofBoundary.size()) return ofBoundary[node.index()];
+    return firstNew + static_cast<std::uint32_t>(node.index() - ofBoundary.size());
+  }
+};
+
+struct RegionMesh {
+  TetMesh mesh;
+  /// Per node of the region's boundary: its index in the whole boundary, ascending; empty if there is one region.
+  std::vector<std::uint32_t> nodeOf;
+
+  [[nodiscard]] std::size_t innerNodeCount() const {
+    return mesh.points.size() - mesh.boundaryNodes;
+  }
+};
+
+struct RegionMeshes {
+  std::vector<Vec3> boundary;  ///< positions of the nodes of the whole boundary
+  std::vector<RegionMesh> regions;
+  std::vector<NodeTriple>
+      waiting;  ///< triangles of regions that have no mesh yet, as VolumeMesh::front
+
+  [[nodiscard]] std::size_t nodeCount() const;
+  [[nodiscard]] std::size_t tetrahedronCount() const;
+  [[nodiscard]] std::size_t frontFaceCount() const;
+};
+
+/// Joins the meshes: first the nodes of the boundary, then those inside each region. O(n).
+[[nodiscard]] VolumeMesh joined(RegionMeshes meshes);
+
+}  // namespace tetrafront
