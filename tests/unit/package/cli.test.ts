@@ -188,7 +188,7 @@ describe("invalid input gives exit code 2 and one line:", () => {
     ["an empty project", "empty.json", /empty/],
     ["an unknown extension", "cube.dwg", /"\.dwg" files cannot be read here.*\.json, \.stl, \.off/],
     ["no extension", "cube", /no extension/],
-    ["a truncated file", "short.stl", /ends at byte 300/],
+    ["a truncated file", "short.stl", /Byte 300: the file is truncated/],
     ["text that is not JSON", "broken.json", /line 2/i],
     ["a project of a later version", "later.json", /version 7/],
     [
