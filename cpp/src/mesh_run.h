@@ -160,7 +160,9 @@ class MeshRun::Impl {
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
   Task<bool> limitVolumes(Work& work);
-  void reportLimits(std::size_t before, std::size_t others);
+  [[nodiscard]] double maxVolumeOf(std::size_t region) const;
+  [[nodiscard]] double neededElements(std::size_t region) const;
+  void reportLimits(std::size_t before, double others);
   [[nodiscard]] RegionMesh& region() { return meshes_.regions[region_]; }
   [[nodiscard]] RegionMeshes withRegion(TetMesh mesh) const {
     RegionMeshes all = meshes_;
@@ -211,10 +213,10 @@ class MeshRun::Impl {
   std::unique_ptr<SweepObserver> observer_;  ///< of the optimizer, if the run is recorded
   std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes a region
   std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements of a region
-  std::size_t region_ = 0;                   ///< of these two
+  std::size_t region_ = 0;                   ///< region that the optimizer or the limiter works on
   bool hasFoundNothingBetter_ = false;
   RegionMeshes meshes_;          ///< after the front
-  VolumeMesh result_;            ///< after the last of them
+  VolumeMesh result_;            ///< after the last stage
   mutable VolumeMesh snapshot_;  ///< what volume() has returned while the run works
   RecoverySummary recovery_;
   FrontCounters counters_;

@@ -65,7 +65,7 @@ double smallerLimit(double a, double b) {
 
 /// Returns per region the share of the elements in it and in those before it.
 std::vector<double> shareEnds(const RegionMeshes& meshes) {
-  const auto all = static_cast<double>(meshes.tetrahedronCount());
+  const auto all = static_cast<double>(std::max<std::size_t>(meshes.tetrahedronCount(), 1));
   std::vector<double> ends;
   double sum = 0.0;
   for (const RegionMesh& region : meshes.regions) {
@@ -328,17 +328,17 @@ Task<> MeshRun::Impl::optimize(Work& work) {
 /// Splits the elements that are larger than permitted; false, with a diagnostic, if that makes too many.
 Task<bool> MeshRun::Impl::limitVolumes(Work& work) {
   const std::vector<double> ends = shareEnds(meshes_);
+  // Elements of earlier regions, and the least number of this one and of later ones.
   std::size_t before = 0;
+  double needed = 0.0;
+  for (std::size_t r = 0; r < ends.size(); ++r) needed += neededElements(r);
   for (region_ = 0; region_ < ends.size(); ++region_) {
     work.beginPart(ends[region_]);
-    const double ofRegion = region_ < maxVolumes_.size() ? maxVolumes_[region_] : 0.0;
-    const double maxVolume = smallerLimit(options_.maxVolume, ofRegion);
-    if (maxVolume > 0.0) {
-      TetMesh mesh = std::exchange(region().mesh, {});
-      const std::size_t others = meshes_.tetrahedronCount();
-      const std::size_t left =
-          options_.maxTetrahedra - std::min<std::size_t>(options_.maxTetrahedra, others);
-      limiter_.emplace(std::move(mesh), maxVolume, left);
+    needed -= neededElements(region_);
+    if (const double maxVolume = maxVolumeOf(region_); maxVolume > 0.0) {
+      const double others = static_cast<double>(before) + needed;
+      const double left = std::max(0.0, options_.maxTetrahedra - others);
+      limiter_.emplace(std::exchange(region().mesh, {}), maxVolume, static_cast<std::size_t>(left));
       co_await limiter_->run(work);
       reportLimits(before, others);
       keepUnfinished();
@@ -350,14 +350,28 @@ Task<bool> MeshRun::Impl::limitVolumes(Work& work) {
   co_return true;
 }
 
+/// Returns the largest volume of elements of a region; 0 for no limit.
+double MeshRun::Impl::maxVolumeOf(std::size_t region) const {
+  return smallerLimit(options_.maxVolume, region < maxVolumes_.size() ? maxVolumes_[region] : 0.0);
+}
+
+/// Returns how many elements a region needs at least for its largest volume.
+double MeshRun::Impl::neededElements(std::size_t region) const {
+  const TetMesh& mesh = meshes_.regions[region].mesh;
+  const double maxVolume = maxVolumeOf(region);
+  return maxVolume > 0.0 ? tetrafront::neededElements(mesh, maxVolume)
+                         : static_cast<double>(mesh.tetrahedra.size());
+}
+
 /// Reports what the limiter has found in a region, with elements and counts of all regions. `before`: elements of earlier regions;
-/// `others`: those of all other ones.
-void MeshRun::Impl::reportLimits(std::size_t before, std::size_t others) {
+/// `others`: number of elements outside the region.
+void MeshRun::Impl::reportLimits(std::size_t before, double others) {
   std::vector<Diagnostic> found = limiter_->diagnostics();
   for (Diagnostic& diagnostic : found) {
     for (Entity& entity : diagnostic.entities) entity.index += static_cast<std::uint32_t>(before);
     if (diagnostic.code != DiagnosticCode::kTooManyElements) continue;
-    for (double& count : diagnostic.values) count += static_cast<double>(others);
+    diagnostic.values = {diagnostic.values.front() + others,
+                         static_cast<double>(options_.maxTetrahedra)};
   }
   report(found);
 }

@@ -149,16 +149,19 @@ struct Diagnostic {
   Vec3 position{0.0};          ///< in model coordinates, if hasPosition
   std::vector<double> values;  ///< as in valuesOf(code)
 
-  /// Complete a diagnostic where it is made: diagnose<DiagnosticCode::kStalled>(faces).about(entities).at(position).
+  /// Returns the diagnostic with other entities. This and the functions below complete one where it is made:
+  ///     diagnose<DiagnosticCode::kStalled>(faces).about(entities).at(position)
   [[nodiscard]] Diagnostic about(std::vector<Entity> named) && {
     entities = std::move(named);
     return std::move(*this);
   }
+  /// Returns the diagnostic with a position in model coordinates.
   [[nodiscard]] Diagnostic at(const Vec3& where) && {
     hasPosition = true;
     position = where;
     return std::move(*this);
   }
+  /// Returns the diagnostic with another severity.
   [[nodiscard]] Diagnostic withSeverity(Severity chosen) && {
     severity = chosen;
     return std::move(*this);

@@ -77,7 +77,7 @@ template <DiagnosticCode kCode, class... Values>
   return detail::made(kCode, values...);
 }
 
-/// The same without the last value, a count that BoundaryReport adds.
+/// Makes a diagnostic of severity kError with all values of valuesOf(kCode) but the last one, a count that BoundaryReport adds.
 template <DiagnosticCode kCode, class... Values>
 [[nodiscard]] Diagnostic diagnoseCounted(Values... values) {
   static_assert(detail::hasValues<kCode, Values..., std::size_t>(0),
@@ -91,7 +91,7 @@ template <DiagnosticCode kCode, class... Values>
   return expected < kMaxCount ? expected : kMaxCount;
 }
 
-/// Makes a kTooManyElements.
+/// Makes a diagnostic of the code kTooManyElements.
 [[nodiscard]] inline Diagnostic tooManyElements(double expected, double limit) {
   return diagnose<DiagnosticCode::kTooManyElements>(cappedCount(expected), limit);
 }

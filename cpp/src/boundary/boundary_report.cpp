@@ -8,7 +8,6 @@
 #include "topology/surface_access.h"
 
 namespace tetrafront {
-namespace {}  // namespace
 
 Entity BoundaryReport::patchOf(TriangleId triangle) const {
   return {EntityKind::kPatch, mesh_.trianglePatch[triangle.index()]};

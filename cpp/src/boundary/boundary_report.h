@@ -36,7 +36,7 @@ class BoundaryReport {
   /// Positions of the mesh are relative to `origin` from now on; those that are reported are not.
   void setOrigin(const Vec3& origin) { origin_ = origin; }
 
-  /// Those below add an error, made by diagnoseCounted(), about what they name.
+  /// Adds an error about a node. It is made by diagnoseCounted(), as those of the four functions below.
   void addNode(Diagnostic found, NodeId node);
   void addNodePair(Diagnostic found, NodeId a, NodeId b);
   void addTriangle(Diagnostic found, TriangleId triangle);

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/diagnostics.h"
 #include "base/budget.h"
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
 #include "boundary/triangle_pairs.h"

@@ -6,6 +6,7 @@
 #include "optimize/rules.h"
 
 namespace tetrafront {
+
 template <class Space>
 void EdgeSplitter<Space>::collect(std::size_t first, std::size_t last, std::uint32_t since) {
   EdgeRing ring;

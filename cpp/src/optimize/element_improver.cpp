@@ -7,6 +7,7 @@
 #include "optimize/rules.h"
 
 namespace tetrafront {
+
 template <class Space>
 bool ElementImprover<Space>::stillPoor(TetId tet, const Corners& nodes) const {
   return complex_.isLive(tet) && complex_.cost(tet) > 1.0 && complex_.element(tet).nodes == nodes;

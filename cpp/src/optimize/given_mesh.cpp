@@ -84,17 +84,21 @@ template <DiagnosticCode kCode>
 class DefectCount {
  public:
   void add(std::vector<Entity> entities, const Vec3& position) {
-    if (count_++ == 0) first_ = Diagnostic().about(std::move(entities)).at(position);
+    if (count_++ > 0) return;
+    entities_ = std::move(entities);
+    position_ = position;
   }
   void set(std::uint64_t count) { count_ = count; }
   [[nodiscard]] bool isEmpty() const { return count_ == 0; }
   void report(std::vector<Diagnostic>& out) {
     if (count_ == 0) return;
-    out.push_back(diagnose<kCode>(count_).about(first_.entities).at(first_.position));
+    out.push_back(diagnose<kCode>(count_).about(entities_).at(position_));
   }
 
  private:
-  Diagnostic first_;
+  // Of the first one.
+  std::vector<Entity> entities_;
+  Vec3 position_{0.0};
   std::uint64_t count_ = 0;
 };
 

@@ -8,11 +8,11 @@
 
 #include "optimize/mesh_costs.h"
 #include "optimize/mesh_score.h"
+#include "optimize/rules.h"
 #include "optimize/schedule.h"
 #include "optimize/sweep_observer.h"
 #include "optimize/sweeps.h"
 #include "optimize/tet_complex.h"
-#include "optimize/rules.h"
 
 namespace tetrafront {
 namespace {
@@ -75,8 +75,8 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     co_await complex_.findNeighbours(work);
     freeNodes_ = complex_.freeNodeCount();
     hasNeighbours_ = true;
+    if (observer_ != nullptr) observer_->begunRegion(complex_);
     if (complex_.elementCount() > 0) {
-      if (observer_ != nullptr) observer_->begunRegion(complex_);
       work.beginPart(1.0);
       co_await runSteps(work);
     }

@@ -178,10 +178,12 @@ void SweepRecorder::swept(Sweep sweep, const TetComplex& mesh) {
 void SweepRecorder::kept() {
   kept_ = sweeps_;
   newWhenKept_ = new_;
+  measuresWhenKept_ = measures_[begunRegions_ - 1];
 }
 
 void SweepRecorder::restored() {
   new_ = newWhenKept_;
+  measures_[begunRegions_ - 1] = measuresWhenKept_;
   bytes_.byte(kSweepEvent | kRestored << kSweepKindBits);
   bytes_.varint(kept_);
 }

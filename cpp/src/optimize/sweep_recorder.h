@@ -71,6 +71,7 @@ class SweepRecorder final : public SweepObserver {
   Numbers given_;                        ///< of the next region
   Numbers new_;
   Numbers newWhenKept_;
+  SweepMeasures measuresWhenKept_;  ///< of the region
   bool hasGeometry_ = false;
   std::uint32_t sweeps_ = 0;  ///< recorded so far
   std::uint32_t kept_ = 0;    ///< number of the sweep whose mesh is kept

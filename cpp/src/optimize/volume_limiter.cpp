@@ -18,13 +18,26 @@ constexpr double kSetUpShare = 0.1;
 
 }  // namespace
 
+double neededElements(const TetMesh& mesh, double maxVolume) {
+  double needed = 0.0;
+  for (const auto& [a, b, c, d] : mesh.tetrahedra) {
+    const std::vector<Vec3>& p = mesh.points;
+    const double sixVolumes =
+        sixVolumesBelow(p[a.index()], p[d.index()], p[b.index()], p[c.index()]);
+    needed += std::max(1.0, std::ceil(std::fabs(sixVolumes) / (6.0 * maxVolume)));
+  }
+  return needed;
+}
+
 VolumeLimiter::VolumeLimiter(TetMesh mesh, double maxVolume, std::size_t maxTetrahedra)
-    : maxVolume_(maxVolume), maxTetrahedra_(maxTetrahedra), complex_(std::move(mesh)) {}
+    : maxVolume_(maxVolume),
+      maxTetrahedra_(maxTetrahedra),
+      required_(neededElements(mesh, maxVolume)),
+      complex_(std::move(mesh)) {}
 
 Task<> VolumeLimiter::run(Work& work) {
   work.beginPart(kSetUpShare);
   co_await complex_.findNeighbours(work);
-  co_await work.forEachId<TetId>(complex_.slotCount(), [this](TetId tet) { count(tet); });
   given_ = complex_.elementCount();
   hasTooMany_ = required_ > static_cast<double>(maxTetrahedra_);
   work.beginPart(1.0);
@@ -36,11 +49,6 @@ Task<> VolumeLimiter::run(Work& work) {
       co_await work.spend(visited);
     }
   }
-}
-
-/// Counts the parts that a tetrahedron needs at least: parts never extend beyond the tetrahedron that they replace.
-void VolumeLimiter::count(TetId tet) {
-  if (complex_.isLive(tet)) required_ += std::max(1.0, std::ceil(volumeRatio(tet)));
 }
 
 /// Visits at most `budget` slots from `next` on, and returns how many.

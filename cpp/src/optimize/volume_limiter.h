@@ -15,6 +15,9 @@
 
 namespace tetrafront {
 
+/// Returns how many elements of at most this volume a mesh needs at least: parts never extend beyond the element that they replace.
+[[nodiscard]] double neededElements(const TetMesh& mesh, double maxVolume);
+
 class VolumeLimiter {
  public:
   /// Ends with an error if more than `maxTetrahedra` are required.
@@ -36,7 +39,6 @@ class VolumeLimiter {
  private:
   [[nodiscard]] double volumeRatio(TetId tet) const;
   [[nodiscard]] double fraction() const;
-  void count(TetId tet);
   std::size_t splitSome(std::uint32_t budget, std::size_t& next, bool& hasSplit);
   bool split(TetId tet);
   bool splitEdge(TetId tet, std::size_t edge);
@@ -47,9 +49,9 @@ class VolumeLimiter {
 
   double maxVolume_;
   std::size_t maxTetrahedra_;
+  double required_;  ///< lower bound of the number of tetrahedra after the splits
   TetComplex complex_;
   std::size_t given_ = 0;  ///< number of tetrahedra before the splits
-  double required_ = 0.0;  ///< lower bound of their number after the splits
   bool hasTooMany_ = false;
   std::vector<TetId> ring_;
   std::vector<NewElement> fresh_;

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "base/diagnostics.h"
 #include "arrangement/enclosed_surface.h"
+#include "base/diagnostics.h"
 #include "base/sort.h"
 #include "boundary/boundary.h"
 #include "boundary/surface_checks.h"

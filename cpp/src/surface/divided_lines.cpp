@@ -5,8 +5,8 @@
 
 #include "base/sort.h"
 #include "model/patch_surface.h"
-#include "surface/surface_trace.h"
 #include "surface/rules.h"
+#include "surface/surface_trace.h"
 
 namespace tetrafront {
 

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surface/surface_trace.h"
 #include "surface/rules.h"
+#include "surface/surface_trace.h"
 
 namespace tetrafront {
 

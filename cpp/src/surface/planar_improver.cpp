@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "surface/triangle_shape.h"
 #include "surface/rules.h"
+#include "surface/triangle_shape.h"
 
 namespace tetrafront {
-
-namespace {}  // namespace
 
 PlanarImprover::PlanarImprover(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links,
                                PlanarMoves& moves)

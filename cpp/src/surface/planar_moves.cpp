@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "surface/triangle_shape.h"
 #include "surface/rules.h"
+#include "surface/triangle_shape.h"
 
 namespace tetrafront {
 

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "surface/triangle_shape.h"
 #include "surface/rules.h"
+#include "surface/triangle_shape.h"
 
 namespace tetrafront {
 

@@ -9,9 +9,9 @@
 #include "base/sort.h"
 #include "sizing/expected_count.h"
 #include "surface/patch_summary.h"
+#include "surface/rules.h"
 #include "surface/short_lines.h"
 #include "surface/tube_boundary.h"
-#include "surface/rules.h"
 
 namespace tetrafront {
 

@@ -26,8 +26,8 @@ class RegionMesher {
   RegionMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options,
                const FrontMaker& maker);
 
-  /// Meshes the regions. Ends with the first one that fails. One unit of budget is a step of the front. `frontShare`: of the
-  /// fronts in the progress, if they leave everything to recovery.
+  /// Meshes the regions. Ends with the first one that fails. One unit of budget is a step of the front. `frontShare`: the
+  /// share that the fronts have in the progress if they leave everything to recovery.
   Task<MeshStatus> run(Work& work, double frontShare = kFrontShare);
 
   /// Triangles and nodes are those of the whole boundary. The values of kTooManyElements count all regions

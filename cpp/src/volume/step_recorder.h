@@ -12,11 +12,11 @@
 #include "base/ids.h"
 #include "base/trace_bytes.h"
 #include "tetrafront/vec3.h"
+#include "topology/region_meshes.h"
 #include "volume/candidates.h"
 #include "volume/elements.h"
 #include "volume/front.h"
 #include "volume/ideal_point.h"
-#include "topology/region_meshes.h"
 #include "volume/unit_space.h"
 
 namespace tetrafront {

@@ -12,12 +12,12 @@
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
+#include "topology/region_meshes.h"
 #include "topology/tet_mesh.h"
 #include "volume/elements.h"
 #include "volume/front.h"
 #include "volume/front_advance.h"
 #include "volume/front_watch.h"
-#include "topology/region_meshes.h"
 #include "volume/recovery.h"
 
 namespace tetrafront {
