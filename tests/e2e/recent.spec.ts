@@ -278,6 +278,26 @@ test("a document that an earlier version of the app has stored opens with its st
   await expect.poll(points).toBe("0");
 });
 
+test("without locks, the tab that writes last wins, and the project is never a mixture", async ({
+  context,
+  page,
+}) => {
+  await context.addInitScript(() => Reflect.deleteProperty(Navigator.prototype, "locks"));
+  const app = new AppPage(page);
+  await app.openCube();
+  await renameProject(page, "First");
+  await kept(app);
+  const other = await context.newPage();
+  await other.goto("./?test=1");
+  await expect(projectName(other)).toHaveValue("First");
+  await renameProject(other, "Other");
+  await kept(new AppPage(other));
+  await renameProject(page, "Last");
+  await kept(app);
+  await other.reload();
+  await expect(projectName(other)).toHaveValue("Last");
+});
+
 /** Makes the database of version 2 with one document, in the page. */
 function storeAsVersion2(document: object): Promise<void> {
   return new Promise((resolve, reject) => {

@@ -1,4 +1,4 @@
-import { openDB, type DBSchema, type IDBPDatabase } from "idb";
+import { openDB, type DBSchema, type IDBPDatabase, type OpenDBCallbacks } from "idb";
 import { strings } from "../strings";
 import type { DocumentWrite } from "./document-write";
 import type { DocumentHead, DocumentSummary, KeptChange, KeptContent, KeptDocument } from "./kept-document";
@@ -11,7 +11,7 @@ export interface DocumentStorage {
   readonly listUntouched: () => Promise<readonly string[]>;
   readonly read: (id: string) => Promise<KeptDocument | undefined>;
   /**
-   * Writes what a document lacks. Rejects if it lacks a content too. If the storage is open, the whole transaction is issued
+   * Writes what a document lacks. Rejects a change if the storage does not have the content that it continues. If the storage is open, the whole transaction is issued
    * before this returns, so that it completes even if the page is closed.
    */
   readonly write: (write: DocumentWrite) => Promise<void>;
@@ -26,14 +26,16 @@ interface Schema extends DBSchema {
     /** Contains everything that a list needs, so that listing reads no document. */
     indexes: { recent: [listed: number, at: number, name: string] };
   };
-  contents: { key: string; value: KeptContent };
-  changes: { key: [id: string, number: number]; value: KeptChange };
+  contents: { key: string; value: KeptContent; indexes: { stamp: string } };
+  /** The key has the stamp, so that no change replaces one of another content. Version 3 has made keys without it. */
+  changes: { key: [id: string, stamp: string, number: number]; value: KeptChange };
 }
 
 const stores = ["documents", "contents", "changes"] as const;
-const databaseVersion = 3;
+const databaseVersion = 4;
 
-const changesOf = (id: string): IDBKeyRange => IDBKeyRange.bound([id, 0], [id, Infinity]);
+/** Arrays are greater than all numbers and texts. */
+const changesOf = (id: string): IDBKeyRange => IDBKeyRange.bound([id], [id, []]);
 
 /** The browser has no storage for the page, or refuses it. Its message is a sentence for the user. */
 export class NoStorageError extends Error {
@@ -47,6 +49,11 @@ export class NoStorageError extends Error {
 const refusals = ["SecurityError", "InvalidStateError", "NotAllowedError"];
 
 const isSwitchedOff = (error: unknown): boolean => error instanceof Error && refusals.includes(error.name);
+
+/** The user may have removed the data of the page, or, without locks, another tab may have replaced the content. */
+function requireContent(count: number): void {
+  if (count === 0) throw new Error("The document is no longer in the storage");
+}
 
 /** Documents in IndexedDB. If the database cannot be opened, the next call tries again. */
 export class BrowserStorage implements DocumentStorage {
@@ -91,23 +98,22 @@ export class BrowserStorage implements DocumentStorage {
     const database = this.#database ?? (await this.#open());
     const transaction = database.transaction(stores, "readwrite");
     const [contents, changes] = [transaction.objectStore("contents"), transaction.objectStore("changes")];
-    const requests: Promise<unknown>[] = [];
+    const requests: Promise<unknown>[] = [transaction.done];
     if ("content" in write) {
       const { content, ...head } = write;
       requests.push(transaction.objectStore("documents").put(head), contents.put(content, head.id));
       requests.push(changes.delete(changesOf(head.id)));
     } else {
       const { change, ...head } = write;
+      const { stamp, number } = change;
       requests.push(
         transaction.objectStore("documents").put(head),
-        changes.put(change, [head.id, change.number]),
+        changes.put(change, [head.id, stamp, number]),
+        contents.index("stamp").count(stamp).then(requireContent),
       );
     }
-    const hasContent = contents.count(write.id);
     transaction.commit();
-    await Promise.all([...requests, transaction.done]);
-    // The user may have removed the data of the page.
-    if ((await hasContent) === 0) throw new Error("The document is no longer in the storage");
+    await Promise.all(requests);
   }
 
   async remove(ids: readonly string[]): Promise<void> {
@@ -135,14 +141,17 @@ export class BrowserStorage implements DocumentStorage {
       this.#database = null;
     };
     if (typeof indexedDB === "undefined") throw new NoStorageError();
-    const upgrade = (database: IDBPDatabase<Schema>, version: number): void => {
+    const upgrade: OpenDBCallbacks<Schema>["upgrade"] = (database, version, _, transaction) => {
       if (version < 2) {
         for (const name of database.objectStoreNames) database.deleteObjectStore(name);
         const store = database.createObjectStore("documents", { keyPath: "id" });
         store.createIndex("recent", ["listed", "at", "name"]);
       }
-      database.createObjectStore("contents");
-      database.createObjectStore("changes");
+      if (version < 3) {
+        database.createObjectStore("contents");
+        database.createObjectStore("changes");
+      }
+      transaction.objectStore("contents").createIndex("stamp", "stamp");
     };
     // A newer version of the app, or the user, wants to change or delete the database.
     const blocking = (): void => {

@@ -14,11 +14,16 @@ import {
 
 /** What a document in the storage lacks: a content, which replaces the one before and its changes, or one more change. */
 export type DocumentWrite = DocumentHead &
-  ({ readonly content: KeptContent } | { readonly change: KeptChange });
+  ({ readonly content: KeptContent } | { readonly change: NewChange });
+
+/** A change of a content with a stamp: each visit of the page begins with one. */
+type NewChange = KeptChange & { readonly stamp: string };
 
 /** What the storage has after a write. */
 export interface Stored {
   readonly id: string;
+  /** Of the content. */
+  readonly stamp: string;
   readonly history: History<DocumentContent>;
   /** Numbers of stored steps before and after the present. */
   readonly past: number;
@@ -52,13 +57,18 @@ export function documentWrite(
   return { write: { ...head, content }, stored: storedWith(id, history, content) };
 }
 
-function storedWith(id: string, history: History<DocumentContent>, content: KeptContent): Stored {
-  const { past, future, text, grid, longTexts = new Map<string, Blob>() } = content;
+function storedWith(
+  id: string,
+  history: History<DocumentContent>,
+  content: ReturnType<typeof keptContent>,
+): Stored {
+  const { stamp, past, future, text, grid, longTexts = new Map<string, Blob>() } = content;
   const blobs = [...longTexts.values()].reduce((sum, { size }) => sum + size, 0);
   const { share, min, max } = changesPerContent;
   const size = text.length + blobs + (grid ? grid.nodes.byteLength + grid.tetrahedra.byteLength : 0);
   return {
     id,
+    stamp,
     history,
     past: past.length,
     future: future.length,
@@ -73,7 +83,7 @@ function storedWith(id: string, history: History<DocumentContent>, content: Kept
 function withChange(
   stored: Stored,
   history: History<DocumentContent>,
-): { readonly change: KeptChange; readonly stored: Stored } | null {
+): { readonly change: NewChange; readonly stored: Stored } | null {
   const [before, after] = [stored.history, history].map(({ past, future }) => [...past, ...future]);
   if (!before || !after) return null;
   // The oldest steps may have been dropped. Redoing makes another entry of the same change.
@@ -101,7 +111,7 @@ function withChange(
     ...blobsOf(texts),
   };
   return {
-    change: { number: stored.changes, move, ...steps },
+    change: { stamp: stored.stamp, number: stored.changes, move, ...steps },
     stored: {
       ...stored,
       history,

@@ -7,13 +7,13 @@ import { documentGrid } from "../document/large-grid";
 import { packedGrid, type PackedGrid } from "../document/packed-grid";
 import { blobOf, jsonWithout, parseWith, rememberText } from "../document/long-texts";
 import { differenceOf } from "./difference";
-import type { OpenDocument, ProjectFile } from "./document-store";
+import { newDocumentId, type OpenDocument, type ProjectFile } from "./document-store";
 import { entryBytes, entryOf, goBy, startHistory, type History, type HistoryEntry } from "./history";
 
 /** A document in the browser's storage: a small record that every write replaces, its content, and the changes since. */
 export interface KeptDocument extends DocumentHead {
   readonly content: KeptContent;
-  /** In the order in which they were made. */
+  /** In the order in which they were made; those of other contents may be among them. */
   readonly changes: readonly KeptChange[];
 }
 
@@ -32,6 +32,8 @@ type LongTexts = ReadonlyMap<string, Blob>;
 
 /** A project with its steps of undo. */
 export interface KeptContent {
+  /** Random, so that no two contents have the same; earlier versions of the app have stored none. */
+  readonly stamp?: string;
   /** The project as JSON, without a large background grid and without long texts. */
   readonly text: string;
   /** The long texts of the project and of the steps, by their keys. */
@@ -48,6 +50,8 @@ export interface KeptContent {
 
 /** What edits, undo and redo have made of the content and the changes before. */
 export interface KeptChange {
+  /** The stamp of the content that the change continues. */
+  readonly stamp?: string;
   /** Counts the changes of a content, from 0. */
   readonly number: number;
   /** Number of steps to redo, or to undo if negative. */
@@ -77,7 +81,7 @@ export function documentHead(
   return { id, name: history.present.project.name, at, listed: isListed ? 1 : 0, savedKey, file };
 }
 
-export function keptContent({ present: { project }, past, future }: History<DocumentContent>): KeptContent {
+export function keptContent({ present: { project }, past, future }: History<DocumentContent>) {
   const isLarge = project.background.tetrahedra.length > manyTetrahedra;
   const texts = new Map<string, string>();
   const text = jsonWithout(isLarge ? withGrid(project, noGrid) : project, texts);
@@ -88,13 +92,14 @@ export function keptContent({ present: { project }, past, future }: History<Docu
   for (const { longTexts } of [...undone.steps, ...done.steps])
     longTexts.forEach((long, key) => texts.set(key, long));
   return {
+    stamp: newDocumentId(),
     text,
     ...blobsOf(texts),
     ...(isLarge && { grid: packedGrid(project.background) }),
     version: project.version,
     past: done.steps.map(({ json }) => json).reverse(),
     future: undone.steps.map(({ json }) => json),
-  };
+  } satisfies KeptContent;
 }
 
 const noGrid = { nodes: [], tetrahedra: [] };
@@ -108,33 +113,73 @@ const withGrid = (
 export const blobsOf = (texts: ReadonlyMap<string, string>): { readonly longTexts?: LongTexts } =>
   texts.size > 0 ? { longTexts: new Map([...texts].map(([key, long]) => [key, blobOf(long)])) } : {};
 
-/** Returns the document to open, or null if its project cannot be read. */
+/**
+ * Returns the document to open, or null if the project of its content cannot be read. If a change cannot be made, or leads to
+ * a project that cannot be read, the document is as before that change.
+ */
 export async function openKept(kept: KeptDocument): Promise<OpenDocument | null> {
-  const { id, file, content, changes } = kept;
-  const texts = await readTexts([content, ...changes]);
+  const { id, file, content } = kept;
+  const texts = new Map<string, string>();
+  await readTexts(content, texts);
   const project = parseWith(content.text, texts) as Project;
   const grid = content.grid && (await documentGrid(content.grid));
   const stored = historyOf({ project: grid ? withGrid(project, grid) : project }, content, texts);
-  const history = changes.reduce((before, change) => historyAfter(before, change, texts), stored);
+  const changes = continuing(kept);
   // The content may have an earlier version, which the changes refer to: only the result can be brought to the present one.
-  const last = history.present.project;
-  const read = parseProject(grid ? withGrid(last, noGrid) : last);
-  if (!read.success) return null;
-  const present = { project: grid ? withGrid(read.value, last.background) : read.value };
+  const readLast = ({ present: { project: last } }: History<DocumentContent>): Project | null => {
+    const read = parseProject(grid ? withGrid(last, noGrid) : last);
+    return read.success ? (grid ? withGrid(read.value, last.background) : read.value) : null;
+  };
+  let history = await historyWith(stored, changes, texts, () => true);
+  // Reading the project after each change takes long, and is seldom necessary.
+  if (!readLast(history))
+    history = await historyWith(stored, changes, texts, (next) => readLast(next) !== null);
+  const value = readLast(history);
+  if (!value) return null;
+  const present = { project: value };
   // An earlier version of the app may have made other keys.
   const savedKey = kept.listed === 1 ? kept.savedKey : documentKey(present.project);
-  const isUsable = content.version === read.value.version;
+  const isUsable = content.version === value.version;
   return { id, history: isUsable ? { ...history, present } : startHistory(present), savedKey, file };
 }
 
-async function readTexts(parts: readonly { readonly longTexts?: LongTexts }[]): Promise<Map<string, string>> {
-  const texts = new Map<string, string>();
-  for (const [key, blob] of parts.flatMap(({ longTexts = new Map<string, Blob>() }) => [...longTexts])) {
+/** Returns the changes that continue the content, without a gap. */
+function continuing({ content, changes }: KeptDocument): readonly KeptChange[] {
+  const own = changes.filter(({ stamp }) => stamp === content.stamp);
+  const gap = own.findIndex(({ number }, i) => number !== i);
+  return gap < 0 ? own : own.slice(0, gap);
+}
+
+/** Returns the history after the changes before the first that cannot be made, or whose result is not accepted. */
+async function historyWith(
+  stored: History<DocumentContent>,
+  changes: readonly KeptChange[],
+  texts: Map<string, string>,
+  accepts: (history: History<DocumentContent>) => boolean,
+): Promise<History<DocumentContent>> {
+  let history = stored;
+  try {
+    for (const change of changes) {
+      await readTexts(change, texts);
+      const next = historyAfter(history, change, texts);
+      if (!accepts(next)) return history;
+      history = next;
+    }
+  } catch {
+    // The content and the changes before are sound.
+  }
+  return history;
+}
+
+async function readTexts(
+  { longTexts = new Map<string, Blob>() }: { readonly longTexts?: LongTexts },
+  texts: Map<string, string>,
+): Promise<void> {
+  for (const [key, blob] of longTexts) {
     const text = await blob.text();
     texts.set(key, text);
     rememberText(text, key, blob);
   }
-  return texts;
 }
 
 type Texts = ReadonlyMap<string, string>;
@@ -156,6 +201,7 @@ function historyAfter(
   { move, steps, undone = 0 }: KeptChange,
   texts: Texts,
 ): History<DocumentContent> {
+  if (-move > before.past.length || move > before.future.length) throw new Error("A step is missing");
   const moved = goBy(before, move);
   if (!steps) return moved;
   const future = entriesFrom(moved.present, stepsOf(steps, texts), "forward");

@@ -195,6 +195,50 @@ describe("autosave", () => {
     expect(keptName()).toBe("edited");
   });
 
+  it("keeps what was written last if two tabs without locks write one document", async () => {
+    const { documents, storage, autosave } = following(new MemoryStorage());
+    await vi.advanceTimersByTimeAsync(shortly);
+    documents.edit(renameProject("first"));
+    await vi.advanceTimersByTimeAsync(shortly);
+    const { id } = documents.state.getState();
+    const opened = async () => {
+      const kept = await storage.read(id);
+      return (kept && (await openKept(kept))) ?? newDocument(cubeProject());
+    };
+    const others = new DocumentStore(cubeProject(), () => 0);
+    others.show(await opened());
+    new Autosave(others, storage).follow();
+    await vi.advanceTimersByTimeAsync(shortly);
+    others.edit(moveEntity("point", 1, 0, 5));
+    others.edit(moveEntity("point", 2, 0, 6));
+    await vi.advanceTimersByTimeAsync(shortly);
+    // This change continues a content that the other tab has replaced.
+    documents.edit(renameProject("last"));
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect((await opened()).history).toMatchObject({ present: { project: others.project } });
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(autosave.state.getState()).toEqual({ pending: false, failure: null });
+    expect((await opened()).history.present.project).toEqual(documents.project);
+  });
+
+  it("begins no change at a content that is about to be replaced", async () => {
+    const { documents, storage, autosave } = following(new MemoryStorage());
+    await vi.advanceTimersByTimeAsync(shortly);
+    const failures: (string | null)[] = [];
+    autosave.state.subscribe(({ failure }) => failures.push(failure));
+    storage.latency = 400;
+    // Too long for a change.
+    documents.edit(renameProject("x".repeat(300_000)));
+    void autosave.flush();
+    documents.undo();
+    documents.edit(renameProject("last"));
+    void autosave.flush();
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(failures.filter((failure) => failure !== null)).toEqual([]);
+    const kept = await storage.read(documents.state.getState().id);
+    expect((kept && (await openKept(kept)))?.history.present.project).toEqual(documents.project);
+  });
+
   it("writes a gesture when it ends, but not a cancelled one", async () => {
     const { documents, storage } = following(new MemoryStorage());
     await vi.advanceTimersByTimeAsync(shortly);

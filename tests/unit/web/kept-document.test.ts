@@ -3,12 +3,14 @@ import { describe, expect, it } from "vitest";
 import type { Project } from "tetrafront/project";
 import { renameProject } from "../../../web/document/edits";
 import { scaleSizes } from "../../../web/document/size-edits";
+import type { Difference } from "../../../web/session/difference";
 import { DocumentStore, hasUnsavedChanges, newDocument } from "../../../web/session/document-store";
 import { documentWrite, type DocumentWrite, type Stored } from "../../../web/session/document-write";
 import {
   maxKeptHistoryBytes,
   openKept,
   type DocumentHead,
+  type KeptChange,
   type KeptContent,
   type KeptDocument,
 } from "../../../web/session/kept-document";
@@ -141,6 +143,9 @@ describe("a kept document", () => {
   });
 });
 
+/** A change of a project into one without points. */
+const invalid: Difference = { fields: { project: { fields: { points: { to: null } } } } };
+
 describe("a document that is written after each step", () => {
   const bytesOf = (value: unknown): number => JSON.stringify(value).length;
 
@@ -221,6 +226,30 @@ describe("a document that is written after each step", () => {
     const opened = await openKept({ ...rest, content: { ...content, version: content.version - 1 } });
     expect(opened?.history.past).toEqual([]);
     expect(opened?.history.present.project.name).toBe("edited");
+  });
+
+  it.each<[string, Partial<KeptChange>]>([
+    ["is not JSON", { steps: ["{"] }],
+    ["goes back further than there are steps", { move: -9 }],
+    ["lacks a long text", { steps: [JSON.stringify({ change: { to: "\u0001text missing" } })] }],
+    ["leads to an invalid project", { steps: [JSON.stringify({ change: invalid })] }],
+    ["continues another content", { stamp: "of another content" }],
+    ["follows one that is missing", { number: 7 }],
+  ])("opens as before a change that %s", async (_, broken) => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    const { write, kept } = writer(documents);
+    write();
+    for (const name of ["first", "second", "third"]) {
+      documents.edit(renameProject(name));
+      write();
+    }
+    const { changes, ...rest } = kept();
+    const opened = await openKept({
+      ...rest,
+      changes: changes.map((change, i) => (i === 1 ? { ...change, ...broken } : change)),
+    });
+    expect(opened?.history.present.project.name).toBe("first");
+    expect(opened?.history.past).toHaveLength(1);
   });
 
   it("keeps what was stored last if steps beyond the limit lie between", async () => {

@@ -14,7 +14,7 @@ export function afterWrite(before: KeptDocument | undefined, write: DocumentWrit
   if ("content" in write) return { ...write, changes: [] };
   if (!before) throw new Error("There is no content");
   const { change, ...head } = write;
-  const others = before.changes.filter(({ number }) => number !== change.number);
+  const others = before.changes.filter((one) => one.number !== change.number || one.stamp !== change.stamp);
   const changes = [...others, change].sort((a, b) => a.number - b.number);
   return { ...before, ...head, changes };
 }
@@ -50,6 +50,8 @@ export class MemoryStorage implements DocumentStorage {
     const before = this.documents.get(write.id);
     if (!before && !("content" in write)) return Promise.reject(new Error("There is no content"));
     this.documents.set(write.id, afterWrite(before, structuredClone(write)));
+    if ("change" in write && write.change.stamp !== before?.content.stamp)
+      return Promise.reject(new Error("The content was replaced"));
     return this.latency === 0
       ? Promise.resolve()
       : new Promise((resolve) => setTimeout(resolve, this.latency));
