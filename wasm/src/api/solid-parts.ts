@@ -63,8 +63,8 @@ async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Pro
 export function unitedTreated(all: readonly TreatedSurface[]): TreatedSurface {
   const invalid = all.flatMap((one) => one.invalid ?? []);
   const diagnostics = all.flatMap((one) => one.diagnostics ?? []);
-  const [refinement] = [all.flatMap((one) => one.refinement ?? [])].map(unitedRefinements);
-  const [remesh] = [all.flatMap((one) => one.remesh ?? [])].map(unitedRemeshes);
+  const refinement = unitedRefinements(all.flatMap((one) => one.refinement ?? []));
+  const remesh = unitedRemeshes(all.flatMap((one) => one.remesh ?? []));
   return {
     surface: unitedSurfaces(all.map(({ surface }) => surface)),
     ...(refinement && { refinement }),
@@ -104,7 +104,7 @@ function unitedRemeshes(all: readonly RemeshReport[]): RemeshReport | undefined 
     tolerance: Math.max(...all.map(({ tolerance }) => tolerance)),
     deviation: Math.max(...all.map(({ deviation }) => deviation)),
     smallestAngle: Math.min(...all.map(({ smallestAngle }) => smallestAngle)),
-    meanRadiusRatio: sumOf(all.map((one) => one.meanRadiusRatio * one.triangles)) / triangles,
+    meanRadiusRatio: sumOf(all.map((one) => one.meanRadiusRatio * one.triangles)) / Math.max(triangles, 1),
     givenVolume: sumOf(all.map(({ givenVolume }) => givenVolume)),
     volume: sumOf(all.map(({ volume }) => volume)),
     mergedDetails: all.flatMap(({ mergedDetails }) => mergedDetails),
