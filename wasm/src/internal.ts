@@ -19,6 +19,7 @@ export {
   solidUnits,
   type SolidsSurface,
 } from "./formats/solid-units.js";
+export { differentNames } from "./formats/groups.js";
 export { createUnitBodies } from "./project/solid-bodies.js";
 export { STEP_HEIGHT } from "./base/limits.js";
 export { projectSchema } from "./project/schema.js";

@@ -1,3 +1,4 @@
+import { differentNames } from "tetrafront/internal";
 import type { BodyRemeshing, Project, ProjectBody, ProjectBodyPatch } from "tetrafront/project";
 import type { PatchArrays } from "./patch-arrays";
 import { nextBodyIds } from "./body-edits";
@@ -52,21 +53,26 @@ export function joinedSurface(
 
 /**
  * Returns the patches of joined bodies. An only patch without a name gets that of its body. The patches state the solids that the
- * bodies were, unless a body consists of several that it does not state.
+ * bodies were, unless a body consists of several that it does not state; solids of different bodies have different names.
  */
 export function joinedPatches(
   bodies: readonly { readonly body: ProjectBody; readonly regions: number }[],
 ): ProjectBodyPatch[] {
-  const labels = bodies.map(({ body }) => bodyLabel(body));
-  return bodies.flatMap(({ body, regions }) => {
-    const label = bodyLabel(body);
-    const isUnique = labels.filter((other) => other === label).length === 1;
-    const own = isUnique ? label : `${label} ${body.id}`;
-    return body.patches.map((patch) => {
+  const stated = bodies.map(({ body, regions }) =>
+    body.patches.map((patch) => {
       const name = patch.name ?? (body.patches.length === 1 ? body.name : undefined);
-      const solid = patch.solid ?? (regions === 1 ? own : name);
-      return { ...patch, ...(name !== undefined && { name }), ...(solid !== undefined && { solid }) };
-    });
+      return { patch, name, solid: patch.solid ?? (regions === 1 ? bodyLabel(body) : name) };
+    }),
+  );
+  const solids = stated.map((own) => [...new Set(own.flatMap(({ solid }) => solid ?? []))]);
+  const names = differentNames(solids.flat());
+  return stated.flatMap((own, b) => {
+    const nameOf = new Map(solids[b]?.map((solid) => [solid, names.shift() ?? solid]));
+    return own.map(({ patch, name, solid }) => ({
+      ...patch,
+      ...(name !== undefined && { name }),
+      ...(solid !== undefined && { solid: nameOf.get(solid) ?? solid }),
+    }));
   });
 }
 

@@ -156,3 +156,41 @@ test("regions of bodies have their names, those of a body of several solids the 
     ["part 2", 1],
   ]);
 });
+
+test("a patch around two connected solids states neither: they stay two regions", async () => {
+  const solids = [boxSolid("plate", [0, 0, 0], [2, 2, 1]), boxSolid("post", [0, 0, 1], [2, 2, 3])];
+  const { surfaceRegions, ...shared } = await surfaceIn(stepFile(solids), "a.step");
+  const patches = [{ name: "boundary" }];
+  const onePatch = { ...shared, surfaceRegions, trianglePatch: shared.trianglePatch.map(() => 0), patches };
+  const bodies = createBodies(onePatch, { id: 1, firstPatchId: 1 });
+  expect(bodies.flatMap((body) => body.patches.map(({ solid }) => solid))).toEqual([undefined]);
+  const mesher = await createMesher();
+  const { mesh } = await mesher.meshProject({ ...cubeProject(), ...NOTHING_DRAWN, bodies });
+  mesher.dispose();
+  const volumes = regionSummaries(mesh).map(({ volume }) => Math.round(volume));
+  expect(volumes.sort((a, b) => a - b)).toEqual([4, 8]);
+});
+
+test("a run that ends without statistics keeps the number of regions in its notes", async () => {
+  const file = stlOf({
+    outer: boxSurface(1, [0, 0, 0], [9, 9, 9]),
+    inner: boxSurface(1, [3, 3, 3], [6, 6, 6]),
+  });
+  const surface = await surfaceIn(file, "a.stl");
+  const mesher = await createMesher();
+  const controller = new AbortController();
+  const { report } = await mesher.fillSurface(
+    surface,
+    { size: 0.3 },
+    {
+      signal: controller.signal,
+      onProgress: ({ phase }) => {
+        if (phase === "volume") controller.abort();
+      },
+    },
+  );
+  mesher.dispose();
+  expect(report.status).toBe("cancelled");
+  const notes = report.diagnostics.filter(({ code }) => code === "nested-regions");
+  expect(notes.map(({ data }) => data)).toEqual([{ regions: 2, cavities: 0 }]);
+});

@@ -1,5 +1,5 @@
 /** Solids of an STL file that are prepared together or by themselves. */
-import { createMesher, meshFile, type Mesher, readSurface, type SurfaceInput } from "tetrafront";
+import { createMesher, meshFile, type Mesh, type Mesher, readSurface, type SurfaceInput } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { inSteps } from "../../../wasm/dist/calls/yielder.js";
@@ -60,6 +60,37 @@ describe("solids", () => {
     ] as const;
     expect(connectedGroups(6, pairs)).toEqual([[0, 1, 4], [2, 3], [5]]);
   });
+});
+
+/** The positions of the nodes of a triangle, in any order. */
+const cornersOf = ({ points, triangles }: SurfaceInput, triangle: number): string[] =>
+  [...triangles.subarray(3 * triangle, 3 * triangle + 3)]
+    .map((node) => points.subarray(3 * node, 3 * node + 3).join())
+    .sort();
+
+test("triangles and nodes of a part are named by their numbers in the file", async () => {
+  const read = await readSurface(stlOf(solids), { fileName: "a.stl" });
+  if (!read.success) throw new Error("not read");
+  const given = read.value;
+  const { surface, changes = [], report } = await mesher.meshSurface(given, {});
+  expect(report.status).toBe("done");
+  const { origin = new Uint32Array(), nodeOrigin = new Uint32Array() } = surface;
+  const free = given.patches.findIndex(({ name }) => name === "free");
+  const kept = [...origin.keys()].filter((t) => given.trianglePatch[origin[t] ?? 0] === free);
+  expect(kept).toHaveLength(solids.free.triangles.length / 3);
+  for (const t of kept) expect(cornersOf(given, origin[t] ?? 0)).toEqual(cornersOf(surface, t));
+  const patchOf = ({ patches, trianglePatch }: Mesh, t: number) => patches[trianglePatch[t] ?? 0]?.name;
+  origin.forEach((from, t) => expect(patchOf(given, from)).toBe(patchOf(surface, t)));
+  for (const t of kept)
+    for (const node of surface.triangles.subarray(3 * t, 3 * t + 3)) {
+      const from = nodeOrigin[node] ?? 0;
+      expect(given.points.subarray(3 * from, 3 * from + 3)).toEqual(
+        surface.points.subarray(3 * node, 3 * node + 3),
+      );
+    }
+  const cut = changes.flatMap((change) => (change.kind === "resolved-intersection" ? [change.triangle] : []));
+  const owners = new Set(cut.map((t) => given.patches[given.trianglePatch[t] ?? 0]?.name));
+  expect([...owners].sort()).toEqual(["base", "tower"]);
 });
 
 test("a solid that touches none keeps its triangles, whatever the others do", async () => {

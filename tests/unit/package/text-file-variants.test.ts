@@ -252,7 +252,7 @@ test.each(["stl", "obj", "off", "step", "iges", "vtu", "3mf", "mesh"])(
 test("a missing coordinate is said where it is missing", async () => {
   const stl = TEXTS[".stl"]?.replace("vertex 1 0 0", "vertex 1 0") ?? "";
   const line = stl.slice(0, stl.indexOf("vertex 1 0\n")).split("\n").length;
-  const message = `line ${line}: expected a coordinate, found the end of the line`;
+  const message = `line ${line}: expected a coordinate, found the end of the line, then "endloop"`;
   expect(await errorOf(stl, "a.stl")).toMatchObject({ line, message });
   const inLine = await errorOf("v 0 0 zero\n", "a.obj");
   expect(inLine?.message).toBe('line 1: expected a coordinate, found "zero", which is not a number');

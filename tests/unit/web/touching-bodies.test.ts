@@ -84,6 +84,20 @@ describe("bodies that touch", () => {
     expect([isFillable, volume]).toEqual([true, 9]);
   });
 
+  it("keep a region each if their solids have the same names", async () => {
+    const one = cube(1, 1, [0, 0, 0]);
+    const stated = one.body.patches.map((patch) => ({ ...patch, name: "block", solid: "block" }));
+    const first = { ...one, body: { ...one.body, patches: stated } };
+    const patches = stated.map((patch) => ({ ...patch, id: 20 }));
+    const copy: GivenBody = {
+      ...first,
+      body: { ...first.body, id: 2, patches, placement: { position: [1, 0, 0] } },
+    };
+    const project = projectOf([first, copy]);
+    const joined = await joinedBody(mesher, project, [first, copy], signal);
+    expect(joined?.body.patches.map(({ solid }) => solid)).toEqual(["block", "block 2"]);
+  });
+
   it("keep their triangles if these are equal where they touch; cut ones are replaced", async () => {
     const treatmentOf = async (others: GivenBody): Promise<string> => {
       const group = [cube(1, 1, [0, 0, 0]), others].map((one) => ({

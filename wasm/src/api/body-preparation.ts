@@ -107,7 +107,8 @@ async function treated(
     const { innerShells, growth, maxVolume } = options;
     const wanted: RemeshOptions = { growth, maxVolume, ...remeshing, ...sizes, innerShells, sizeFactor };
     const { mesh, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
-    return { ...withPatches(mesh, origin), ...figures, diagnostics: named(diagnostics) };
+    const { points, triangles, trianglePatch } = mesh;
+    return { points, triangles, trianglePatch, origin, ...figures, diagnostics: named(diagnostics) };
   }
   const { innerShells } = options;
   const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
@@ -116,18 +117,13 @@ async function treated(
     const { elements: _, ...refineOptions } = options;
     const split = await calls.refine(given, { ...refineOptions, ...sizes }, control, name);
     if (hasSizes || areTooLarge(split)) {
-      return { ...withPatches(split.mesh, split.origin), diagnostics };
+      const { points, triangles, trianglePatch } = split.mesh;
+      return { points, triangles, trianglePatch, origin: split.origin, diagnostics };
     }
   }
-  const origin = given.trianglePatch.map((_, triangle) => triangle);
-  return { ...withPatches(given, origin), diagnostics };
-}
-
-function withPatches(
-  { points, triangles, trianglePatch }: Pick<PreparedBody, "points" | "triangles" | "trianglePatch">,
-  origin: Uint32Array,
-) {
-  return { points, triangles, trianglePatch, origin };
+  const { points, triangles, trianglePatch } = given;
+  const origin = trianglePatch.map((_, triangle) => triangle);
+  return { points, triangles, trianglePatch, origin, diagnostics };
 }
 
 /**

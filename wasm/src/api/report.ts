@@ -2,11 +2,11 @@
  * Assembles results: statistics of the engine, and diagnostics with their sentences. Also makes results without a
  * mesh.
  */
-import { plural } from "../base/plural.js";
 import { describeAll } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EntityNamer } from "../diagnostics/entity-names.js";
-import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { packageDiagnostic, sentence } from "../diagnostics/package-diagnostic.js";
+import { regionCounts } from "../diagnostics/sentences.js";
 import type { EnginePreview } from "../engine/loader.js";
 import type { EngineResult } from "../engine/protocol.js";
 import { NO_QUALITY, withRegions } from "../engine/quality-report.js";
@@ -24,7 +24,6 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
   const { status, surface, volume, metricShapes, statistics, hasFoundNothingBetter, recording } = result;
   const { mesh, indices } = namedMesh(result, names);
   const quality = withRegions(statistics.quality, indices);
-  const named = quality.regions.length;
   return {
     mesh,
     surfaceNodes: surface.points.length / 3,
@@ -38,7 +37,7 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
       ...statistics,
       quality,
       diagnostics: [
-        ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, named)),
+        ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, indices)),
         ...poorElementWarnings(quality),
         ...(hasFoundNothingBetter ? [nothingBetter()] : []),
       ],
@@ -121,17 +120,13 @@ export function withPreparation(
 }
 
 /**
- * Returns a note on the number of regions that counts solids in several parts once, as the list of regions does. `named`: number
- * of regions with names of their own.
+ * Returns a note on the number of regions that counts solids in several parts once, as the list of regions does. `indices`: per
+ * part that has elements, the index of its region; a run that ended early may lack some, and keeps the number of parts.
  */
-function withNamedRegions(found: Diagnostic, named: number): Diagnostic {
-  if (found.code !== "nested-regions" || found.data.regions <= named) return found;
-  const { regions } = found.data;
-  const message = found.message.replace(
-    `The model has ${plural(regions, "region")}`,
-    `The model has ${plural(named, "region")} in ${regions} separate parts`,
-  );
-  return { ...found, message, data: { ...found.data, regions: named } };
+function withNamedRegions(found: Diagnostic, indices: readonly number[]): Diagnostic {
+  if (found.code !== "nested-regions" || found.data.regions !== indices.length) return found;
+  const data = { ...found.data, regions: new Set(indices).size };
+  return { ...found, message: sentence(regionCounts(data, indices.length)), data };
 }
 
 /** Returns a result without a mesh, for a run that was rejected, or cancelled before it made any element. */

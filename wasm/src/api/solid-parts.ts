@@ -10,19 +10,30 @@ import {
   type SolidsSurface,
   unitedSurfaces,
 } from "../formats/solid-units.js";
-import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
+import type { ChangedSurface, RefinementCounts, RemeshReport } from "./meshed-surface.js";
 import { withSolidRegions } from "./solids.js";
 import { withoutRegions } from "./stated-solids.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
 import type { TreatedSurface } from "./surface-treatment.js";
+import { chainedOrigins } from "./surface-numbers.js";
+import { changeInWhole, inWhole, type WholeNumbers, withWholeOrigins } from "./whole-numbers.js";
 import type { Mesh } from "../mesh/mesh.js";
+
+/** Solids that are prepared together. */
+export interface SolidPart {
+  readonly surface: Mesh;
+  readonly numbers: WholeNumbers;
+}
 
 /**
  * Returns the surfaces of solids that are prepared together, by their first solids; undefined if all are, or if the file states
  * other solids. Solids that touch are one surface, with their regions; those that may touch, but do not, one each; all others
  * one together. O(n log n) per pair of solids whose boxes are not apart.
  */
-export async function solidParts(mesher: SurfaceMesher, given: Mesh): Promise<readonly Mesh[] | undefined> {
+export async function solidParts(
+  mesher: SurfaceMesher,
+  given: Mesh,
+): Promise<readonly SolidPart[] | undefined> {
   const divided = await inSteps(solidsOfPatches(given));
   if (divided?.surfaceRegions === undefined) return undefined;
   const solids: SolidsSurface = { ...divided, surfaceRegions: divided.surfaceRegions };
@@ -37,11 +48,15 @@ export async function solidParts(mesher: SurfaceMesher, given: Mesh): Promise<re
   }
   const groups = connectedGroups(units.length, touching);
   if (groups.length < 2) return undefined;
-  const parts: Mesh[] = [];
+  const parts: SolidPart[] = [];
   for (const group of groups) {
     const own = group.flatMap((unit) => units[unit] ?? []).sort((a, b) => a - b);
-    const surface = partOfSolids(solids, own);
-    parts.push(group.length > 1 ? surface : await apart(mesher, surface));
+    const { wholeTriangles, wholeNodes, ...surface } = partOfSolids(solids, own);
+    const numbers = {
+      wholeTriangles: chainedOrigins(given.origin, wholeTriangles),
+      wholeNodes: chainedOrigins(given.nodeOrigin, wholeNodes),
+    };
+    parts.push({ surface: group.length > 1 ? surface : await apart(mesher, surface), numbers });
   }
   return parts;
 }
@@ -59,12 +74,44 @@ async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Pro
   return (await mesher.inspectSurface(surface)).isFillable;
 }
 
-/** Returns what became of several surfaces as one: counts are sums, and shapes and distances the worst. */
-export function unitedTreated(all: readonly TreatedSurface[]): TreatedSurface {
+/** Returns surfaces that are ready as one; it names triangles and nodes by their numbers in the whole surface. */
+export function unitedReady(
+  parts: readonly (ChangedSurface & { readonly numbers: WholeNumbers })[],
+): ChangedSurface {
+  const changes = parts.flatMap(({ numbers, changes: own = [] }) =>
+    own.map((one) => changeInWhole(numbers, one)),
+  );
+  const deviations = parts.flatMap(({ repairDeviation }) => repairDeviation ?? []);
+  return {
+    surface: unitedSurfaces(parts.map(({ numbers, surface }) => withWholeOrigins(numbers, surface))),
+    ...(parts.some((one) => one.changes !== undefined) && {
+      changes,
+      repairDeviation: Math.max(0, ...deviations),
+    }),
+    diagnostics: parts.flatMap(({ numbers, diagnostics }) => diagnostics.map((one) => inWhole(numbers, one))),
+  };
+}
+
+/** What became of a part, in its own numbers. */
+export interface TreatedPart extends TreatedSurface {
+  readonly numbers: WholeNumbers;
+}
+
+/**
+ * Returns what became of several surfaces as one: counts are sums, and shapes and distances the worst. It names triangles and
+ * nodes by their numbers in the whole surface.
+ */
+export function unitedTreated(parts: readonly TreatedPart[]): TreatedSurface {
+  const all = parts.map(({ numbers, ...one }): TreatedSurface => ({
+    ...one,
+    surface: withWholeOrigins(numbers, one.surface),
+    ...(one.invalid && { invalid: one.invalid.map((found) => inWhole(numbers, found)) }),
+    ...(one.diagnostics && { diagnostics: one.diagnostics.map((found) => inWhole(numbers, found)) }),
+  }));
   const invalid = all.flatMap((one) => one.invalid ?? []);
   const diagnostics = all.flatMap((one) => one.diagnostics ?? []);
-  const [refinement] = [all.flatMap((one) => one.refinement ?? [])].map(unitedRefinements);
-  const [remesh] = [all.flatMap((one) => one.remesh ?? [])].map(unitedRemeshes);
+  const refinement = unitedRefinements(all.flatMap((one) => one.refinement ?? []));
+  const remesh = unitedRemeshes(all.flatMap((one) => one.remesh ?? []));
   return {
     surface: unitedSurfaces(all.map(({ surface }) => surface)),
     ...(refinement && { refinement }),
@@ -104,12 +151,10 @@ function unitedRemeshes(all: readonly RemeshReport[]): RemeshReport | undefined 
     tolerance: Math.max(...all.map(({ tolerance }) => tolerance)),
     deviation: Math.max(...all.map(({ deviation }) => deviation)),
     smallestAngle: Math.min(...all.map(({ smallestAngle }) => smallestAngle)),
-    meanRadiusRatio: sumOf(all.map((one) => one.meanRadiusRatio * one.triangles)) / triangles,
+    meanRadiusRatio: sumOf(all.map((one) => one.meanRadiusRatio * one.triangles)) / Math.max(triangles, 1),
     givenVolume: sumOf(all.map(({ givenVolume }) => givenVolume)),
     volume: sumOf(all.map(({ volume }) => volume)),
     mergedDetails: all.flatMap(({ mergedDetails }) => mergedDetails),
     isPartial: all.some(({ isPartial }) => isPartial),
   };
 }
-
-export { unitedSurfaces } from "../formats/solid-units.js";

@@ -26,6 +26,8 @@ import {
   splitPart,
 } from "./surface-mesh-options.js";
 import { type SurfaceMesher, withControl } from "./surface-mesher.js";
+import type { TreatedPart } from "./solid-parts.js";
+import type { WholeNumbers } from "./whole-numbers.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withoutCracks } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
@@ -46,10 +48,10 @@ export interface ReadySurface extends ChangedSurface {
   readonly parts?: readonly ReadyPart[] | undefined;
 }
 
-/** Solids that are ready by themselves, and their given surface. */
+/** Solids that are ready by themselves. */
 interface ReadyPart {
-  readonly given: Mesh;
   readonly ready: ReadySurface;
+  readonly numbers: WholeNumbers;
 }
 
 /** What is known of a surface beside its options. */
@@ -85,27 +87,11 @@ export async function readySurface(
   const parts = mayBeDivided ? await (await ofParts()).solidParts(mesher, given) : undefined;
   if (parts === undefined) return readyWhole(mesher, given, asked, options, origin, isExact);
   const ready: ReadyPart[] = [];
-  for (const part of parts)
-    ready.push({ given: part, ready: await readyWhole(mesher, part, asked, options, origin, isExact) });
-  return unitedParts(ready, asked);
-}
-
-/** Returns the surface of several solids that are ready. */
-async function unitedParts(parts: readonly ReadyPart[], treatment: Treatment): Promise<ReadySurface> {
-  const all = parts.map(({ ready }) => ready);
-  const changes = all.flatMap((one) => one.changes ?? []);
-  const deviations = all.flatMap(({ repairDeviation }) => repairDeviation ?? []);
-  const { unitedSurfaces } = await ofParts();
-  return {
-    surface: unitedSurfaces(all.map(({ surface }) => surface)),
-    treatment,
-    parts,
-    ...(all.some((one) => one.changes !== undefined) && {
-      changes,
-      repairDeviation: Math.max(0, ...deviations),
-    }),
-    diagnostics: all.flatMap(({ diagnostics }) => diagnostics),
-  };
+  for (const { surface, numbers } of parts)
+    ready.push({ ready: await readyWhole(mesher, surface, asked, options, origin, isExact), numbers });
+  const { unitedReady } = await ofParts();
+  const united = unitedReady(ready.map((part) => ({ ...part.ready, numbers: part.numbers })));
+  return { ...united, treatment: asked, parts: ready };
 }
 
 /** As `readySurface`, for a surface of which all solids are treated alike. `asked`: what becomes of triangles that do not touch others. */
@@ -254,8 +240,9 @@ async function partsFilled(
   parts: readonly ReadyPart[],
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
-  const made: TreatedSurface[] = [];
-  for (const { ready: part } of parts) made.push(await treated(mesher, part, filling));
+  const made: TreatedPart[] = [];
+  for (const { ready: part, numbers } of parts)
+    made.push({ ...(await treated(mesher, part, filling)), numbers });
   const united = (await ofParts()).unitedTreated(made);
   const result = await fill(mesher, united, meshPart(filling.options), filling.controlOf());
   return meshed(result, ready, united, { ...filling, isExact: false });

@@ -8,7 +8,10 @@ import type { GivenRegions, SurfaceInput } from "../mesh/mesh.js";
  * holes, midpoints of split edges and nodes of a remeshed surface have no index there; they are called "filled triangle
  * 7" and "new node 7".
  */
-export function surfaceNamer({ origin, nodeOrigin }: SurfaceInput): EntityNamer {
+export function surfaceNamer({
+  origin,
+  nodeOrigin,
+}: Pick<SurfaceInput, "origin" | "nodeOrigin">): EntityNamer {
   return (kind, index) => {
     const origins = kind === "triangle" ? origin : kind === "surface-node" ? nodeOrigin : undefined;
     if (origins === undefined) return nameByIndex(kind, index);

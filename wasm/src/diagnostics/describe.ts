@@ -83,18 +83,26 @@ export function describedAs<Code extends EngineCode>(
   raw: EngineDiagnostic,
   name: EntityNamer,
 ): DiagnosticOf<Code> {
-  const entities = namedEntities(raw.entities, name);
-  const data = dataOf(code, raw.values);
-  const subject = subjectOf<Code>(raw, entities, data);
-  const { message, remedy } = SENTENCES[code];
-  return {
+  return withSentences({
     code,
     severity: SEVERITIES[raw.severity] ?? "error",
+    entities: namedEntities(raw.entities, name),
+    ...(raw.position && { position: raw.position }),
+    data: dataOf(code, raw.values),
+  });
+}
+
+/** Returns a diagnostic with the sentences that follow from the rest of it. */
+export function withSentences<Code extends EngineCode>(
+  found: Omit<DiagnosticOf<Code>, "message" | "remedy">,
+): DiagnosticOf<Code> {
+  const { code, entities, data } = found;
+  const subject = subjectOf<Code>(found, entities, data);
+  const { message, remedy } = SENTENCES[code];
+  return {
+    ...found,
     message: sentence(withCounting(message(subject), entities)),
     remedy: typeof remedy === "string" ? remedy : remedy(subject),
-    entities,
-    ...(raw.position && { position: raw.position }),
-    data,
   };
 }
 
@@ -139,7 +147,7 @@ export function namedEntities(entities: readonly EngineEntity[], name: EntityNam
 }
 
 export function subjectOf<Code extends EngineCode>(
-  raw: EngineDiagnostic,
+  { position }: Pick<DiagnosticOf<Code>, "position">,
   entities: readonly EntityRef[],
   data: DiagnosticData[Code],
 ): Subject<Code> {
@@ -153,7 +161,7 @@ export function subjectOf<Code extends EngineCode>(
     the: (kind) => labels([kind])[0] ?? `a ${kind.replace("-", " ")}`,
     count: (kinds) => new Set(labels(kinds)).size,
     all: (kinds, otherwise) => joined([...new Set(labels(kinds))]) ?? otherwise,
-    at: raw.position === undefined ? "" : ` at (${raw.position.map(short).join(", ")})`,
+    at: position === undefined ? "" : ` at (${position.map(short).join(", ")})`,
     main: entities[0]?.label ?? "the model",
     kind: entities[0]?.kind,
     drawn,

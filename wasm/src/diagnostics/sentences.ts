@@ -220,8 +220,7 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       "Use a smaller size: large elements follow lines and patches only roughly, and in a given surface the sizes follow its own edges.",
   },
   "nested-regions": {
-    message: ({ data: { regions, cavities } }) =>
-      `The model has ${plural(regions, "region")}${cavities === 0 ? "" : ` and ${plural(cavities, "cavity")}`}`,
+    message: ({ data }) => regionCounts(data),
     remedy: "",
   },
   "surface-contact": {
@@ -416,6 +415,16 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       "Remove duplicates, connect parts that touch at common nodes and faces, or mesh the region again.",
   },
 };
+
+/** Says how many regions and cavities a model has; `parts`: number of parts of which the regions consist. */
+export function regionCounts(
+  { regions, cavities }: DiagnosticData["nested-regions"],
+  parts = regions,
+): string {
+  const separate = parts === regions ? "" : ` in ${parts} separate parts`;
+  const hollow = cavities === 0 ? "" : ` and ${plural(cavities, "cavity")}`;
+  return `The model has ${plural(regions, "region")}${separate}${hollow}`;
+}
 
 /** Returns whether an estimate is the engine's largest value, which stands for all above it (`counted` there). */
 function isBeyondCounting(estimate: number): boolean {

@@ -54,6 +54,8 @@ export class ByteReader {
   #line = 1;
   /** Line of the item read last. */
   #lastLine = 1;
+  /** Line of the number that was read last. */
+  #numberLine = 0;
   /** Whether everything read so far is text; locations are then given as lines. */
   #isText = true;
   /** Whether a line read so far ended with a lone carriage return. */
@@ -262,6 +264,7 @@ export class ByteReader {
     if (!Number.isFinite(value)) value = mayBeNone ? otherNumber(this.#bytes, this.#at, end) : undefined;
     if (value === undefined) return this.#failAtNumber(what, end, before);
     this.#at = end;
+    this.#numberLine = this.#line;
     return value;
   }
 
@@ -272,8 +275,10 @@ export class ByteReader {
     if (this.#isCutAt(end) && /^[-+]?\d*\.?\d*(e[-+]?\d*)?$/i.test(found))
       this.failAtEnd(`the rest of ${what}`);
     if (/^[a-z_]/i.test(found) && !/^(nan|inf)/i.test(found)) {
-      const isMissing = this.#isText && this.#lastLine > before;
-      if (isMissing) this.fail(`expected ${what}, found the end of the line`, { line: before });
+      // A line of numbers; after a keyword, numbers begin in the next line.
+      const isMissing = this.#isText && this.#lastLine > before && this.#numberLine === before;
+      if (isMissing)
+        this.fail(`expected ${what}, found the end of the line, then ${this.#shown()}`, { line: before });
       this.fail(`${expected}, which is not a number`);
     }
     const points = found.replace(",", ".");

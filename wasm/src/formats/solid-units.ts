@@ -18,6 +18,13 @@ export interface SolidsSurface extends Omit<Mesh, "surfaceRegions"> {
   readonly surfaceRegions: SurfaceRegions;
 }
 
+/** Some solids of a surface. */
+export interface SolidsPart extends SolidsSurface {
+  /** Per triangle and per node: its index in the whole surface. */
+  readonly wholeTriangles: Uint32Array;
+  readonly wholeNodes: Uint32Array;
+}
+
 /** Returns the pairs of boxes that are not apart, as indices, the smaller first. */
 export function nearPairs(boxes: readonly Box[]): (readonly [number, number])[] {
   return boxes.flatMap(({ low, high }, i) =>
@@ -117,7 +124,7 @@ function boxesOf(
 }
 
 /** Returns these solids of a surface, with the nodes and patches that they use, in the order of the triangles. O(n). */
-export function partOfSolids(given: SolidsSurface, solids: readonly number[]): SolidsSurface {
+export function partOfSolids(given: SolidsSurface, solids: readonly number[]): SolidsPart {
   const { points, triangles, trianglePatch, patches, surfaceRegions } = given;
   const indexOf = new Map(solids.map((region, index) => [region, index]));
   const nodes = new Numbering();
@@ -125,6 +132,7 @@ export function partOfSolids(given: SolidsSurface, solids: readonly number[]): S
   const corners: number[] = [];
   const owners: number[] = [];
   const sides: number[] = [];
+  const own: number[] = [];
   for (let t = 0; t < trianglePatch.length; t++) {
     const beside = [0, 1].map((side) =>
       indexOf.get(surfaceRegions.triangleRegions[2 * t + side] ?? NO_REGION),
@@ -132,6 +140,7 @@ export function partOfSolids(given: SolidsSurface, solids: readonly number[]): S
     if (beside.every((region) => region === undefined)) continue;
     for (const node of triangles.subarray(3 * t, 3 * t + 3)) corners.push(nodes.of(node));
     owners.push(usedPatches.of(trianglePatch[t] ?? 0));
+    own.push(t);
     for (const region of beside) sides.push(region ?? NO_REGION);
   }
   const kept = nodes.given;
@@ -151,6 +160,8 @@ export function partOfSolids(given: SolidsSurface, solids: readonly number[]): S
     },
     ...(given.givenRegions && { givenRegions: { triangleRegions: triangleRegions.slice(), maxVolumes } }),
     ...(given.unit && { unit: given.unit }),
+    wholeTriangles: Uint32Array.from(own),
+    wholeNodes: Uint32Array.from(kept),
   };
 }
 
@@ -167,7 +178,10 @@ class Numbering {
   }
 }
 
-/** Returns surfaces as one; its nodes, patches and regions are those of the first, then of the next. O(n). */
+/**
+ * Returns surfaces as one; its nodes, patches and regions are those of the first, then of the next. It states the origins of its
+ * triangles and nodes if all of them do. O(n).
+ */
 export function unitedSurfaces(parts: readonly Mesh[]): Mesh {
   const sum = (of: (part: Mesh) => number): number => parts.reduce((all, part) => all + of(part), 0);
   const points = new Float64Array(sum((part) => part.points.length));
@@ -196,8 +210,12 @@ export function unitedSurfaces(parts: readonly Mesh[]): Mesh {
     region += part.surfaceRegions?.regions.length ?? 0;
   }
   const [first] = parts;
+  const origin = joinedIndices(parts.map((part) => part.origin));
+  const nodeOrigin = joinedIndices(parts.map((part) => part.nodeOrigin));
   return {
     ...noVolume(),
+    ...(origin && { origin }),
+    ...(nodeOrigin && { nodeOrigin }),
     points,
     triangles,
     trianglePatch,
@@ -208,4 +226,17 @@ export function unitedSurfaces(parts: readonly Mesh[]): Mesh {
     },
     ...(first?.unit && { unit: first.unit }),
   };
+}
+
+/** Returns lists of indices as one; undefined if one is missing. */
+function joinedIndices(lists: readonly (Uint32Array | undefined)[]): Uint32Array | undefined {
+  const known = lists.filter((list) => list !== undefined);
+  if (known.length < lists.length) return undefined;
+  const joined = new Uint32Array(known.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const list of known) {
+    joined.set(list, at);
+    at += list.length;
+  }
+  return joined;
 }

@@ -20,7 +20,7 @@ export interface LengthOptions {
   readonly scale?: number | undefined;
   /** LengthUnit into which the lengths of the file are converted. Default: none. Requires that the file's unit is known. */
   readonly units?: LengthUnit | undefined;
-  /** LengthUnit of the file, if its format does not define one. */
+  /** Unit of the file, if its format does not define one. */
   readonly fileUnits?: LengthUnit | undefined;
 }
 

@@ -116,7 +116,7 @@ export interface Mesh {
    * regions unless `innerShells` says otherwise.
    */
   readonly regionPoints?: RegionPoints | undefined;
-  /** LengthUnit of the coordinates, if the file or the options of reading define one; they are converted to it. */
+  /** Unit of the coordinates, if the file or the options of reading define one; they are converted to it. */
   readonly unit?: LengthUnit | undefined;
   /** Format and version as stated by the file, if the file's name does not decide: "Gmsh 2.2". */
   readonly format?: string | undefined;

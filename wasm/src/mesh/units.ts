@@ -1,5 +1,5 @@
 /** Units of length. */
 export const LENGTH_UNITS = ["um", "mm", "cm", "m", "in", "ft"] as const;
 
-/** LengthUnit of length: micrometre, millimetre, centimetre, metre, inch (25.4 mm) or foot (304.8 mm). */
+/** Unit of length: micrometre, millimetre, centimetre, metre, inch (25.4 mm) or foot (304.8 mm). */
 export type LengthUnit = (typeof LENGTH_UNITS)[number];

@@ -112,7 +112,10 @@ function joinedRegions(count: number, triangleRegions: Uint32Array): number[][] 
   return [...groups.values()];
 }
 
-/** Returns a body whose patches state their solids, if it has several; a patch between two solids belongs to either. */
+/**
+ * Returns a body whose patches state their solids, if it has several. A patch between two solids belongs to either, one around
+ * several to none.
+ */
 function withSolids(
   body: ProjectBody,
   { trianglePatch }: Pick<SolidSurface, "trianglePatch">,
@@ -121,14 +124,18 @@ function withSolids(
   const used = new Set(triangleRegions);
   used.delete(NO_REGION);
   if (used.size < 2) return body;
-  const regionOf = new Map<number, number>();
+  const around = body.patches.map(() => new Set<number>());
+  const between = new Map<number, number>();
   trianglePatch.forEach((patch, t) => {
     const [one = NO_REGION, other = NO_REGION] = triangleRegions.subarray(2 * t, 2 * t + 2);
-    const isOutside = one === NO_REGION || other === NO_REGION;
-    if (isOutside || !regionOf.has(patch)) regionOf.set(patch, Math.min(one, other));
+    const region = Math.min(one, other);
+    if (region === NO_REGION) return;
+    if (one === NO_REGION || other === NO_REGION) around[patch]?.add(region);
+    else if (!between.has(patch)) between.set(patch, region);
   });
   const patches = body.patches.map((patch, p) => {
-    const solid = regions[regionOf.get(p) ?? NO_REGION]?.name ?? "";
+    const [region = between.get(p) ?? NO_REGION, ...others] = around[p] ?? [];
+    const solid = others.length > 0 ? "" : (regions[region]?.name ?? "");
     return solid === "" ? patch : { ...patch, solid };
   });
   return { ...body, patches };

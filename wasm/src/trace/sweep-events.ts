@@ -34,7 +34,10 @@ export interface OptimizationSummary {
   readonly before: SweepMeasures;
   /** The sweeps, in their order. */
   readonly sweeps: readonly TracedSweep[];
-  /** Number of the sweep whose mesh is the result, from 1: the last one, unless an earlier mesh was better; 0 for that before. */
+  /**
+   * Number of the sweep whose mesh is the result, from 1; 0 for the mesh before. Regions are optimized one after the other, and
+   * the sweeps of a region after its best mesh are discarded: it is the last sweep that was not.
+   */
   readonly result: number;
 }
 
