@@ -334,6 +334,7 @@ const TESTED_ELSEWHERE = [
   "withSolidsOfPatches",
   "connectedGroups",
   "createUnitBodies",
+  "differentNames",
   "isWithin",
   "nearPairs",
   "sharedPairs",

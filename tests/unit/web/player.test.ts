@@ -15,6 +15,7 @@ import {
   newElement,
   touching,
 } from "../../../web/player/judge";
+import type { Player } from "../../../web/player/player";
 import { nextStop, stopKinds, stopKindsOf } from "../../../web/player/stops";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
@@ -309,6 +310,17 @@ describe("the player", () => {
   });
 });
 
+/** Waits until a trace is being read; a quick machine may have read it all before a poll sees that. */
+function untilReading({ state }: Player): Promise<void> {
+  return new Promise((resolve) => {
+    const stop = state.subscribe(({ reading }) => {
+      if (reading === null) return;
+      stop();
+      resolve();
+    });
+  });
+}
+
 describe("reading a trace", () => {
   const large = starTrace(starSurface(boxSurface(20, [-1, -1, -1], [1, 1, 1]))).bytes;
 
@@ -324,8 +336,9 @@ describe("reading a trace", () => {
 
   it("can be cancelled; the model stays", async () => {
     const { player } = newApp();
+    const begun = untilReading(player);
     const opened = player.open(large);
-    await vi.waitFor(() => expect(player.state.getState().reading).toBeGreaterThan(0));
+    await begun;
     player.stopReading();
     await opened;
     expect(player.state.getState()).toMatchObject({ reading: null, trace: null, failure: null });
@@ -335,8 +348,9 @@ describe("reading a trace", () => {
     const { player } = newApp();
     await player.open(bytes);
     const shown = player.state.getState().trace;
+    const begun = untilReading(player);
     const opened = player.open(large);
-    await vi.waitFor(() => expect(player.state.getState().reading).toBeGreaterThan(0));
+    await begun;
     expect(player.state.getState().trace).toBe(shown);
     player.stopReading();
     await opened;
