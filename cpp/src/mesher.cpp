@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -58,7 +59,7 @@ bool isAboutRegions(DiagnosticCode code) {
   return code == DiagnosticCode::kNestedRegions || code == DiagnosticCode::kSurfaceContact;
 }
 
-/// Returns the smaller of two limits, of which 0 is none.
+/// Returns the smaller of two limits; 0 stands for no limit.
 double smallerLimit(double a, double b) {
   return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
 }
@@ -314,29 +315,30 @@ Task<> MeshRun::Impl::optimize(Work& work) {
     observer_ = makeObserver_(recorder_.bytes());
     observer_->begun(meshes_, *field_);
   }
-  hasFoundNothingBetter_ = true;
+  bool isAnyBetter = false;
   for (region_ = 0; region_ < ends.size(); ++region_) {
     work.beginPart(kOrderShare + (1.0 - kOrderShare) * ends[region_]);
     optimizer_.emplace(std::exchange(region().mesh, {}), *field_, options_.optimization);
     if (observer_) optimizer_->observe(*observer_);
     co_await optimizer_->run(work);
-    hasFoundNothingBetter_ = hasFoundNothingBetter_ && optimizer_->hasFoundNothingBetter();
+    isAnyBetter = isAnyBetter || !optimizer_->hasFoundNothingBetter();
     keepUnfinished();
   }
+  hasFoundNothingBetter_ = !isAnyBetter;
 }
 
 /// Splits the elements that are larger than permitted; false, with a diagnostic, if that makes too many.
 Task<bool> MeshRun::Impl::limitVolumes(Work& work) {
   const std::vector<double> ends = shareEnds(meshes_);
-  // Elements of earlier regions, and the least number of this one and of later ones.
-  std::size_t before = 0;
-  double needed = 0.0;
-  for (std::size_t r = 0; r < ends.size(); ++r) needed += neededElements(r);
+  std::vector<double> needed;  // elements of later regions, at least
+  for (std::size_t r = 0; r < ends.size(); ++r) needed.push_back(neededElements(r));
+  std::size_t before = 0;  // elements of earlier regions
   for (region_ = 0; region_ < ends.size(); ++region_) {
     work.beginPart(ends[region_]);
-    needed -= neededElements(region_);
     if (const double maxVolume = maxVolumeOf(region_); maxVolume > 0.0) {
-      const double others = static_cast<double>(before) + needed;
+      const double others =
+          std::accumulate(needed.begin() + static_cast<std::ptrdiff_t>(region_) + 1, needed.end(),
+                          static_cast<double>(before));
       const double left = std::max(0.0, options_.maxTetrahedra - others);
       limiter_.emplace(std::exchange(region().mesh, {}), maxVolume, static_cast<std::size_t>(left));
       co_await limiter_->run(work);

@@ -215,6 +215,21 @@ TEST(Optimize, ThoroughEndsEarlyIfTheBoundaryLeavesNothingToGain) {
   }
 }
 
+TEST(Optimize, ACancelledRunHasNotFoundOutThatNothingIsBetter) {
+  const SurfaceMesh surface = testing::geodesicSphere(8);
+  for (const Optimization level : {Optimization::kDefault, Optimization::kThorough}) {
+    MeshOptions options;
+    options.optimization = level;
+    MeshRun run(surface.points, surface.triangles, options);
+    while (run.progress().phase != Phase::kOptimize) {
+      ASSERT_EQ(run.advance(100), MeshStatus::kRunning);
+    }
+    run.cancel();
+    EXPECT_EQ(run.status(), MeshStatus::kCancelled);
+    EXPECT_FALSE(run.hasFoundNothingBetter());
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Optimize, QualityFloor,
     ::testing::Values(

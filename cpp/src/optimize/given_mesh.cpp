@@ -96,7 +96,7 @@ class DefectCount {
   }
 
  private:
-  // Of the first one.
+  // Entities and position of the first defect.
   std::vector<Entity> entities_;
   Vec3 position_{0.0};
   std::uint64_t count_ = 0;

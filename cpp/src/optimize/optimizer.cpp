@@ -17,8 +17,8 @@
 namespace tetrafront {
 namespace {
 
-/// For the estimate of the progress: share of the time before the first step, and of a step before its sweeps; the part of a
-/// step that a repetition leaves.
+/// For the estimate of the progress: the share of the time before the first step, the share of a step before its sweeps, and the
+/// part of a step that remains after each repetition.
 constexpr double kBuildShare = 0.05;
 constexpr double kMeasureShare = 0.05;
 constexpr double kLeftByRepeat = 0.55;

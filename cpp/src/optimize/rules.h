@@ -76,7 +76,8 @@ inline constexpr std::size_t kMaxSplitRing = kMaxRing - 1;
 /// move longer than the second counts as a change that neighbours should visit again.
 inline constexpr double kMinNodeMove = 0.0005;
 inline constexpr double kChangingMove = 0.01;
-/// A move must lower the cost by this fraction; otherwise it is halved, at most so often.
+/// A move must lower the cost by this fraction: far above rounding, far below what a report shows. Otherwise it is halved, up to
+/// kMoveHalvings times.
 inline constexpr double kMinMoveGain = 1e-6;
 inline constexpr int kMoveHalvings = 4;
 /// Gradients of the worst elements that decide the direction of a move.
@@ -86,10 +87,11 @@ inline constexpr std::size_t kMaxGradients = 24;
 
 /// Edges with more elements around them are not removed.
 inline constexpr std::size_t kRepairRing = 9;
-/// Relative gains: of swaps and collapses, and of compound changes, by the worst of all elements touched.
+/// Smallest relative gains, by the worst of all elements that a change touches: of swaps and collapses, and of compound changes,
+/// which spoil more elements.
 inline constexpr double kRepairGain = 1e-3;
 inline constexpr double kCompoundGain = 1e-2;
-/// A node inserted into a poor element replaces at most so many elements.
+/// Largest number of elements that a node inserted into a poor element replaces.
 inline constexpr std::size_t kMaxRepairCavity = 60;
 inline constexpr EdgeRemovalOptions kRepairOptions{true, kRepairGain};
 

@@ -265,7 +265,7 @@ void BasicSurfaceMesher<Trace>::reportPatch(PatchId patch, const BasicPatchMeshe
   diagnostics_.push_back(std::move(found).about({entityOf(patch)}));
 }
 
-/// Reports as many elements as a cube with so many sides along each edge has.
+/// Returns the diagnostic for sides so small that a cube with `sides` of them along each edge has too many elements.
 template <class Trace>
 Diagnostic BasicSurfaceMesher<Trace>::tooManySides(double sides) const {
   return tooManyElements(kTetrahedraPerUnitVolume * sides * sides * sides, maxTetrahedra_);

@@ -40,7 +40,7 @@ class RegionMesher {
   [[nodiscard]] double exactFillFraction() const {
     return current_ ? current_->exactFillFraction() : 0.0;
   }
-  /// Returns the meshes made so far: those of the regions that have begun, the last of which may have a front.
+  /// Returns the meshes of the regions that have begun. The last of them may have a front.
   [[nodiscard]] RegionMeshes meshes() const;
   /// The same without a copy; once, as the last call.
   [[nodiscard]] RegionMeshes take();

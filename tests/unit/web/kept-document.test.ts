@@ -123,7 +123,7 @@ describe("a kept document", () => {
   });
 
   it("keeps its steps if an earlier version of the app has stored them as patches", async () => {
-    // Written by that version: a document of 23 steps, of which 8 are undone, with its first and its last state.
+    // Written by that version: a document of 23 steps with its first and its last state. Eight of the steps are undone.
     const file = new URL("../../fixtures/kept-document-with-patches.json", import.meta.url);
     const { kept, first, last } = JSON.parse(readFileSync(file, "utf8")) as {
       readonly kept: DocumentHead & KeptContent;

@@ -63,7 +63,7 @@ export class MemoryStorage implements DocumentStorage {
   }
 }
 
-/** A database of which some writes fail. All are complete some time after they were issued, in the order of issue. */
+/** A database in which some writes fail. Writes end later than they are issued, in the same order. */
 export class UnreliableStorage extends MemoryStorage {
   isRepaired = false;
   readonly #next: () => { readonly fails: boolean; readonly after: number };

@@ -29,7 +29,7 @@ export interface ScaledFilling {
 /** A surface that is ready, and what becomes of its triangles. */
 export interface CountedSurface {
   readonly surface: Mesh;
-  /** The surfaces of which it consists, which are treated by themselves. */
+  /** Its parts; each is prepared by itself. */
   readonly parts: readonly Mesh[];
   readonly isRemeshed: boolean;
 }

@@ -181,9 +181,9 @@ function reasons(
 export function controlOfPart(control: RunControl, from: number, to: number): RunControl {
   const { onProgress } = control;
   if (onProgress === undefined) return control;
-  const tell = (progress: CallProgress): void =>
+  const report = (progress: CallProgress): void =>
     onProgress({ ...progress, fraction: from + (to - from) * progress.fraction });
-  return { ...control, onProgress: tell };
+  return { ...control, onProgress: report };
 }
 
 /** Progress of runs that follow each other: it never decreases, and ends at 1. */

@@ -125,43 +125,56 @@ function boxesOf(
 
 /** Returns these solids of a surface, with the nodes and patches that they use, in the order of the triangles. O(n). */
 export function partOfSolids(given: SolidsSurface, solids: readonly number[]): SolidsPart {
-  const { points, triangles, trianglePatch, patches, surfaceRegions } = given;
+  const { regions, triangleRegions: givenSides } = given.surfaceRegions;
   const indexOf = new Map(solids.map((region, index) => [region, index]));
-  const nodes = new Numbering();
-  const usedPatches = new Numbering();
-  const corners: number[] = [];
-  const owners: number[] = [];
-  const sides: number[] = [];
   const own: number[] = [];
-  for (let t = 0; t < trianglePatch.length; t++) {
-    const beside = [0, 1].map((side) =>
-      indexOf.get(surfaceRegions.triangleRegions[2 * t + side] ?? NO_REGION),
-    );
+  const sides: number[] = [];
+  for (let t = 0; t < given.trianglePatch.length; t++) {
+    const beside = [0, 1].map((side) => indexOf.get(givenSides[2 * t + side] ?? NO_REGION));
     if (beside.every((region) => region === undefined)) continue;
-    for (const node of triangles.subarray(3 * t, 3 * t + 3)) corners.push(nodes.of(node));
-    owners.push(usedPatches.of(trianglePatch[t] ?? 0));
     own.push(t);
     for (const region of beside) sides.push(region ?? NO_REGION);
   }
-  const kept = nodes.given;
+  const { nodes, ...part } = partOfTriangles(given, own);
   const triangleRegions = Uint32Array.from(sides);
   const maxVolumes = Float64Array.from(solids, (region) => given.givenRegions?.maxVolumes[region] ?? 0);
   return {
     ...noVolume(),
-    points: Float64Array.from({ length: 3 * kept.length }, (_, i) => {
-      return points[3 * (kept[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0;
-    }),
-    triangles: Uint32Array.from(corners),
-    trianglePatch: Uint32Array.from(owners),
-    patches: usedPatches.given.flatMap((patch) => patches[patch] ?? []),
-    surfaceRegions: {
-      regions: solids.flatMap((region) => surfaceRegions.regions[region] ?? []),
-      triangleRegions,
-    },
+    ...part,
+    surfaceRegions: { regions: solids.flatMap((region) => regions[region] ?? []), triangleRegions },
     ...(given.givenRegions && { givenRegions: { triangleRegions: triangleRegions.slice(), maxVolumes } }),
     ...(given.unit && { unit: given.unit }),
     wholeTriangles: Uint32Array.from(own),
-    wholeNodes: Uint32Array.from(kept),
+    wholeNodes: nodes,
+  };
+}
+
+/** Returns these triangles with the patches and nodes that they use, and the indices of the nodes in the surface. O(n). */
+export function partOfTriangles<Patch>(
+  {
+    points,
+    triangles,
+    trianglePatch,
+    patches,
+  }: Pick<Mesh, "points" | "triangles" | "trianglePatch"> & {
+    readonly patches: readonly Patch[];
+  },
+  own: readonly number[],
+) {
+  const nodes = new Numbering();
+  const usedPatches = new Numbering();
+  const corners = Uint32Array.from({ length: 3 * own.length }, (_, i) =>
+    nodes.of(triangles[3 * (own[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0),
+  );
+  const owners = Uint32Array.from(own, (t) => usedPatches.of(trianglePatch[t] ?? 0));
+  return {
+    points: Float64Array.from({ length: 3 * nodes.given.length }, (_, i) => {
+      return points[3 * (nodes.given[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0;
+    }),
+    triangles: corners,
+    trianglePatch: owners,
+    patches: usedPatches.given.flatMap((patch) => patches[patch] ?? []),
+    nodes: Uint32Array.from(nodes.given),
   };
 }
 

@@ -3,7 +3,13 @@ import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { integers } from "../calls/schemas.js";
 import { NO_REGION } from "../generated/constants.js";
-import { partOfSolids, type SolidsSurface } from "../formats/solid-units.js";
+import {
+  connectedGroups,
+  partOfSolids,
+  partOfTriangles,
+  sharedPairs,
+  type SolidsSurface,
+} from "../formats/solid-units.js";
 import { type MeshGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/mesh.js";
 import { createBody, type GivenTriangles, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
 import type { ProjectBody } from "./project-types.js";
@@ -33,7 +39,7 @@ export function createBodies(surface: SolidSurface, body: NewBody): ProjectBody[
   const { surfaceRegions } = surface;
   if (surfaceRegions === undefined) return [createBody(surface, body)];
   const { regions, triangleRegions } = surfaceRegions;
-  const groups = joinedRegions(regions.length, triangleRegions);
+  const groups = connectedGroups(regions.length, sharedPairs(triangleRegions));
   if (groups.length <= 1) {
     const only = withSolids(createBody(surface, body), surface, surfaceRegions);
     return [withName(only, groups[0] ?? [], regions)];
@@ -41,7 +47,7 @@ export function createBodies(surface: SolidSurface, body: NewBody): ProjectBody[
   let [id, firstPatchId] = [body.id, body.firstPatchId];
   return trianglesOfGroups(groups, surface.triangles.length / 3, triangleRegions).flatMap((owned, g) => {
     if (owned.length === 0) return [];
-    const own = partOf(surface, owned);
+    const own = partOfTriangles(surface, owned);
     const sides = Uint32Array.from({ length: 2 * owned.length }, (_, side) => {
       return triangleRegions[2 * (owned[side >>> 1] ?? 0) + (side % 2)] ?? NO_REGION;
     });
@@ -82,34 +88,6 @@ function trianglesOfGroups(
     owned[groupOf.get(one === NO_REGION ? other : one) ?? 0]?.push(t);
   }
   return owned;
-}
-
-/** Returns the regions in groups that are connected through common triangles, in order. */
-function joinedRegions(count: number, triangleRegions: Uint32Array): number[][] {
-  const parent = Array.from({ length: count }, (_, region) => region);
-  const rootOf = (region: number): number => {
-    let root = region;
-    while (parent[root] !== undefined && parent[root] !== root) {
-      // Halves the path for later calls.
-      parent[root] = parent[parent[root] ?? root] ?? root;
-      root = parent[root] ?? root;
-    }
-    return root;
-  };
-  for (let side = 0; side < triangleRegions.length; side += 2) {
-    const [a = NO_REGION, b = NO_REGION] = triangleRegions.subarray(side, side + 2);
-    if (a >= count || b >= count || a === b) continue;
-    const [low, high] = [rootOf(a), rootOf(b)].sort((x, y) => x - y) as [number, number];
-    parent[high] = low;
-  }
-  const groups = new Map<number, number[]>();
-  parent.forEach((_, region) => {
-    const root = rootOf(region);
-    const group = groups.get(root);
-    if (group === undefined) groups.set(root, [region]);
-    else group.push(region);
-  });
-  return [...groups.values()];
 }
 
 /**
@@ -154,41 +132,4 @@ function withName(
   if (!isNamed) return body;
   const more = names.length - MAX_NAMED;
   return { ...body, name: names.slice(0, MAX_NAMED).join(" + ") + (more > 0 ? ` + ${more} more` : "") };
-}
-
-/** Returns these triangles with the nodes and patches that they use. */
-function partOf(
-  { points, triangles, trianglePatch, patches }: SolidSurface,
-  owned: readonly number[],
-): Pick<SolidSurface, "points" | "triangles" | "trianglePatch" | "patches"> {
-  const nodes = new Numbering();
-  const usedPatches = new Numbering();
-  const corners: number[] = [];
-  const owners: number[] = [];
-  owned.forEach((t) => {
-    for (const node of triangles.subarray(3 * t, 3 * t + 3)) corners.push(nodes.of(node));
-    owners.push(usedPatches.of(trianglePatch[t] ?? 0));
-  });
-  const kept = nodes.given;
-  return {
-    points: Float64Array.from({ length: 3 * kept.length }, (_, i) => {
-      return points[3 * (kept[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0;
-    }),
-    triangles: Uint32Array.from(corners),
-    trianglePatch: Uint32Array.from(owners),
-    patches: usedPatches.given.flatMap((patch) => patches[patch] ?? []),
-  };
-}
-
-/** Numbers indices in the order in which they first appear. */
-class Numbering {
-  readonly given: number[] = [];
-  readonly #indices = new Map<number, number>();
-
-  of(index: number): number {
-    const known = this.#indices.get(index);
-    if (known !== undefined) return known;
-    this.#indices.set(index, this.given.length);
-    return this.given.push(index) - 1;
-  }
 }
