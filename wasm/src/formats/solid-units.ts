@@ -163,15 +163,14 @@ export function partOfTriangles<Patch>(
 ) {
   const nodes = new Numbering();
   const usedPatches = new Numbering();
-  const corners = Uint32Array.from({ length: 3 * own.length }, (_, i) =>
-    nodes.of(triangles[3 * (own[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0),
-  );
+  const corners: number[] = [];
+  for (const t of own) for (const node of triangles.subarray(3 * t, 3 * t + 3)) corners.push(nodes.of(node));
   const owners = Uint32Array.from(own, (t) => usedPatches.of(trianglePatch[t] ?? 0));
   return {
     points: Float64Array.from({ length: 3 * nodes.given.length }, (_, i) => {
       return points[3 * (nodes.given[Math.floor(i / 3)] ?? 0) + (i % 3)] ?? 0;
     }),
-    triangles: corners,
+    triangles: Uint32Array.from(corners),
     trianglePatch: owners,
     patches: usedPatches.given.flatMap((patch) => patches[patch] ?? []),
     nodes: Uint32Array.from(nodes.given),
