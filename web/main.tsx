@@ -9,8 +9,8 @@ import { showFailure } from "./commands/messages";
 import { offerLeftDocument } from "./commands/project-actions";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page/page";
-import { lessonIn, withLesson } from "./lessons/lesson-address";
-import { sharedFrontIn, withoutFront } from "./player/shared-front";
+import { lessonIn, withLesson } from "./teach/lessons/lesson-address";
+import { sharedFrontIn, withoutFront } from "./teach/player/shared-front";
 import { strings } from "./strings";
 import { listenForPalette } from "./panels/shared/palette";
 import { ThemeProvider } from "./ui/theme/theme-provider";
@@ -21,7 +21,7 @@ const query = new URLSearchParams(window.location.search);
 const still = query.get("test") === "1";
 // Loaded only for a link with a project in it.
 const linked = window.location.hash.startsWith("#project=")
-  ? await import("./player/project-link").then(({ linkedIn }) => linkedIn(window.location.hash))
+  ? await import("./session/project-link").then(({ linkedIn }) => linkedIn(window.location.hash))
   : null;
 const shared = linked ? null : sharedFrontIn(query);
 const app = await createApp({
@@ -90,7 +90,7 @@ app.documents.state.subscribe(({ id }, before) => {
 
 if (query.size > 0) {
   follow(
-    import("./commands/address-problems").then(({ addressProblems, showAddressProblems }) =>
+    import("./teach/commands/address-problems").then(({ addressProblems, showAddressProblems }) =>
       showAddressProblems(app, addressProblems(query)),
     ),
   );
@@ -99,7 +99,7 @@ if (query.size > 0) {
 const lesson = lessonIn(query);
 if (lesson) {
   follow(
-    import("./commands/lesson-actions").then(({ openLessonNumber }) =>
+    import("./teach/commands/lesson-actions").then(({ openLessonNumber }) =>
       openLessonNumber(app, lesson, query.get("lesson") ?? undefined),
     ),
   );

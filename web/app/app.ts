@@ -1,14 +1,14 @@
 import type { Mesher } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { Player } from "../player/player";
+import { Player } from "../teach/player/player";
 import { DocumentPictures } from "../session/document-pictures";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
 import { createShell, hideMeshNotices, showNotice, type Shell } from "../session/shell";
-import { lessonStrings } from "../strings/lessons";
+import { lessonStrings } from "../teach/strings/lessons";
 import { Drawing } from "../tools/drawing/drawing";
 import { MeshQueryClient } from "../viewer/queries/mesh-query-client";
-import type { PreparedOf } from "../player/recording";
+import type { PreparedOf } from "../teach/player/recording";
 import type { Viewer } from "../viewer/viewer";
 
 export interface PageOptions {

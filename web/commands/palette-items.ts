@@ -3,7 +3,7 @@ import type { EditedSetting } from "../session/shell";
 import { drawnKinds, recordsOf, type Entity } from "../document/entities";
 import { templates } from "../document/templates";
 import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
-import { shareStrings } from "../strings/share";
+import { shareStrings } from "../teach/strings/share";
 import { openExample, openTemplate } from "./project-actions";
 import type { Command } from "./command";
 import { commands, runCommand } from "./registry";
@@ -80,9 +80,12 @@ function settingItems(app: App): PaletteItem[] {
 const sharing = {
   link: (app: App) => void import("./share-actions").then(({ copyLink }) => copyLink(app)),
   embed: (app: App) => void import("./share-actions").then(({ copyEmbedCode }) => copyEmbedCode(app)),
-  picture: (app: App) => void import("./picture-actions").then(({ savePicture }) => savePicture(app)),
-  drawing: (app: App) => void import("./picture-actions").then(({ saveDrawing }) => saveDrawing(app)),
-  animation: (app: App) => void import("./picture-actions").then(({ saveAnimation }) => saveAnimation(app)),
+  picture: (app: App) =>
+    void import("../teach/commands/step-pictures").then(({ savePicture }) => savePicture(app)),
+  drawing: (app: App) =>
+    void import("../teach/commands/step-pictures").then(({ saveDrawing }) => saveDrawing(app)),
+  animation: (app: App) =>
+    void import("../teach/commands/step-pictures").then(({ saveAnimation }) => saveAnimation(app)),
 } as const;
 
 /** Returns what passes on the step of the front that is shown, as in the menu of the player. */
@@ -140,7 +143,7 @@ function lessonItems(app: App, query: string, titles: readonly (string | null)[]
       takesFocus: true,
       run: () => {
         app.shell.setState({ startPage: false });
-        void import("./lesson-actions").then(({ openLessonNumber }) =>
+        void import("../teach/commands/lesson-actions").then(({ openLessonNumber }) =>
           openLessonNumber(app, { number, runs: [], step: null }),
         );
       },

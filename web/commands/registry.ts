@@ -5,7 +5,7 @@ import type { Command } from "./command";
 import { createMenu } from "./create-menu";
 import { editMenu } from "./edit-menu";
 import { fileMenu } from "./file-menu";
-import { frontCommands } from "./front-commands";
+import { frontCommands } from "../teach/commands/front-commands";
 import { helpMenu } from "./help-menu";
 import { meshMenu } from "./mesh-menu";
 import { toolCommands } from "./tool-commands";

@@ -6,7 +6,7 @@ import type { PictureSize } from "../viewer/picture-tiles";
 import type { Viewer } from "../viewer/viewer";
 import { drawLegend } from "./drawn-legend";
 import { showFailure, showMessage } from "./messages";
-import { drawLabels } from "./picture-actions";
+import { drawLabels } from "../teach/commands/step-pictures";
 
 export interface PictureChoices extends PictureSize {
   /** Without the background of the view. */

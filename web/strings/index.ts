@@ -5,7 +5,7 @@ import { problemTitle } from "./mesh";
 import { pageStrings } from "./page";
 import { pieceStrings } from "./pieces";
 import { panelStrings } from "./panels";
-import { playerStrings } from "./player";
+import { playerStrings } from "../teach/strings/player";
 import { unitStrings } from "./units";
 
 /** All texts that a user reads. The package words diagnostics and errors of files. */
@@ -28,7 +28,7 @@ export * from "./entities";
 export { exportStrings } from "./export";
 export * from "./mesh";
 export { fixStrings } from "./fixes";
-export { pickText } from "./mesher-game";
+export { pickText } from "../teach/strings/mesher-game";
 export * from "./palette";
 export { templateStrings } from "./templates";
 export { operationStrings } from "./operations";

@@ -13,9 +13,9 @@ import {
   showShared,
   showSharedIfOpen,
 } from "../../../web/commands/share-actions";
-import { EmbedPage } from "../../../web/panels/embed/embed-page";
+import { EmbedPage } from "../../../web/teach/embed/embed-page";
 import { newDocument } from "../../../web/session/document-store";
-import type { SharedFront } from "../../../web/player/shared-front";
+import type { SharedFront } from "../../../web/teach/player/shared-front";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";

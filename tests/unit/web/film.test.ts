@@ -3,7 +3,7 @@
 import type { Mesher } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { saveAnimation } from "../../../web/commands/picture-actions";
+import { saveAnimation } from "../../../web/teach/commands/step-pictures";
 import { newDocument } from "../../../web/session/document-store";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";

@@ -10,11 +10,11 @@ import {
   openLesson,
   showLessonModel,
   showStep,
-} from "../../../web/commands/lesson-actions";
+} from "../../../web/teach/commands/lesson-actions";
 import { commandNamed, commandOfKey, runCommand } from "../../../web/commands/registry";
 import { moveEntity } from "../../../web/document/edits";
-import type { Lesson } from "../../../web/lessons/lesson";
-import { showOwnRun } from "../../../web/lessons/own-run";
+import type { Lesson } from "../../../web/teach/lessons/lesson";
+import { showOwnRun } from "../../../web/teach/lessons/own-run";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";

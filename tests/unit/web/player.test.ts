@@ -3,9 +3,9 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Mesher } from "tetrafront";
 import { readTrace, type Trace } from "tetrafront/trace";
 import { App } from "../../../web/app/app";
-import { alphasOf, excessOf } from "../../../web/player/crossing";
-import { ElementBuffers } from "../../../web/player/element-buffers";
-import { FrontBuffers } from "../../../web/player/front-buffers";
+import { alphasOf, excessOf } from "../../../web/teach/player/crossing";
+import { ElementBuffers } from "../../../web/teach/player/element-buffers";
+import { FrontBuffers } from "../../../web/teach/player/front-buffers";
 import {
   cornersOf,
   crossedFaces,
@@ -14,9 +14,9 @@ import {
   isBehind,
   newElement,
   touching,
-} from "../../../web/player/judge";
-import type { Player } from "../../../web/player/player";
-import { nextStop, stopKinds, stopKindsOf } from "../../../web/player/stops";
+} from "../../../web/teach/player/judge";
+import type { Player } from "../../../web/teach/player/player";
+import { nextStop, stopKinds, stopKindsOf } from "../../../web/teach/player/stops";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { randomSource } from "../../support/random";

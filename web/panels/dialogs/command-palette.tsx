@@ -89,7 +89,7 @@ function useLessonTitles(opened: boolean): readonly (string | null)[] | null {
   const [titles, setTitles] = useState<readonly (string | null)[] | null>(null);
   useEffect(() => {
     if (!opened || titles !== null) return;
-    import("../../lessons/course")
+    import("../../teach/lessons/course")
       .then(({ course }) => course())
       .then(({ lessons }) => setTitles(lessons.map((lesson) => lesson?.title ?? null)))
       // Without a network, lessons are found by their number only.

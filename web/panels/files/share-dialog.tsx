@@ -2,7 +2,7 @@ import { Button, Group, Text, Textarea } from "@mantine/core";
 import { IconCopy, IconDeviceFloppy } from "@tabler/icons-react";
 import { useEffect, useRef, useState, type Ref } from "react";
 import { save } from "../../commands/project-actions";
-import { maxLinkLength } from "../../player/project-link";
+import { maxLinkLength } from "../../session/project-link";
 import { linkStrings as texts } from "../../strings/passing";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { useApp, useShell } from "../shared/app-context";

@@ -5,7 +5,7 @@ const load = () => import("./later-panels");
 
 /** The lessons, with the libraries that render their text: loaded when the tab is opened. */
 export const LessonsPanel = lazy(async () => ({
-  default: (await import("../lessons/lessons-panel")).LessonsPanel,
+  default: (await import("../../teach/panels/lessons/lessons-panel")).LessonsPanel,
 }));
 
 /** Delay in milliseconds that leaves the connection to the first picture and the first mesh. */

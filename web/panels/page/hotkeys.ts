@@ -3,7 +3,7 @@ import { useEffect } from "react";
 import type { App } from "../../app/app";
 import { commands, hotkeysOf, runCommand } from "../../commands/registry";
 import type { Command } from "../../commands/command";
-import { frontCommands } from "../../commands/front-commands";
+import { frontCommands } from "../../teach/commands/front-commands";
 import { closeMenus, inputMode, isOfWidget, takesChord } from "../../tools/input-mode";
 import type { PageApps } from "../../tools/page-apps";
 import { pageApps } from "../shared/page-apps";

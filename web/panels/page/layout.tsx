@@ -9,7 +9,7 @@ import { BottomPanel } from "./bottom-panel";
 import { Header } from "./header";
 import { Inspector } from "../inspector/inspector";
 import { DisplayPanel, GalleryPanel, Lens, LessonsPanel, QualityReport } from "../later/later";
-import { useHasLens } from "../player/use-has-lens";
+import { useHasLens } from "../../teach/panels/player/use-has-lens";
 import { ModelTree } from "../model/model-tree";
 import { ProblemBadge } from "../problems/problem-badge";
 import { PanelBoundary } from "../shared/panel-boundary";

@@ -5,7 +5,7 @@ import type { Trace } from "tetrafront/trace";
 import { useStore } from "zustand";
 import { useMemo } from "react";
 import { unitOf } from "../../document/length-units";
-import { phaseAt } from "../../player/phases";
+import { phaseAt } from "../../teach/player/phases";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
 import { cancelledText, type RunState } from "../../session/run";

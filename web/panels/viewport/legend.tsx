@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import { useStore } from "zustand";
-import { frontValues } from "../../player/front-values";
-import { poorAngle } from "../../player/poor-angle";
+import { frontValues } from "../../teach/player/front-values";
+import { poorAngle } from "../../teach/player/poor-angle";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import { formatShort } from "../../ui/format";

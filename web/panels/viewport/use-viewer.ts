@@ -125,7 +125,7 @@ function followPlayer({ player }: App, viewer: Viewer): () => void {
   let end: (() => void) | null = null;
   let isOver = false;
   const load = async (): Promise<void> => {
-    const { showPlayer } = await import("../../player/show-player");
+    const { showPlayer } = await import("../../teach/player/show-player");
     if (!isOver) end = showPlayer(player.state, viewer);
   };
   let loading: Promise<void> | null = null;

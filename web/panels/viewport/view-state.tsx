@@ -1,6 +1,6 @@
 import { useEffect, type RefObject } from "react";
 import { useStore } from "zustand";
-import { frontSizeAt } from "../../player/phases";
+import { frontSizeAt } from "../../teach/player/phases";
 import {
   useApp,
   useAutosavePending,

@@ -7,7 +7,7 @@ import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useProblems, useRun, useStale, useView } from "../shared/app-context";
 import { useIsMeshed } from "../shared/problem-severity";
-import { usePlayer } from "../player/use-player";
+import { usePlayer } from "../../teach/panels/player/use-player";
 import { CutAxisControl, CutSlider } from "./cut-controls";
 import type { Trouble } from "./use-viewer";
 import styles from "./viewport-overlays.module.css";

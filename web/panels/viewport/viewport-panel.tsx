@@ -18,14 +18,14 @@ import { ToolColumn } from "./tool-column";
 import { OperationPanel } from "../operations/operation-panel";
 import { useViewer } from "./use-viewer";
 import { ViewCanvas } from "./view-canvas";
-import { VolumeChoices } from "./volume-choices";
+import { VolumeChoices } from "../../teach/panels/player/volume-choices";
 import { ViewState } from "./view-state";
-import { useShowsPlane } from "../player/use-player";
+import { useShowsPlane } from "../../teach/panels/player/use-player";
 import styles from "./viewport-panel.module.css";
 
-const importLabels = () => import("./lens-labels");
+const importLabels = () => import("../../teach/panels/player/lens-labels");
 const LensLabels = lazy(async () => ({ default: (await importLabels()).LensLabels }));
-const importPlane = () => import("../player/plane-view");
+const importPlane = () => import("../../teach/panels/player/plane-view");
 const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }));
 
 const Notices = lazy(async () => ({ default: (await import("../dialogs/notices")).Notices }));
