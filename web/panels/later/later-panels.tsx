@@ -1,9 +1,7 @@
 /** The panels behind tabs and selections, in one file that is loaded after the first picture. */
 export { DisplayPanel } from "../viewport/display-panel";
 export { EntityCard } from "../entities/entity-card";
-export { FrontPanel } from "../../teach/panels/player/front-panel";
 export { GalleryPanel } from "../files/gallery";
-export { Lens } from "../../teach/panels/player/lens";
 export { QualityReport } from "../quality/quality-report";
 export { GroupList } from "../entities/group-list";
 export { HistoryList } from "../model/history-list";

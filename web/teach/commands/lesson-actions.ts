@@ -17,9 +17,12 @@ import { settledProject } from "../../session/document-store";
 import { untilState } from "../../session/until-state";
 import { strings } from "../../strings";
 import { addressStrings } from "../strings/address";
+import { lessonStrings } from "../strings/lessons";
 import { showAddressProblems } from "./address-problems";
 import { showFailure } from "../../commands/messages";
 import { showModel } from "../../commands/project-actions";
+import { openLessonOf } from "./open-lesson";
+import { playerOf } from "./player-of";
 
 /** A recorded front of the model of a lesson. */
 export interface LessonRun {
@@ -62,7 +65,7 @@ export function lessonRuns(app: App): StoreApi<LessonRuns> {
     isPreparing: false,
   }));
   stores.set(app, made);
-  app.player.state.subscribe((state, before) => noteShown(made.getState(), state, before));
+  playerOf(app).state.subscribe((state, before) => noteShown(made.getState(), state, before));
   return made;
 }
 
@@ -83,7 +86,8 @@ export async function openLessonNumber(
   { number, runs, step }: LessonAddress,
   asWritten = String(number),
 ): Promise<void> {
-  app.shell.setState({ rightTab: "lessons", drawer: "right", lesson: null });
+  app.shell.setState({ rightTab: "lessons", drawer: "right" });
+  closeLesson(app);
   try {
     const { lessons } = await course();
     const lesson = lessons[number - 1];
@@ -96,6 +100,12 @@ export async function openLessonNumber(
   }
 }
 
+/** Shows the list of the lessons. The model that is open can be edited. */
+export function closeLesson(app: App): void {
+  openLessonOf(app).setState({ number: null });
+  app.shell.setState({ lock: null });
+}
+
 /** Opens a lesson and shows its model. `number` is its place among the lessons, from 1; `runs`: as for `showLessonModel`. */
 export async function openLesson(
   app: App,
@@ -103,7 +113,8 @@ export async function openLesson(
   number: number,
   runs: readonly string[] = [],
 ): Promise<void> {
-  app.shell.setState({ rightTab: "lessons", lesson: number });
+  app.shell.setState({ rightTab: "lessons" });
+  openLessonOf(app).setState({ number });
   await showLessonModel(app, lesson, runs);
 }
 
@@ -118,9 +129,9 @@ export async function showLessonModel(
 ): Promise<void> {
   const store = lessonRuns(app);
   const others = names.filter((name) => name !== lesson.order);
-  app.shell.setState({ lessonRuns: others });
   const openings = store.getState().openings + 1;
   const isPresent = (): boolean => store.getState().openings === openings;
+  openLessonOf(app).setState({ runs: others });
   store.setState({ lesson, openings, model: null, runs: [], isPreparing: true });
   try {
     const project = await loadLessonModel(lesson, app.gallery);
@@ -130,12 +141,16 @@ export async function showLessonModel(
     const model = shownModel(app);
     store.setState({ model });
     app.view.setTool("select");
-    app.shell.setState({ bottomTab: "front", drawer: "right", lessonModel: model.documentId });
+    const { modelLocked: text, editModel: edit } = lessonStrings;
+    // The list of the lessons may have been opened meanwhile.
+    const isOpen = openLessonOf(app).getState().number !== null;
+    const lock = isOpen ? { documentId: model.documentId, text, edit } : null;
+    app.shell.setState({ bottomTab: "front", drawer: "right", lock });
     await untilState(app.run.state, ({ busy }) => !busy);
     if (!isPresent() || !isShownModel(app, model)) return;
     const own = await recordRun(app, lesson, "");
     if (!own) {
-      if (isPresent()) app.shell.setState({ lessonRuns: [] });
+      if (isPresent()) openLessonOf(app).setState({ runs: [] });
       return;
     }
     store.setState({ runs: [own] });
@@ -143,11 +158,11 @@ export async function showLessonModel(
     if (!isPresent()) return;
     // The address names the runs that are in the table.
     const { runs } = store.getState();
-    app.shell.setState({ lessonRuns: others.filter((name) => runs.some((run) => run.name === name)) });
+    openLessonOf(app).setState({ runs: others.filter((name) => runs.some((run) => run.name === name)) });
     // If a run was stopped, one that is complete is shown; not in place of something that was opened meanwhile.
     if (!shownRun(app)) return;
     const [first = own] = runs;
-    if (others.length > 0) app.player.show(first.trace, first.file);
+    if (others.length > 0) playerOf(app).show(first.trace, first.file);
     showBeginning(app, lesson);
   } catch (error) {
     showFailure(app, strings.messages.openFailed(lesson.title), error);
@@ -158,14 +173,15 @@ export async function showLessonModel(
 
 /** Shows a state of the front, or the nearest one with a notice that there is no such state. */
 export function showStep(app: App, step: number): void {
-  app.player.seek(step);
-  const { step: shown, trace } = app.player.state.getState();
+  playerOf(app).seek(step);
+  const { step: shown, trace } = playerOf(app).state.getState();
   if (!trace || shown === step) return;
   showAddressProblems(app, [addressStrings.noStep(step, firstState(trace), trace.stepCount, shown)]);
 }
 
 /** Shows the state in which a lesson begins. */
-export function showBeginning({ player }: App, { step, coloring }: Lesson): void {
+export function showBeginning(app: App, { step, coloring }: Lesson): void {
+  const player = playerOf(app);
   player.pause();
   player.state.setState({ coloring });
   player.seek(step);
@@ -199,8 +215,8 @@ async function addRun(app: App, lesson: Lesson, name: string): Promise<boolean> 
   if (!run) return false;
   const others = store.getState().runs.filter((other) => other.name !== name);
   store.setState({ runs: [...others, run] });
-  const named = app.shell.getState().lessonRuns;
-  if (name !== "" && !named.includes(name)) app.shell.setState({ lessonRuns: [...named, name] });
+  const { runs: named } = openLessonOf(app).getState();
+  if (name !== "" && !named.includes(name)) openLessonOf(app).setState({ runs: [...named, name] });
   return true;
 }
 
@@ -218,11 +234,11 @@ async function recordRun(
   const { openings, model } = store.getState();
   if (!isShownModel(app, model)) return null;
   const before = shownRun(app);
-  const recorded = await app.player.record(choices);
+  const recorded = await playerOf(app).record(choices);
   if (store.getState().openings !== openings || !isShownModel(app, model) || recorded === null) return null;
   if (recorded.isStopped) {
-    if (before) app.player.show(before.trace, before.file);
-    else app.player.close();
+    if (before) playerOf(app).show(before.trace, before.file);
+    else playerOf(app).close();
     return null;
   }
   if (recorded.kind === "failed") return null;
@@ -232,7 +248,7 @@ async function recordRun(
 
 /** Returns the run of the lesson that the player shows; undefined if it shows something else, or nothing. */
 function shownRun(app: App): LessonRun | undefined {
-  const { trace } = app.player.state.getState();
+  const { trace } = playerOf(app).state.getState();
   return lessonRuns(app)
     .getState()
     .runs.find((run) => run.trace === trace);
@@ -251,16 +267,17 @@ function isShownModel(app: App, model: ShownModel | null): boolean {
 /** Shows the front of a run, and keeps its share of the steps. */
 export function showRun(app: App, { trace, file }: LessonRun): void {
   const share = shownShare(app);
-  app.player.show(trace, file);
+  playerOf(app).show(trace, file);
   seekShare(app, share);
 }
 
 /** Returns the step that is shown, as a share of all steps; negative in lines and patches, 0 if no trace is shown. */
-function shownShare({ player }: App): number {
-  const { trace, step } = player.state.getState();
+function shownShare(app: App): number {
+  const { trace, step } = playerOf(app).state.getState();
   return trace ? step / Math.max(1, trace.stepCount) : 0;
 }
 
-function seekShare({ player }: App, share: number): void {
+function seekShare(app: App, share: number): void {
+  const player = playerOf(app);
   player.seek(share * (player.state.getState().trace?.stepCount ?? 0));
 }

@@ -4,7 +4,7 @@ import { frontDrawing, labelColors, placedLabels, type DrawingView } from "../pl
 import { lensMarks, type LensLabel } from "../player/lens-marks";
 import { lensSceneOf } from "../player/lens-scene";
 import { phaseAt, surfaceState } from "../player/phases";
-import type { PlayerState } from "../player/player";
+import type { Player, PlayerState } from "../player/player";
 import { recoveryMarksOf } from "../player/recovery-marks";
 import { svgFont } from "../player/svg";
 import { surfaceDrawing } from "../player/surface-drawing";
@@ -14,6 +14,7 @@ import { hideNotice, showNotice } from "../../session/shell";
 import { shareStrings as texts } from "../strings/share";
 import type { Viewer } from "../../viewer/viewer";
 import { showFailure, showMessage } from "../../commands/messages";
+import { playerOf } from "./player-of";
 
 /** Frames per second of an animation, and its length in seconds. */
 const frameRate = 30;
@@ -22,10 +23,10 @@ const bitsPerSecond = 8_000_000;
 
 const viewerOf = ({ viewer }: App): Viewer | null => viewer.getState().viewer;
 /** Steps of lines and patches have the numbers that the player shows, which begin with each phase. */
-function nameOf({ documents, player }: App): string {
-  const { trace, step } = player.state.getState();
+function nameOf(app: App): string {
+  const { trace, step } = playerOf(app).state.getState();
   const { phase, from } = trace ? phaseAt(trace, step) : { phase: "volume", from: 0 };
-  return `${fileStem(documents.project.name)}${phase === "volume" ? "" : `-${phase}`}-step-${step - from}`;
+  return `${fileStem(app.documents.project.name)}${phase === "volume" ? "" : `-${phase}`}-step-${step - from}`;
 }
 
 /** Saves the view as it is, without background. */
@@ -36,7 +37,7 @@ export async function savePicture(app: App): Promise<void> {
     const picture = await viewer.picture((paper) => {
       const scale = paper.canvas.width / viewer.size.width;
       paper.scale(scale, scale);
-      drawLabels(app, viewer, paper);
+      drawLabels(playerOf(app), viewer, paper);
     });
     download([picture], `${nameOf(app)}.png`, "image/png");
   } catch (error) {
@@ -64,7 +65,7 @@ function labelsOf(state: PlayerState): readonly LensLabel[] {
 }
 
 /** Draws the labels of what the lens shows, which are not in the canvas of the view, in CSS pixels of the view. */
-export function drawLabels({ player }: App, viewer: Viewer, paper: CanvasRenderingContext2D): void {
+export function drawLabels(player: Player, viewer: Viewer, paper: CanvasRenderingContext2D): void {
   const labels = placedLabels({ labels: labelsOf(player.state.getState()) }, drawingView(viewer));
   paper.save();
   paper.font = `${svgFont}px sans-serif`;
@@ -100,7 +101,7 @@ export function drawLabels({ player }: App, viewer: Viewer, paper: CanvasRenderi
 /** Saves the front as a drawing that can be scaled. */
 export function saveDrawing(app: App): void {
   const viewer = viewerOf(app);
-  const state = app.player.state.getState();
+  const state = playerOf(app).state.getState();
   if (!viewer || !state.trace) return;
   const drawing =
     state.step < 0
@@ -122,7 +123,7 @@ const filmed = new WeakSet<App>();
  */
 export async function saveAnimation(app: App): Promise<void> {
   const viewer = viewerOf(app);
-  const { trace, loop, step: before } = app.player.state.getState();
+  const { trace, loop, step: before } = playerOf(app).state.getState();
   if (!viewer || !trace || filmed.has(app)) return;
   const type = ["video/webm;codecs=vp9", "video/webm"].find((each) => isRecordable(each));
   if (type === undefined) return showMessage(app, texts.noAnimation, [texts.noWebm]);
@@ -136,7 +137,7 @@ export async function saveAnimation(app: App): Promise<void> {
   });
   try {
     const film = await record(
-      app,
+      playerOf(app),
       viewer,
       { from: loop?.from ?? 0, to: loop?.to ?? trace.stepCount, type },
       stop.signal,
@@ -148,7 +149,7 @@ export async function saveAnimation(app: App): Promise<void> {
   } finally {
     filmed.delete(app);
     hideNotice(app.shell, "animation");
-    if (app.player.state.getState().trace === trace) app.player.seek(before);
+    if (playerOf(app).state.getState().trace === trace) playerOf(app).seek(before);
   }
 }
 
@@ -163,7 +164,7 @@ interface Film {
 
 /** Returns the film; null if the front was closed before the first picture. */
 async function record(
-  { player }: App,
+  player: Player,
   viewer: Viewer,
   { from, to, type }: Film,
   signal: AbortSignal,

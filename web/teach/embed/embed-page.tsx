@@ -2,13 +2,14 @@ import { lazy, Suspense, useRef } from "react";
 import type { App } from "../../app/app";
 import { queryOf, type SharedFront } from "../player/shared-front";
 import { shareStrings as texts } from "../strings/share";
-import { strings } from "../../strings";
+import { playerStrings } from "../strings/player";
 import { Notices } from "../../panels/dialogs/notices";
+import { frontCommands } from "../commands/front-commands";
 import { CompactPlayer } from "../panels/player/compact-player";
 import { usePlayer } from "../panels/player/use-player";
 import { AppContext } from "../../panels/shared/app-context";
 import { usePageApp } from "../../panels/shared/page-apps";
-import { useFrontHotkeys } from "../../panels/page/hotkeys";
+import { useHotkeys } from "../../panels/page/hotkeys";
 import { FrontView } from "./front-view";
 import styles from "./embed.module.css";
 
@@ -25,7 +26,7 @@ export interface EmbedPageProps {
 export function EmbedPage({ app, shared }: EmbedPageProps) {
   const root = useRef<HTMLDivElement>(null);
   usePageApp(app, root);
-  useFrontHotkeys(app);
+  useHotkeys(app, frontCommands);
   return (
     <AppContext value={app}>
       <div ref={root} className={styles["page"]} data-testid="embed">
@@ -47,7 +48,7 @@ function Controls() {
   const failure = usePlayer((state) => state.failure);
   if (failure) return <p role="alert">{failure.join(" ")}</p>;
   return hasTrace ? (
-    <section className={styles["player"]} aria-label={strings.player.transport}>
+    <section className={styles["player"]} aria-label={playerStrings.transport}>
       <Suspense fallback={null}>
         <SupposedFront />
       </Suspense>

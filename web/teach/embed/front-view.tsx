@@ -1,7 +1,8 @@
-import { lazy, Suspense, useRef } from "react";
+import { useRef } from "react";
 import { shareStrings } from "../strings/share";
 import { usePlayer } from "../panels/player/use-player";
-import { Legend } from "../../panels/viewport/legend";
+import { FrontLegend } from "../panels/player/front-legend";
+import { teachingSlots } from "../panels/slots";
 import { usePageScroll } from "./use-page-scroll";
 import { useViewer } from "../../panels/viewport/use-viewer";
 import { ViewCanvas } from "../../panels/viewport/view-canvas";
@@ -9,7 +10,7 @@ import { ViewNotice } from "../../panels/viewport/viewport-overlays";
 import { ViewState } from "../../panels/viewport/view-state";
 import styles from "../../panels/viewport/viewport-panel.module.css";
 
-const LensLabels = lazy(async () => ({ default: (await import("../panels/player/lens-labels")).LensLabels }));
+const { Overlay } = teachingSlots;
 
 const noHover = (): void => undefined;
 
@@ -25,16 +26,12 @@ export function FrontView() {
       <ViewState container={container} />
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
-        {viewer && isReplaying && (
-          <Suspense fallback={null}>
-            <LensLabels viewer={viewer} />
-          </Suspense>
-        )}
+        {viewer && isReplaying && <Overlay viewer={viewer} />}
       </div>
       <p aria-hidden className={styles["wheelHint"]} data-shown={isHinted || undefined}>
         {isHinted && shareStrings.wheelHint}
       </p>
-      {trouble ? <ViewNotice trouble={trouble} /> : <Legend />}
+      {trouble ? <ViewNotice trouble={trouble} /> : isReplaying && <FrontLegend />}
     </main>
   );
 }

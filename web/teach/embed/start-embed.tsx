@@ -5,7 +5,8 @@ import "@mantine/core/styles.layer.css";
 import { createRoot } from "react-dom/client";
 import { createApp } from "../../app/create-app";
 import { addressProblems, showAddressProblems } from "../commands/address-problems";
-import { showShared } from "../../commands/share-actions";
+import { replayOf } from "../commands/replay";
+import { showShared } from "../commands/step-links";
 import { sharedFrontIn } from "../player/shared-front";
 import { shareStrings as texts } from "../strings/share";
 import { strings } from "../../strings";
@@ -23,6 +24,7 @@ export async function startEmbed(root: HTMLElement, query: URLSearchParams): Pro
       generate: false,
       intent: { kind: "model", id: shared.model },
       still,
+      replayOf,
     }));
   const known = app?.gallery.models.find(({ id }) => id === shared?.model);
   if (known) document.title = `${known.title} – Tetrafront`;

@@ -2,7 +2,7 @@
 import type { Trace } from "tetrafront/trace";
 import type { Position } from "../../document/position";
 import { cross, dot, subtract } from "../../document/vectors";
-import { strings } from "../../strings";
+import { playerStrings } from "../strings/player";
 import { viewerColors } from "../../ui/theme/theme";
 import { viridisAt } from "../../ui/theme/viridis";
 import { fading, type FrontColoring, frontValues, shadeOf } from "./front-values";
@@ -39,7 +39,7 @@ export interface DrawnState {
   readonly fades: boolean;
 }
 
-const texts = strings.player;
+const texts = playerStrings;
 
 /** Colour of edges, for a white page. */
 export const edgeColor = "#10141a";

@@ -1,7 +1,7 @@
 /** Positions and labels of what the lens examines, for the view and for drawings. */
 import type { Position } from "../../document/position";
 import { addScaled, cross, mean, subtract, unit } from "../../document/vectors";
-import { strings } from "../../strings";
+import { playerStrings } from "../strings/player";
 import type { Segment, Triangle } from "./crossing";
 import { faceSize } from "./front-values";
 import { cornersOf, newElement } from "./judge";
@@ -88,7 +88,7 @@ export function lensMarks(scene: LensScene): LensMarks {
   };
 }
 
-const texts = strings.player.marks;
+const texts = playerStrings.marks;
 
 /** An arrow from the centroid of a face into the empty volume. */
 function normalOf(base: Triangle, size: number): readonly Position[] {

@@ -2,7 +2,7 @@
 import type { RecoveryStep, Trace } from "tetrafront/trace";
 import type { Position } from "../../document/position";
 import { mean } from "../../document/vectors";
-import { strings } from "../../strings";
+import { playerStrings } from "../strings/player";
 import { cornersOf, positionOf } from "./judge";
 import { edgesOf, type DrawnMark, type LensLabel } from "./lens-marks";
 import type { PlayerState } from "./player";
@@ -18,7 +18,7 @@ export interface RecoveryMarks {
 
 /** More nodes have no labels: they would hide the pocket. */
 const maxLabels = 8;
-const texts = strings.player.marks;
+const texts = playerStrings.marks;
 
 type Shown = Pick<PlayerState, "trace" | "step" | "lensStep" | "isPlaying" | "sweep" | "task">;
 

@@ -6,9 +6,8 @@ import { frontColorings, type FrontColoring } from "./front-values";
 import { frontFaces, shownElements, type FrontFaces, type ShownElements } from "./player";
 import { surfaceState } from "./phases";
 
-export interface SharedFront {
-  /** Id of a model of the gallery. */
-  readonly model: string;
+/** A state of a front, and how it is seen. */
+export interface ShownFront {
   readonly step: number;
   /** Null for the order of the model. */
   readonly order: FrontOrder | null;
@@ -19,6 +18,11 @@ export interface SharedFront {
   readonly candidate: number | null;
   /** Null for a camera that shows the whole model. */
   readonly camera: CameraPose | null;
+}
+
+export interface SharedFront extends ShownFront {
+  /** Id of a model of the gallery. */
+  readonly model: string;
 }
 
 /** Digits of the camera's coordinates. */
@@ -33,12 +37,35 @@ export function sharedFrontIn(query: URLSearchParams): SharedFront | null {
     model,
     step,
     order: FRONT_ORDERS.find((order) => order === query.get("order")) ?? null,
-    coloring: frontColorings.find((coloring) => coloring === query.get("color")) ?? "age",
-    faces: frontFaces.find((faces) => faces === query.get("faces")) ?? "inside",
-    elements: shownElements.find((elements) => elements === query.get("elements")) ?? "recent",
+    ...viewIn({
+      coloring: query.get("color"),
+      faces: query.get("faces"),
+      elements: query.get("elements"),
+    }),
     candidate: countIn(query.get("candidate")),
     camera: cameraIn(query.get("camera")),
   };
+}
+
+/** Returns the front that a link to a project names, without the camera; null without a step. */
+export function linkedFrontOf(linked: Readonly<Record<string, unknown>>): Omit<ShownFront, "camera"> | null {
+  const { step, order, coloring, faces, elements, candidate } = linked;
+  if (!Number.isSafeInteger(step)) return null;
+  return {
+    step: Number(step),
+    order: FRONT_ORDERS.find((each) => each === order) ?? "layered",
+    ...viewIn({ coloring, faces, elements }),
+    candidate: Number.isSafeInteger(candidate) && Number(candidate) >= 0 ? Number(candidate) : null,
+  };
+}
+
+/** How a front is drawn, by names that may be unknown. */
+function viewIn(names: Readonly<Record<"coloring" | "faces" | "elements", unknown>>) {
+  return {
+    coloring: frontColorings.find((coloring) => coloring === names.coloring) ?? "age",
+    faces: frontFaces.find((faces) => faces === names.faces) ?? "inside",
+    elements: shownElements.find((elements) => elements === names.elements) ?? "recent",
+  } as const;
 }
 
 /** Returns the parameters of an address; defaults are left out. */

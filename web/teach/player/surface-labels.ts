@@ -1,7 +1,7 @@
 /** Labels of what a step of a patch is about, in space: the same names as in the drawing of its plane. */
 import type { EdgeStep, PlanarFront, SurfaceTrace } from "tetrafront/trace";
 import { mean } from "../../document/vectors";
-import { strings } from "../../strings";
+import { playerStrings } from "../strings/player";
 import type { LensLabel } from "./lens-marks";
 import type { EdgeTask } from "./mesher-game";
 import { cornersOfPlane } from "./plane-drawing";
@@ -9,7 +9,7 @@ import { examinedCandidate } from "./planar-lens";
 import { endsOf } from "./planar-judge";
 import { inSpace } from "./surface-scene";
 
-const texts = strings.player.marks;
+const texts = playerStrings.marks;
 
 /**
  * Returns the labels of a state, from 0: the corners of the patch whose front advances, and the base edge of the step with a

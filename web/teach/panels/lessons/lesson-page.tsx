@@ -2,7 +2,14 @@ import { Button } from "@mantine/core";
 import { IconChevronLeft, IconChevronRight, IconList, IconPrinter } from "@tabler/icons-react";
 import { useEffect, useMemo, useRef } from "react";
 import type { App } from "../../../app/app";
-import { lessonRuns, openLesson, showBeginning, showLessonModel } from "../../commands/lesson-actions";
+import { playerOf } from "../../commands/player-of";
+import {
+  closeLesson,
+  lessonRuns,
+  openLesson,
+  showBeginning,
+  showLessonModel,
+} from "../../commands/lesson-actions";
 import { isFinished, restart } from "../../lessons/course";
 import { frontErrors } from "../../lessons/front-errors";
 import type { Lesson } from "../../lessons/lesson";
@@ -86,7 +93,7 @@ function LessonBar({ number, course }: Omit<LessonPageProps, "lesson">) {
         color="gray"
         leftSection={<IconList {...icon} />}
         data-testid="lesson-all"
-        onClick={() => app.shell.setState({ lesson: null })}
+        onClick={() => closeLesson(app)}
       >
         {texts.all}
       </Button>
@@ -117,7 +124,7 @@ function LessonBar({ number, course }: Omit<LessonPageProps, "lesson">) {
 
 /** Shows the state in which a lesson begins, in its own run. */
 function goToBeginning(app: App, lesson: Lesson): void {
-  showOwnRun(app.player, lessonRuns(app).getState().runs);
+  showOwnRun(playerOf(app), lessonRuns(app).getState().runs);
   showBeginning(app, lesson);
 }
 

@@ -1,5 +1,5 @@
 import { lazy, Suspense, useState } from "react";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { lessonStrings as texts } from "../../strings/lessons";
 import { CompactPlayer } from "../player/compact-player";
 import { usePlayer } from "../player/use-player";
@@ -21,7 +21,7 @@ export function LessonPlayer() {
     <>
       <section
         className={styles["player"]}
-        aria-label={strings.player.transport}
+        aria-label={playerStrings.transport}
         data-testid="lesson-player"
         data-unprinted
       >

@@ -1,7 +1,9 @@
 import { Button, Text } from "@mantine/core";
 import { lessonStrings as texts } from "../../strings/lessons";
+import { useStore } from "zustand";
+import { useApp } from "../../../panels/shared/app-context";
+import { openLessonOf } from "../../commands/open-lesson";
 import { ScrollPanel } from "../../../ui/frames/scroll-panel";
-import { useShell } from "../../../panels/shared/app-context";
 import { LessonList } from "./lesson-list";
 import { LessonPage } from "./lesson-page";
 import { useCourse } from "./use-lessons";
@@ -9,7 +11,7 @@ import { useCourse } from "./use-lessons";
 /** The list of the lessons, or the open one. */
 export function LessonsPanel() {
   const { course, failure, retry } = useCourse();
-  const number = useShell((state) => state.lesson);
+  const number = useStore(openLessonOf(useApp()), (state) => state.number);
   const lesson = number === null ? undefined : course?.lessons[number - 1];
   if (course && lesson && number !== null)
     return <LessonPage key={lesson.id} lesson={lesson} number={number} course={course} />;

@@ -1,8 +1,9 @@
 /** A lesson on paper: its text, the view as it is, its figures and its tasks, without the controls of the page. */
 import { useEffect, type RefObject } from "react";
 import type { App } from "../../../app/app";
+import { playerOf } from "../../commands/player-of";
 import { frontSizeAt, phaseAt } from "../../player/phases";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { lessonStrings as texts } from "../../strings/lessons";
 import { viewerColors } from "../../../ui/theme/theme";
 import styles from "./print.module.css";
@@ -67,9 +68,9 @@ function addSheet(app: App, page: HTMLElement): () => void {
 }
 
 /** The view with a caption; null without a view or a front. */
-function pictureOf({ viewer: store, player }: App, scheme: string | null): HTMLElement | null {
-  const { viewer } = store.getState();
-  const { trace, step } = player.state.getState();
+function pictureOf(app: App, scheme: string | null): HTMLElement | null {
+  const { viewer } = app.viewer.getState();
+  const { trace, step } = playerOf(app).state.getState();
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d");
   if (!viewer || !trace || !context) return null;
@@ -79,7 +80,7 @@ function pictureOf({ viewer: store, player }: App, scheme: string | null): HTMLE
   viewer.setColors(viewerColors[scheme === "light" ? "light" : "dark"]);
   const { phase, from, to } = phaseAt(trace, step);
   const caption = document.createElement("figcaption");
-  caption.textContent = strings.player.scrubText(phase, step - from, to - from, frontSizeAt(trace, step));
+  caption.textContent = playerStrings.scrubText(phase, step - from, to - from, frontSizeAt(trace, step));
   const figure = document.createElement("figure");
   figure.append(canvas, caption);
   return figure;

@@ -1,9 +1,8 @@
 import { Button } from "@mantine/core";
 import { useEffect, useRef } from "react";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { isFocusLost } from "../../../ui/use-focus-return";
-import { usePlayer } from "../player/use-player";
-import { useApp } from "../../../panels/shared/app-context";
+import { useFrontPlayer, usePlayer } from "../player/use-player";
 
 interface StopRunProps {
   readonly testId: string;
@@ -23,7 +22,7 @@ export function StopRun({ testId, onStop }: StopRunProps) {
       if (isPressed.current && begin instanceof HTMLElement && isFocusLost()) setTimeout(() => begin.focus());
     };
   }, []);
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const recording = usePlayer((state) => state.recording);
   return (
     <Button
@@ -39,7 +38,7 @@ export function StopRun({ testId, onStop }: StopRunProps) {
         player.stopRecording();
       }}
     >
-      {strings.player.stop}
+      {playerStrings.stop}
     </Button>
   );
 }

@@ -2,7 +2,7 @@ import { IconCircle, IconCircleCheckFilled } from "@tabler/icons-react";
 import type { ReactNode } from "react";
 import { finishTask } from "../../lessons/course";
 import type { Lesson, LessonTask } from "../../lessons/lesson";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { lessonStrings as texts } from "../../strings/lessons";
 import { AnswerTask } from "./answer-task";
 import { CompareTask } from "./compare-task";
@@ -64,7 +64,7 @@ function TaskForm(props: TaskProps<LessonTask>): ReactNode {
     case "step":
       return <p className={styles["how"]}>{texts.reach(task.reach)}</p>;
     case "color":
-      return <p className={styles["how"]}>{texts.color(strings.player.colorings[task.coloring])}</p>;
+      return <p className={styles["how"]}>{texts.color(playerStrings.colorings[task.coloring])}</p>;
     case "number":
     case "choice":
       return <AnswerTask {...props} task={task} />;

@@ -1,4 +1,4 @@
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import styles from "./player.module.css";
 
 interface BaseFactsProps {
@@ -29,7 +29,7 @@ export function BaseFacts({ title, facts, hint }: BaseFactsProps) {
       </dl>
       <p className={styles["hint"]}>{hint}</p>
       <details className={styles["meanings"]} data-testid="lens-meanings">
-        <summary>{strings.player.meaningsTitle}</summary>
+        <summary>{playerStrings.meaningsTitle}</summary>
         <dl>
           {facts.map(({ name, meaning }) => (
             <div key={name}>

@@ -1,11 +1,12 @@
+import { useFrontPlayer } from "./use-player";
 import { useEffect, useRef, type ReactNode } from "react";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import tables from "../../../ui/table.module.css";
-import { useApp, useShell } from "../../../panels/shared/app-context";
+import { useShell } from "../../../panels/shared/app-context";
 import { useLayout } from "../../../panels/shared/use-layout";
 import styles from "./player.module.css";
 
-const texts = strings.player;
+const texts = playerStrings;
 
 /** A candidate: the number of its node, null for a new one; and the verdict in words. */
 export interface CandidateRow {
@@ -49,7 +50,7 @@ export function CandidatesAndFormulas({
 
 /** The candidates in the order in which they were tried; a click examines one. A long list scrolls: formulas follow it. */
 function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTableProps) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const list = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const shown = list.current;

@@ -6,21 +6,20 @@ import {
   IconPlayerTrackPrevFilled,
 } from "@tabler/icons-react";
 import { frontSizeAt, phaseAt } from "../../player/phases";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { IconButton } from "../../../ui/icon-button";
-import { useApp } from "../../../panels/shared/app-context";
 import { JumpControl } from "./jump-control";
 import styles from "./player.module.css";
 import { ScrubBar } from "./scrub-bar";
 import { StillsHint } from "./transport";
-import { usePlayer, useToldStep, useTrace } from "./use-player";
+import { useFrontPlayer, usePlayer, useToldStep, useTrace } from "./use-player";
 
-const texts = strings.player;
+const texts = playerStrings;
 const icon = { size: 15, "aria-hidden": true } as const;
 
 /** The player without choices of colours and without the lens, for little room. Use it only with a trace. */
 export function CompactPlayer() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const trace = useTrace();
   const step = useToldStep();
   const isPlaying = usePlayer((state) => state.isPlaying);

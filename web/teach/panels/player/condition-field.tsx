@@ -1,10 +1,10 @@
 import { TextInput } from "@mantine/core";
 import { useId, type KeyboardEvent } from "react";
 import { parseCondition } from "../../player/condition";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import styles from "./player.module.css";
 
-const texts = strings.player.condition;
+const texts = playerStrings.condition;
 
 interface ConditionFieldProps {
   readonly text: string;

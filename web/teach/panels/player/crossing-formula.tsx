@@ -1,12 +1,12 @@
 import type { LensCandidate } from "../../player/lens";
 import { tolerance, type LayeredTest } from "../../player/layered-test";
 import type { SideAndFace } from "../../player/crossing";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { Formula } from "./formula";
 import { digits } from "./latex";
 import styles from "./player.module.css";
 
-const texts = strings.player.test;
+const texts = playerStrings.test;
 
 const meeting = [
   String.raw`\mathbf{x}_\mathrm{f}+\alpha^1\mathbf{g}_1+\alpha^2\mathbf{g}_2=\mathbf{x}_\mathrm{s}+\alpha^3\mathbf{g}_3,`,

@@ -1,7 +1,8 @@
+import { playerOf } from "../../commands/player-of";
 import { Button, Progress, Text } from "@mantine/core";
 import { IconDots, IconPlayerRecordFilled } from "@tabler/icons-react";
 import { useDeferredValue, useState } from "react";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { ScrollPanel } from "../../../ui/frames/scroll-panel";
 import { useApp, useRun, useShell } from "../../../panels/shared/app-context";
 import { IconButton } from "../../../ui/icon-button";
@@ -13,10 +14,10 @@ import styles from "./player.module.css";
 import { ScrubBar } from "./scrub-bar";
 import { LoopButton, Transport, TransportChoices } from "./transport";
 import { useHasLens } from "./use-has-lens";
-import { usePlayer } from "./use-player";
+import { useFrontPlayer, usePlayer } from "./use-player";
 import { ViewChoices } from "./view-choices";
 
-const texts = strings.player;
+const texts = playerStrings;
 
 /** Records the front of the present model, and plays it. */
 export function FrontPanel() {
@@ -44,7 +45,7 @@ function NoTrace() {
         leftSection={<IconPlayerRecordFilled size={13} aria-hidden />}
         data-testid="player-record"
         disabled={busy}
-        onClick={() => void app.player.record({ optimizes: true })}
+        onClick={() => void playerOf(app).record({ optimizes: true })}
       >
         {texts.record}
       </Button>{" "}
@@ -94,7 +95,7 @@ function Recording() {
         variant="default"
         data-testid="player-stop"
         disabled={isStopping}
-        onClick={() => app.player.stopRecording()}
+        onClick={() => playerOf(app).stopRecording()}
       >
         {texts.stop}
       </Button>
@@ -104,7 +105,7 @@ function Recording() {
 
 /** The progress of reading a recorded or an opened trace. */
 function Reading() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const fraction = usePlayer((state) => state.reading ?? 1);
   return (
     <ScrollPanel label={texts.tab}>

@@ -3,7 +3,8 @@ import type { PlanePosition } from "tetrafront/trace";
 import type { GameQuestion, GameVerdict } from "../../player/mesher-game";
 import { planePaths, windowAround } from "../../player/plane-drawing";
 import { endsOf, planeOf } from "../../player/planar-judge";
-import { pickText, strings } from "../../../strings";
+import { pickText } from "../../strings/mesher-game";
+import { playerStrings } from "../../strings/player";
 import { PlaneCorners } from "./plane-corners";
 import styles from "./plane-view.module.css";
 
@@ -34,7 +35,7 @@ export function GameDrawing({ question, showsIdeal, chosen, verdict, onChoose }:
       className={styles["drawing"]}
       viewBox={`${left} ${-top} ${size} ${size}`}
       role="img"
-      aria-label={strings.player.plane.picture(paths.triangleCount, paths.edgeCount)}
+      aria-label={playerStrings.plane.picture(paths.triangleCount, paths.edgeCount)}
     >
       <g transform="scale(1 -1)">
         <path className={styles["triangles"]} d={paths.triangles} />

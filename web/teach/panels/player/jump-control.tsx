@@ -4,19 +4,18 @@ import { useMemo, useState } from "react";
 import { parseCondition } from "../../player/condition";
 import { phaseAt } from "../../player/phases";
 import { stopKindsOf, type Stop, type StopKind } from "../../player/stops";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { IconButton } from "../../../ui/icon-button";
-import { useApp } from "../../../panels/shared/app-context";
 import { ConditionField } from "./condition-field";
 import styles from "./player.module.css";
-import { usePlayer, useTrace } from "./use-player";
+import { useFrontPlayer, usePlayer, useTrace } from "./use-player";
 
-const texts = strings.player;
+const texts = playerStrings;
 const icon = { size: 15, "aria-hidden": true } as const;
 
 /** Chooses a kind of step or a condition, jumps to the next or previous one, and pauses there while playing. */
 export function JumpControl() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const trace = useTrace();
   const kinds = useMemo(() => stopKindsOf(trace), [trace]);
   const [chosen, setChosen] = useState<StopKind | "condition" | null>(null);

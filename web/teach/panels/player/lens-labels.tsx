@@ -4,7 +4,7 @@ import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
 import { recoveryMarksOf } from "../../player/recovery-marks";
 import { surfaceLabels } from "../../player/surface-labels";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import type { Viewer } from "../../../viewer/viewer";
 import { usePlayer } from "./use-player";
 import { placedAround, type Label } from "../../../viewer/apart";
@@ -74,8 +74,8 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
           ))}
         </div>
       </div>
-      {scene && <MarkLegend names={strings.player.marks.legend} />}
-      {recovered && <MarkLegend names={strings.player.marks.recoveryLegend} />}
+      {scene && <MarkLegend names={playerStrings.marks.legend} />}
+      {recovered && <MarkLegend names={playerStrings.marks.recoveryLegend} />}
     </>
   );
 }
@@ -115,7 +115,7 @@ function MarkLegend({ names }: { readonly names: Readonly<Record<string, string>
   return (
     <ul
       className={styles["legend"]}
-      aria-label={strings.player.lens}
+      aria-label={playerStrings.lens}
       data-testid="lens-legend"
       data-covers-labels
     >

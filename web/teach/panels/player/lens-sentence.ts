@@ -1,9 +1,9 @@
 import type { AdvanceStep, EdgeCandidate } from "tetrafront/trace";
 import type { LensCandidate } from "../../player/lens";
 import type { LensScene } from "../../player/lens-scene";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 
-const texts = strings.player;
+const texts = playerStrings;
 
 /** Returns the verdict of the engine on a candidate as a sentence. */
 export function sentenceOf(step: AdvanceStep, { candidate, pair }: LensCandidate): string {

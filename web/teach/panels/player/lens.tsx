@@ -6,19 +6,18 @@ import { lensSceneOf, type LensScene } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
 import { recordedScores } from "../../player/recorded-score";
 import { recoveryCounts } from "../../player/recovery-counts";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { formatShort } from "../../../ui/format";
 import { ScrollPanel } from "../../../ui/frames/scroll-panel";
-import { useApp } from "../../../panels/shared/app-context";
 import { BaseFacts, type Fact } from "./base-facts";
 import { CandidatesAndFormulas, type CandidateRow } from "./candidate-table";
 import { frontChangeOf, sentenceOf, whatIfOf } from "./lens-sentence";
 import styles from "./player.module.css";
 import { SurfaceLens } from "./surface-lens";
 import { useKeptState } from "./use-kept-state";
-import { usePlayer, useTrace } from "./use-player";
+import { useFrontPlayer, usePlayer, useTrace } from "./use-player";
 
-const texts = strings.player;
+const texts = playerStrings;
 const Sweeps = lazy(async () => ({ default: (await import("./sweeps")).Sweeps }));
 const VolumeGame = lazy(async () => ({ default: (await import("./volume-game")).VolumeGame }));
 const IdealFormula = lazy(async () => ({ default: (await import("./step-formula")).IdealFormula }));
@@ -27,7 +26,7 @@ const CrossingFormula = lazy(async () => ({ default: (await import("./crossing-f
 
 /** Why a step ended as it did. */
 export function Lens() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const isPlaying = usePlayer((state) => state.isPlaying);
   const isVolume = usePlayer(({ step }) => step >= 0);
   const sweeps = usePlayer(({ trace, lensStep }) =>

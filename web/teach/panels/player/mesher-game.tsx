@@ -9,16 +9,16 @@ import {
   type GameLevel,
   type GameVerdict,
 } from "../../player/mesher-game";
-import { pickText, strings } from "../../../strings";
-import { useApp } from "../../../panels/shared/app-context";
+import { pickText } from "../../strings/mesher-game";
+import { playerStrings } from "../../strings/player";
 import { GameDrawing } from "./game-drawing";
 import styles from "./plane-view.module.css";
 import { useAnswers } from "./use-answers";
 import { useDirection } from "./use-direction";
 import { useGameFocus } from "./use-game-focus";
-import { usePlayer, useTrace } from "./use-player";
+import { useFrontPlayer, usePlayer, useTrace } from "./use-player";
 
-const texts = strings.player.game;
+const texts = playerStrings.game;
 
 interface Answer {
   readonly node: number | null;
@@ -27,7 +27,7 @@ interface Answer {
 
 /** Asks for the third node of the next triangle, judges the choice, and keeps a score. `state`: of the surface. */
 export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace; readonly state: number }) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const trace = useTrace();
   const [level, setLevel] = useState<GameLevel>("easy");
   /** By step: each step counts once, whatever the level. */
@@ -72,7 +72,7 @@ export function MesherGame({ surface, state }: { readonly surface: SurfaceTrace;
         <span data-testid="game-score">{texts.score(points, answers.size)}</span>
       </div>
       <p className={styles["task"]}>
-        {isPlaying ? strings.player.playing : question ? `${texts.task} ${texts.help[level]}` : texts.none}
+        {isPlaying ? playerStrings.playing : question ? `${texts.task} ${texts.help[level]}` : texts.none}
       </p>
       {question && (
         <GameDrawing

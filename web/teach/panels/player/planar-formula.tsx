@@ -1,12 +1,12 @@
 import type { EdgeStep, PlanarFront } from "tetrafront/trace";
 import type { PlanarLensCandidate } from "../../player/planar-lens";
 import { metricLength, planeOf, targetLength } from "../../player/planar-judge";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { Formula } from "./formula";
 import { digits } from "./latex";
 import styles from "./player.module.css";
 
-const texts = strings.player.patch;
+const texts = playerStrings.patch;
 
 const metricRule = String.raw`\|\mathbf{d}\|_G=\sqrt{\mathbf{d}\cdot G\,\mathbf{d}}`;
 const lengthRule = String.raw`\delta=\min(\max(1,\,0.55\,b),\,2b)`;

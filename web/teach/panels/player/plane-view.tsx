@@ -6,13 +6,12 @@ import { ellipseOf, planePaths, windowAround, windowOf, type PlaneWindow } from 
 import { decisiveCandidate, supposedCandidate } from "../../player/planar-lens";
 import { endsOf, planeOf, targetLength } from "../../player/planar-judge";
 import { surfaceState } from "../../player/phases";
-import { strings } from "../../../strings";
-import { useApp } from "../../../panels/shared/app-context";
+import { playerStrings } from "../../strings/player";
 import { PlaneCorners } from "./plane-corners";
 import styles from "./plane-view.module.css";
-import { usePlayer } from "./use-player";
+import { useFrontPlayer, usePlayer } from "./use-player";
 
-const { plane: texts, game } = strings.player;
+const { plane: texts, game } = playerStrings;
 /** Radius of dots, as a share of the drawing. */
 const dot = 0.008;
 
@@ -41,7 +40,7 @@ interface PlaneProps {
 }
 
 function Plane({ surface, index, state }: PlaneProps) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const labels = usePlayer((shown) => shown.labels);
   const [isGame, setIsGame] = useState(false);
   const [zoom, setZoom] = useState<Zoom>("patch");
@@ -144,7 +143,7 @@ function Step({
   readonly step: EdgeStep;
   readonly size: number;
 }) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const chosen = usePlayer((state) => state.candidate) ?? decisiveCandidate(step);
   const [a, b] = step.nodes.map((node) => planeOf(front, node));
   const candidate = chosen === null ? undefined : step.candidates[chosen];

@@ -2,10 +2,9 @@ import { useMemo, type KeyboardEvent, type PointerEvent } from "react";
 import type { Trace } from "tetrafront/trace";
 import { firstState, frontSizeAt, phaseAt, phasesOf, type Phase } from "../../player/phases";
 import { jump } from "../../player/player";
-import { strings } from "../../../strings";
-import { useApp } from "../../../panels/shared/app-context";
+import { playerStrings } from "../../strings/player";
 import styles from "./player.module.css";
-import { usePlayer, useToldStep, useTrace } from "./use-player";
+import { useFrontPlayer, usePlayer, useToldStep, useTrace } from "./use-player";
 
 /** Number of points of the chart at most: more cannot be seen. */
 const maxPoints = 500;
@@ -15,7 +14,7 @@ const height = 100;
 
 /** The size of the fronts by step, phase after phase, and a slider over it. */
 export function ScrubBar() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const trace = useTrace();
   const step = usePlayer((state) => state.step);
   const loop = usePlayer((state) => state.loop);
@@ -45,11 +44,11 @@ export function ScrubBar() {
       className={styles["scrub"]}
       role="slider"
       tabIndex={0}
-      aria-label={strings.player.scrub}
+      aria-label={playerStrings.scrub}
       aria-valuemin={first}
       aria-valuemax={stepCount}
       aria-valuenow={told}
-      aria-valuetext={strings.player.scrubText(phase, told - from, to - from, frontSizeAt(trace, told))}
+      aria-valuetext={playerStrings.scrubText(phase, told - from, to - from, frontSizeAt(trace, told))}
       data-testid="player-scrub"
       onKeyDown={onKeyDown}
       onPointerDown={(event) => {
@@ -98,9 +97,9 @@ function Phases({ trace, current }: { readonly trace: Trace; readonly current: P
             key={phase}
             style={{ flexGrow: to - from + 1 }}
             data-current={phase === current || undefined}
-            title={strings.player.phaseSteps(phase, to - from)}
+            title={playerStrings.phaseSteps(phase, to - from)}
           >
-            {strings.player.phases[phase]}
+            {playerStrings.phases[phase]}
           </span>
         ))}
       </span>

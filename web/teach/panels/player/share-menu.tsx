@@ -3,7 +3,7 @@ import { IconShare } from "@tabler/icons-react";
 import { shareStrings as texts } from "../../strings/share";
 import { useApp } from "../../../panels/shared/app-context";
 
-const actions = () => import("../../../commands/share-actions");
+const actions = () => import("../../commands/step-links");
 const pictures = () => import("../../commands/step-pictures");
 
 /** Links to the step that is shown, and files of it. */

@@ -2,13 +2,13 @@ import { useMemo } from "react";
 import type { AdvanceStep, TracedCandidate } from "tetrafront/trace";
 import { newElement, sixVolumes } from "../../player/judge";
 import { distanceToFace, idealNumbers } from "../../player/unit-space";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { Formula } from "./formula";
 import { digits } from "./latex";
 import styles from "./player.module.css";
 import { useTrace } from "./use-player";
 
-const { ideal: idealTexts, refusal: refusalTexts } = strings.player;
+const { ideal: idealTexts, refusal: refusalTexts } = playerStrings;
 
 /** How the ideal point of a step is placed (step F5.1), with its numbers. */
 export function IdealFormula({ step }: { readonly step: AdvanceStep }) {

@@ -2,7 +2,7 @@ import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
 import { supposedCandidate } from "../../player/planar-lens";
 import type { PlayerState } from "../../player/player";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { frontChangeOf, planarSentenceOf, sentenceOf } from "./lens-sentence";
 import { usePlayer } from "./use-player";
 
@@ -23,7 +23,7 @@ export function supposedFrontText(state: PlayerState): string | null {
   const surface = surfaceState(trace, lensStep);
   if (surface !== null) {
     const refused = supposedCandidate(trace.surface?.stepAt(surface), candidate);
-    return refused && `${planarSentenceOf(refused)} ${strings.player.patch.supposed(refused.isNew)}`;
+    return refused && `${planarSentenceOf(refused)} ${playerStrings.patch.supposed(refused.isNew)}`;
   }
   const scene = lensSceneOf(state);
   if (!scene?.supposed || !scene.examined) return null;

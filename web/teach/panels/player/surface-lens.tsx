@@ -9,14 +9,14 @@ import {
   supposedCandidate,
   type PlanarLensCandidate,
 } from "../../player/planar-lens";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { formatShort } from "../../../ui/format";
 import { BaseFacts, type Fact } from "./base-facts";
 import { CandidatesAndFormulas } from "./candidate-table";
 import { planarSentenceOf } from "./lens-sentence";
 import { usePlayer } from "./use-player";
 
-const texts = strings.player;
+const texts = playerStrings;
 const PlanarFormula = lazy(async () => ({ default: (await import("./planar-formula")).PlanarFormula }));
 
 /** Why a step of a line or a patch ended as it did. `state`: from 0. */

@@ -3,13 +3,12 @@ import type { SweepMeasures, TracedOptimization, TracedSweep } from "tetrafront/
 import { poorElements } from "../../player/sweep-buffers";
 import { sweepStrings as texts } from "../../strings/sweeps";
 import tables from "../../../ui/table.module.css";
-import { useApp } from "../../../panels/shared/app-context";
 import styles from "./player.module.css";
-import { usePlayer } from "./use-player";
+import { useFrontPlayer, usePlayer } from "./use-player";
 
 /** The sweeps of the optimizer after the last step of the front: a chart, and a table from which the view shows a mesh. */
 export function Sweeps({ optimization }: { readonly optimization: TracedOptimization }) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const shown = usePlayer((state) => state.sweep);
   const poor = useMemo(() => {
     const mesh = shown === null ? undefined : optimization.meshAfter(shown);
@@ -71,7 +70,7 @@ interface RowProps {
 }
 
 function Row({ index, measures, sweep, hasMesh }: RowProps) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const isShown = usePlayer((state) => state.sweep === index);
   const kind = sweep ? texts.kinds[sweep.kind] : texts.front;
   const name = sweep ? texts.name(index, kind) : kind;

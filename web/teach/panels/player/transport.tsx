@@ -1,3 +1,4 @@
+import { playerOf } from "../../commands/player-of";
 import {
   IconDeviceFloppy,
   IconPlayerPauseFilled,
@@ -17,17 +18,17 @@ import { loopAround, loopLimits, shownLoop, withLoopEnd, type Loop } from "../..
 import { frontSizeAt, phaseAt } from "../../player/phases";
 import { speeds } from "../../player/player";
 import { download, fileStem } from "../../../session/files";
-import { strings } from "../../../strings";
+import { playerStrings } from "../../strings/player";
 import { NumberField } from "../../../ui/fields/number-field";
 import { IconButton } from "../../../ui/icon-button";
 import { useApp, useRun } from "../../../panels/shared/app-context";
 import { ShareMenu } from "./share-menu";
 import { OpenTrace } from "./trace-files";
 import styles from "./player.module.css";
-import { usePlayer, useToldStep, useTrace } from "./use-player";
+import { useFrontPlayer, usePlayer, useToldStep, useTrace } from "./use-player";
 import { ViewChecks } from "./view-choices";
 
-const texts = strings.player;
+const texts = playerStrings;
 const icon = { size: 15, "aria-hidden": true } as const;
 
 interface TransportProps {
@@ -37,7 +38,7 @@ interface TransportProps {
 
 /** Buttons that move through the steps, the step shown, and what follows in the same row. */
 export function Transport({ isShort = false, children }: TransportProps) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const isPlaying = usePlayer((state) => state.isPlaying);
   return (
     <div className={styles["row"]}>
@@ -99,7 +100,7 @@ function Counter() {
 }
 
 function SpeedSelect() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const speed = usePlayer((state) => state.speed);
   return (
     <NativeSelect
@@ -125,7 +126,7 @@ export function StillsHint() {
 
 /** Repeats the steps around the present one. */
 export function LoopButton() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const trace = useTrace();
   const loop = usePlayer((state) => state.loop);
   const told = useToldStep();
@@ -167,7 +168,7 @@ function LoopField({
   readonly loop: Loop;
   readonly end: keyof Loop;
 }) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const [least, most] = loopLimits(trace, loop, end);
   return (
     <NumberField
@@ -199,7 +200,7 @@ function TraceButtons() {
         label={texts.recordAgain}
         data-testid="player-record"
         disabled={busy}
-        onClick={() => void app.player.record({ optimizes: true })}
+        onClick={() => void playerOf(app).record({ optimizes: true })}
       >
         <IconPlayerRecordFilled {...icon} />
       </IconButton>
@@ -208,7 +209,7 @@ function TraceButtons() {
         <IconDeviceFloppy {...icon} />
       </IconButton>
       <ShareMenu />
-      <IconButton label={texts.close} data-testid="player-close" onClick={() => app.player.close()}>
+      <IconButton label={texts.close} data-testid="player-close" onClick={() => playerOf(app).close()}>
         <IconX {...icon} />
       </IconButton>
     </span>

@@ -1,9 +1,11 @@
 import { useThrottledValue } from "@mantine/hooks";
-import { useEffect, useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
 import type { Trace } from "tetrafront/trace";
+import { playerOf } from "../../commands/player-of";
 import { phaseAt } from "../../player/phases";
-import type { PlayerState } from "../../player/player";
+import type { Player, PlayerState } from "../../player/player";
+import type { Viewer } from "../../../viewer/viewer";
 import { useApp } from "../../../panels/shared/app-context";
 
 /** Texts that follow the step change no more often, in milliseconds: they cannot be read faster, and painting them takes long. */
@@ -11,8 +13,13 @@ const toldEveryMs = 250;
 /** How long the front must have been in a patch or out of it until the plane opens or closes: this changes the size of the view. */
 const planeAfterMs = 200;
 
+/** Returns the player of the app. */
+export function useFrontPlayer(): Player {
+  return playerOf(useApp());
+}
+
 export function usePlayer<T>(select: (state: PlayerState) => T): T {
-  return useStore(useApp().player.state, select);
+  return useStore(useFrontPlayer().state, select);
 }
 
 /** The trace that is shown; use it only in panels of a trace. */
@@ -34,8 +41,8 @@ const isInPatch = ({ trace, step }: PlayerState): boolean =>
   trace !== null && step < 0 && phaseAt(trace, step).phase === "patches";
 
 /** Whether the plane is shown in which the front of a patch advances. While states are scrubbed, it neither opens nor closes. */
-export function useShowsPlane(): boolean {
-  const { player } = useApp();
+function useShowsPlane(): boolean {
+  const player = useFrontPlayer();
   const hasTrace = usePlayer(({ trace }) => trace !== null);
   const [wasInPatch, setWasInPatch] = useState(() => isInPatch(player.state.getState()));
   useEffect(() => {
@@ -56,4 +63,23 @@ export function useShowsPlane(): boolean {
     };
   }, [player]);
   return hasTrace && wasInPatch;
+}
+
+/** Returns whether the plane is shown, and fits the model to the view again when it takes half of the width, or gives it back. */
+export function useBesidePlane(viewer: Viewer | null): boolean {
+  const player = useFrontPlayer();
+  const showsPlane = useShowsPlane();
+  const before = useRef(showsPlane);
+  useEffect(() => {
+    if (before.current === showsPlane) return undefined;
+    before.current = showsPlane;
+    // The view is at the base edge.
+    if (player.state.getState().follows) return undefined;
+    // The canvas gets its new size in the next frame.
+    let frame = requestAnimationFrame(() => {
+      frame = requestAnimationFrame(() => viewer?.framing.fit(null));
+    });
+    return () => cancelAnimationFrame(frame);
+  }, [viewer, player, showsPlane]);
+  return showsPlane;
 }

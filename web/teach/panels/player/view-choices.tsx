@@ -1,14 +1,13 @@
 import { NativeSelect } from "@mantine/core";
-import { strings } from "../../../strings";
-import { useApp } from "../../../panels/shared/app-context";
+import { playerStrings } from "../../strings/player";
 import styles from "./player.module.css";
-import { usePlayer } from "./use-player";
+import { useFrontPlayer, usePlayer } from "./use-player";
 
-const texts = strings.player;
+const texts = playerStrings;
 
 /** What the view shows of the front, and its colours. */
 export function ViewChoices() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const coloring = usePlayer((state) => state.coloring);
   const faces = usePlayer((state) => state.faces);
   const elements = usePlayer((state) => state.elements);
@@ -53,7 +52,7 @@ export function ViewChoices() {
 
 /** Whether the view follows the base face, and whether the front is faded while the lens shows a step. */
 export function ViewChecks() {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const follows = usePlayer((state) => state.follows);
   const fades = usePlayer((state) => state.fades);
   return (

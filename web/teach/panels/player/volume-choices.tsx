@@ -3,7 +3,8 @@ import type { Trace } from "tetrafront/trace";
 import type { Position } from "../../../document/position";
 import { positionOf } from "../../player/judge";
 import type { VolumeTask } from "../../player/volume-game";
-import { pickText, strings } from "../../../strings";
+import { pickText } from "../../strings/mesher-game";
+import { playerStrings } from "../../strings/player";
 import type { Viewer } from "../../../viewer/viewer";
 import { usePlayer } from "./use-player";
 import { useMarkers } from "../../../panels/viewport/use-markers";
@@ -30,10 +31,10 @@ export function VolumeChoices({ viewer }: { readonly viewer: Viewer }) {
             data-chosen={isOwn || undefined}
             data-program={isProgram || undefined}
             data-testid={`view-choice-${node ?? "new"}`}
-            title={strings.player.game.node(node)}
+            title={playerStrings.game.node(node)}
             onClick={() => task.choose(node)}
           >
-            {node ?? strings.player.game.newNode}
+            {node ?? playerStrings.game.newNode}
             {(isOwn || isProgram) && <b> {pickText(isOwn, isProgram)}</b>}
           </button>
         ))}

@@ -2,17 +2,17 @@ import { Button, SegmentedControl } from "@mantine/core";
 import { useEffect, useMemo } from "react";
 import { levels, type GameLevel } from "../../player/mesher-game";
 import { judgeVolumeChoice, nextVolumeQuestion, type VolumeVerdict } from "../../player/volume-game";
-import { pickText, strings } from "../../../strings";
-import { useApp } from "../../../panels/shared/app-context";
+import { pickText } from "../../strings/mesher-game";
+import { playerStrings } from "../../strings/player";
 import styles from "./plane-view.module.css";
 import { useAnswers } from "./use-answers";
 import { useDirection } from "./use-direction";
 import { useKeptState } from "./use-kept-state";
 import { useGameFocus } from "./use-game-focus";
-import { usePlayer, useTrace } from "./use-player";
+import { useFrontPlayer, usePlayer, useTrace } from "./use-player";
 
-const texts = strings.player.volumeGame;
-const { game } = strings.player;
+const texts = playerStrings.volumeGame;
+const { game } = playerStrings;
 
 interface Answer {
   readonly node: number | null;
@@ -21,7 +21,7 @@ interface Answer {
 
 /** Asks for the fourth node of the next element, judges the choice, and keeps a score. The view shows the nodes to choose from. */
 export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
-  const { player } = useApp();
+  const player = useFrontPlayer();
   const trace = useTrace();
   const state = usePlayer(({ step }) => step);
   const isPlaying = usePlayer((shown) => shown.isPlaying);
@@ -69,7 +69,7 @@ export function VolumeGame({ onEnd }: { readonly onEnd: () => void }) {
         </Button>
       </div>
       <p className={styles["task"]}>
-        {isPlaying ? strings.player.playing : question ? `${texts.task} ${texts.help[level]}` : texts.none}
+        {isPlaying ? playerStrings.playing : question ? `${texts.task} ${texts.help[level]}` : texts.none}
       </p>
       <p role="status" className={styles["verdict"]} data-testid="volume-game-verdict">
         {given &&

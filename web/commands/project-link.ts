@@ -2,24 +2,10 @@
  * A project with what the view shows of it, in the fragment of an address: JSON, compressed by the browser. Browsers do not send
  * fragments to the server, so the project stays with those who have the link.
  */
-import { FRONT_ORDERS, type FrontOrder } from "tetrafront";
 import { parseProject, type Project } from "tetrafront/project";
 import type { Cut, CutAxis } from "../document/selection";
 import type { Position } from "../document/position";
 import type { CameraPose } from "../viewer/camera";
-import { frontColorings, type FrontColoring } from "../teach/player/front-values";
-import { frontFaces, shownElements, type FrontFaces, type ShownElements } from "../teach/player/player";
-
-/** A step of the front of the project. */
-export interface LinkedFront {
-  readonly step: number;
-  readonly order: FrontOrder;
-  readonly coloring: FrontColoring;
-  readonly faces: FrontFaces;
-  readonly elements: ShownElements;
-  /** Candidate that the lens shows; null for the one that decides the step. */
-  readonly candidate: number | null;
-}
 
 export interface LinkedProject {
   readonly project: Project;
@@ -27,8 +13,8 @@ export interface LinkedProject {
   readonly camera: CameraPose | null;
   /** Null if the mesh is not cut. */
   readonly cut: Cut | null;
-  /** Null if no front is shown. */
-  readonly front: LinkedFront | null;
+  /** What a replay of the project's front says of itself, not checked; null if none is shown. */
+  readonly front: Readonly<Record<string, unknown>> | null;
 }
 
 /** Why a link cannot be opened; `reason` is the sentence of a project that is not valid. */
@@ -86,7 +72,7 @@ export async function linkedIn(hash: string): Promise<LinkResult | null> {
     project: read.value,
     camera: cameraOf(content["camera"]),
     cut: cutOf(content["cut"]),
-    front: frontOf(content["front"]),
+    front: isRecord(content["front"]) ? content["front"] : null,
   };
   return { kind: "linked", linked };
 }
@@ -154,17 +140,4 @@ function cutOf(value: unknown): Cut | null {
   const axis = axes.find((each) => each === value["axis"]);
   const isInside = isNumber(position) && position >= 0 && position <= 1;
   return axis && isInside ? { enabled: true, axis, position, flipped: flipped === true } : null;
-}
-
-function frontOf(value: unknown): LinkedFront | null {
-  if (!isRecord(value) || !Number.isSafeInteger(value["step"])) return null;
-  const { candidate } = value;
-  return {
-    step: Number(value["step"]),
-    order: FRONT_ORDERS.find((order) => order === value["order"]) ?? "layered",
-    coloring: frontColorings.find((coloring) => coloring === value["coloring"]) ?? "age",
-    faces: frontFaces.find((faces) => faces === value["faces"]) ?? "inside",
-    elements: shownElements.find((elements) => elements === value["elements"]) ?? "recent",
-    candidate: Number.isSafeInteger(candidate) && Number(candidate) >= 0 ? Number(candidate) : null,
-  };
 }
