@@ -2,8 +2,6 @@ import { lazy, Suspense } from "react";
 import type { Slots } from "../../panels/shared/slots";
 import type { Viewer } from "../../viewer/viewer";
 import { frontStrings } from "../strings/front";
-import { playerStrings } from "../strings/player";
-import { FrontLegend } from "./player/front-legend";
 import { useHasLens } from "./player/use-has-lens";
 import { useBesidePlane } from "./player/use-player";
 
@@ -24,6 +22,18 @@ const FrontOverlay = lazy(async () => {
   return { default: Overlay };
 });
 
+const FrontLegend = lazy(async () => ({
+  default: (await import("./player/front-legend")).FrontLegend,
+}));
+
+function Legend() {
+  return (
+    <Suspense fallback={null}>
+      <FrontLegend />
+    </Suspense>
+  );
+}
+
 function Overlay({ viewer }: { readonly viewer: Viewer }) {
   return (
     <Suspense fallback={null}>
@@ -34,11 +44,11 @@ function Overlay({ viewer }: { readonly viewer: Viewer }) {
 
 /** What the page shows of fronts and lessons. */
 export const teachingSlots: Slots = {
-  left: { label: playerStrings.lens, Panel: Lens, useIsOffered: useHasLens },
+  left: { label: frontStrings.lens, Panel: Lens, useIsOffered: useHasLens },
   right: { label: frontStrings.lessons, Panel: LessonsPanel },
-  bottom: { label: playerStrings.tab, Panel: FrontPanel },
+  bottom: { label: frontStrings.tab, Panel: FrontPanel },
   Overlay,
-  Legend: FrontLegend,
+  Legend,
   Beside: PlaneView,
   useBeside: useBesidePlane,
   load: loadPanels,

@@ -1,5 +1,5 @@
 import type { Mesher, CallProgress } from "tetrafront";
-import { loadTrace, type Trace } from "tetrafront/trace";
+import type { Trace } from "tetrafront/trace";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../../session/document-store";
 import { failureText } from "../../session/failure-text";
@@ -335,10 +335,12 @@ export class Player {
     const onProgress = (reading: number): void => {
       if (this.#abort === abort) this.state.setState({ reading });
     };
-    const read = await loadTrace(file, { signal: abort.signal, onProgress }).catch((error: unknown) => ({
-      success: false as const,
-      errors: [{ message: failureText(error), remedy: "" }],
-    }));
+    const read = await import("tetrafront/trace")
+      .then(({ loadTrace }) => loadTrace(file, { signal: abort.signal, onProgress }))
+      .catch((error: unknown) => ({
+        success: false as const,
+        errors: [{ message: failureText(error), remedy: "" }],
+      }));
     // What follows, the player's panel, takes as long as a slice of the reading.
     await new Promise((resolve) => setTimeout(resolve));
     if (this.#abort !== abort) return null;

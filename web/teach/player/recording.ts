@@ -1,6 +1,6 @@
 import type { FrontOrder, Mesher, MeshReport, PreparedBody, RunControl } from "tetrafront";
 import type { Project } from "tetrafront/project";
-import { recordTrace, type FrontExperiment, type Trace } from "tetrafront/trace";
+import type { FrontExperiment, Trace } from "tetrafront/trace";
 import { engineInput } from "../../document/engine-input";
 import { failureText } from "../../session/failure-text";
 import { remedyInApp } from "../../strings";
@@ -52,6 +52,7 @@ export async function recordProject(
   const [input, options] = engineInput(project);
   const preparedBodies = preparedOf(project);
   try {
+    const { recordTrace } = await import("tetrafront/trace");
     const { result, trace: file } = await recordTrace(
       mesher,
       input,

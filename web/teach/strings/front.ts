@@ -21,6 +21,8 @@ export const frontStrings = {
   },
   needsFront: "Record the front first (Mesh ▸ Record the front).",
   group: "Front",
+  tab: "Front",
+  lens: "Lens",
   goToStep: {
     begin: "step ",
     words: "jump frame seek",

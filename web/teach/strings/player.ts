@@ -3,6 +3,7 @@ import type { FrontOrder } from "tetrafront";
 import type { Refusal } from "tetrafront/trace";
 import { conditionStrings } from "./condition";
 import { crossingTestStrings } from "./crossing-test";
+import { frontStrings } from "./front";
 import { mesherGameStrings, volumeGameStrings } from "./mesher-game";
 import { recoverySentence } from "./recovery";
 import { otherwise, surfaceLensStrings } from "./surface-lens";
@@ -53,7 +54,7 @@ const facesOf = (faces: readonly number[]): string =>
   `${faces.length === 1 ? "face" : "faces"} ${faces.slice(0, 6).map(number).join(", ")}${faces.length > 6 ? " …" : ""}`;
 
 export const playerStrings = {
-  tab: "Front",
+  tab: frontStrings.tab,
   intro:
     "Record how lines are divided, and how the fronts of the patches and of the volume advance. Then play it forwards and backwards, stop at any step, and see why each node was chosen or refused.",
   record: "Record the front",
@@ -153,7 +154,7 @@ export const playerStrings = {
   followHint: "The view moves to the base face of each step.",
   moreControls: "Jumps, colours and what is drawn",
 
-  lens: "Lens",
+  lens: frontStrings.lens,
   beforeFirst: "The front before the first step: the triangles of the boundary.",
   playing: "Pause to look into a step.",
   recovery: recoverySentence,
