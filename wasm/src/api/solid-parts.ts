@@ -56,16 +56,20 @@ export async function solidParts(
       wholeTriangles: chainedOrigins(given.origin, wholeTriangles),
       wholeNodes: chainedOrigins(given.nodeOrigin, wholeNodes),
     };
-    parts.push({ surface: group.length > 1 ? surface : await apart(mesher, surface), numbers });
+    parts.push({ surface: group.length > 1 ? surface : await withNesting(mesher, surface), numbers });
   }
   return parts;
 }
 
-/** Returns solids that do not touch, with the regions on both sides of their triangles: one may lie within another. */
-async function apart(mesher: SurfaceMesher, part: SolidsSurface): Promise<Mesh> {
-  const { regions } = part.surfaceRegions;
-  const located = regions.length < 2 ? part : (await withSolidRegions(mesher, part, part)).surface;
-  return withoutRegions({ ...part, surfaceRegions: located.surfaceRegions });
+/** Returns solids whose triangles do not intersect, with the regions on both sides of each: one may lie within another. */
+export async function withNesting<Surface extends Mesh>(
+  mesher: SurfaceMesher,
+  part: Surface,
+): Promise<Omit<Surface, "givenRegions">> {
+  const hasSeveral = (part.surfaceRegions?.regions.length ?? 0) > 1;
+  const located = hasSeveral ? (await withSolidRegions(mesher, part, part)).surface : part;
+  const { surfaceRegions } = located;
+  return withoutRegions({ ...part, ...(surfaceRegions && { surfaceRegions }) });
 }
 
 async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Promise<boolean> {

@@ -53,7 +53,10 @@ export async function withSolidRegions(
   // Solids that overlap by next to nothing lose their regions too.
   const isTold = new Set(all.flatMap(({ regions }) => [...regions]));
   const merged = shared.filter(({ regions }) => regions.some((one) => !isLeft(one) && !isTold.has(one)));
-  const told = (assigned ?? []).map((one) => assignedDiagnostic(given, one, isLeft));
+  // A solid that lies inside another one is what it seems.
+  const told = (assigned ?? [])
+    .filter(({ isNested }) => !isNested)
+    .map((one) => assignedDiagnostic(given, one, isLeft));
   // A solid inside another one has it on its outer side, which the given regions do not state.
   const isStated = haveSameSides(given.surfaceRegions, surface.surfaceRegions);
   const isKept = made === given && shared.length === 0 && isStated;

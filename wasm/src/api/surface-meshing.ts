@@ -133,7 +133,7 @@ async function readyWhole(
   };
 }
 
-/** Returns the treatment; solids that touch in faces that are triangulated differently are remeshed too, which gives both the same face. */
+/** Returns the treatment; solids whose triangles do not fit together are remeshed too, which gives both the same face. */
 async function decidedForSolids(
   mesher: SurfaceMesher,
   surface: Mesh,
@@ -243,7 +243,13 @@ async function partsFilled(
   const made: TreatedPart[] = [];
   for (const { ready: part, numbers } of parts)
     made.push({ ...(await treated(mesher, part, filling)), numbers });
-  const united = (await ofParts()).unitedTreated(made);
+  const { unitedTreated, withNesting } = await ofParts();
+  const treatedParts = unitedTreated(made);
+  // A solid of one part may lie within one of another.
+  const united =
+    treatedParts.invalid === undefined
+      ? { ...treatedParts, surface: await withNesting(mesher, treatedParts.surface) }
+      : treatedParts;
   const result = await fill(mesher, united, meshPart(filling.options), filling.controlOf());
   return meshed(result, ready, united, { ...filling, isExact: false });
 }

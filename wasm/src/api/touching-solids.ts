@@ -2,7 +2,7 @@
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { shellsOf } from "../formats/solid-names.js";
+import { componentsOf } from "../formats/components.js";
 import { NO_REGION, type InnerShells } from "../generated/constants.js";
 import type { Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
@@ -77,7 +77,7 @@ export async function touchingShells(
   given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<number> {
-  const shells = shellsOf(given.triangles, given.points.length / 3);
+  const shells = componentsOf(given.triangles, given.points.length / 3);
   if (shells.every((shell) => shell === shells[0])) return 0;
   const { openEdges, diagnostics } = await mesher.inspectSurface(given, { innerShells });
   if (openEdges > 0) return 0;

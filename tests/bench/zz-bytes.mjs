@@ -1,0 +1,15 @@
+import { chromium } from "playwright";
+const browser = await chromium.launch({ executablePath: "/usr/bin/chromium-headless-shell", args: ["--no-sandbox"] });
+const page = await browser.newPage();
+const cdp = await page.context().newCDPSession(page);
+await cdp.send("Network.enable");
+const reqs = new Map(); let total = 0; const list = [];
+cdp.on("Network.responseReceived", (e) => reqs.set(e.requestId, e.response.url));
+cdp.on("Network.loadingFinished", (e) => { total += e.encodedDataLength; list.push([performance.now(), e.encodedDataLength, reqs.get(e.requestId)]); });
+const t0 = performance.now();
+await page.goto("http://127.0.0.1:5398/", { waitUntil: "commit" });
+await page.waitForFunction(() => Number(document.querySelector('[data-testid=viewport]')?.dataset.tets) > 0, null, { timeout: 60000, polling: 20 });
+const t1 = performance.now();
+console.log("until mesh", t1 - t0, total, list.length);
+for (const [t, n, u] of list) console.log((t - t0).toFixed(0), n, u?.replace("http://127.0.0.1:5398", ""));
+await browser.close();
