@@ -56,6 +56,7 @@ describe("solids of one STL file", () => {
       { name: "left", volume: 1 },
       { name: "right", volume: 1 },
     ]);
+    expect(await regionsOf("two.stl", "--inner-shells", "cavities")).toHaveLength(2);
     const checked = await run("check", "two.stl");
     expect([checked.code, checked.stdout]).toEqual([0, expect.stringContaining("2 regions")]);
   });

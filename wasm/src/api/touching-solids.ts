@@ -3,6 +3,7 @@ import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { componentsOf } from "../formats/components.js";
+import { mayBeNested } from "../formats/solid-units.js";
 import { NO_REGION, type InnerShells } from "../generated/constants.js";
 import type { Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
@@ -50,15 +51,17 @@ export async function withSolidsOfPatches(given: Mesh): Promise<Mesh> {
   return (await inSteps(solidsOfPatches(given))) ?? given;
 }
 
-/** As `withSolidsOfPatches`, if solids touch or intersect. */
+/** As `withSolidsOfPatches`, if solids touch or intersect. With `innerShells: "cavities"`, only if none may lie within another. */
 export async function withTouchingSolids(
   mesher: Pick<SurfaceMesher, "inspectSurface">,
   given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<Mesh> {
-  if (innerShells === "cavities") return given;
   const solids = await withSolidsOfPatches(given);
-  if (solids === given) return given;
+  const { surfaceRegions } = solids;
+  if (solids === given || surfaceRegions === undefined) return given;
+  // What lies inside another solid is not one then.
+  if (innerShells === "cavities" && mayBeNested({ ...solids, surfaceRegions })) return given;
   const { diagnostics } = await mesher.inspectSurface(given, { innerShells });
   const areTouching = diagnostics.some(
     ({ code, entities }) =>
