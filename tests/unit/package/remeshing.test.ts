@@ -456,7 +456,7 @@ describe("tetrafront mesh --surface remesh", () => {
     save("crossing.off", offFile(both));
     const plain = await run("mesh", "crossing.off", "-o", "x.vtu");
     expect(plain.code).toBe(0);
-    expect(plain.stderr).toContain("so their triangles were replaced, as by --surface remesh");
+    expect(plain.stderr).toContain("so they were replaced, as by --surface remesh");
     const { code, stderr } = await run(
       "mesh",
       "crossing.off",

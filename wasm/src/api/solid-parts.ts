@@ -56,20 +56,18 @@ export async function solidParts(
       wholeTriangles: chainedOrigins(given.origin, wholeTriangles),
       wholeNodes: chainedOrigins(given.nodeOrigin, wholeNodes),
     };
-    parts.push({ surface: group.length > 1 ? surface : await withNesting(mesher, surface), numbers });
+    // Before their treatment, they do not state what is filled.
+    const nested = group.length > 1 ? surface : withoutRegions(await withNesting(mesher, surface));
+    parts.push({ surface: nested, numbers });
   }
   return parts;
 }
 
-/** Returns solids whose triangles do not intersect, with the regions on both sides of each: one may lie within another. */
-export async function withNesting<Surface extends Mesh>(
-  mesher: SurfaceMesher,
-  part: Surface,
-): Promise<Omit<Surface, "givenRegions">> {
-  const hasSeveral = (part.surfaceRegions?.regions.length ?? 0) > 1;
-  const located = hasSeveral ? (await withSolidRegions(mesher, part, part)).surface : part;
-  const { surfaceRegions } = located;
-  return withoutRegions({ ...part, ...(surfaceRegions && { surfaceRegions }) });
+/** Returns solids whose triangles do not intersect with the regions on both sides of each: one may lie within another. */
+export async function withNesting(mesher: SurfaceMesher, part: Mesh): Promise<Mesh> {
+  if ((part.surfaceRegions?.regions.length ?? 0) < 2) return part;
+  const { surfaceRegions, givenRegions } = (await withSolidRegions(mesher, part, part)).surface;
+  return { ...part, ...(surfaceRegions && { surfaceRegions }), ...(givenRegions && { givenRegions }) };
 }
 
 async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Promise<boolean> {

@@ -57,13 +57,6 @@ export function connectedGroups(count: number, pairs: readonly (readonly [number
     .sort(([a = 0], [b = 0]) => a - b);
 }
 
-/** Returns whether a solid may lie within another one: boxes decide. O(n). */
-export function mayBeNested({ points, triangles, surfaceRegions }: SolidsSurface): boolean {
-  const { regions, triangleRegions } = surfaceRegions;
-  const boxes = boxesOf({ points, triangles }, regions.length, triangleRegions);
-  return boxes.some((inner) => boxes.some((outer) => isWithin(inner, outer)));
-}
-
 /**
  * Returns the solids of a surface in units, by their first ones: each solid that may touch another is one, with those that it
  * shares triangles with; all others are one together. Boxes decide: solids within others do not touch. O(n).
