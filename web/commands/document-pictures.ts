@@ -37,7 +37,7 @@ async function take({
   const { viewer } = getState();
   if (!viewer || !library || !isListed(state) || run.state.getState().busy || document.hidden) return;
   const picture = await meshQueries.pictureOf(await viewer.bitmap(), size).catch(() => null);
-  if (!picture) return;
+  if (!picture || state.left.aborted) return;
   const listed = await library.list().catch(() => []);
   await pictures.write(state.id, picture, [...listed.map(({ id }) => id), state.id]);
 }

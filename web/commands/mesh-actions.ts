@@ -24,9 +24,10 @@ export async function generateMesh(app: App): Promise<void> {
   const hasBodies = app.bodies.state.getState().byId.size > 0;
   if (!hasBodies) proposeSize(app);
   const before = app.run.state.getState().outcome;
+  const { left } = app.documents;
   await app.run.generate("user", hasBodies ? (control) => validBodies(app, control) : undefined);
   const { outcome } = app.run.state.getState();
-  if (outcome !== before && outcome?.result.report.status === "done") showAsMeshed(app);
+  if (!left.aborted && outcome !== before && outcome?.result.report.status === "done") showAsMeshed(app);
 }
 
 /**
@@ -41,13 +42,11 @@ function showAsMeshed({ view }: App): void {
 const isTyping = (): boolean =>
   typeof document !== "undefined" && inputMode(document.activeElement) === "field";
 
-/** Repairs and joins bodies for a run. Returns null if another document is opened meanwhile. */
+/** Repairs and joins bodies for a run. Rejects if it is aborted. */
 async function validBodies(
   app: App,
   { signal, onPart }: Parameters<RunPreparation>[0],
-): Promise<readonly RunNote[] | null> {
-  const documentId = (): string => app.documents.state.getState().id;
-  const id = documentId();
+): Promise<readonly RunNote[]> {
   const inspect = async (): Promise<void> => {
     onPart(parts.inspect);
     await app.bodies.settled(signal);
@@ -57,18 +56,15 @@ async function validBodies(
   const notes = await repairBodies(app, signal);
   // Only bodies that are known to be valid are joined.
   await inspect();
-  if (documentId() === id) {
-    onPart(parts.join);
-    await joinTouchingBodies(app, signal, (note) => notes.push(note)).catch((error: unknown) => {
-      if (signal.aborted) throw error;
-      showFailure(app, parts.join, error);
-    });
-  }
+  onPart(parts.join);
+  await joinTouchingBodies(app, signal, (note) => notes.push(note)).catch((error: unknown) => {
+    signal.throwIfAborted();
+    showFailure(app, parts.join, error);
+  });
   await app.documents.afterGesture();
   signal.throwIfAborted();
-  if (documentId() !== id) return null;
   await app.bodies.previewed(signal, (fraction) => onPart(parts.preview, fraction));
-  if (documentId() !== id) return null;
+  signal.throwIfAborted();
   proposeSize(app);
   return notes;
 }

@@ -37,7 +37,6 @@ export function openProject(app: App, project: Project, file: ProjectFile | null
 /** Opens a project as a new document, and does not mesh it. */
 export function showModel(app: App, project: Project): void {
   finishOpening(app, app.showProject(project));
-  app.run.cancel();
 }
 
 /** Opens a surface as a new document: a project with a body per solid; the card shows the first one. */
@@ -48,7 +47,6 @@ export function openSurface(app: App, name: string, read: ReadSurface): void {
   };
   for (const made of read.bodies) app.bodies.keep(made);
   finishOpening(app, app.showProject(project));
-  app.run.cancel();
   showNewBodies(app, read);
 }
 
@@ -65,7 +63,6 @@ async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile
       ...(mesh.mesh.regions.length > 1 && innerRegions),
     };
     for (const made of read.bodies) app.bodies.keep(made);
-    app.run.cancel();
     finishOpening(app, app.showMesh(project, shown));
     app.view.setLayer("mesh", true);
     app.shell.setState({ rightTab: "quality", drawer: "right" });
@@ -177,9 +174,7 @@ function offerReopening(app: App, name: string, reopenIt: () => Promise<void>): 
 
 /** A mesh that was made from this project earlier is already shown. */
 export function meshOpened(app: App): void {
-  if (!app.generate) return;
-  if (app.run.state.getState().mesh) app.run.cancel();
-  else void app.run.restart();
+  if (app.generate && !app.run.state.getState().mesh) void app.run.generate("app");
 }
 
 export async function takeOpened(app: App, result: OpenResult): Promise<void> {

@@ -92,9 +92,10 @@ export async function repairBody(app: App, id: number): Promise<void> {
   const { trianglePatch } = used;
   const treated = withTreatmentAfter(state.repair.changes, body);
   const repaired = { ...treated, ...withRepairs(treated, state.repair) };
-  await changeBody(app, body, bodyStepNames.repair(bodyLabel(body)), () =>
+  const isRepaired = await changeBody(app, body, bodyStepNames.repair(bodyLabel(body)), () =>
     app.bodies.replaced(repaired, { ...surface, trianglePatch }, used.patches),
   );
+  if (!isRepaired) return;
   app.view.unmark();
   app.bodies.prepareWhenValid(id);
 }

@@ -132,6 +132,7 @@ export class BodyFeed {
     this.#documents = documents;
     this.#mesher = mesher;
     this.preparations = new BodyPreparations(mesher, this.#client, () => documents.project);
+    documents.onLeave(() => this.#forget());
     documents.onProject((project) => this.#follow(project));
     this.#follow(documents.project);
   }
@@ -349,6 +350,18 @@ export class BodyFeed {
   #newSplitting(): AbortController {
     this.#splitting.abort();
     return (this.#splitting = new AbortController());
+  }
+
+  /** Aborts all that is made for the bodies of a document that is left: those of another one may have the same ids. */
+  #forget(): void {
+    for (const aborts of [this.#aborts, this.#comparisons]) {
+      for (const abort of aborts.values()) abort.abort();
+      aborts.clear();
+    }
+    this.#making.clear();
+    this.#awaited.clear();
+    this.#splitting.abort();
+    this.state.setState({ byId: new Map() });
   }
 
   #follow(project: Project): void {

@@ -20,7 +20,7 @@ export interface BodyCheckState {
 
 type Found = Omit<BodyCheckState, "key">;
 
-const nothing: Found = { errors: [], touching: [] };
+const unchecked: BodyCheckState = { key: null, errors: [], touching: [] };
 
 /** Largest number of triangles of all bodies that are checked unasked. */
 const maxTriangles = 300_000;
@@ -31,7 +31,7 @@ const maxTriangles = 300_000;
  * Begins a run as soon as all bodies have up-to-date previews, and ends it when the front has made tetrahedra.
  */
 export class BodyCheck {
-  readonly state: StoreApi<BodyCheckState> = createStore<BodyCheckState>(() => ({ key: null, ...nothing }));
+  readonly state: StoreApi<BodyCheckState> = createStore<BodyCheckState>(() => unchecked);
   readonly #mesher: Promise<Mesher>;
   readonly #bodies: BodyFeed;
   /** The check that is being made. */
@@ -43,6 +43,10 @@ export class BodyCheck {
     this.#mesher = mesher;
     this.#bodies = bodies;
     const update = (): void => this.#update(settledProject(documents.state.getState()));
+    documents.onLeave(() => {
+      this.#stop();
+      this.state.setState(unchecked);
+    });
     documents.onSettled(update);
     bodies.state.subscribe(({ byId }, before) => {
       for (const [id, { preparation }] of byId) {

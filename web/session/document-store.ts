@@ -29,6 +29,8 @@ export interface OpenDocument {
 export interface DocumentState extends OpenDocument {
   /** The content when the current gesture began; null without a gesture. */
   readonly gestureStart: DocumentContent | null;
+  /** Aborted as soon as another document is shown, or this one again. */
+  readonly left: AbortSignal;
 }
 
 /** A continuous change, for example a drag: one undo step, however often it is updated. */
@@ -115,15 +117,31 @@ export class DocumentStore {
   /** The current gesture. Calls of an ended gesture have no effect. */
   #gesture: Gesture | null = null;
   #lock: EditLock | null = null;
+  #left = new AbortController();
+  readonly #leaving = new Set<() => void>();
 
   constructor(project: Project, now: () => number = () => performance.now()) {
     this.#now = now;
-    this.state = createStore<DocumentState>(() => ({ ...newDocument(project), gestureStart: null }));
+    this.state = createStore<DocumentState>(() => ({
+      ...newDocument(project),
+      gestureStart: null,
+      left: this.#left.signal,
+    }));
   }
 
   /** The project as it is shown, also during a gesture. */
   get project(): Project {
     return this.state.getState().history.present.project;
+  }
+
+  /** Aborted as soon as another document is shown. What is made for the present one must not be shown then. */
+  get left(): AbortSignal {
+    return this.#left.signal;
+  }
+
+  /** Calls back when another document is about to be shown, to forget what belongs to the one before. */
+  onLeave(listener: () => void): void {
+    this.#leaving.add(listener);
   }
 
   /** Refuses edits while a lock is closed. */
@@ -218,7 +236,10 @@ export class DocumentStore {
   show({ id, history, savedKey, file }: OpenDocument): DocumentState {
     this.#gesture?.cancel();
     const before = this.state.getState();
-    this.state.setState({ id, history, savedKey, file });
+    this.#left.abort();
+    this.#left = new AbortController();
+    for (const forget of this.#leaving) forget();
+    this.state.setState({ id, history, savedKey, file, left: this.left });
     return before;
   }
 
@@ -230,20 +251,21 @@ export class DocumentStore {
     if (this.state.getState().id === id) this.state.setState({ savedKey: documentKey(project), file });
   }
 
-  /** Calls back whenever the project changes. Returns a function that stops this. */
+  /** Calls back whenever the project changes, and for every document that is shown. Returns a function that stops this. */
   onProject(listener: (project: Project) => void): () => void {
     return this.state.subscribe((state, before) => {
       const { project } = state.history.present;
-      if (project !== before.history.present.project) listener(project);
+      if (state.left !== before.left || project !== before.history.present.project) listener(project);
     });
   }
 
-  /** Calls back whenever the content changes, but not during a gesture. Returns a function that stops this. */
+  /** As `onProject` for the content, but not during a gesture. Returns a function that stops this. */
   onSettled(listener: (content: DocumentContent) => void): () => void {
     return this.state.subscribe((state, before) => {
       const content = settledContent(state);
       const last = settledContent(before);
-      if (content.project !== last.project || content.meshVersion !== last.meshVersion) listener(content);
+      const isChanged = content.project !== last.project || content.meshVersion !== last.meshVersion;
+      if (isChanged || state.left !== before.left) listener(content);
     });
   }
 

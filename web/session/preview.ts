@@ -17,6 +17,8 @@ export interface PreviewState {
   readonly failure: { readonly project: Project; readonly reason: string } | null;
 }
 
+const noPreview: PreviewState = { preview: null, project: null, checked: null, failure: null };
+
 /** A preview is slow if it takes longer than this, in milliseconds: continuous edits should be shown 30 times per second. */
 const slowMs = 25;
 /** A project that was sampled only in part is checked as a whole if no newer one comes for this long, in milliseconds. */
@@ -29,12 +31,7 @@ const restMs = 80;
  * moves by one offset are shifted; the whole is checked as soon as the edits rest.
  */
 export class PreviewFeed {
-  readonly state: StoreApi<PreviewState> = createStore<PreviewState>(() => ({
-    preview: null,
-    project: null,
-    checked: null,
-    failure: null,
-  }));
+  readonly state: StoreApi<PreviewState> = createStore<PreviewState>(() => noPreview);
   readonly #documents: DocumentStore;
   readonly #mesher: Promise<Mesher>;
   #next: Project | null = null;
@@ -50,6 +47,7 @@ export class PreviewFeed {
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#documents = documents;
     this.#mesher = mesher;
+    documents.onLeave(() => this.#forget());
     documents.onProject((project) => this.request(project));
     this.request(documents.project);
   }
@@ -93,6 +91,14 @@ export class PreviewFeed {
     });
   }
 
+  /** Drops all that belongs to a document that is left. */
+  #forget(): void {
+    this.#abort?.abort();
+    this.#next = null;
+    this.#unchecked = null;
+    this.state.setState(noPreview);
+  }
+
   async #ask(): Promise<void> {
     while (this.#next ?? this.#unchecked) {
       const abort = new AbortController();
@@ -104,9 +110,10 @@ export class PreviewFeed {
       if (isAborted() || project === null) continue;
       this.#next = null;
       this.#unchecked = null;
+      const { left } = this.#documents;
       try {
-        if (next !== null && (await this.#samplePart(project))) this.#unchecked = project;
-        else await this.#sample(project, abort.signal);
+        if (next !== null && (await this.#samplePart(project, left))) this.#unchecked = project;
+        else await this.#sample(project, left, abort.signal);
         this.#hasGivenUp = false;
       } catch (error) {
         if (isAborted()) continue;
@@ -117,23 +124,25 @@ export class PreviewFeed {
     this.#abort = null;
   }
 
-  async #sample(project: Project, signal: AbortSignal): Promise<void> {
+  async #sample(project: Project, left: AbortSignal, signal: AbortSignal): Promise<void> {
     const [drawn, options] = engineInput(project);
     const mesher = await this.#mesher;
     const begin = performance.now();
     const preview = await mesher.previewProject(drawn, options, { signal });
+    left.throwIfAborted();
     this.#isSlow = performance.now() - begin > slowMs;
     this.state.setState({ preview, project, checked: project, failure: null });
   }
 
   /** Samples only what an edit has changed. Returns false if the whole project must be sampled, or can be in time. */
-  async #samplePart(project: Project): Promise<boolean> {
+  async #samplePart(project: Project, left: AbortSignal): Promise<boolean> {
     const { preview, project: sampled, failure } = this.state.getState();
     if (!this.#isSlow || !preview || !sampled || failure) return false;
     const part = changedPart(sampled, project);
     if (!part) return false;
     const mesher = await this.#mesher;
     const samples = part.project && (await mesher.previewProject(part.project, { samplesOnly: true }));
+    left.throwIfAborted();
     this.state.setState({ preview: withPart(preview, samples, part), project, failure: null });
     return true;
   }

@@ -154,16 +154,41 @@ const isShowable = ({ mesh }: MeshResult): boolean => mesh.tetrahedra.length > 0
 
 const count = (value: number): string => value.toLocaleString("en-US");
 
-/** Meshes the project of the document, one run at a time, and keeps the results. */
+/** A run under way. It is cancelled, and changes the state no longer, once its document has been left. */
+class ActiveRun {
+  readonly signal: AbortSignal;
+  readonly isLeft: () => boolean;
+  readonly timeLeft = new TimeLeft();
+  /** Seconds that were spent on the model before the mesher began. */
+  preparedSeconds = 0;
+  readonly #abort = new AbortController();
+  readonly #state: StoreApi<RunState>;
+
+  constructor(state: StoreApi<RunState>, left: AbortSignal) {
+    this.#state = state;
+    this.isLeft = () => left.aborted;
+    this.signal = AbortSignal.any([left, this.#abort.signal]);
+  }
+
+  set(change: Partial<RunState> | ((state: RunState) => Partial<RunState>)): void {
+    if (!this.isLeft()) this.#state.setState(change);
+  }
+
+  cancel(): void {
+    this.set({ cancelling: true });
+    this.#abort.abort();
+  }
+}
+
+/** Meshes the project of the document, one run at a time, and keeps the results. Shows nothing that was made for another document. */
 export class MeshRun {
   readonly state: StoreApi<RunState> = createStore<RunState>(() => emptyRun);
   readonly #documents: DocumentStore;
   readonly #mesher: Promise<Mesher>;
   readonly #cache = new Map<string, ShownMesh>();
-  #abort: AbortController | null = null;
-  #timeLeft = new TimeLeft();
-  /** Seconds that were spent on the model before the mesher began. */
-  #preparedSeconds = 0;
+  /** The run of the present document; null without one. */
+  #active: ActiveRun | null = null;
+  /** Resolves when the last run has ended, that of another document too. */
   #running: Promise<void> = Promise.resolve();
   #lastLogId = 0;
 
@@ -178,52 +203,61 @@ export class MeshRun {
     this.#mesher = mesher;
     this.#preparations = preparations;
     documents.onSettled((content) => this.#showCached(content));
+    documents.onLeave(() => {
+      this.#active = null;
+      this.state.setState(emptyRun);
+    });
   }
 
   /** Meshes the current project, unless a run is active. Resolves when the run has ended. */
   generate(by: RunOrigin = "user", prepare?: RunPreparation): Promise<void> {
-    if (!this.#abort) this.#running = this.#generate(by, prepare);
+    if (!this.#active) this.#running = this.#generate(by, prepare, this.#running);
     return this.#running;
   }
 
-  async #generate(by: RunOrigin, prepare: RunPreparation | undefined): Promise<void> {
-    const abort = this.#begin("mesh");
+  async #generate(by: RunOrigin, prepare: RunPreparation | undefined, earlier: Promise<void>): Promise<void> {
+    const run = this.#begin("mesh");
     try {
-      const notes = prepare ? await this.#prepared(prepare, abort.signal) : [];
-      if (notes) await this.#mesh(by, notes, abort.signal);
+      const notes = prepare ? await this.#prepared(run, prepare) : [];
+      if (notes && !run.isLeft()) await this.#mesh(run, by, notes, earlier);
     } finally {
-      this.#end();
+      this.#end(run);
     }
   }
 
   /** Prepares the model. Returns null if it must not be meshed. */
-  async #prepared(prepare: RunPreparation, signal: AbortSignal): Promise<readonly RunNote[] | null> {
+  async #prepared(run: ActiveRun, prepare: RunPreparation): Promise<readonly RunNote[] | null> {
     const began = performance.now();
     // A part may have begun before the run.
     let first: number | null = null;
     const onPart = (preparing: string, fraction?: number): void => {
-      if (fraction === undefined) return this.state.setState({ preparing });
+      if (fraction === undefined) return run.set({ preparing });
       first ??= fraction;
-      this.state.setState({ preparing, preparedShare: maxPreparedShare * Math.max(0, fraction - first) });
+      run.set({ preparing, preparedShare: maxPreparedShare * Math.max(0, fraction - first) });
     };
     try {
-      return await prepare({ signal, onPart });
+      return await prepare({ signal: run.signal, onPart });
     } catch (error) {
-      if (signal.aborted) this.#log(0, "warning", logStrings.cancelledBefore);
-      else this.#fail(error, 0);
+      if (run.signal.aborted) this.#log(run, 0, "warning", logStrings.cancelledBefore);
+      else this.#fail(run, error, 0);
       return null;
     } finally {
-      this.#preparedSeconds = (performance.now() - began) / 1000;
-      this.state.setState({ preparing: null });
+      run.preparedSeconds = (performance.now() - began) / 1000;
+      run.set({ preparing: null });
     }
   }
 
-  async #mesh(by: RunOrigin, notes: readonly RunNote[], signal: AbortSignal): Promise<void> {
+  async #mesh(
+    run: ActiveRun,
+    by: RunOrigin,
+    notes: readonly RunNote[],
+    earlier: Promise<void>,
+  ): Promise<void> {
     const project = settledProject(this.#documents.state.getState());
     // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
     let expectedTetrahedra = 0;
-    const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
+    const log = (level: LogLevel, text: string): void => this.#log(run, elapsedSeconds, level, text);
     log("information", logStrings.meshing(project.name));
     for (const { level, text, remedy } of notes)
       log(level, remedy === undefined ? text : `${sentence(text)} ${remedy}`);
@@ -234,86 +268,91 @@ export class MeshRun {
       const logBody = (prepared: PreparedBody): void =>
         log("information", preparedText(nameOfBody(project, prepared.body), prepared));
       preparedBodies.forEach(logBody);
-      const mesher = await this.#mesher;
+      const [mesher] = await Promise.all([this.#mesher, earlier]);
       const result = await mesher.meshProject(
         input,
         { ...options, ...(preparedBodies.length > 0 && { preparedBodies }) },
         {
-          signal,
+          signal: run.signal,
           onProgress: (progress) => {
             ({ elapsedSeconds, expectedTetrahedra } = progress);
-            this.#report(progress, log);
+            if (!run.isLeft()) this.#report(run, progress, log);
           },
           onBody: (prepared) => {
             logBody(prepared);
             this.#preparations.keep(project, prepared);
           },
-          onFront: (front) => this.state.setState({ front }),
-          onUnoptimized: (mesh) => this.state.setState({ unoptimized: { mesh }, front: null }),
+          onFront: (front) => run.set({ front }),
+          onUnoptimized: (mesh) => run.set({ unoptimized: { mesh }, front: null }),
         },
       );
+      if (run.isLeft()) return;
       elapsedSeconds = result.report.seconds.total;
       const key = meshKey(project);
       this.#finish(project, { result, expectedTetrahedra, warnings }, log);
       await this.#documents.afterGesture();
-      if (isShowable(result)) this.#replaceVersion(key, by);
+      if (isShowable(result) && !run.isLeft()) this.#replaceVersion(key, by);
     } catch (error) {
-      this.#fail(error, elapsedSeconds);
+      this.#fail(run, error, elapsedSeconds);
     }
   }
 
-  #fail(error: unknown, seconds: number): void {
+  #fail(run: ActiveRun, error: unknown, seconds: number): void {
     const failure = failureText(error);
-    this.state.setState({ failure });
-    this.#log(seconds, "error", failure);
+    run.set({ failure });
+    this.#log(run, seconds, "error", failure);
   }
 
-  #begin(task: RunState["task"]): AbortController {
-    this.#abort = new AbortController();
-    this.#timeLeft = new TimeLeft();
-    this.#preparedSeconds = 0;
+  #begin(task: RunState["task"]): ActiveRun {
+    const run = new ActiveRun(this.state, this.#documents.left);
+    this.#active = run;
     const begun = { cancelling: false, progress: null, preparedShare: 0, secondsLeft: null, failure: null };
     this.state.setState({ busy: true, task, ...begun, log: [] });
-    return this.#abort;
+    return run;
   }
 
-  #end(): void {
-    this.#abort = null;
+  #end(run: ActiveRun): void {
+    if (this.#active === run) this.#active = null;
     const ended = { busy: false, preparing: null, cancelling: false, progress: null, secondsLeft: null };
-    this.state.setState({ ...ended, preparedShare: 0, front: null, unoptimized: null });
+    run.set({ ...ended, preparedShare: 0, front: null, unoptimized: null });
   }
 
   /**
    * Improves the elements of the shown mesh as one step of undo. A cancelled improvement keeps what it has reached.
-   * Returns null if no mesh can be improved now.
+   * Returns null if no mesh can be improved now, or another document has been opened meanwhile.
    */
   async improve(): Promise<ImprovementEnd | null> {
     const state = this.state.getState();
     const { mesh } = state;
-    if (this.#abort || !mesh || !canImprove(state, this.#documents.state.getState())) return null;
-    const improving = this.#improve({ ...state, mesh });
+    if (this.#active || !mesh || !canImprove(state, this.#documents.state.getState())) return null;
+    const improving = this.#improve({ ...state, mesh }, this.#running);
     this.#running = improving.then(() => undefined);
     return improving;
   }
 
-  async #improve({ mesh, origin, improvement, edgeReference, isValid }: ShownMesh): Promise<ImprovementEnd> {
-    const abort = this.#begin("improve");
+  async #improve(
+    { mesh, origin, improvement, edgeReference, isValid }: ShownMesh,
+    earlier: Promise<void>,
+  ): Promise<ImprovementEnd | null> {
+    const run = this.#begin("improve");
     let elapsedSeconds = 0;
-    const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
+    const log = (level: LogLevel, text: string): void => this.#log(run, elapsedSeconds, level, text);
     const document = this.#documents.state.getState();
     const { project } = settledContent(document);
     log("information", logStrings.improving(count(mesh.report.tetrahedra)));
     try {
       const { optimization = "default" } = project.meshing ?? {};
       const before = { mesh, origin, improvement, edgeReference, isValid };
-      const after = await improvedMesh(await this.#mesher, before, optimization, {
-        signal: abort.signal,
+      const [mesher] = await Promise.all([this.#mesher, earlier]);
+      const after = await improvedMesh(mesher, before, optimization, {
+        signal: run.signal,
         onProgress: (progress) => {
           elapsedSeconds = progress.elapsedSeconds;
-          this.#showProgress(progress);
+          this.#showProgress(run, progress);
         },
       });
       await this.#documents.afterGesture();
+      if (run.isLeft()) return null;
       if (!this.#finishImprovement(document, before, after)) {
         log("warning", logStrings.improvementDiscarded);
         return { kind: "discarded" };
@@ -321,19 +360,20 @@ export class MeshRun {
       if (after.improvement) log("success", logStrings.improved(after.improvement));
       return { kind: "shown", improvement: after.improvement };
     } catch (error) {
+      if (run.isLeft()) return null;
       const reasons = reasonsOf(error);
       for (const reason of reasons) log("error", reason);
       return { kind: "failed", reasons };
     } finally {
-      this.#end();
+      this.#end(run);
     }
   }
 
   /** Shows a better mesh, unless the model has changed since `document`. Returns whether it is shown. */
   #finishImprovement(document: DocumentState, before: ShownMesh, after: ShownMesh): boolean {
-    const { id, history } = this.#documents.state.getState();
+    const { history } = this.#documents.state.getState();
     const key = shownMeshKey(settledContent(document));
-    if (id !== document.id || shownMeshKey(history.present) !== key) return false;
+    if (shownMeshKey(history.present) !== key) return false;
     if (after.mesh === before.mesh) {
       this.state.setState({ improvement: after.improvement });
       return true;
@@ -346,8 +386,10 @@ export class MeshRun {
   /** Begins the log of a document with the file of its mesh. */
   logOpening(): void {
     const { mesh, origin } = this.state.getState();
-    this.state.setState({ log: [] });
-    if (mesh && origin) this.#log(0, "information", logStrings.opened(origin.fileName, sizeOf(mesh)));
+    if (mesh && origin)
+      this.state.setState({
+        log: [this.#line(0, "information", logStrings.opened(origin.fileName, sizeOf(mesh)))],
+      });
   }
 
   /** Keeps a mesh that no run makes. Returns its key: it is shown while it is that of the document. */
@@ -357,46 +399,26 @@ export class MeshRun {
     return key;
   }
 
-  /** Hides the mesh and the log if they belong to another state of the document. */
-  forgetOthers(): void {
-    const key = shownMeshKey(settledContent(this.#documents.state.getState()));
-    const { mesh, outcome } = this.state.getState();
-    if (mesh && this.state.getState().meshKey !== key) {
-      const none = { mesh: null, origin: null, improvement: null, isValid: null };
-      this.state.setState({ ...none, meshKey: null, meshedBodies: null });
-    }
-    if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
-  }
-
-  /** Cancels the active run and meshes the current project, without a step of undo. */
-  async restart(): Promise<void> {
-    this.cancel();
-    await this.#running;
-    await this.generate("app");
-  }
-
   cancel(): void {
-    if (!this.#abort) return;
-    this.state.setState({ cancelling: true });
-    this.#abort.abort();
+    this.#active?.cancel();
   }
 
-  #report(progress: CallProgress, log: (level: LogLevel, text: string) => void): void {
+  #report(run: ActiveRun, progress: CallProgress, log: (level: LogLevel, text: string) => void): void {
     const before = this.state.getState().progress;
     if (before?.phase !== progress.phase) {
       if (before?.phase === "surface")
         log("information", logStrings.boundaryTriangles(count(progress.triangles)));
       log("information", phaseNames[progress.phase]);
     }
-    this.#showProgress(progress);
+    this.#showProgress(run, progress);
   }
 
-  #showProgress(progress: CallProgress): void {
+  #showProgress(run: ActiveRun, progress: CallProgress): void {
     if (!isDue(this.state.getState().progress, progress)) return;
     const { preparedShare } = this.state.getState();
     const fraction = preparedShare + (1 - preparedShare) * progress.fraction;
-    const secondsLeft = this.#timeLeft.add(fraction, this.#preparedSeconds + progress.elapsedSeconds);
-    this.state.setState({ progress: { ...progress, fraction }, secondsLeft });
+    const secondsLeft = run.timeLeft.add(fraction, run.preparedSeconds + progress.elapsedSeconds);
+    run.set({ progress: { ...progress, fraction }, secondsLeft });
   }
 
   #finish(
@@ -452,11 +474,17 @@ export class MeshRun {
     this.state.setState({ ...shown, meshKey: key, meshedBodies, outcome, failure: null });
   }
 
-  #log(seconds: number, level: LogLevel, text: string): void {
-    const line: LogLine = { id: ++this.#lastLogId, seconds, level, text };
-    this.state.setState(({ log }) => ({ log: [...log, line].slice(-maxLogLines) }));
+  #log(run: ActiveRun, ...given: LineText): void {
+    const line = this.#line(...given);
+    run.set(({ log }) => ({ log: [...log, line].slice(-maxLogLines) }));
+  }
+
+  #line(...[seconds, level, text]: LineText): LogLine {
+    return { id: ++this.#lastLogId, seconds, level, text };
   }
 }
+
+type LineText = [seconds: number, level: LogLevel, text: string];
 
 /** Returns whether to show the progress again. A new phase is shown at once. */
 function isDue(before: CallProgress | null, { phase, elapsedSeconds }: CallProgress): boolean {

@@ -112,7 +112,6 @@ export class Session {
     const before = this.documents.show(document);
     this.#leave(before);
     this.library?.keepOpen(document.id, release);
-    this.run.forgetOthers();
     this.view.reset();
     this.view.setCut({ enabled: false });
     return before;

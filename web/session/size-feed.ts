@@ -71,6 +71,10 @@ export class SizeFeed {
   constructor(stores: Stores, mesher: Promise<Mesher>) {
     this.#stores = stores;
     this.#mesher = mesher;
+    stores.documents.onLeave(() => {
+      this.#forget();
+      this.state.setState(nothing);
+    });
     stores.documents.onProject(() => this.#postpone());
     stores.previews.state.subscribe(() => this.#changed());
     stores.bodies.state.subscribe(() => this.#changed());

@@ -162,21 +162,6 @@ const nextTask = (): Promise<void> => new Promise((resolve) => setTimeout(resolv
 const renamed = (name: string) => ({ label: "Rename", replace: { name } }) as const;
 
 describe("an improvement", () => {
-  it("is ended by a restart, which then meshes the new project", async () => {
-    const { documents, run, project, stale, dispose } = await improvable();
-    await run.generate();
-    const improving = run.improve();
-    expect(run.state.getState().task).toBe("improve");
-    documents.show(newDocument({ ...project, meshing: { size: 0.4 } }));
-    run.forgetOthers();
-    await run.restart();
-    expect(await improving).toEqual({ kind: "discarded" });
-    expect(run.state.getState()).toMatchObject({ busy: false, task: "mesh" });
-    expect(run.state.getState().mesh?.report.status).toBe("done");
-    expect(stale()).toBe(false);
-    dispose();
-  });
-
   it("is discarded if the model changes meanwhile, but not if it is only renamed", async () => {
     const { documents, run, steps, stale, finish, dispose } = await improvable();
     await run.generate();
