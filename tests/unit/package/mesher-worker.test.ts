@@ -306,7 +306,7 @@ describe("the tools", () => {
     const { mesher, worker, run, proposal } = await waitingForTools();
     expect(worker.loads.at(-1)).toEqual(compileTools);
     worker.reply({ kind: "ready", name: "tools", module });
-    worker.reply({ kind: "answer", id: idOf(worker, 1), question: "propose", answer });
+    worker.reply({ kind: "answer", id: idOf(worker, 1), answer });
     expect(await proposal).toEqual({ size: 2, sources: [] });
     worker.crash("unreachable executed");
     await expect(run).rejects.toMatchObject({ code: "engine-failed" });
@@ -336,7 +336,7 @@ describe("the tools", () => {
     worker.reply({ kind: "wanted", name: "tools" });
     expect(worker.loads.slice(1)).toEqual([compileTools, compileTools]);
     worker.reply({ kind: "ready", name: "tools", module });
-    worker.reply({ kind: "answer", id: idOf(worker, 2), question: "propose", answer });
+    worker.reply({ kind: "answer", id: idOf(worker, 2), answer });
     expect(await next).toEqual({ size: 2, sources: [] });
     worker.reply({ kind: "result", id: idOf(worker), result: resultWith("own") });
     expect((await run).report.fingerprint).toBe("own");
@@ -417,20 +417,6 @@ describe("the failure of an abandoned query", () => {
   });
 });
 
-test("an answer of the wrong kind is ignored", async () => {
-  const mesher = await readyMesher();
-  const worker = workerNumber(0);
-  const settled = vi.fn();
-  const proposal = mesher.proposeSizes(cubeProject()).finally(settled);
-  const { grid } = projectArrays(cubeProject());
-  worker.reply({ kind: "answer", id: idOf(worker), question: "cover", answer: grid });
-  await new Promise((resolve) => setTimeout(resolve, 0));
-  expect(settled).not.toHaveBeenCalled();
-  const answer = { size: 2, sources: grid.sources };
-  worker.reply({ kind: "answer", id: idOf(worker), question: "propose", answer });
-  expect(await proposal).toEqual({ size: 2, sources: [] });
-});
-
 describe("a worker asked to cancel", () => {
   test("can take its time to copy the result after it confirms", async () => {
     const mesher = await readyMesher();
@@ -465,7 +451,7 @@ describe("a worker asked to cancel", () => {
       expect(workerNumber(0).terminated).toBe(true);
       const fresh = workerNumber(1);
       fresh.reply(READY);
-      expect(fresh.requests.map(({ kind }) => kind)).toEqual(["preview"]);
+      expect(fresh.requests).toMatchObject([{ kind: "question", call: "previewModel" }]);
       const arrays = {
         linePoints: noPoints,
         lineOffsets: none,
@@ -476,7 +462,6 @@ describe("a worker asked to cancel", () => {
       fresh.reply({
         kind: "answer",
         id: idOf(fresh),
-        question: "preview",
         answer: { ...arrays, diagnostics: noDiagnostics },
       });
       expect((await preview).diagnostics).toEqual([]);
@@ -498,10 +483,10 @@ describe("a worker asked to cancel", () => {
     structuredClone(surface, { transfer: [surface.points.buffer, surface.triangles.buffer] });
     stop.abort();
     expect((await run).report.status).toBe("cancelled");
-    const resent = workerNumber(1).requests.filter((request) => "triangles" in request);
-    expect(resent.map(({ kind }) => kind)).toEqual(["inspect-surface", "repair-surface", "refine-surface"]);
-    for (const request of resent) {
-      expect([request.points.length, request.triangles.length]).toEqual([points, corners]);
+    const resent = workerNumber(1).requests.filter((request) => request.kind === "question");
+    expect(resent.map(({ call }) => call)).toEqual(["inspectSurface", "repairSurface", "refineSurface"]);
+    for (const { given } of resent) {
+      expect(given.slice(0, 2)).toMatchObject([{ length: points }, { length: corners }]);
     }
     mesher.dispose();
   });

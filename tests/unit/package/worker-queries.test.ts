@@ -43,7 +43,7 @@ vi.mock("../../../wasm/dist/engine/loader.js", () => ({
 }));
 
 function proposal(id: number): Request {
-  return { kind: "propose", id, model: `model ${id}` } as unknown as Request;
+  return { kind: "question", id, call: "propose", given: [`model ${id}`] };
 }
 
 /** Sends the code that the worker has asked for last. */

@@ -11,6 +11,7 @@ import {
   engineRepairOptions,
 } from "../../../wasm/dist/api/options.js";
 import { projectArrays } from "../../../wasm/dist/project/arrays.js";
+import type { ArgumentsOf, CallName } from "../../../wasm/src/engine/calls.js";
 import type { Question, Reply, Request } from "../../../wasm/src/engine/protocol.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { cubeProject } from "../../support/projects.js";
@@ -42,7 +43,12 @@ afterEach(() => vi.restoreAllMocks());
 const started = new Promise<void>((resolve, reject) => {
   port.onReply = (reply) => {
     if (reply.kind === "ready" && reply.name === "engine") {
-      port.handle({ kind: "cover", id: 0, ...projectArrays(cubeProject()), size: 0, shape: 0 });
+      port.handle({
+        kind: "question",
+        id: 0,
+        call: "cover",
+        given: [projectArrays(cubeProject()).model, 0, 0],
+      });
     }
     if (reply.kind === "answer") resolve();
     if (reply.kind === "unusable") reject(new Error(reply.message));
@@ -87,91 +93,35 @@ const repairOptions = engineRepairOptions({ weld: 1e-9, fillHoles: 5 });
 
 const noRegions = { triangleRegions: new Uint32Array(), maxVolumes: new Float64Array() };
 
-/** Creates a query of each kind; the arrays of a query belong to it. */
-const queries: Readonly<Record<Question["kind"], (id: number) => Question>> = {
-  preview: (id) => ({ kind: "preview", id, model, grid, options, samplesOnly: false }),
-  cover: (id) => ({ kind: "cover", id, model, size: 0, shape: 0 }),
-  propose: (id) => ({ kind: "propose", id, model, options: engineProposalOptions({ maxSize: 0.9 }) }),
-  "sample-sizes": (id) => ({
-    kind: "sample-sizes",
-    id,
-    model,
-    bodies: {
-      points: new Float64Array(),
-      triangles: new Uint32Array(),
-      trianglePatch: new Uint32Array(),
-      patches: 0,
-    },
-    grid,
-    options,
-    positions: points.slice(),
-  }),
-  "background-from-mesh": (id) => ({
-    kind: "background-from-mesh",
-    id,
-    mesh: { points, tetrahedra, regions: new Uint32Array(), front: new Uint32Array() },
-    sizes: new Float64Array(),
-  }),
-  "inspect-surface": (id) => ({
-    kind: "inspect-surface",
-    id,
-    ...surface,
-    options: inspectionOptions,
-    triangleRegions: new Uint32Array(),
-  }),
-  "locate-regions": (id) => ({
-    kind: "locate-regions",
-    id,
-    ...surface,
-    positions: Float64Array.of(0.1, 0.1, 0.1),
-  }),
-  "propose-surface": (id) => ({
-    kind: "propose-surface",
-    id,
-    ...surface,
-    groups: new Uint32Array(),
-    options: engineRemeshOptions({ size: 0.2 }),
-    triangleRegions: new Uint32Array(),
-  }),
-  "repair-surface": (id) => ({
-    kind: "repair-surface",
-    id,
-    ...surface,
-    options: repairOptions,
-    triangleRegions: new Uint32Array(),
-  }),
-  "refine-surface": (id) => ({
-    kind: "refine-surface",
-    id,
-    ...surface,
-    grid: emptyGrid(),
-    options,
-    volume: 0,
-    regions: noRegions,
-  }),
-  "split-patches": (id) => ({ kind: "split-patches", id, ...surface, groups: new Uint32Array(), angle: 40 }),
-  "remesh-surface": (id) => ({
-    kind: "remesh-surface",
-    id,
-    ...surface,
-    groups: new Uint32Array(),
-    grid: emptyGrid(),
-    options: engineRemeshOptions({ size: 0.2 }),
-    regions: noRegions,
-  }),
-  "inspect-mesh": (id) => ({ kind: "inspect-mesh", id, points, tetrahedra, regions: new Uint32Array() }),
-  "improve-mesh": (id) => ({
-    kind: "improve-mesh",
-    id,
-    points,
-    tetrahedra,
-    regions: new Uint32Array(),
-    keptTriangles: new Uint32Array(),
-    options: engineImproveOptions({}),
-  }),
+const none = new Uint32Array();
+const noBodies = { points: new Float64Array(), triangles: none, trianglePatch: none, patches: 0 };
+const mesh = { points, tetrahedra, regions: none, front: none };
+const surfaceArrays = [surface.points, surface.triangles] as const;
+const remeshing = engineRemeshOptions({ size: 0.2 });
+
+/** What each call is given; the arrays belong to it. */
+const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
+  previewModel: () => [model, grid, options, false],
+  cover: () => [model, 0, 0],
+  propose: () => [model, engineProposalOptions({ maxSize: 0.9 })],
+  sampleSizes: () => [model, noBodies, grid, options, points.slice()],
+  backgroundFromMesh: () => [mesh, new Float64Array()],
+  inspectSurface: () => [...surfaceArrays, inspectionOptions, none],
+  locateRegions: () => [...surfaceArrays, Float64Array.of(0.1, 0.1, 0.1)],
+  proposeSurfaceSizes: () => [...surfaceArrays, none, remeshing, none],
+  repairSurface: () => [...surfaceArrays, repairOptions, none],
+  refineSurface: () => [...surfaceArrays, emptyGrid(), options, 0, noRegions],
+  splitPatches: () => [...surfaceArrays, none, 40],
+  remeshSurface: () => [...surfaceArrays, none, emptyGrid(), remeshing, noRegions],
+  inspectMesh: () => [points, tetrahedra, none],
+  improveMesh: () => [points, tetrahedra, none, none, engineImproveOptions({})],
 };
 
-describe.each(Object.entries(queries))("%s", (_, makeQuery) => {
+describe.each(Object.entries(queries))("%s", (call, given) => {
+  const makeQuery = (id: number): Question => {
+    return { kind: "question", id, call: call as CallName, given: given() };
+  };
+
   test("reports increasing fractions up to 1 and answers the same in slices of any length", async () => {
     const whole = (await repliesTo(makeQuery(++lastId))).at(-1);
     slowClock();

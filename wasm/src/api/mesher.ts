@@ -377,16 +377,12 @@ class WorkerMesher implements Mesher {
     const grid = hasGrid ? withNodes(drawn.grid, background) : drawn.grid;
     // Bodies alone need no sizes.
     const isAlone = hasBodies(project) && project.patches.length === 0 && grid.tetrahedra.length === 0;
-    const question = {
-      kind: "preview",
-      id: this.#client.nextId(),
-      model: drawn.model,
-      grid,
-      options: engineOptions(wrong.length > 0 ? {} : { size: isAlone ? (size ?? 1) : size, innerShells }),
-      samplesOnly: unusable.length === 0 && options.samplesOnly === true,
-    } as const;
+    const meshing = engineOptions(
+      wrong.length > 0 ? {} : { size: isAlone ? (size ?? 1) : size, innerShells },
+    );
+    const samplesOnly = unusable.length === 0 && options.samplesOnly === true;
     const name = projectNamer(project);
-    const answer = await this.#client.ask(question, control);
+    const answer = await this.#client.ask("previewModel", [drawn.model, grid, meshing, samplesOnly], control);
     const preview = describedPreview(answer, hasGrid ? gridByIndex(name) : name);
     const named = hasGrid ? { ...project, background: undefined } : project;
     const described = preview.diagnostics.map((found) => withMissingId(found, named));
@@ -403,9 +399,8 @@ class WorkerMesher implements Mesher {
     beginCall(this.#client, control);
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
     const model = modelWithBodyBoxes(project);
-    const id = this.#client.nextId();
-    const question = { kind: "cover", id, model, ...engineCoverOptions(options) } as const;
-    const grid = backgroundFrom(await this.#client.ask(question, control));
+    const { size, shape } = engineCoverOptions(options);
+    const grid = backgroundFrom(await this.#client.ask("cover", [model, size, shape], control));
     if (grid.tetrahedra.length === 0) refuse([nothingToCover()]);
     const { sources } = backgroundOf(project);
     return { ...projectBackground(grid), ...(sources && { sources }) };
@@ -419,9 +414,7 @@ class WorkerMesher implements Mesher {
     beginCall(this.#client, control);
     refuse([...checkProject(project), ...checkProposalOptions(options)]);
     const model = modelWithBodyBoxes(project);
-    const id = this.#client.nextId();
-    const question = { kind: "propose", id, model, options: engineProposalOptions(options) } as const;
-    const answer = await this.#client.ask(question, control);
+    const answer = await this.#client.ask("propose", [model, engineProposalOptions(options)], control);
     return { size: answer.size, sources: projectSources(answer.sources) };
   }
 
@@ -446,19 +439,10 @@ class WorkerMesher implements Mesher {
     const { sizes, ...stretched } = options.sizes === undefined ? sizesAtNodes(mesh) : options;
     refuse(checkVolume(mesh, sizes));
     const { points, tetrahedra } = mesh;
-    const id = this.#client.nextId();
-    const question = {
-      kind: "background-from-mesh",
-      id,
-      mesh: {
-        points: points.slice(),
-        tetrahedra: tetrahedra.slice(),
-        regions: new Uint32Array(),
-        front: new Uint32Array(),
-      },
-      sizes: sizes?.slice() ?? new Float64Array(),
-    } as const;
-    return { ...backgroundFrom(await this.#client.ask(question, control)), ...stretched };
+    const none = new Uint32Array();
+    const volume = { points: points.slice(), tetrahedra: tetrahedra.slice(), regions: none, front: none };
+    const given = [volume, sizes?.slice() ?? new Float64Array()] as const;
+    return { ...backgroundFrom(await this.#client.ask("backgroundFromMesh", given, control)), ...stretched };
   }
 
   async inspectSurface(
@@ -519,14 +503,8 @@ class WorkerMesher implements Mesher {
     beginCall(this.#client, control);
     refuse(checkMesh(mesh));
     const { points, tetrahedra, tetrahedronRegion: regions = new Uint32Array() } = mesh;
-    const question = {
-      kind: "inspect-mesh",
-      id: this.#client.nextId(),
-      points: points.slice(),
-      tetrahedra: tetrahedra.slice(),
-      regions: regions.slice(),
-    } as const;
-    const found = await this.#client.ask(question, control);
+    const given = [points.slice(), tetrahedra.slice(), regions.slice()] as const;
+    const found = await this.#client.ask("inspectMesh", given, control);
     if (!found.isReadable) refuse([unreadableMesh()]);
     return describedMesh(found, mesh.invertedTetrahedra?.length);
   }
@@ -540,16 +518,14 @@ class WorkerMesher implements Mesher {
     refuse([...checkImproveInput(mesh), ...checkImproveOptions(options)]);
     const { points, tetrahedra, triangles = new Uint32Array() } = mesh;
     const { tetrahedronRegion: regions = new Uint32Array() } = mesh;
-    const question = {
-      kind: "improve-mesh",
-      id: this.#client.nextId(),
-      points: points.slice(),
-      tetrahedra: tetrahedra.slice(),
-      regions: regions.slice(),
-      keptTriangles: triangles.slice(),
-      options: engineImproveOptions(options),
-    } as const;
-    const found = await this.#client.ask(question, control);
+    const given = [
+      points.slice(),
+      tetrahedra.slice(),
+      regions.slice(),
+      triangles.slice(),
+      engineImproveOptions(options),
+    ] as const;
+    const found = await this.#client.ask("improveMesh", given, control);
     if (!found.isReadable) refuse([unreadableMesh()]);
     refuse(improvementErrors(found));
     return describedImprovement(found, mesh);

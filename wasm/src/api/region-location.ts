@@ -28,14 +28,8 @@ export async function locateRegions(
 ): Promise<RegionLocation> {
   refuse(checkSurface(surface));
   const { regionPoints = { holes: [], regions: [] } } = surface;
-  const question = {
-    kind: "locate-regions",
-    id: client.nextId(),
-    points: surface.points.slice(),
-    triangles: surface.triangles.slice(),
-    positions: positionsOf(regionPoints),
-  } as const;
-  const location = await client.ask(question, control);
+  const given = [surface.points.slice(), surface.triangles.slice(), positionsOf(regionPoints)] as const;
+  const location = await client.ask("locateRegions", given, control);
   const isError = ({ severity }: Diagnostic) => severity === "error";
   refuse(changeDiagnostics(location, surfaceNamer(surface)).filter(isError));
   const found = volumesOf(regionPoints, location);

@@ -28,16 +28,10 @@ export async function sampleSizes(
   const prepared = known.filter(({ body }) => present.has(body));
   const drawn = projectArrays(project);
   const { background } = settled;
-  const question = {
-    kind: "sample-sizes",
-    id: client.nextId(),
-    model: drawn.model,
-    bodies: joinedBodies(project, prepared),
-    grid: background === undefined ? drawn.grid : withNodes(drawn.grid, background),
-    options: engineOptions(settled),
-    positions: positions.slice(),
-  } as const;
-  const { sizes, tetrahedra } = await client.ask(question, control);
+  const grid = background === undefined ? drawn.grid : withNodes(drawn.grid, background);
+  const bodySurfaces = joinedBodies(project, prepared);
+  const given = [drawn.model, bodySurfaces, grid, engineOptions(settled), positions.slice()] as const;
+  const { sizes, tetrahedra } = await client.ask("sampleSizes", given, control);
   const isComplete = tetrahedra > 0 && prepared.length === bodies.length;
   return { sizes, tetrahedra: isComplete ? Math.round(tetrahedra) : null };
 }

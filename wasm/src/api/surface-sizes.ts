@@ -19,23 +19,18 @@ export async function proposeSurfaceSizes(
 ): Promise<SurfaceSizeProposal> {
   refuse([...checkSurface(surface), ...checkSurfaceProposalOptions(options)]);
   refuse(checkLocatedSurface(surface));
-  const question = {
-    kind: "propose-surface",
-    id: client.nextId(),
-    points: surface.points.slice(),
-    triangles: surface.triangles.slice(),
-    groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
-    options: engineRemeshOptions(withInnerShells(surface, options)),
-    triangleRegions: triangleRegionsOf(surface),
-  } as const;
-  const found = await client.ask(question, control);
+  const { points, triangles, trianglePatch = new Uint32Array() } = surface;
+  const settings = engineRemeshOptions(withInnerShells(surface, options));
+  const regions = triangleRegionsOf(surface);
+  const given = [points.slice(), triangles.slice(), trianglePatch.slice(), settings, regions] as const;
+  const found = await client.ask("proposeSurfaceSizes", given, control);
   refuse(changeDiagnostics(found, surfaceNamer(surface)));
-  const { size, minSize, tolerance, triangles, tetrahedra } = found;
+  const { size, minSize, tolerance, tetrahedra } = found;
   return {
     size,
     minSize,
     tolerance,
-    triangles: Math.round(triangles),
+    triangles: Math.round(found.triangles),
     tetrahedra: Math.round(tetrahedra),
   };
 }

@@ -45,6 +45,7 @@ import {
   engineRemeshOptions,
   engineRepairOptions,
 } from "./options.js";
+import type { BackgroundArrays } from "../project/background-arrays.js";
 import { completeSurface } from "./carried-mesh.js";
 import { splitSurface } from "./patch-names.js";
 import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
@@ -67,6 +68,14 @@ function withCause(found: readonly Diagnostic[], coarse: readonly Diagnostic[]):
  * Calls of a mesher about surfaces. Diagnostics name triangles by their indices in the surface's origin, unless another
  * namer is given.
  */
+/** Returns copies of the arrays of a surface; its caller may change them while the worker has them. */
+function copied({ points, triangles, trianglePatch = new Uint32Array() }: SurfaceInput) {
+  return { points: points.slice(), triangles: triangles.slice(), groups: trianglePatch.slice() };
+}
+
+const gridOf = (background: BackgroundArrays | undefined) =>
+  background === undefined ? emptyGrid() : withNodes(emptyGrid(), background);
+
 export class SurfaceTools {
   readonly #client: EngineClient;
 
@@ -82,18 +91,11 @@ export class SurfaceTools {
   ): Promise<SurfaceInspection> {
     beginCall(this.#client, control);
     refuse([...checkSurface(surface), ...checkInspectionOptions(options)]);
-    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
+    const { points, triangles } = copied(surface);
     const pause = pauseAfterCopy(points, triangles);
     if (pause) await afterPause(this.#client, pause, control);
-    const question = {
-      kind: "inspect-surface",
-      id: this.#client.nextId(),
-      points,
-      triangles,
-      options: engineInspectionOptions(options),
-      triangleRegions: triangleRegionsOf(surface),
-    } as const;
-    const found = await this.#client.ask(question, control);
+    const given = [points, triangles, engineInspectionOptions(options), triangleRegionsOf(surface)] as const;
+    const found = await this.#client.ask("inspectSurface", given, control);
     return inSteps(describedInspection(found, surface, name ?? surfaceNamer(surface)), control.signal);
   }
 
@@ -101,17 +103,9 @@ export class SurfaceTools {
     beginCall(this.#client, control);
     refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
     refuse(checkWeld(surface, options.weld));
-    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
-    const id = this.#client.nextId();
-    const question = {
-      kind: "repair-surface",
-      id,
-      points,
-      triangles,
-      options: engineRepairOptions(options),
-      triangleRegions: triangleRegionsOf(surface),
-    } as const;
-    const repair = await this.#client.ask(question, control);
+    const { points, triangles } = copied(surface);
+    const given = [points, triangles, engineRepairOptions(options), triangleRegionsOf(surface)] as const;
+    const repair = await this.#client.ask("repairSurface", given, control);
     const found = changeDiagnostics(repair, surfaceNamer(surface));
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
@@ -127,18 +121,11 @@ export class SurfaceTools {
     beginCall(this.#client, control);
     refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
     const { volume = 0, ...withoutVolume } = options;
-    const { background } = withoutVolume;
-    const question = {
-      kind: "refine-surface",
-      id: this.#client.nextId(),
-      points: surface.points.slice(),
-      triangles: surface.triangles.slice(),
-      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
-      options: engineOptions(withoutVolume),
-      volume,
-      regions: givenRegionsOf(surface),
-    } as const;
-    const refinement = await this.#client.ask(question, control);
+    const { points, triangles } = copied(surface);
+    const grid = gridOf(withoutVolume.background);
+    const regions = givenRegionsOf(surface);
+    const given = [points, triangles, grid, engineOptions(withoutVolume), volume, regions] as const;
+    const refinement = await this.#client.ask("refineSurface", given, control);
     refuse(changeDiagnostics(refinement, name));
     return describedRefinement(refinement, surface);
   }
@@ -152,23 +139,14 @@ export class SurfaceTools {
     beginCall(this.#client, control);
     refuse([...checkSurface(surface), ...checkRemeshOptions(options)]);
     refuse(checkLocatedSurface(surface));
-    const { background } = options;
-    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
-    const groups = surface.trianglePatch?.slice() ?? new Uint32Array();
+    const { points, triangles, groups } = copied(surface);
     const pause = pauseAfterCopy(points, triangles, groups);
     // A partial call that is stopped early still returns a surface.
     if (pause) await afterPause(this.#client, pause, control.partial === true ? {} : control);
-    const question = {
-      kind: "remesh-surface",
-      id: this.#client.nextId(),
-      points,
-      triangles,
-      groups,
-      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
-      options: engineRemeshOptions(withInnerShells(surface, options)),
-      regions: givenRegionsOf(surface),
-    } as const;
-    const remesh = await this.#client.ask(question, control);
+    const settings = engineRemeshOptions(withInnerShells(surface, options));
+    const regions = givenRegionsOf(surface);
+    const given = [points, triangles, groups, gridOf(options.background), settings, regions] as const;
+    const remesh = await this.#client.ask("remeshSurface", given, control);
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
@@ -195,16 +173,10 @@ export class SurfaceTools {
   async split(surface: SurfaceInput, options: SplitOptions, control: RunControl): Promise<PatchSplit> {
     beginCall(this.#client, control);
     refuse([...checkSurface(surface), ...checkSplitOptions(options)]);
-    const question = {
-      kind: "split-patches",
-      id: this.#client.nextId(),
-      points: surface.points.slice(),
-      triangles: surface.triangles.slice(),
-      groups: surface.trianglePatch?.slice() ?? new Uint32Array(),
-      angle: angleOfSplit(options),
-    } as const;
+    const { points, triangles, groups } = copied(surface);
+    const given = [points, triangles, groups, angleOfSplit(options)] as const;
     const { patches } = options;
-    const pieces = await this.#client.ask(question, control);
+    const pieces = await this.#client.ask("splitPatches", given, control);
     refuse(changeDiagnostics(pieces, surfaceNamer(surface)));
     const split = splitSurface(pieces, surface.patches ?? [], patches);
     return { mesh: { ...completeSurface(surface), ...split } };

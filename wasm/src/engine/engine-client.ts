@@ -12,7 +12,8 @@ import {
   type MesherError,
 } from "../diagnostics/mesher-error.js";
 import { EngineWorker, type WorkReply } from "./engine-worker.js";
-import type { Answer, Answers, AnswerTo, EngineResult, Question, Request } from "./protocol.js";
+import { type AnswerOf, type ArgumentsOf, type CallName, trianglesIn } from "./calls.js";
+import type { Answer, EngineResult, Question, Request } from "./protocol.js";
 import { buffersOf } from "./transfer.js";
 
 type RunReply = Extract<
@@ -97,22 +98,24 @@ export class EngineClient {
   }
 
   /** Resolves with the answer. The arrays are not transferred, because the question may have to be sent to a new worker. */
-  async ask<Kind extends keyof Answers>(
-    question: Question & { readonly kind: Kind },
+  async ask<Name extends CallName>(
+    call: Name,
+    given: ArgumentsOf<Name>,
     { signal, onProgress, partial: isPartial = false }: PartialControl,
-  ): Promise<Answers[Kind]> {
+  ): Promise<AnswerOf<Name>> {
+    const question: Question = { kind: "question", id: this.nextId(), call, given };
     const onAbort = () => {
       if (isPartial) this.#stop(question.id);
       else if (signal) this.#abandon(question.id, cancelledError(signal));
     };
     try {
-      return await new Promise((resolve, reject) => {
+      return await new Promise<AnswerOf<Name>>((resolve, reject) => {
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#questions.set(question.id, {
           question,
           isStopped: false,
           onProgress,
-          receive: (reply) => isAnswerTo(question.kind, reply) && resolve(reply.answer),
+          receive: ({ answer }) => resolve(answer as AnswerOf<Name>),
           reject,
         });
         this.#worker.post(question, []);
@@ -155,7 +158,7 @@ export class EngineClient {
     let onAbort: (() => void) | undefined;
     try {
       return await new Promise<EngineResult | Cancelled>((resolve, reject) => {
-        const triangles = trianglesIn(request);
+        const triangles = trianglesOfRun(request);
         const state = { began: undefined, progress: undefined };
         const listener = { onProgress, onFront, onUnoptimized, onTrace };
         const job: Job = { request, triangles, ...listener, ...state, resolve, reject };
@@ -250,7 +253,7 @@ export class EngineClient {
 
   #receiveAnswer(reply: Answer): void {
     const open = this.#questions.get(reply.id);
-    if (open?.question.kind !== reply.question) return;
+    if (open === undefined) return;
     this.#questions.delete(reply.id);
     open.receive(reply);
     this.#updateKeepAlive();
@@ -261,7 +264,8 @@ export class EngineClient {
     const isAwaited = this.#active?.request.id === reply.id || this.#questions.has(reply.id);
     if (!isAwaited && !reply.isEngineLost) return;
     const question = this.#questions.get(reply.id)?.question;
-    const triangles = question === undefined ? (this.#active?.triangles ?? 0) : trianglesIn(question);
+    const triangles =
+      question === undefined ? (this.#active?.triangles ?? 0) : trianglesIn(question.call, question.given);
     this.#replaceWorker((progress) => failureError(reply, progress, triangles));
   }
 
@@ -320,12 +324,10 @@ export class EngineClient {
   }
 }
 
-function isAnswerTo<Kind extends keyof Answers>(kind: Kind, reply: Answer): reply is Answer & AnswerTo<Kind> {
-  return reply.question === kind;
+/** Returns the number of triangles of the surface or the bodies of a run. */
+function trianglesOfRun(request: RunRequest): number {
+  const { triangles } = request.kind === "mesh-model" ? (request.bodies ?? noBodies) : request;
+  return triangles.length / 3;
 }
 
-/** Returns the number of triangles of the request's surface or bodies; 0 if it has none. */
-function trianglesIn(request: Request): number {
-  if (request.kind === "mesh-model") return (request.bodies?.triangles.length ?? 0) / 3;
-  return "triangles" in request ? request.triangles.length / 3 : 0;
-}
+const noBodies = { triangles: new Uint32Array() };

@@ -3,33 +3,12 @@ import type { FrontExperiment } from "../trace/experiment.js";
 import type { CallProgress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
 import type { GivenRegions } from "../mesh/mesh.js";
-import type { EngineMesh, EngineVolume } from "./engine-mesh.js";
+import type { EngineMesh } from "./engine-mesh.js";
 import type { MetricShapes } from "../mesh/quality.js";
 import type { FrontRecording, MeshReport, MeshStatus } from "../mesh/report.js";
 import type { BodySurfaceArrays, GridArrays, ModelArrays } from "../generated/constants.js";
-import type {
-  CompiledModule,
-  EngineDiagnostics,
-  EngineGrid,
-  EngineImproveOptions,
-  EngineImprovement,
-  EngineInspection,
-  EngineInspectionOptions,
-  EngineLocation,
-  EngineOptions,
-  EnginePatchSplit,
-  EnginePreview,
-  EngineProposal,
-  EngineProposalOptions,
-  EngineRefinement,
-  EngineRemesh,
-  EngineRemeshOptions,
-  EngineRepair,
-  EngineRepairOptions,
-  EngineSizeSamples,
-  EngineSurfaceProposal,
-  EngineVolumeInspection,
-} from "./loader.js";
+import type { CallName } from "./calls.js";
+import type { CompiledModule, EngineDiagnostics, EngineOptions } from "./loader.js";
 
 /**
  * A module of the compiled engine: "engine" fills models and surfaces and improves meshes, "trace" fills them and records
@@ -42,132 +21,13 @@ export type ModuleName = (typeof MODULE_NAMES)[number];
  * A question. The worker answers it in slices, also during a run: any number of `progress` replies, then one
  * `answer` or `failure`. After a `cancel` there is neither; after a `stop`, an `answer` soon.
  */
-export type Question =
-  /** `options`: those to mesh with. */
-  | {
-      readonly kind: "preview";
-      readonly id: number;
-      readonly model: ModelArrays;
-      readonly grid: GridArrays;
-      readonly options: EngineOptions;
-      readonly samplesOnly: boolean;
-    }
-  /** `shape`: index in `COVER_SHAPES`. */
-  | {
-      readonly kind: "cover";
-      readonly id: number;
-      readonly model: ModelArrays;
-      readonly size: number;
-      readonly shape: number;
-    }
-  | {
-      readonly kind: "propose";
-      readonly id: number;
-      readonly model: ModelArrays;
-      readonly options: EngineProposalOptions;
-    }
-  /** `options`: those to mesh with; `positions`: x y z each. */
-  | {
-      readonly kind: "sample-sizes";
-      readonly id: number;
-      readonly model: ModelArrays;
-      readonly bodies: BodySurfaceArrays;
-      readonly grid: GridArrays;
-      readonly options: EngineOptions;
-      readonly positions: Float64Array;
-    }
-  /** Without sizes, they come from the mesh's own edges. */
-  | {
-      readonly kind: "background-from-mesh";
-      readonly id: number;
-      readonly mesh: EngineVolume;
-      readonly sizes: Float64Array;
-    }
-  | {
-      readonly kind: "inspect-surface";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly triangles: Uint32Array;
-      readonly options: EngineInspectionOptions;
-      /** As in `GivenRegions`, or empty. */
-      readonly triangleRegions: Uint32Array;
-    }
-  /** `positions`: x y z of each position to locate. */
-  | {
-      readonly kind: "locate-regions";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly triangles: Uint32Array;
-      readonly positions: Float64Array;
-    }
-  /** `groups` as for `remesh-surface`; `triangleRegions` as for `inspect-surface`. */
-  | {
-      readonly kind: "propose-surface";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly triangles: Uint32Array;
-      readonly groups: Uint32Array;
-      readonly options: EngineRemeshOptions;
-      readonly triangleRegions: Uint32Array;
-    }
-  | {
-      readonly kind: "repair-surface";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly triangles: Uint32Array;
-      readonly options: EngineRepairOptions;
-      /** Two per triangle; empty if the regions are not known. */
-      readonly triangleRegions: Uint32Array;
-    }
-  /** Grid, options and regions as for `fill-surface`; `volume` is 0 if it is unknown. */
-  | {
-      readonly kind: "refine-surface";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly triangles: Uint32Array;
-      readonly grid: GridArrays;
-      readonly options: EngineOptions;
-      readonly volume: number;
-      readonly regions: GivenRegions;
-    }
-  /** `groups`: as for `remesh-surface`. `angle`: degrees. */
-  | {
-      readonly kind: "split-patches";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly triangles: Uint32Array;
-      readonly groups: Uint32Array;
-      readonly angle: number;
-    }
-  /** Grid and regions as for `fill-surface`. `groups`: per triangle, its patch; empty if all are in one. */
-  | {
-      readonly kind: "remesh-surface";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly triangles: Uint32Array;
-      readonly groups: Uint32Array;
-      readonly grid: GridArrays;
-      readonly options: EngineRemeshOptions;
-      readonly regions: GivenRegions;
-    }
-  /** Without regions, all elements are in one. */
-  | {
-      readonly kind: "inspect-mesh";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly tetrahedra: Uint32Array;
-      readonly regions: Uint32Array;
-    }
-  /** As `inspect-mesh`. `keptTriangles`: faces that stay. */
-  | {
-      readonly kind: "improve-mesh";
-      readonly id: number;
-      readonly points: Float64Array;
-      readonly tetrahedra: Uint32Array;
-      readonly regions: Uint32Array;
-      readonly keptTriangles: Uint32Array;
-      readonly options: EngineImproveOptions;
-    };
+export interface Question {
+  readonly kind: "question";
+  readonly id: number;
+  readonly call: CallName;
+  /** `ArgumentsOf` the call. */
+  readonly given: readonly unknown[];
+}
 
 /**
  * Each request for work has its own id. Replies repeat it; replies to abandoned requests are recognized by it and
@@ -232,32 +92,13 @@ export interface EngineResult extends EngineMesh {
   readonly diagnostics: EngineDiagnostics;
 }
 
-/** The answer to each question. */
-export interface Answers {
-  readonly preview: EnginePreview;
-  readonly cover: EngineGrid;
-  readonly propose: EngineProposal;
-  readonly "sample-sizes": EngineSizeSamples;
-  readonly "background-from-mesh": EngineGrid;
-  readonly "inspect-surface": EngineInspection;
-  readonly "locate-regions": EngineLocation;
-  readonly "propose-surface": EngineSurfaceProposal;
-  readonly "repair-surface": EngineRepair;
-  readonly "refine-surface": EngineRefinement;
-  readonly "split-patches": EnginePatchSplit;
-  readonly "remesh-surface": EngineRemesh;
-  readonly "inspect-mesh": EngineVolumeInspection;
-  readonly "improve-mesh": EngineImprovement;
-}
-
-/** The answer to a question, which names its kind. */
-export type AnswerTo<Kind extends keyof Answers> = {
+/** The answer to a question. */
+export interface Answer {
   readonly kind: "answer";
   readonly id: number;
-  readonly question: Kind;
-  readonly answer: Answers[Kind];
-};
-export type Answer = { [Kind in keyof Answers]: AnswerTo<Kind> }[keyof Answers];
+  /** `AnswerOf` the call. */
+  readonly answer: unknown;
+}
 
 export type Reply =
   /** The worker needs the code of this module, which is loaded on first use. */

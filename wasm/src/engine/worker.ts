@@ -3,6 +3,7 @@ import { workerPort } from "#worker-port";
 import type { FailureReason } from "../diagnostics/mesher-error.js";
 import type { FrontRecording, MeshStatus } from "../mesh/report.js";
 import type { EngineMesh } from "./engine-mesh.js";
+import { CALLS, toolFor } from "./calls.js";
 import { LazyModule, textOf } from "./lazy-module.js";
 import {
   type Engine,
@@ -15,7 +16,7 @@ import {
   type Tools,
   type TraceEngine,
 } from "./loader.js";
-import type { Answer, EngineResult, ModuleName, Question, Request } from "./protocol.js";
+import type { EngineResult, ModuleName, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
 import { failureOf, runInSlices, type SliceControl, workInSlices } from "./slices.js";
@@ -91,15 +92,10 @@ async function serve(request: Request): Promise<void> {
       return workIn(runModule(request), request.id, (engine) =>
         mesh(request, withRules(surfaceRun(engine, request), request)),
       );
-    case "improve-mesh":
-      return workIn(lazyEngine, request.id, (engine) =>
-        answer(request, () => {
-          const { points, tetrahedra, regions, keptTriangles, options } = request;
-          return engine.improveMesh(points, tetrahedra, regions, keptTriangles, options);
-        }),
+    case "question":
+      return workIn<Engine | Tools>(modules[CALLS[request.call].module], request.id, (module) =>
+        answer(module, request),
       );
-    default:
-      return workIn(lazyTools, request.id, (tools) => answer(request, () => toolFor(tools, request)));
   }
 }
 
@@ -150,79 +146,13 @@ function surfaceRun(
   return engine.fillSurface(points, triangles, regions, grid, options);
 }
 
-/** A question that the module "tools" answers. */
-type ToolQuestion = Exclude<Question, { readonly kind: "improve-mesh" }>;
-
 /** A question that was abandoned while it waited is not begun. */
-async function answer(question: Question, makeTool: () => EngineTool | null): Promise<void> {
+async function answer(module: Engine | Tools, { id, call, given }: Question): Promise<void> {
   await workerPort.letRequestsIn();
-  if (!cancelled.has(question.id)) await work(question, makeTool());
+  if (!cancelled.has(id)) await work(id, toolFor(module, call, given));
 }
 
-function toolFor(tools: Tools, question: ToolQuestion): EngineTool | null {
-  switch (question.kind) {
-    case "preview":
-      return tools.previewModel(question.model, question.grid, question.options, question.samplesOnly);
-    case "cover":
-      return tools.cover(question.model, question.size, question.shape);
-    case "propose":
-      return tools.propose(question.model, question.options);
-    case "sample-sizes": {
-      const { model, bodies, grid, options, positions } = question;
-      return tools.sampleSizes(model, bodies, grid, options, positions);
-    }
-    case "background-from-mesh":
-      return tools.backgroundFromMesh(question.mesh, question.sizes);
-    case "inspect-surface":
-      return tools.inspectSurface(
-        question.points,
-        question.triangles,
-        question.options,
-        question.triangleRegions,
-      );
-    case "locate-regions":
-      return tools.locateRegions(question.points, question.triangles, question.positions);
-    case "propose-surface":
-      return tools.proposeSurfaceSizes(
-        question.points,
-        question.triangles,
-        question.groups,
-        question.options,
-        question.triangleRegions,
-      );
-    case "repair-surface":
-      return tools.repairSurface(
-        question.points,
-        question.triangles,
-        question.options,
-        question.triangleRegions,
-      );
-    case "refine-surface":
-      return tools.refineSurface(
-        question.points,
-        question.triangles,
-        question.grid,
-        question.options,
-        question.volume,
-        question.regions,
-      );
-    case "split-patches":
-      return tools.splitPatches(question.points, question.triangles, question.groups, question.angle);
-    case "remesh-surface":
-      return tools.remeshSurface(
-        question.points,
-        question.triangles,
-        question.groups,
-        question.grid,
-        question.options,
-        question.regions,
-      );
-    case "inspect-mesh":
-      return tools.inspectMesh(question.points, question.tetrahedra, question.regions);
-  }
-}
-
-async function work({ id, kind }: Question, tool: EngineTool | null): Promise<void> {
+async function work(id: number, tool: EngineTool | null): Promise<void> {
   if (tool === null) throw noMemory();
   try {
     assertHealthy(tool);
@@ -230,7 +160,7 @@ async function work({ id, kind }: Question, tool: EngineTool | null): Promise<vo
     if (!isComplete) return;
     const answer = tool.result();
     assertHealthy(tool);
-    workerPort.post({ kind: "answer", id, question: kind, answer } as Answer, buffersOf(answer));
+    workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
   } finally {
     tool.delete();
   }
