@@ -1,8 +1,13 @@
 import { defineConfig } from "@playwright/test";
 import { jobs } from "./scripts/lib/run.mjs";
+import { slowness } from "./scripts/lib/slowness.mjs";
 import { findChromium } from "./scripts/lib/tools.mjs";
 
 const port = Number(process.env.TETRAFRONT_E2E_PORT ?? 4179);
+
+/** Measured when the run begins; the processes of the tests are told. */
+const slow = Number(process.env.TETRAFRONT_SLOWNESS ?? slowness());
+process.env.TETRAFRONT_SLOWNESS = String(slow);
 
 /** End-to-end tests: the system's Chromium against the built site, worker and all. */
 export default defineConfig({
@@ -12,9 +17,9 @@ export default defineConfig({
   workers: Math.min(jobs, 2),
   fullyParallel: false,
   forbidOnly: true,
-  // Far more than any test takes: a machine under load must not fail one.
-  timeout: 240_000,
-  expect: { timeout: 60_000 },
+  // Nothing lets a user wait longer. What takes its time, as a large mesh, is waited for in steps that can be seen.
+  timeout: 120_000 * slow,
+  expect: { timeout: 10_000 * slow },
   // While the engine is compiled beside them, a test can miss a short moment in the page. `npm test` lists such tests.
   retries: 1,
   reporter: [["list"]],
