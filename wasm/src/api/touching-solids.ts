@@ -56,7 +56,6 @@ export async function withTouchingSolids(
   given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<Mesh> {
-  if (innerShells === "cavities") return given;
   const solids = await withSolidsOfPatches(given);
   if (solids === given) return given;
   const { diagnostics } = await mesher.inspectSurface(given, { innerShells });
@@ -162,6 +161,19 @@ export function assignedOverlap(
   const severity = share < SMALLEST_OVERLAP ? "information" : "warning";
   return {
     ...packageDiagnostic("touching-solids", message, remedy, severity),
+    ...(position && { position }),
+  };
+}
+
+/** Says that the first of two solids lies wholly inside the second one. */
+export function innerSolid(
+  given: SurfaceRegions | undefined,
+  { regions, position }: TouchingPair,
+): Diagnostic {
+  const [inner, outer] = regions.map((region) => namesOf(given, [region]));
+  const message = `The solid ${inner} lies inside ${outer}: both are regions, and ${outer} is what is left around it`;
+  return {
+    ...packageDiagnostic("touching-solids", message, "", "information"),
     ...(position && { position }),
   };
 }

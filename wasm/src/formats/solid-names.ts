@@ -22,7 +22,7 @@ export function namesOfSolids(
   patches: readonly MeshGroup[],
   regions: number,
 ): (string | undefined)[] {
-  const shells = shellsOf(surface.triangles, surface.points.length / 3);
+  const shells = shellsOfSides(surface, regions);
   const outer = outerShells(surface, shells, regions);
   const patchOfShell = patchesOfShells(shells, trianglePatch);
   const found = outer.map((shell) => {
@@ -53,6 +53,26 @@ export function shellsOf(triangles: Uint32Array, nodes: number): Uint32Array {
   return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => rootOf(triangles[3 * t] ?? 0));
 }
 
+/**
+ * Returns per side of a triangle the shell of its region there, which is connected over nodes of this region: solids that touch in
+ * an edge or a node have one shell each.
+ */
+function shellsOfSides({ triangles, triangleRegions }: TrianglesBetween, regions: number): Uint32Array {
+  const nodeOf = new Map<number, number>();
+  const corners = new Uint32Array(3 * triangleRegions.length);
+  triangleRegions.forEach((region, side) => {
+    const beside = Math.min(region, regions);
+    const t = side >>> 1;
+    for (let k = 0; k < 3; k++) {
+      const key = (triangles[3 * t + k] ?? 0) * (regions + 1) + beside;
+      const node = nodeOf.get(key) ?? nodeOf.size;
+      nodeOf.set(key, node);
+      corners[3 * side + k] = node;
+    }
+  });
+  return shellsOf(corners, nodeOf.size);
+}
+
 /** Returns the shell of each region that has a node farthest along x: nothing of the region lies outside of it. */
 function outerShells(
   { points, triangles, triangleRegions }: TrianglesBetween,
@@ -68,7 +88,7 @@ function outerShells(
       const x = points[3 * node] ?? 0;
       if (x <= (farthest[region] ?? 0)) continue;
       farthest[region] = x;
-      outer[region] = shells[t] ?? 0;
+      outer[region] = shells[side] ?? 0;
     }
   });
   return outer;
@@ -78,8 +98,8 @@ function outerShells(
 function patchesOfShells(shells: Uint32Array, trianglePatch: Uint32Array): Map<number, number> {
   const patchOf = new Map<number, number>();
   const mixed = new Set<number>();
-  shells.forEach((shell, t) => {
-    const patch = trianglePatch[t] ?? 0;
+  shells.forEach((shell, side) => {
+    const patch = trianglePatch[side >>> 1] ?? 0;
     const known = patchOf.get(shell);
     if (known === undefined) patchOf.set(shell, patch);
     else if (known !== patch) mixed.add(shell);

@@ -194,7 +194,7 @@ class Numbering {
  * Returns surfaces as one; its nodes, patches and regions are those of the first, then of the next. It states the origins of its
  * triangles and nodes if all of them do. O(n).
  */
-export function unitedSurfaces(parts: readonly Mesh[]): Mesh {
+export function unitedSurfaces(parts: readonly Mesh[]): SolidsSurface {
   const sum = (of: (part: Mesh) => number): number => parts.reduce((all, part) => all + of(part), 0);
   const points = new Float64Array(sum((part) => part.points.length));
   const triangles = new Uint32Array(sum((part) => part.triangles.length));

@@ -109,7 +109,7 @@ export type RepairChange = { readonly position: Position } & (
 
 /** Volume that two given regions shared. */
 export interface SharedVolume {
-  /** Numbers of the regions: the lower one, which got the volume, and the other one. */
+  /** Numbers of the regions: the one that got the volume, and the other one. A region wholly inside another one gets its own. */
   readonly regions: readonly [first: number, second: number];
   readonly volume: number;
   /** Mean width of its largest part, in model units. */
