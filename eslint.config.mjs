@@ -15,7 +15,7 @@ const onlyPublicEntry = {
 };
 const noThree = {
   group: ["three", "three/**", "three-*", "camera-controls"],
-  message: "three.js stays in viewer/, tools/ and player/.",
+  message: "three.js stays in viewer/, tools/ and teach/player/.",
 };
 const noReact = { group: ["react", "react-dom", "@mantine/**"], message: "React stays in panels/ and ui/." };
 const noEngine = {
@@ -96,8 +96,11 @@ export default tseslint.config(
   },
   { files: ["wasm/src/engine/loader.ts"], rules: restrict(noApp, noThree, noReact) },
   { files: ["web/**/*.{ts,tsx}"], rules: restrict(onlyPublicEntry, noThree, noReact) },
-  { files: ["web/{viewer,tools,player}/**/*.ts"], rules: restrict(onlyPublicEntry, noReact) },
-  { files: ["web/{panels,ui}/**/*.{ts,tsx}", "web/main.tsx"], rules: restrict(onlyPublicEntry, noThree) },
+  { files: ["web/{viewer,tools,teach/player}/**/*.ts"], rules: restrict(onlyPublicEntry, noReact) },
+  {
+    files: ["web/{panels,ui,teach/panels,teach/embed}/**/*.{ts,tsx}", "web/main.tsx"],
+    rules: restrict(onlyPublicEntry, noThree),
+  },
   {
     files: ["web/**/*.{ts,tsx}"],
     plugins: { "react-hooks": reactHooks },

@@ -15,7 +15,7 @@ if (root) {
   // An element without height is never in view.
   root.style.minHeight = "100dvh";
   whenSeen(root, () => {
-    void import("./panels/embed/start-embed").then(({ startEmbed }) =>
+    void import("./teach/embed/start-embed").then(({ startEmbed }) =>
       startEmbed(root, new URLSearchParams(window.location.search)),
     );
   });

@@ -9,9 +9,8 @@ import { showFailure } from "./commands/messages";
 import { offerLeftDocument } from "./commands/project-actions";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page/page";
-import { lessonIn, withLesson } from "./lessons/lesson-address";
-import { sharedFrontIn, withoutFront } from "./player/shared-front";
 import { strings } from "./strings";
+import { replayOf, teachingAddress, teachingSlots } from "./teach/teach";
 import { listenForPalette } from "./panels/shared/palette";
 import { ThemeProvider } from "./ui/theme/theme-provider";
 
@@ -21,15 +20,16 @@ const query = new URLSearchParams(window.location.search);
 const still = query.get("test") === "1";
 // Loaded only for a link with a project in it.
 const linked = window.location.hash.startsWith("#project=")
-  ? await import("./player/project-link").then(({ linkedIn }) => linkedIn(window.location.hash))
+  ? await import("./commands/project-link").then(({ linkedIn }) => linkedIn(window.location.hash))
   : null;
-const shared = linked ? null : sharedFrontIn(query);
+const teaching = teachingAddress(query, linked !== null);
 const app = await createApp({
   autosave: "main",
   generate: true,
   intent: linked?.kind === "linked" ? { kind: "project", project: linked.linked.project } : intentOf(query),
-  showsFront: shared !== null || (linked?.kind === "linked" && linked.linked.front !== null),
+  showsFront: teaching.showsFront || (linked?.kind === "linked" && linked.linked.front !== null),
   still,
+  replayOf,
 });
 
 offerLeftDocument(app);
@@ -64,7 +64,7 @@ void import("./commands/offline-actions")
 
 /**
  * The address selects the document to open, `model=ID` or `new=1`, but a reload continues with the document as it was
- * before the reload. `lesson=N` opens a lesson with its runs, also after a reload.
+ * before the reload. A lesson is opened again after a reload.
  */
 function intentOf(query: URLSearchParams): Intent {
   const [navigation] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
@@ -73,44 +73,12 @@ function intentOf(query: URLSearchParams): Intent {
 }
 
 function startOf(query: URLSearchParams): Start | null {
-  // A lesson opens its own model.
-  if (query.get("new") === "1" || query.has("lesson")) return { kind: "new" };
+  if (query.get("new") === "1" || teaching.opensLesson) return { kind: "new" };
   const model = query.get("model");
   return model === null ? null : { kind: "model", id: model };
 }
 
-if (shared) {
-  follow(sharing().then(({ showSharedIfOpen }) => showSharedIfOpen(app, shared)));
-}
-
-// The step that the address names belongs to the first document.
-app.documents.state.subscribe(({ id }, before) => {
-  if (id !== before.id) window.history.replaceState(null, "", withoutFront(window.location.href));
-});
-
-if (query.size > 0) {
-  follow(
-    import("./commands/address-problems").then(({ addressProblems, showAddressProblems }) =>
-      showAddressProblems(app, addressProblems(query)),
-    ),
-  );
-}
-
-const lesson = lessonIn(query);
-if (lesson) {
-  follow(
-    import("./commands/lesson-actions").then(({ openLessonNumber }) =>
-      openLessonNumber(app, lesson, query.get("lesson") ?? undefined),
-    ),
-  );
-}
-
-// The address names the open lesson and its runs, so that both can be passed on.
-app.shell.subscribe(({ lesson: number, lessonRuns: runs }, before) => {
-  if (number === before.lesson && runs === before.lessonRuns) return;
-  const address = withLesson(window.location.href, number === null ? null : { number, runs });
-  window.history.replaceState(null, "", address);
-});
+follow(teaching.follow(app));
 
 if (still) {
   // For tests: returns where a position, or the middle of an entity, appears in the view.
@@ -126,7 +94,7 @@ const root = document.getElementById("root");
 if (root) {
   createRoot(root).render(
     <ThemeProvider still={still}>
-      <Page app={app} />
+      <Page app={app} slots={teachingSlots} />
     </ThemeProvider>,
   );
 }

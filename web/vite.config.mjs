@@ -82,7 +82,7 @@ export default defineConfig({
       input: pages,
       output: {
         codeSplitting: {
-          groups: startGroups(inRoot("./main.tsx"), inRoot("./panels/embed/start-embed.tsx")),
+          groups: startGroups(inRoot("./main.tsx"), inRoot("./teach/embed/start-embed.tsx")),
         },
       },
     },

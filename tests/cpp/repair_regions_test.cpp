@@ -224,21 +224,47 @@ TEST(RepairedRegions, WhatSharesNothingIsRepairedAsWithoutRegions) {
   EXPECT_EQ(made.repair.changes.size(), plain.changes.size());
 }
 
-/// The second body lies wholly inside the first one, and the third one touches neither, in the second's place.
-TEST(RepairedRegions, WhatLiesWhollyInsideIsTold) {
+/// The second body lies wholly inside the first one, and touches neither it nor the third one.
+TEST(RepairedRegions, WhatLiesInsideAnotherRegionStays) {
   const SurfaceMesh given =
       regionsOf({box({0, 0, 0}, {1, 1, 1}), box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}),
                  box({0.75, 0.5, 0.5}, {1.5, 0.75, 0.75})});
   const Regions made = repairRegions(given);
   expectFillable(made, given);
   ASSERT_EQ(made.volumes.size(), 3U);
-  EXPECT_DOUBLE_EQ(made.volumes[0], 1.0);
-  EXPECT_EQ(made.volumes[1], 0.0);
+  EXPECT_DOUBLE_EQ(made.volumes[0], 63.0 / 64);
+  EXPECT_DOUBLE_EQ(made.volumes[1], 1.0 / 64);
   EXPECT_DOUBLE_EQ(made.volumes[2], 1.0 / 32);
   ASSERT_EQ(made.repair.sharedVolumes.size(), 2U);
-  EXPECT_EQ(made.repair.sharedVolumes[0].second, 1U);
-  EXPECT_DOUBLE_EQ(made.repair.sharedVolumes[0].volume, 1.0 / 64);
-  EXPECT_DOUBLE_EQ(made.repair.sharedVolumes[1].volume, 1.0 / 64);
+  const auto isInside = [](const SharedVolume& shared) { return shared.isNested; };
+  const auto inner = std::ranges::find_if(made.repair.sharedVolumes, isInside);
+  ASSERT_NE(inner, made.repair.sharedVolumes.end());
+  EXPECT_EQ(inner->first, 1U);
+  EXPECT_EQ(inner->second, 0U);
+  for (const SharedVolume& shared : made.repair.sharedVolumes) {
+    EXPECT_DOUBLE_EQ(shared.volume, 1.0 / 64);
+  }
+}
+
+/// The first body has a void, which stays one, with a body in it, and one inside that; the last one overlaps the first.
+TEST(RepairedRegions, AVoidStaysEmptyAroundWhatLiesInIt) {
+  const std::vector<SurfaceMesh> solids{
+      box({0, 0, 0}, {8, 8, 8}), box({2, 2, 2}, {5, 5, 5}), box({3, 3, 3}, {4, 4, 4}),
+      box({7, 1, 1}, {9, 3, 3})};
+  SurfaceMesh given = regionsOf(solids);
+  SurfaceMesh around = box({1, 1, 1}, {6, 6, 6});
+  turnInsideOut(around);
+  append(given, around);
+  for (std::size_t t = 0; t < triangleCount(around); ++t) {
+    given.triangleRegions.insert(given.triangleRegions.end(), {0U, SurfaceMesh::kNoRegion});
+  }
+  const Regions made = repairRegions(given);
+  expectFillable(made, given);
+  ASSERT_EQ(made.volumes.size(), 4U);
+  EXPECT_NEAR(made.volumes[0], 512.0 - 125.0, 1e-12);
+  EXPECT_NEAR(made.volumes[1], 27.0 - 1.0, 1e-12);
+  EXPECT_NEAR(made.volumes[2], 1.0, 1e-12);
+  EXPECT_NEAR(made.volumes[3], 4.0, 1e-12);
 }
 
 /// A lower region inside another one keeps its volume.
@@ -255,8 +281,8 @@ TEST(RepairedRegions, ALowerRegionInsideAnotherStays) {
 }
 
 /// Boxes on a coarse grid, with common planes and edges, inside one another, and equal ones: the cells of the grid say which
-/// region each volume belongs to.
-TEST(RepairedRegions, RandomBoxesGetTheCellsOfTheLowest) {
+/// region each volume belongs to. It is the lowest box around it of those that contain no other one around it.
+TEST(RepairedRegions, RandomBoxesGetTheCellsOfTheInnermost) {
   constexpr int kCells = 4;
   Random random(11);
   int resolved = 0;
@@ -265,6 +291,7 @@ TEST(RepairedRegions, RandomBoxesGetTheCellsOfTheLowest) {
     struct Range {
       std::array<int, 3> low;
       std::array<int, 3> high;
+      bool operator==(const Range&) const = default;
     };
     std::vector<Range> ranges;
     std::vector<SurfaceMesh> boxes;
@@ -296,9 +323,21 @@ TEST(RepairedRegions, RandomBoxesGetTheCellsOfTheLowest) {
         }
         if (isInside) around.push_back(i);
       }
-      if (!around.empty()) expected[around[0]] += 1.0;
-      for (std::size_t k = 1; k < around.size(); ++k) {
-        shared[around[0] * ranges.size() + around[k]] += 1.0;
+      const auto contains = [&](std::size_t outer, std::size_t inner) {
+        return ranges[outer] != ranges[inner] &&
+               std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t axis) {
+                 return ranges[outer].low[axis] <= ranges[inner].low[axis] &&
+                        ranges[inner].high[axis] <= ranges[outer].high[axis];
+               });
+      };
+      const auto owner = std::ranges::find_if(around, [&](std::size_t outer) {
+        return std::ranges::none_of(
+            around, [&](std::size_t inner) { return contains(outer, inner); });
+      });
+      if (owner == around.end()) continue;
+      expected[*owner] += 1.0;
+      for (const std::size_t other : around) {
+        if (other != *owner) shared[*owner * ranges.size() + other] += 1.0;
       }
     }
     const SurfaceMesh given = regionsOf(boxes);

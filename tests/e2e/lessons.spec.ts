@@ -2,8 +2,8 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Locator, type Page } from "@playwright/test";
 import { readFileSync } from "node:fs";
-import { parseLesson, type Lesson, type LessonTask } from "../../web/lessons/lesson";
-import { listOf } from "../../web/lessons/lesson-files";
+import { parseLesson, type Lesson, type LessonTask } from "../../web/teach/lessons/lesson";
+import { listOf } from "../../web/teach/lessons/lesson-files";
 
 const folder = new URL("../../public/lessons/", import.meta.url);
 const fileText = (name: string): string => readFileSync(new URL(name, folder), "utf8");

@@ -2,7 +2,7 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { readFileSync } from "node:fs";
-import { linkTo, type LinkedProject } from "../../web/player/project-link";
+import { linkTo, type LinkedProject } from "../../web/commands/project-link";
 import { AppPage, countColours, forEachPixel, nextFrame, sampleProject } from "./app-page";
 import { downloaded } from "./downloads";
 

@@ -6,8 +6,15 @@
 import type { AdvanceStep, Trace } from "tetrafront/trace";
 import type { Position } from "../../web/document/position";
 import { cross, dot, subtract } from "../../web/document/vectors";
-import { boxOf, cornersOf, crossesFace, nodesOf, touching, type NewElement } from "../../web/player/judge";
-import { distanceToFace, idealNumbers, unitAxes } from "../../web/player/unit-space";
+import {
+  boxOf,
+  cornersOf,
+  crossesFace,
+  nodesOf,
+  touching,
+  type NewElement,
+} from "../../web/teach/player/judge";
+import { distanceToFace, idealNumbers, unitAxes } from "../../web/teach/player/unit-space";
 
 type Box = ReturnType<typeof boxOf>;
 

@@ -1,6 +1,6 @@
 /** What the questions of "Be the mesher" have in common, in the plane and in the volume. */
 import { expect } from "vitest";
-import type { GameLevel } from "../../web/player/mesher-game";
+import type { GameLevel } from "../../web/teach/player/mesher-game";
 
 interface Question {
   readonly nodes: readonly number[];

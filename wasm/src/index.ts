@@ -61,7 +61,7 @@ export type {
   SurfaceRegions,
   VolumeInput,
 } from "./mesh/mesh.js";
-export type { MeshReport, MeshResult, MeshStatus } from "./mesh/report.js";
+export type { MeshReport, MeshResult, MeshStatus, RegionSummary } from "./mesh/report.js";
 export type { MeshedSurface } from "./api/meshed-surface.js";
 export type { RegionLocation } from "./api/region-location.js";
 export type {
@@ -75,7 +75,6 @@ export type {
 export type { MeshImprovement } from "./mesh/improvement.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { QualityReport } from "./mesh/quality.js";
-export { regionSummaries } from "./api/generated-mesh.js";
 export { measureTriangles } from "./api/triangle-shapes.js";
 export type { TriangleShapes } from "./mesh/triangle-shapes.js";
 

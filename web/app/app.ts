@@ -1,14 +1,12 @@
 import type { Mesher } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { Player } from "../player/player";
 import { DocumentPictures } from "../session/document-pictures";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
 import { createShell, hideMeshNotices, showNotice, type Shell } from "../session/shell";
-import { lessonStrings } from "../strings/lessons";
 import { Drawing } from "../tools/drawing/drawing";
 import { MeshQueryClient } from "../viewer/queries/mesh-query-client";
-import type { PreparedOf } from "../player/recording";
+import { noReplay, type Replay } from "./replay";
 import type { Viewer } from "../viewer/viewer";
 
 export interface PageOptions {
@@ -19,6 +17,8 @@ export interface PageOptions {
   readonly still: boolean;
   /** A document with unsaved changes that the address has replaced. */
   readonly left?: LeftDocument | null;
+  /** Makes what can be played in the view; without it, nothing can. `mesher`: that of runs. */
+  readonly replayOf?: (app: App, mesher: Promise<Mesher>) => Replay;
 }
 
 export interface LeftDocument {
@@ -42,34 +42,25 @@ export class App extends Session {
   }>(() => ({ viewer: null }));
   /** What the drawing tools show. */
   readonly drawing = new Drawing();
-  /** Records and plays the front of the present model. */
-  readonly player: Player;
+  /** What can be played in the view in place of the model. */
+  readonly replay: Replay;
   readonly generate: boolean;
   readonly still: boolean;
   readonly left: LeftDocument | null;
   /** Small pictures of the documents in the library. */
   readonly pictures = new DocumentPictures();
 
-  constructor(session: SessionOptions, { gallery, generate, still, left = null }: PageOptions) {
+  constructor(session: SessionOptions, { gallery, generate, still, left = null, replayOf }: PageOptions) {
     super(session);
     this.mesher = session.previewMesher;
-    const { mesher } = session;
-    const preparedOf: PreparedOf = (project) => this.bodies.preparations.allOf(project);
-    this.player = new Player({ documents: this.documents, run: this.run, mesher, preparedOf });
     this.documents.setLock({
-      isLocked: () => this.isLessonModel,
+      isLocked: () => this.isLocked,
       refused: () => this.#offerToEdit(),
     });
     this.gallery = gallery;
     this.generate = generate;
     this.still = still;
     this.left = left;
-    this.player.state.subscribe(({ trace }, { trace: before }) => {
-      if ((trace === null) === (before === null)) return;
-      this.shell.setState(({ leftTab }) => ({
-        leftTab: trace ? "lens" : leftTab === "lens" ? "model" : leftTab,
-      }));
-    });
     this.documents.state.subscribe(({ history }, before) => {
       // What was said of a file may be wrong after the first change, for example of what becomes of its triangles.
       if (history.present.project !== before.history.present.project) hideMeshNotices(this.shell);
@@ -79,22 +70,18 @@ export class App extends Session {
         state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";
       if (hasFailed) this.shell.setState({ bottomTab: "problems" });
     });
+    this.replay = replayOf?.(this, session.mesher) ?? noReplay;
   }
 
-  /** Whether the document is the model of the open lesson: its steps and numbers hold for this model only, so it is not edited. */
-  get isLessonModel(): boolean {
-    const { lesson, lessonModel } = this.shell.getState();
-    return lesson !== null && lessonModel === this.documents.state.getState().id;
+  /** Whether the document is not edited, because what is shown beside it holds for it as it is. */
+  get isLocked(): boolean {
+    return this.shell.getState().lock?.documentId === this.documents.state.getState().id;
   }
 
   #offerToEdit(): void {
-    const run = (): void => this.shell.setState({ lessonModel: null });
-    const action = { label: lessonStrings.editModel, run };
-    showNotice(this.shell, {
-      key: "lesson-model",
-      tone: "information",
-      text: lessonStrings.modelLocked,
-      action,
-    });
+    const { lock } = this.shell.getState();
+    if (!lock) return;
+    const action = { label: lock.edit, run: (): void => this.shell.setState({ lock: null }) };
+    showNotice(this.shell, { key: "locked", tone: "information", text: lock.text, action });
   }
 }

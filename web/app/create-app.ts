@@ -13,7 +13,7 @@ import { BrowserTabMemory } from "../session/tab-memory";
 import { strings } from "../strings";
 import { workerStrings } from "../strings/passing";
 import { onWorkerLost } from "../workers/worker-client";
-import { App } from "./app";
+import { App, type PageOptions } from "./app";
 
 /** What a new app shows first. */
 export type Intent =
@@ -41,13 +41,15 @@ export interface AppOptions {
   readonly showsFront?: boolean;
   /** Turns off motion and smooth edges, so that tests always get the same pictures. */
   readonly still?: boolean;
+  /** Makes what can be played in the view; without it, nothing can. */
+  readonly replayOf?: PageOptions["replayOf"];
 }
 
 const noGallery: Gallery = { opening: "", models: [] };
 
 /** Makes an app with its own documents, meshers and workers. A page can have several apps. */
 export async function createApp(options: AppOptions): Promise<App> {
-  const { autosave, generate, intent, showsFront = false, still = false } = options;
+  const { autosave, generate, intent, showsFront = false, still = false, replayOf } = options;
   // One mesher for runs and one for everything else, so that neither waits for the other.
   const [mesher, previewMesher] = [createMesher(), createMesher()];
   // Runs and previews report a failure themselves; this only prevents an unhandled rejection.
@@ -71,7 +73,8 @@ export async function createApp(options: AppOptions): Promise<App> {
   const replaces = known.kind !== "continue";
   const left = replaces ? ((await library?.unsaved().catch(() => null)) ?? null) : null;
 
-  const app = new App({ first, mesher, previewMesher, library }, { gallery, generate, still, left });
+  const page = { gallery, generate, still, left, ...(replayOf && { replayOf }) };
+  const app = new App({ first, mesher, previewMesher, library }, page);
   if (failures.length > 0) {
     app.shell.setState({ message: { title: strings.messages.galleryFailed, lines: failures } });
   } else if (intent.kind === "model" && known !== intent) {

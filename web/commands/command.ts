@@ -1,4 +1,5 @@
 import type { App } from "../app/app";
+import { synonyms } from "../strings";
 
 export type MenuName = "file" | "edit" | "create" | "view" | "mesh" | "help";
 
@@ -9,6 +10,8 @@ export interface Command {
   /** A menu draws a divider between different sections. */
   readonly section: number;
   readonly label: (app: App) => string;
+  /** Other words that find it in the palette. */
+  readonly words: string;
   /** In Mantine's notation, e.g. "mod+Z". The first is shown. */
   readonly keys: readonly string[];
   /** Do the keys work while a text field has the focus? */
@@ -24,6 +27,7 @@ export interface Command {
 }
 
 export interface Extra {
+  readonly words?: string;
   readonly keys?: readonly string[];
   readonly inFields?: boolean;
   readonly enabled?: (app: App) => boolean;
@@ -46,6 +50,7 @@ export const define =
     menu,
     section,
     label: typeof label === "string" ? () => label : label,
+    words: extra.words ?? synonyms[id] ?? "",
     keys: extra.keys ?? [],
     inFields: extra.inFields ?? false,
     enabled: extra.enabled ?? (() => true),

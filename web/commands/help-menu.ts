@@ -4,9 +4,6 @@ import { define, type Command } from "./command";
 import { keepOffline } from "./offline-actions";
 
 export const helpMenu: readonly Command[] = [
-  define("help", 0)("lessons", commandLabels.lessons, (app) =>
-    app.shell.setState({ rightTab: "lessons", drawer: "right" }),
-  ),
   define("help", 0)(
     "present",
     commandLabels.present,

@@ -2,8 +2,7 @@ import type { App } from "../app/app";
 import type { EditedSetting } from "../session/shell";
 import { drawnKinds, recordsOf, type Entity } from "../document/entities";
 import { templates } from "../document/templates";
-import { entityWords, paletteStrings, settingNames, strings, synonyms, templateStrings } from "../strings";
-import { shareStrings } from "../strings/share";
+import { entityWords, paletteStrings, settingNames, strings, templateStrings } from "../strings";
 import { openExample, openTemplate } from "./project-actions";
 import type { Command } from "./command";
 import { commands, runCommand } from "./registry";
@@ -39,7 +38,7 @@ function commandItems(app: App): PaletteItem[] {
       id: command.id,
       group: strings.menus[command.menu],
       label: labelOf(app, command),
-      words: synonyms[command.id] ?? "",
+      words: command.words,
       hotkey: command.keys[0] ?? null,
       needs,
       run: () => runCommand(app, command),
@@ -75,76 +74,6 @@ function settingItems(app: App): PaletteItem[] {
       });
     },
   }));
-}
-
-const sharing = {
-  link: (app: App) => void import("./share-actions").then(({ copyLink }) => copyLink(app)),
-  embed: (app: App) => void import("./share-actions").then(({ copyEmbedCode }) => copyEmbedCode(app)),
-  picture: (app: App) => void import("./picture-actions").then(({ savePicture }) => savePicture(app)),
-  drawing: (app: App) => void import("./picture-actions").then(({ saveDrawing }) => saveDrawing(app)),
-  animation: (app: App) => void import("./picture-actions").then(({ saveAnimation }) => saveAnimation(app)),
-} as const;
-
-/** Returns what passes on the step of the front that is shown, as in the menu of the player. */
-function sharingItems(app: App): PaletteItem[] {
-  const hasFront = app.player.state.getState().trace !== null;
-  return (Object.keys(sharing) as (keyof typeof sharing)[]).map((id) => ({
-    id: `share-step-${id}`,
-    group: paletteStrings.front,
-    label: shareStrings[id],
-    words: paletteStrings.sharing[id],
-    hotkey: null,
-    needs: hasFront ? null : paletteStrings.needs.front,
-    run: () => sharing[id](app),
-  }));
-}
-
-/** Returns the step of the front whose number a query has, or how to ask for one: "step 100". */
-function stepItems(app: App, query: string): PaletteItem[] {
-  const { trace } = app.player.state.getState();
-  const item = { id: "go-to-step", group: paletteStrings.front, words: "jump frame seek", hotkey: null };
-  const { begin, label } = paletteStrings.goToStep;
-  const number = /\bstep\s+(\d+)\s*$/i.exec(query)?.[1];
-  if (trace === null || number === undefined)
-    return [
-      {
-        ...item,
-        label: label(null, trace?.stepCount ?? null),
-        needs: trace === null ? paletteStrings.needs.front : null,
-        begins: begin,
-        run: () => undefined,
-      },
-    ];
-  const step = Number(number);
-  if (step > trace.stepCount) return [];
-  return [{ ...item, label: label(step, trace.stepCount), needs: null, run: () => app.player.seek(step) }];
-}
-
-/**
- * Returns the lessons. Before their titles are known, returns the one whose number a query has: "lesson 10".
- * Throws nothing: an unknown number opens the list of lessons.
- */
-function lessonItems(app: App, query: string, titles: readonly (string | null)[] | null): PaletteItem[] {
-  const typed = Number(/\blesson\s+(\d+)\s*$/i.exec(query)?.[1] ?? 0);
-  const known = titles?.map((title, index) => ({ title, number: index + 1 }));
-  const lessons = known?.filter(({ title }) => title !== null) ?? [{ title: null, number: typed }];
-  return lessons
-    .filter(({ number }) => number > 0)
-    .map(({ title, number }) => ({
-      id: `lesson-${number}`,
-      group: paletteStrings.lessons,
-      label: paletteStrings.lesson(number, title),
-      words: "",
-      hotkey: null,
-      needs: null,
-      takesFocus: true,
-      run: () => {
-        app.shell.setState({ startPage: false });
-        void import("./lesson-actions").then(({ openLessonNumber }) =>
-          openLessonNumber(app, { number, runs: [], step: null }),
-        );
-      },
-    }));
 }
 
 function exampleItems(app: App): PaletteItem[] {
@@ -195,27 +124,41 @@ function entityItems(app: App): PaletteItem[] {
   );
 }
 
-/**
- * Returns all entries. Disabled commands, entities, examples, lessons and settings are only found, never listed. `query`: may
- * have the number of a step or lesson. `lessons`: their titles, null for one that cannot be read; null before they are loaded.
- */
+/** Entries of another part of the page. */
+export interface PaletteSource {
+  /** Returns the entries, some of which a query may ask for by a number: "step 100". */
+  readonly itemsOf: (app: App, query: string) => readonly PaletteItem[];
+  /** Loads what the entries need, when the palette is opened. */
+  readonly load: () => Promise<void>;
+}
+
+const sources: PaletteSource[] = [];
+
+/** Adds entries of another part of the page, before it is shown. */
+export function addPaletteItems(source: PaletteSource): void {
+  sources.push(source);
+}
+
+/** Loads what the entries of other parts need. Without a network, some entries are missing. */
+export async function loadPaletteItems(): Promise<void> {
+  await Promise.allSettled(sources.map(({ load }) => load()));
+}
+
+/** Returns all entries. Disabled commands, entities, examples, settings and those that were added are only found, never listed. */
 export function paletteItems(
   app: App,
   query = "",
-  lessons: readonly (string | null)[] | null = null,
 ): { readonly listed: PaletteItem[]; readonly found: PaletteItem[] } {
   const ofCommands = commandItems(app);
   return {
     listed: ofCommands.filter(({ needs }) => needs === null),
     found: [
-      ...stepItems(app, query),
+      ...sources.flatMap(({ itemsOf }) => itemsOf(app, query)),
       ...settingItems(app),
       ...templateItems(app),
       ...exampleItems(app),
-      ...lessonItems(app, query, lessons),
       ...entityItems(app),
       ...ofCommands.filter(({ needs }) => needs !== null),
-      ...sharingItems(app),
     ],
   };
 }

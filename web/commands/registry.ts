@@ -1,30 +1,28 @@
 import type { App } from "../app/app";
-import { keyWords, paletteStrings } from "../strings";
+import { keyWords } from "../strings";
 import { booleanCommands } from "./boolean-commands";
 import type { Command } from "./command";
 import { createMenu } from "./create-menu";
 import { editMenu } from "./edit-menu";
 import { fileMenu } from "./file-menu";
-import { frontCommands } from "./front-commands";
 import { helpMenu } from "./help-menu";
 import { meshMenu } from "./mesh-menu";
 import { toolCommands } from "./tool-commands";
 import { pieceCommands, sweepCommands, transformCommands } from "./operation-commands";
 import { viewMenu } from "./view-menu";
 
-/** Commands that make or change entities are not for the model of a lesson. */
+/** Commands that make or change entities are not for a locked document. */
 const editing = (commands: readonly Command[]): readonly Command[] =>
   commands.map((command) => ({
     ...command,
-    enabled: (app) => !app.isLessonModel && command.enabled(app),
-    needs: (app) => (app.isLessonModel ? paletteStrings.needs.ownModel : command.needs(app)),
+    enabled: (app) => !app.isLocked && command.enabled(app),
+    needs: (app) => (app.isLocked ? (app.shell.getState().lock?.text ?? null) : command.needs(app)),
   }));
 
-/** Tools that change entities and stand in menus among others: without them, the view of a lesson has no armed editor. */
+/** Tools that change entities and stand in menus among others: without them, the view of a locked document has no armed editor. */
 const armed: ReadonlySet<string> = new Set(["tool-move", "tool-node", "tool-source", "paint-size"]);
 
-/** Every command, in the order of the menus. */
-export const commands: readonly Command[] = [
+const all: Command[] = [
   ...fileMenu,
   ...editMenu,
   ...toolCommands.filter(({ menu }) => menu === "edit"),
@@ -39,11 +37,35 @@ export const commands: readonly Command[] = [
   ...viewMenu,
   ...toolCommands.filter(({ menu }) => menu === "view"),
   ...meshMenu,
-  ...frontCommands,
   ...helpMenu,
 ].flatMap((command) => (armed.has(command.id) ? editing([command]) : [command]));
 
-const byId = new Map(commands.map((command) => [command.id, command]));
+/** Every command, in the order of the menus. */
+export const commands: readonly Command[] = all;
+
+/** A digit or sign: some keyboards type it with Shift, others without. */
+const sign = /^(?:alt\+)?[^\p{L}\s]$/u;
+
+const byId = new Map<string, Command>();
+const byHotkey = new Map<string, Command>();
+for (const command of all) register(command);
+
+function register(command: Command): void {
+  byId.set(command.id, command);
+  for (const key of hotkeysOf(command)) byHotkey.set(key, command);
+}
+
+/** Adds commands of another part of the page, before it is shown. In their menu, they are the first of their section. */
+export function addCommands(added: readonly Command[]): void {
+  for (const command of added) {
+    const { menu, section } = command;
+    const isAfter = (other: Command): boolean =>
+      other.menu === menu && other.section >= section && !added.includes(other);
+    const at = all.findIndex(isAfter);
+    all.splice(at < 0 ? all.findLastIndex((other) => other.menu === menu) + 1 : at, 0, command);
+    register(command);
+  }
+}
 
 /** Returns whether there is a command with an id. */
 export const hasCommand = (id: string): boolean => byId.has(id);
@@ -66,16 +88,10 @@ export function runCommand(app: App, command: Command): void {
   command.run(app);
 }
 
-/** A digit or sign: some keyboards type it with Shift, others without. */
-const sign = /^(?:alt\+)?[^\p{L}\s]$/u;
-
 /** Returns the hotkeys of a command on all keyboards. */
-export const hotkeysOf = ({ keys }: Command): readonly string[] =>
-  keys.flatMap((key) => (sign.test(key) ? [key, `shift+${key}`] : [key]));
-
-const byHotkey = new Map(
-  commands.flatMap((command) => hotkeysOf(command).map((key) => [key, command] as const)),
-);
+export function hotkeysOf({ keys }: Command): readonly string[] {
+  return keys.flatMap((key) => (sign.test(key) ? [key, `shift+${key}`] : [key]));
+}
 
 /** Returns the command that a key runs without Ctrl and Alt; undefined if there is none. */
 export const commandOfKey = ({

@@ -6,7 +6,6 @@ import type { PictureSize } from "../viewer/picture-tiles";
 import type { Viewer } from "../viewer/viewer";
 import { drawLegend } from "./drawn-legend";
 import { showFailure, showMessage } from "./messages";
-import { drawLabels } from "./picture-actions";
 
 export interface PictureChoices extends PictureSize {
   /** Without the background of the view. */
@@ -23,7 +22,7 @@ export async function saveViewPicture(app: App, choices: PictureChoices): Promis
     return false;
   }
   try {
-    const picture = await pngOf(drawn(app, viewer, choices));
+    const picture = await pngOf(await drawn(app, viewer, choices));
     download([picture], `${fileStem(app.documents.project.name)}.png`, "image/png");
     return true;
   } catch (error) {
@@ -32,7 +31,7 @@ export async function saveViewPicture(app: App, choices: PictureChoices): Promis
   }
 }
 
-function drawn(app: App, viewer: Viewer, choices: PictureChoices): HTMLCanvasElement {
+async function drawn(app: App, viewer: Viewer, choices: PictureChoices): Promise<HTMLCanvasElement> {
   const canvas = Object.assign(document.createElement("canvas"), {
     width: choices.width,
     height: choices.height,
@@ -46,7 +45,7 @@ function drawn(app: App, viewer: Viewer, choices: PictureChoices): HTMLCanvasEle
   paper.translate(canvas.width / 2, canvas.height / 2);
   paper.scale(scale, scale);
   paper.translate(-(width + coveredLeft) / 2, -height / 2);
-  drawLabels(app, viewer, paper);
+  await app.replay.drawLabels(viewer, paper);
   paper.restore();
   // On a picture of another shape, the legend is as large as beside the model.
   if (choices.legend) drawLegend(document, paper, scale);

@@ -31,7 +31,7 @@ export interface Notice {
     | "shared"
     | "animation"
     | "address"
-    | "lesson-model"
+    | "locked"
     | "update"
     | "offline"
     | "worker";
@@ -40,17 +40,20 @@ export interface Notice {
   readonly action: { readonly label: string; readonly run: () => void };
 }
 
+export interface DocumentLock {
+  readonly documentId: string;
+  /** Why it is not edited, and the label of the button that permits it. */
+  readonly text: string;
+  readonly edit: string;
+}
+
 /** Which tabs, drawers and dialogs are open. Undo does not affect it, and a reload resets it. */
 export interface ShellState {
   /** On wide screens, the lens is there while a front is shown. */
   readonly leftTab: "model" | "examples" | "lens";
   readonly rightTab: "inspector" | "quality" | "display" | "lessons";
-  /** Number of the open lesson, from 1; null: the list of the lessons. */
-  readonly lesson: number | null;
-  /** Id of the document that is the model of the open lesson, which is not edited; null if there is none, or if it may be. */
-  readonly lessonModel: string | null;
-  /** Orders in which the model of the open lesson was run, or shall be run, besides the lesson's own. */
-  readonly lessonRuns: readonly string[];
+  /** A document that is not edited, because what is shown beside it holds for it as it is; null if there is none. */
+  readonly lock: DocumentLock | null;
   readonly bottomTab: "log" | "problems" | "patches" | "front" | "history";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
@@ -88,9 +91,7 @@ export function createShell(): Shell {
   return createStore<ShellState>(() => ({
     leftTab: "model",
     rightTab: "inspector",
-    lesson: null,
-    lessonModel: null,
-    lessonRuns: [],
+    lock: null,
     bottomTab: "log",
     drawer: null,
     dialog: null,
@@ -120,7 +121,7 @@ export function hideNotice(shell: Shell, hidden: Notice["key"]): void {
 /** Notices about a mesh, or about what becomes of an opened file in the next one: they give way to a run. */
 const ofMesh: readonly Notice["key"][] = ["file-notes", "improvement"];
 /** Notices about the open document, which give way to another one. */
-const ofDocument: readonly Notice["key"][] = [...ofMesh, "deleted", "note", "lesson-model"];
+const ofDocument: readonly Notice["key"][] = [...ofMesh, "deleted", "note", "locked"];
 
 export const hideMeshNotices = (shell: Shell): void => hideNotices(shell, ofMesh);
 export const hideDocumentNotices = (shell: Shell): void => hideNotices(shell, ofDocument);

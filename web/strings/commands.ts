@@ -128,19 +128,6 @@ export const commandLabels = {
   log: "Show log",
   worstElement: "Show worst element",
 
-  front: {
-    record: "Record the front",
-    play: "Play or pause the front",
-    forward: "Step of the front forward",
-    back: "Step of the front back",
-    farForward: (steps: number) => `${steps} steps of the front forward`,
-    farBack: (steps: number) => `${steps} steps of the front back`,
-    start: "First state of the front",
-    end: "Last state of the front",
-    close: "Show the model instead of the front",
-  },
-
-  lessons: "Lessons",
   present: "Presenter mode",
   help: "Help: keys, mouse, documents",
 } as const;

@@ -5,7 +5,6 @@ import { problemTitle } from "./mesh";
 import { pageStrings } from "./page";
 import { pieceStrings } from "./pieces";
 import { panelStrings } from "./panels";
-import { playerStrings } from "./player";
 import { unitStrings } from "./units";
 
 /** All texts that a user reads. The package words diagnostics and errors of files. */
@@ -16,7 +15,6 @@ export const strings = {
   export: exportStrings,
   bodies: bodyStrings,
   pieces: pieceStrings,
-  player: playerStrings,
   units: unitStrings,
   problemTitle,
 } as const;
@@ -28,7 +26,6 @@ export * from "./entities";
 export { exportStrings } from "./export";
 export * from "./mesh";
 export { fixStrings } from "./fixes";
-export { pickText } from "./mesher-game";
 export * from "./palette";
 export { templateStrings } from "./templates";
 export { operationStrings } from "./operations";

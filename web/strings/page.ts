@@ -81,11 +81,6 @@ export const pageStrings = {
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `${count} front faces`,
-    frontAt: {
-      lines: (step: string, steps: string) => `Lines after step ${step} of ${steps}`,
-      patches: (step: string, steps: string) => `Fronts of the patches after step ${step} of ${steps}`,
-      volume: (step: string, steps: string) => `Front after step ${step} of ${steps}`,
-    },
     filling: "Filling remaining pockets",
     exactFill: (fraction: string) => `exact fill ${fraction}`,
     cancel: { mesh: "Cancel meshing", improve: "Stop improving" },

@@ -6,33 +6,14 @@ export const paletteStrings = {
   examples: "Examples",
   settings: "Settings",
   templates: "New project",
-  lessons: "Lessons",
-  lesson: (number: number, title: string | null) => `Lesson ${number}${title === null ? "" : `: ${title}`}`,
   layer: (name: string) => `Layer: ${name.toLowerCase()}`,
-  front: "Front",
-  goToStep: {
-    begin: "step ",
-    label: (step: number | null, steps: number | null) =>
-      step === null
-        ? `Go to step … of the front${steps === null ? "" : ` (0 to ${steps.toLocaleString("en-US")})`}`
-        : `Go to step ${step} of the front`,
-  },
-  sharing: {
-    link: "share url address send pass on collaborate",
-    embed: "embed embedded share html iframe website",
-    picture: "image png screenshot photo snapshot capture export",
-    drawing: "image vector svg screenshot export share",
-    animation: "video film movie gif export share",
-  },
   /** What disabled commands need. */
   needs: {
     selection: "Select something in the view or the tree first.",
     line: "Select a line first.",
-    ownModel: "The model of a lesson is not edited. Open it from Examples.",
     single: "Select one entity or all of a group.",
     mesh: "Generate a mesh first.",
     running: { mesh: "The mesh is being generated.", improve: "The mesh is being improved." },
-    front: "Record the front first (Mesh ▸ Record the front).",
     past: "There is nothing to undo.",
     future: "There is nothing to redo.",
     run: "Nothing is being meshed or improved.",
@@ -147,10 +128,6 @@ export const synonyms: Readonly<Record<string, string>> = {
   problems: "errors warnings check validate diagnose",
   log: "messages console output progress",
   history: "steps versions earlier",
-  "front-play": "step animation run pause",
-  "front-start": "step first begin rewind",
-  "front-end": "step last finish",
-  lessons: "learn course tutorial teach students compare orders experiments help",
   present: "projector lecture large type teach laser",
   help: "help keys keyboard hotkeys shortcut shortcuts manual mouse documentation docs guide reference support about licence license version",
 };

@@ -19,7 +19,6 @@ export const panelStrings = {
   inspector: {
     title: "Inspector",
     display: "Display",
-    lessons: "Lessons",
     nothingSelected: "Select an entity in the tree or in the view to edit it.",
     several: (count: number) => `${count} entities selected`,
     closedChain: (count: number) => `${count} points, closed`,

@@ -129,8 +129,9 @@ struct RepairChange {
 
 /// Volume that two regions of the given surface share.
 struct SharedVolume {
-  std::uint32_t first = 0;   ///< the lower region, which gets the volume
+  std::uint32_t first = 0;   ///< the region that gets the volume
   std::uint32_t second = 0;  ///< the other one
+  bool isNested = false;     ///< the first one lies inside the other as a whole
   double volume = 0.0;
   double depth = 0.0;  ///< mean width of the part with the largest volume, in model units
   Vec3 position{0.0};  ///< on the boundary of that part

@@ -4,6 +4,7 @@
 /// each one is counted alone, by its winding number.
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +12,12 @@
 #include "arrangement/arrangement.h"
 
 namespace tetrafront {
+
+/// Winding numbers other than 0, in the order of the regions.
+using RegionWindings = std::vector<std::pair<std::uint32_t, std::int64_t>>;
+
+/// Adds to the winding number of a region; nothing for SurfaceMesh::kNoRegion.
+void addWinding(RegionWindings& windings, std::uint32_t region, std::int64_t number);
 
 /// The volumes are the shells of part_shells.h, by index.
 class CellRegions {
@@ -22,27 +29,36 @@ class CellRegions {
   /// Adds a part of the arrangement, with the volumes before and behind it.
   void addWall(std::uint32_t before, std::uint32_t behind, std::span<const PartOwner> owners);
 
-  /// Finds the regions of all volumes that walls connect to those outside of all regions. Returns false if walls
-  /// contradict each other; nothing is known then. O(n r) for n walls and up to r regions in a volume.
-  [[nodiscard]] bool find(std::span<const std::uint32_t> outside);
+  /// A volume whose winding numbers are known.
+  struct Known {
+    std::uint32_t cell;
+    RegionWindings windings;
+  };
+  /// Finds the regions of all volumes that walls connect to known ones. Returns false if walls contradict each other; nothing is
+  /// known then. O(n r) for n walls and up to r regions in a volume.
+  [[nodiscard]] bool find(std::vector<Known> known);
 
-  /// Returns the regions that a volume lies in, ascending.
+  /// Returns the regions that a volume lies in: first the one to which it belongs, then the others, ascending. It belongs to a region that
+  /// contains no other of them as a whole, to the lowest of several: what lies inside another region stays itself. Call after find().
   [[nodiscard]] std::vector<std::uint32_t> regionsOf(std::uint32_t cell) const;
-  /// Returns the lowest of them, or SurfaceMesh::kNoRegion.
-  [[nodiscard]] std::uint32_t lowestOf(std::uint32_t cell) const;
+  /// Returns whether a region lies inside another one as a whole, and is not the same.
+  [[nodiscard]] bool isWithin(std::uint32_t inner, std::uint32_t outer) const;
 
  private:
-  /// Winding numbers other than 0, in the order of the regions.
-  using Windings = std::vector<std::pair<std::uint32_t, std::int64_t>>;
   struct Wall {
     std::uint32_t before;
     std::uint32_t behind;
-    Windings step;  ///< windings behind - windings before
+    RegionWindings step;  ///< windings behind - windings before
   };
 
+  void countCells();
+
   std::span<const std::uint32_t> sides_;
-  std::vector<Windings> windings_;  ///< per volume
+  std::vector<RegionWindings> windings_;  ///< per volume
   std::vector<Wall> walls_;
+  std::map<std::uint32_t, std::size_t> cellsIn_;  ///< number of volumes per region
+  /// Number of volumes in two regions, the lower first.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> cellsInBoth_;
 };
 
 }  // namespace tetrafront

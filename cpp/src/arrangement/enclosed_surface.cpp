@@ -10,7 +10,6 @@
 #include "arrangement/arrangement.h"
 #include "arrangement/low_triangles.h"
 #include "arrangement/part_shells.h"
-#include "arrangement/region_nesting.h"
 #include "boundary/weld.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
@@ -177,7 +176,6 @@ class Enclosing {
       result_.isResolved = round > 0 && arrangement.pairCount() == 0;
       if (result_.isResolved) {
         fail(Unresolved::kNone, {});
-        if (hasRegions()) nest();
         co_return;
       }
       fail(Unresolved::kRounding, arrangement.firstOfPair());
@@ -200,13 +198,6 @@ class Enclosing {
         co_return;
       }
       co_await work.yield();
-    }
-  }
-
-  void nest() {
-    result_.shared.resize(sharedCells_);
-    for (SharedCell& cell : nestRegions(result_.mesh, result_.origin)) {
-      result_.shared.push_back(std::move(cell));
     }
   }
 
@@ -378,7 +369,6 @@ class Enclosing {
     areRegionsInconsistent_ = areRegionsInconsistent_ || inside.areRegionsInconsistent;
     if (result_.rounds > 1) return;
     result_.shared = std::move(inside.shared);
-    sharedCells_ = result_.shared.size();
   }
 
   std::uint32_t addNode(const CutPoints& points, CutPointId point) {
@@ -397,7 +387,6 @@ class Enclosing {
       0.0;  ///< of the grid of coordinates: a power of two, or 0 if they are not rounded
   bool isHopeless_ = false;  ///< another attempt would fail alike
   bool areRegionsInconsistent_ = false;
-  std::size_t sharedCells_ = 0;  ///< number of shared volumes of the given surface
   std::size_t spent_ = 0;        ///< triangles and pairs of all rounds
   EnclosedSurface result_;
   std::vector<std::uint8_t> isInterface_;    ///< per triangle

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "arrangement/cell_regions.h"
+#include "arrangement/regions_around.h"
 #include "base/sort.h"
 #include "geom/measure.h"
 #include "topology/disjoint_sets.h"
@@ -246,7 +247,32 @@ class InsideFinder {
     }
   }
 
-  /// Gives each shell the lowest of its regions, and lists those with several. Returns false if the regions contradict each other.
+  /// Returns the outer shell of each component, and how often the regions of other components wind around it.
+  [[nodiscard]] std::vector<CellRegions::Known> outerCells() const {
+    const auto components = static_cast<std::uint32_t>(components_.size());
+    std::vector<std::uint32_t> componentOf(countTriangles(mesh_), kNoIndex);
+    std::vector<std::uint8_t> isReduced(countTriangles(mesh_), 0);
+    for (std::uint32_t p = 0; p < isLeftOut_.size(); ++p) {
+      for (const PartOwner& owner : arrangement_.ownersOf(p)) {
+        if (isLeftOut_[p] != 0)
+          isReduced[owner.triangle.index()] = 1;
+        else
+          componentOf[owner.triangle.index()] = componentOf_[p];
+      }
+    }
+    for (std::size_t t = 0; t < componentOf.size(); ++t) {
+      if (isReduced[t] != 0 && componentOf[t] != kNoIndex) componentOf[t] = kInPart;
+    }
+    std::vector<RegionWindings> around = findRegionsAround(mesh_, componentOf, components);
+    std::vector<CellRegions::Known> found;
+    for (std::uint32_t c = 0; c < components; ++c) {
+      if (components_[c].outerShell == kNoIndex) continue;
+      found.push_back({components_[c].outerShell, std::move(around[c])});
+    }
+    return found;
+  }
+
+  /// Gives each shell its region, and lists those with several. Returns false if the regions contradict each other.
   bool findShellRegions(std::vector<SharedCell>& shared) {
     CellRegions regions(mesh_.triangleRegions, shells_.size());
     for (std::uint32_t p = 0; p < isLeftOut_.size(); ++p) {
@@ -254,19 +280,21 @@ class InsideFinder {
       const TriangleId part(p);
       regions.addWall(shellAt(frontOf(part)), shellAt(backOf(part)), arrangement_.ownersOf(p));
     }
-    std::vector<std::uint32_t> outside;
-    for (const PartComponent& component : components_) {
-      if (component.outerShell != kNoIndex) outside.push_back(component.outerShell);
-    }
-    if (!regions.find(outside)) return false;
+    if (!regions.find(outerCells())) return false;
     std::vector<std::uint32_t> sharedAt(shells_.size(), kNoIndex);
     for (std::uint32_t s = 0; s < shells_.size(); ++s) {
       PartShell& shell = shells_[s];
-      shell.region = regions.lowestOf(s);
-      std::vector<std::uint32_t> all = regions.regionsOf(s);
-      if (all.size() < 2) continue;
+      const std::vector<std::uint32_t> all = regions.regionsOf(s);
+      if (all.empty()) continue;
+      shell.region = all[0];
+      if (all.size() < 2 || components_[shell.component].outerShell == s) continue;
+      std::vector<SharingRegion> sharing;
+      for (const std::uint32_t region : std::span(all).subspan(1)) {
+        sharing.push_back({region, regions.isWithin(all[0], region)});
+      }
       sharedAt[s] = static_cast<std::uint32_t>(shared.size());
-      shared.push_back({std::move(all), shell.volume, 2.0 * shell.volume / shell.area, Vec3(0.0)});
+      shared.push_back({all[0], std::move(sharing), shell.volume, 2.0 * shell.volume / shell.area,
+                        Vec3(0.0)});
     }
     // The first part of each is the last one that is visited.
     for (std::uint32_t p = arrangement_.partCount(); p-- > 0;) {

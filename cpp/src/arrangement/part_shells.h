@@ -23,9 +23,16 @@ struct BoundaryPart {
   std::array<std::uint32_t, 2> regions{SurfaceMesh::kNoRegion, SurfaceMesh::kNoRegion};
 };
 
+/// A region in which a volume lies that belongs to another one.
+struct SharingRegion {
+  std::uint32_t region = 0;
+  bool isAround = false;  ///< it contains the other region as a whole
+};
+
 /// A volume that lies in several regions.
 struct SharedCell {
-  std::vector<std::uint32_t> regions;  ///< ascending; the first one gets the volume
+  std::uint32_t owner = 0;  ///< the region that gets the volume
+  std::vector<SharingRegion> others;
   double volume = 0.0;
   double width = 0.0;  ///< 2 x volume / area: the mean width, if it is thin
   Vec3 position{0.0};  ///< on its boundary
@@ -50,8 +57,9 @@ struct InsideBoundary {
 /// other, because interfaces end at an edge, every bounded volume is inside, and all parts between different
 /// volumes remain.
 ///
-/// If the surface has triangleRegions, the winding number of each region is counted alone. A volume belongs to the lowest region with
-/// a positive one, and the parts between different regions remain.
+/// If the surface has triangleRegions, the winding number of each region is counted alone, over all components. Of the regions
+/// with positive ones, a volume belongs to one that contains no other of them as a whole (CellRegions), and the parts between different
+/// regions remain.
 ///
 /// Exact except for the signs of volumes. O(n log n).
 [[nodiscard]] InsideBoundary boundaryOfInside(const SurfaceMesh& mesh,

@@ -11,11 +11,12 @@ std::vector<SharedVolume> findSharedVolumes(std::span<const SharedCell> cells) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, SharedVolume> byPair;
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> largest;
   for (const SharedCell& cell : cells) {
-    for (std::size_t other = 1; other < cell.regions.size(); ++other) {
-      const std::pair pair{cell.regions[0], cell.regions[other]};
+    for (const auto& [other, isAround] : cell.others) {
+      const std::pair pair{cell.owner, other};
       SharedVolume& shared = byPair[pair];
       shared.first = pair.first;
       shared.second = pair.second;
+      shared.isNested = isAround;
       shared.volume += cell.volume;
       if (largest[pair] >= cell.volume) continue;
       largest[pair] = cell.volume;

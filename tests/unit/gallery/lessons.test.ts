@@ -7,14 +7,14 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { createMesher, type FrontOrder, type Mesher, type MeshReport } from "tetrafront";
 import { readProject } from "tetrafront/project";
 import { readTrace, recordTrace, type Trace } from "tetrafront/trace";
-import { isShown } from "../../../web/lessons/check-task";
-import { parseLesson, type Lesson } from "../../../web/lessons/lesson";
-import { listOf } from "../../../web/lessons/lesson-files";
-import { runMeasures } from "../../../web/lessons/run-measures";
-import { searchCost } from "../../../web/lessons/search-cost";
-import { faceSize } from "../../../web/player/front-values";
-import { firstState } from "../../../web/player/phases";
-import { stopKindsOf } from "../../../web/player/stops";
+import { isShown } from "../../../web/teach/lessons/check-task";
+import { parseLesson, type Lesson } from "../../../web/teach/lessons/lesson";
+import { listOf } from "../../../web/teach/lessons/lesson-files";
+import { runMeasures } from "../../../web/teach/lessons/run-measures";
+import { searchCost } from "../../../web/teach/lessons/search-cost";
+import { faceSize } from "../../../web/teach/player/front-values";
+import { firstState } from "../../../web/teach/player/phases";
+import { stopKindsOf } from "../../../web/teach/player/stops";
 import { galleryProject, tracedIn } from "../../support/recorded-models";
 
 const inPublic = (file: string): string =>

@@ -44,6 +44,8 @@ async function meshed(input: string, ...more: readonly string[]): Promise<MeshRe
 const SHAPES = {
   sphere: () => sphereSurface(24),
   box: () => boxSurface(1, [0, 0, 0], [3, 2, 1]),
+  // All its edges get a further side at the same size.
+  cube: () => boxSurface(1),
   plate: () => boxSurface(2, [0, 0, 0], [10, 8, 0.5]),
   torus: () => torusSurface(48, 24, 5, 2),
 };
@@ -55,6 +57,9 @@ test.each([
   ["box", 200],
   ["box", 2000],
   ["box", 20_000],
+  ["cube", 500],
+  ["cube", 1000],
+  ["cube", 5000],
   ["plate", 2000],
   ["torus", 1000],
 ] as const)("--elements reaches the number within the tolerance: %s, %i", async (shape, wanted) => {

@@ -330,7 +330,6 @@ const TESTED_ELSEWHERE = [
   "liveNotes",
   "hasWelded",
   "remeshedBest",
-  "regionSummaries",
   "withSolidsOfPatches",
   "connectedGroups",
   "createUnitBodies",

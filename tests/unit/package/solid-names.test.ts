@@ -7,12 +7,12 @@ import {
   readSurface,
   type Mesh,
   type MeshReport,
+  type RegionSummary,
   type SurfaceInput,
 } from "tetrafront";
 import { createBodies, createBody } from "tetrafront/project";
 import { expect, test } from "vitest";
 
-import { regionSummaries, type RegionSummary } from "../../../wasm/dist/api/generated-mesh.js";
 import { withoutPause } from "../../../wasm/dist/base/steps.js";
 import { productSolids, productsOf } from "../../../wasm/dist/formats/step-products.js";
 import { cubeProject } from "../../support/projects.js";
@@ -147,7 +147,7 @@ test("regions of bodies have their names, those of a body of several solids the 
   const result = await mesher.meshProject(project);
   mesher.dispose();
   expect(result.report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
-  const summary = regionSummaries(result.mesh);
+  const { regions: summary } = result.report;
   expectSameRegions(result.report, summary);
   expect(summary.map(({ name, volume }) => [name, Math.round(volume)])).toEqual([
     ["part", 1],
@@ -165,9 +165,9 @@ test("a patch around two connected solids states neither: they stay two regions"
   const bodies = createBodies(onePatch, { id: 1, firstPatchId: 1 });
   expect(bodies.flatMap((body) => body.patches.map(({ solid }) => solid))).toEqual([undefined]);
   const mesher = await createMesher();
-  const { mesh } = await mesher.meshProject({ ...cubeProject(), ...NOTHING_DRAWN, bodies });
+  const { report } = await mesher.meshProject({ ...cubeProject(), ...NOTHING_DRAWN, bodies });
   mesher.dispose();
-  const volumes = regionSummaries(mesh).map(({ volume }) => Math.round(volume));
+  const volumes = report.regions.map(({ volume }) => Math.round(volume));
   expect(volumes.sort((a, b) => a - b)).toEqual([4, 8]);
 });
 

@@ -46,7 +46,7 @@ describe("solids of one STL file", () => {
     [
       "whose faces do not match",
       other,
-      /1 pair of solids touches in faces that are triangulated differently/,
+      /triangles of 1 pair of solids that touch or overlap do not fit together/,
     ],
   ])("%s are regions with their names, by default and by check", async (_, right, note) => {
     save("two.stl", stlOf({ left, right }));
@@ -56,6 +56,7 @@ describe("solids of one STL file", () => {
       { name: "left", volume: 1 },
       { name: "right", volume: 1 },
     ]);
+    expect(await regionsOf("two.stl", "--inner-shells", "cavities")).toHaveLength(2);
     const checked = await run("check", "two.stl");
     expect([checked.code, checked.stdout]).toEqual([0, expect.stringContaining("2 regions")]);
   });
@@ -106,7 +107,65 @@ test("files that do not match are joined without an option", async () => {
     "--report",
     "r.json",
   );
-  expect([code, stderr]).toEqual([0, expect.stringContaining("triangulated differently")]);
+  expect([code, stderr]).toEqual([0, expect.stringContaining("do not fit together")]);
   const checked = await run("check", "left.off", "right.off", "--join");
   expect([checked.code, checked.stdout]).toEqual([0, expect.stringContaining("2 regions")]);
+});
+
+/** A box with edges of `sides` parts between two corners. */
+const box = (low: readonly number[], high: readonly number[], sides = 1): SurfaceInput =>
+  boxSurface(sides, low as [number, number, number], high as [number, number, number]);
+
+describe("solids of one STL file inside others", () => {
+  const outer = box([0, 0, 0], [4, 4, 4]);
+  const inner = box([1, 1, 1], [2, 2, 2]);
+  const plug = box([1, 1, 0], [3, 3, 2]);
+  const touching = box([4, 0, 0], [6, 4, 4]);
+  const overlapping = box([3.5, 1, 1], [5, 3, 3]);
+
+  test.each<readonly [string, Readonly<Record<string, SurfaceInput>>, Readonly<Record<string, number>>]>([
+    [
+      "keep their names beside solids that touch",
+      { outer, touching, inner },
+      { outer: 63, touching: 32, inner: 1 },
+    ],
+    [
+      "keep their names beside solids that overlap",
+      { inner, overlapping, outer },
+      { inner: 1, overlapping: 6, outer: 61 },
+    ],
+    ["and flush with a face stay regions", { outer, plug }, { outer: 56, plug: 8 }],
+    ["and flush with a face stay regions in any order", { plug, outer }, { plug: 8, outer: 56 }],
+    [
+      "and each flush with a face of the next stay regions",
+      { outer, plug, core: box([1.5, 1.5, 0], [2.5, 2.5, 1]) },
+      { outer: 56, plug: 7, core: 1 },
+    ],
+    [
+      "that touch along an edge keep their names",
+      { left, right: box([1, 1, 0], [2, 2, 1], 2) },
+      { left: 1, right: 1 },
+    ],
+  ])("%s", async (_, solids, volumes) => {
+    save("nested.stl", stlOf(solids));
+    const found = await regionsOf("nested.stl");
+    expect(Object.fromEntries(found.map(({ name, volume }) => [name, volume]))).toEqual(volumes);
+    const { stderr } = await run("mesh", "nested.stl", "-o", "m.vtu");
+    expect(stderr.includes("overlap by")).toBe("overlapping" in solids);
+    expect(stderr).not.toContain("not meshed");
+  });
+
+  test("leave a void of a solid empty that others overlap", async () => {
+    const { points, triangles } = turned(inner);
+    const corners = Uint32Array.from(triangles, (node) => node + outer.points.length / 3);
+    const holed = {
+      points: Float64Array.of(...outer.points, ...points),
+      triangles: Uint32Array.of(...outer.triangles, ...corners),
+    };
+    save("void.stl", stlOf({ holed, overlapping }));
+    expect(await regionsOf("void.stl")).toEqual([
+      { name: "holed", volume: 63 },
+      { name: "overlapping", volume: 4 },
+    ]);
+  });
 });

@@ -1,6 +1,6 @@
 /** What the app says of parameters of its address that it cannot use. */
 import { expect, it } from "vitest";
-import { addressProblems, showAddressProblems } from "../../../web/commands/address-problems";
+import { addressProblems, showAddressProblems } from "../../../web/teach/commands/address-problems";
 import { createShell } from "../../../web/session/shell";
 
 const problemsOf = (query: string): readonly string[] => addressProblems(new URLSearchParams(query));

@@ -3,9 +3,9 @@ import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import type { Position } from "../../../web/document/position";
 import { areaVector, cross, distance, dot, mean, subtract, unit } from "../../../web/document/vectors";
-import { showAskedFace } from "../../../web/player/asked-face";
-import { cornersOf } from "../../../web/player/judge";
-import { nextVolumeQuestion, type VolumeQuestion } from "../../../web/player/volume-game";
+import { showAskedFace } from "../../../web/teach/player/asked-face";
+import { cornersOf } from "../../../web/teach/player/judge";
+import { nextVolumeQuestion, type VolumeQuestion } from "../../../web/teach/player/volume-game";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { galleryProject, recordFront } from "../../support/recorded-models";
 

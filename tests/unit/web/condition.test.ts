@@ -2,11 +2,11 @@
 import { createMesher } from "tetrafront";
 import { EDGE_REFUSALS, readTrace, type Trace, type TraceStep } from "tetrafront/trace";
 import { beforeAll, describe, expect, it } from "vitest";
-import { type Condition, parseCondition } from "../../../web/player/condition";
-import { holds } from "../../../web/player/condition-test";
-import { faceSize } from "../../../web/player/front-values";
-import { firstState } from "../../../web/player/phases";
-import { nextStop, refusedIn } from "../../../web/player/stops";
+import { type Condition, parseCondition } from "../../../web/teach/player/condition";
+import { holds } from "../../../web/teach/player/condition-test";
+import { faceSize } from "../../../web/teach/player/front-values";
+import { firstState } from "../../../web/teach/player/phases";
+import { nextStop, refusedIn } from "../../../web/teach/player/stops";
 import { recordSurface } from "../../support/recorded-models";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";

@@ -1,3 +1,6 @@
+import type { Player } from "../../../web/teach/player/player";
+import { playerOf } from "../../../web/teach/commands/player-of";
+import { replayOf } from "../../../web/teach/commands/replay";
 // @vitest-environment happy-dom
 /** The page that shows a front in other pages, without WebGL: its player, its keys and its link. */
 import { MantineProvider } from "@mantine/core";
@@ -12,10 +15,10 @@ import {
   sharedFrontOf,
   showShared,
   showSharedIfOpen,
-} from "../../../web/commands/share-actions";
-import { EmbedPage } from "../../../web/panels/embed/embed-page";
+} from "../../../web/teach/commands/step-links";
+import { EmbedPage } from "../../../web/teach/embed/embed-page";
 import { newDocument } from "../../../web/session/document-store";
-import type { SharedFront } from "../../../web/player/shared-front";
+import type { SharedFront } from "../../../web/teach/player/shared-front";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
@@ -75,6 +78,7 @@ beforeEach(async () => {
       },
       generate: false,
       still: true,
+      replayOf,
     },
   );
   host = document.body.appendChild(document.createElement("div"));
@@ -94,24 +98,24 @@ afterEach(() => {
 
 it("plays a trace with buttons and keys, and links to the app", async () => {
   expect(host.querySelector('[role="status"]')?.textContent).toContain("Recording");
-  await app.player.open(bytes);
-  app.player.seek(3);
+  await playerOf(app).open(bytes);
+  playerOf(app).seek(3);
   await until(() => expect(button("player-forward")).not.toBeNull());
   button("player-forward")?.click();
-  expect(app.player.state.getState().step).toBe(4);
+  expect(playerOf(app).state.getState().step).toBe(4);
   button("viewport-canvas")?.dispatchEvent(
     new KeyboardEvent("keydown", { key: ",", code: "Comma", bubbles: true }),
   );
-  await until(() => expect(app.player.state.getState().step).toBe(3));
+  await until(() => expect(playerOf(app).state.getState().step).toBe(3));
   expect(host.querySelector("a")?.getAttribute("href")).toBe("./?model=cube&step=3");
   expect(host.querySelector('[role="tab"]')).toBeNull();
 });
 
 it("has a link for the step of an unchanged example, and for nothing else", async () => {
   expect(await sharedFrontOf(app)).toBeNull();
-  await app.player.open(bytes);
-  app.player.seek(7);
-  app.player.state.setState({ coloring: "layer" });
+  await playerOf(app).open(bytes);
+  playerOf(app).seek(7);
+  playerOf(app).state.setState({ coloring: "layer" });
   expect(await sharedFrontOf(app)).toMatchObject({ model: "cube", step: 7, coloring: "layer", camera: null });
   const written: string[] = [];
   vi.stubGlobal("navigator", {
@@ -132,27 +136,27 @@ it("has a link for the step of an unchanged example, and for nothing else", asyn
 it("has no link for another model with the title of an example", async () => {
   const sphere = { ...model, meshing: { ...model.meshing, size: 0.123 } };
   app.showProject(sphere);
-  await app.player.open(bytes);
+  await playerOf(app).open(bytes);
   expect(await sharedFrontOf(app)).toBeNull();
   // The order of a front is a part of its address.
   app.showProject({ ...model, meshing: { ...model.meshing, order: "first-in" } });
-  await app.player.open(bytes);
+  await playerOf(app).open(bytes);
   expect(await sharedFrontOf(app)).toMatchObject({ model: "cube", order: null });
   // A trace of another model, from a file.
   app.showProject(cubeProject());
-  await app.player.open(bytes);
+  await playerOf(app).open(bytes);
   expect(await sharedFrontOf(app)).toBeNull();
 });
 
 it("says why there is no code if the example cannot be loaded", async () => {
-  await app.player.open(bytes);
+  await playerOf(app).open(bytes);
   vi.stubGlobal("fetch", () => Promise.reject(new Error("There is no connection")));
   await copyEmbedCode(app);
   expect(app.shell.getState().message?.lines.join()).toContain("no connection");
 });
 
 it("shows the step of an address only if its example is open and unchanged", async () => {
-  const record = vi.spyOn(app.player, "record").mockResolvedValue(null);
+  const record = vi.spyOn(playerOf(app), "record").mockResolvedValue(null);
   const cancel = vi.spyOn(app.run, "cancel");
   app.showProject({ ...cubeProject(), name: "Mine" });
   await showSharedIfOpen(app, shared);
@@ -173,11 +177,11 @@ it("shows the step of an address only if its example is open and unchanged", asy
 });
 
 it("says that a step or a candidate of an address does not exist", async () => {
-  await app.player.open(bytes);
-  const { trace } = app.player.state.getState();
+  await playerOf(app).open(bytes);
+  const { trace } = playerOf(app).state.getState();
   if (!trace) throw new Error("The trace was not opened");
-  const recorded = { kind: "recorded", trace } as Awaited<ReturnType<App["player"]["record"]>>;
-  vi.spyOn(app.player, "record").mockResolvedValue(recorded);
+  const recorded = { kind: "recorded", trace } as Awaited<ReturnType<Player["record"]>>;
+  vi.spyOn(playerOf(app), "record").mockResolvedValue(recorded);
   const reported = async (address: Partial<SharedFront>): Promise<string> => {
     app.shell.setState({ notices: [] });
     await showShared(app, { ...shared, ...address });
@@ -192,7 +196,7 @@ it("says that a step or a candidate of an address does not exist", async () => {
     `The front has no step ${last + 1}: its states are 0 to ${last}. State ${last} is shown.`,
   );
   expect(await reported({ step: 3, candidate: 99 })).toContain("Step 3 has no candidate 99");
-  expect(app.player.state.getState()).toMatchObject({ step: 3, candidate: null });
+  expect(playerOf(app).state.getState()).toMatchObject({ step: 3, candidate: null });
   // The page has no other place for it.
   await until(() => expect(button("notice-address")?.textContent).toContain("no candidate 99"));
 });

@@ -1,8 +1,8 @@
 /** The labels of lines and patches belong to those that the recorded front shows in space. */
 import type { Project } from "tetrafront/project";
 import { expect, test } from "vitest";
-import { entityLabels, labelAt } from "../../../web/player/entity-labels";
-import { inSpace } from "../../../web/player/surface-scene";
+import { entityLabels, labelAt } from "../../../web/teach/player/entity-labels";
+import { inSpace } from "../../../web/teach/player/surface-scene";
 import { cubeProject } from "../../support/projects";
 import { recordFront } from "../../support/recorded-models";
 

@@ -1,9 +1,11 @@
+import { playerOf } from "../../../web/teach/commands/player-of";
+import { replayOf } from "../../../web/teach/commands/replay";
 // @vitest-environment happy-dom
 /** Films of the front: one at a time, and the player pauses however a film ends. */
 import type { Mesher } from "tetrafront";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { saveAnimation } from "../../../web/commands/picture-actions";
+import { saveAnimation } from "../../../web/teach/commands/step-pictures";
 import { newDocument } from "../../../web/session/document-store";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";
@@ -57,10 +59,10 @@ beforeEach(async () => {
       previewMesher: idleMesher,
       library: null,
     },
-    { gallery: { opening: "", models: [] }, generate: false, still: true },
+    { gallery: { opening: "", models: [] }, generate: false, still: true, replayOf },
   );
-  await app.player.open(bytes);
-  app.player.seek(2);
+  await playerOf(app).open(bytes);
+  playerOf(app).seek(2);
 });
 afterEach(() => {
   vi.restoreAllMocks();
@@ -74,7 +76,7 @@ const draws = (drawOn: () => void): void => {
 /** Expects that nothing of a film is left. */
 function expectEnded(): void {
   expect(stopTrack).toHaveBeenCalledTimes(1);
-  expect(app.player.state.getState()).toMatchObject({ isPlaying: false, step: 2 });
+  expect(playerOf(app).state.getState()).toMatchObject({ isPlaying: false, step: 2 });
   expect(app.shell.getState().notices).toEqual([]);
 }
 
@@ -102,13 +104,13 @@ it("records one film at a time", async () => {
   await vi.waitFor(() => expect(drawOn).toHaveBeenCalled());
   await saveAnimation(app);
   expect(made).toHaveBeenCalledTimes(1);
-  expect(app.player.state.getState().isPlaying).toBe(true);
+  expect(playerOf(app).state.getState().isPlaying).toBe(true);
   // The film is not saved if its front was closed.
-  app.player.close();
+  playerOf(app).close();
   await first;
   expect(made).toHaveBeenCalledTimes(1);
   expect(stopTrack).toHaveBeenCalledTimes(1);
-  expect(app.player.state.getState().isPlaying).toBe(false);
+  expect(playerOf(app).state.getState().isPlaying).toBe(false);
 });
 
 it("lasts ten seconds and ends with the last step, however long its pictures take", async () => {
@@ -117,11 +119,11 @@ it("lasts ten seconds and ends with the last step, however long its pictures tak
   vi.spyOn(URL, "createObjectURL").mockReturnValue("blob:film");
   const steps: number[] = [];
   draws(() => {
-    steps.push(app.player.state.getState().step);
+    steps.push(playerOf(app).state.getState().step);
     now += 3000;
   });
   await saveAnimation(app);
-  const last = app.player.state.getState().trace?.stepCount ?? 0;
+  const last = playerOf(app).state.getState().trace?.stepCount ?? 0;
   // The film begins when the first picture is there: the clock stands still between pictures, so the second is the same.
   expect(steps).toEqual([0, 0, 0.3, 0.6, 0.9, 1].map((share) => Math.round(share * last)));
   expectEnded();

@@ -1,10 +1,10 @@
 /** Drawings of the front: which faces they show, and in which order. */
 import { expect, it } from "vitest";
 import { readTrace, type Trace } from "tetrafront/trace";
-import { frontDrawing, type DrawingView } from "../../../web/player/front-drawing";
-import { cornersOf } from "../../../web/player/judge";
-import { sceneOf } from "../../../web/player/lens-scene";
-import { initialPlayerState } from "../../../web/player/player";
+import { frontDrawing, type DrawingView } from "../../../web/teach/player/front-drawing";
+import { cornersOf } from "../../../web/teach/player/judge";
+import { sceneOf } from "../../../web/teach/player/lens-scene";
+import { initialPlayerState } from "../../../web/teach/player/player";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
 

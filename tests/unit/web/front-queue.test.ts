@@ -2,7 +2,7 @@
 import type { FrontOrder } from "tetrafront";
 import type { Trace } from "tetrafront/trace";
 import { describe, expect, it } from "vitest";
-import { FrontQueue } from "../../../web/lessons/front-queue";
+import { FrontQueue } from "../../../web/teach/lessons/front-queue";
 import { randomSource } from "../../support/random";
 import { galleryProject, recordFront } from "../../support/recorded-models";
 

@@ -1,7 +1,7 @@
 /** What the colours of the front show: the values of its faces, and where they are on the scale. */
 import { expect, it } from "vitest";
 import { readTrace, type Trace } from "tetrafront/trace";
-import { frontValues, shadeOf } from "../../../web/player/front-values";
+import { frontValues, shadeOf } from "../../../web/teach/player/front-values";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
 

@@ -12,9 +12,9 @@ import {
   nodesOf,
   sixVolumes,
   touching,
-} from "../../../web/player/judge";
-import { testByLayers, tolerance } from "../../../web/player/layered-test";
-import { distanceToFace } from "../../../web/player/unit-space";
+} from "../../../web/teach/player/judge";
+import { testByLayers, tolerance } from "../../../web/teach/player/layered-test";
+import { distanceToFace } from "../../../web/teach/player/unit-space";
 import { crossedNear, FrontGrid, rounding, tooCloseNear } from "../../support/front-grid";
 import { galleryProject, modelIds, recordFront } from "../../support/recorded-models";
 

@@ -1,3 +1,5 @@
+import { playerOf } from "../../../web/teach/commands/player-of";
+import { replayOf } from "../../../web/teach/teach";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Mesher } from "tetrafront";
 import { App } from "../../../web/app/app";
@@ -23,7 +25,7 @@ const newApp = (): App =>
       previewMesher: busyMesher,
       library: null,
     },
-    { gallery: { opening: "", models: [] }, generate: false, still: true },
+    { gallery: { opening: "", models: [] }, generate: false, still: true, replayOf },
   );
 
 /** An element of the page that is in a dialog, in a field, or in neither. */
@@ -187,7 +189,7 @@ describe("the hotkeys of the player", () => {
 
   it("work while the heading of a lesson has the focus, and scroll a panel that has it", async () => {
     const app = newApp();
-    await app.player.open(bytes);
+    await playerOf(app).open(bytes);
     const apps = new PageApps<App>();
     apps.add(app, { contains: () => true });
     const listen = hotkeyListener(app, apps);
@@ -196,37 +198,37 @@ describe("the hotkeys of the player", () => {
         closest: (selector: string) => (selectors.some((inside) => selector.includes(inside)) ? {} : null),
       }) as never;
     const [heading, panel] = [within("h2", '[role="region"]'), within('[role="region"]')];
-    const { stepCount = 0 } = app.player.state.getState().trace ?? {};
-    const { state } = app.player;
+    const { stepCount = 0 } = playerOf(app).state.getState().trace ?? {};
+    const { state } = playerOf(app);
     listen(press(panel, "End"));
     expect(state.getState().step).toBe(0);
     listen(press(heading, "End"));
     expect(state.getState().step).toBe(stepCount);
     listen(press(heading, "Home"));
     expect(state.getState().step).toBe(0);
-    const toggle = vi.spyOn(app.player, "toggle").mockImplementation(() => undefined);
+    const toggle = vi.spyOn(playerOf(app), "toggle").mockImplementation(() => undefined);
     listen(press(heading, " "));
     expect(toggle).toHaveBeenCalledTimes(1);
   });
 
   it.each(Object.entries(layouts))("work on an %s keyboard", async (_, keys) => {
     const app = newApp();
-    await app.player.open(bytes);
+    await playerOf(app).open(bytes);
     const apps = new PageApps<App>();
     apps.add(app, { contains: () => true });
     const listen = hotkeyListener(app, apps);
     const stepAfter = (key: string, shift: boolean): number => {
       listen(press(element(), key, false, shift));
-      return app.player.state.getState().step;
+      return playerOf(app).state.getState().step;
     };
     expect(stepAfter(".", false)).toBe(1);
     expect(stepAfter(",", false)).toBe(0);
     for (const [key, shift] of keys.farForward) {
-      app.player.seek(50);
+      playerOf(app).seek(50);
       expect(stepAfter(key, shift)).toBe(150);
     }
     for (const [key, shift] of keys.farBack) {
-      app.player.seek(150);
+      playerOf(app).seek(150);
       expect(stepAfter(key, shift)).toBe(50);
     }
   });

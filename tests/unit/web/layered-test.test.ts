@@ -3,9 +3,9 @@
  * and projections of the independent tests have no rounding.
  */
 import { describe, expect, it } from "vitest";
-import { alphasOf, excessOf, type Segment, type Triangle } from "../../../web/player/crossing";
-import type { FrontFace, NewElement } from "../../../web/player/judge";
-import { testByLayers, tolerance } from "../../../web/player/layered-test";
+import { alphasOf, excessOf, type Segment, type Triangle } from "../../../web/teach/player/crossing";
+import type { FrontFace, NewElement } from "../../../web/teach/player/judge";
+import { testByLayers, tolerance } from "../../../web/teach/player/layered-test";
 import { randomSource } from "../../support/random";
 
 type Vector = readonly [number, number, number];

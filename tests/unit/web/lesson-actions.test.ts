@@ -1,3 +1,6 @@
+import { openLessonOf } from "../../../web/teach/commands/open-lesson";
+import { playerOf } from "../../../web/teach/commands/player-of";
+import { replayOf } from "../../../web/teach/commands/replay";
 /** The runs of a lesson: always of its own model. */
 import type { MeshReport, Mesher } from "tetrafront";
 import { writeProject, type Project } from "tetrafront/project";
@@ -5,16 +8,17 @@ import { readTrace } from "tetrafront/trace";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
 import {
+  closeLesson,
   compareRun,
   lessonRuns,
   openLesson,
   showLessonModel,
   showStep,
-} from "../../../web/commands/lesson-actions";
+} from "../../../web/teach/commands/lesson-actions";
 import { commandNamed, commandOfKey, runCommand } from "../../../web/commands/registry";
 import { moveEntity } from "../../../web/document/edits";
-import type { Lesson } from "../../../web/lessons/lesson";
-import { showOwnRun } from "../../../web/lessons/own-run";
+import type { Lesson } from "../../../web/teach/lessons/lesson";
+import { showOwnRun } from "../../../web/teach/lessons/own-run";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
@@ -63,15 +67,16 @@ beforeEach(() => {
       },
       generate: false,
       still: true,
+      replayOf,
     },
   );
   recorded = [];
-  vi.spyOn(app.player, "record").mockImplementation(() => {
+  vi.spyOn(playerOf(app), "record").mockImplementation(() => {
     const { name, points } = app.documents.project;
     recorded.push({ name, x: points[0]?.position[0] });
     const trace = readTrace(bytes);
     if (!trace.success) throw new Error(trace.errors[0].message);
-    app.player.show(trace.value, bytes);
+    playerOf(app).show(trace.value, bytes);
     return Promise.resolve({
       kind: "recorded",
       trace: trace.value,
@@ -85,23 +90,23 @@ it("runs the model in the orders of an address, and shows the lesson's own run",
   await showLessonModel(app, lesson, ["random", "layered", "first-in"]);
   const { runs } = lessonRuns(app).getState();
   expect(runs.map(({ order }) => order)).toEqual(["layered", "random", "first-in"]);
-  expect(app.player.state.getState().trace).toBe(runs[0]?.trace);
-  expect(app.shell.getState().lessonRuns).toEqual(["random", "first-in"]);
+  expect(playerOf(app).state.getState().trace).toBe(runs[0]?.trace);
+  expect(openLessonOf(app).getState().runs).toEqual(["random", "first-in"]);
   await compareRun(app, "smallest-first");
-  expect(app.shell.getState().lessonRuns).toEqual(["random", "first-in", "smallest-first"]);
+  expect(openLessonOf(app).getState().runs).toEqual(["random", "first-in", "smallest-first"]);
   await showLessonModel(app, lesson);
-  expect(app.shell.getState().lessonRuns).toEqual([]);
+  expect(openLessonOf(app).getState().runs).toEqual([]);
 });
 
 it("says how many steps the front has if an address names another one", async () => {
   await showLessonModel(app, lesson);
-  const { stepCount = 0 } = app.player.state.getState().trace ?? {};
+  const { stepCount = 0 } = playerOf(app).state.getState().trace ?? {};
   const notices = (): readonly string[] => app.shell.getState().notices.map(({ text }) => text);
   showStep(app, 2);
-  expect(app.player.state.getState().step).toBe(2);
+  expect(playerOf(app).state.getState().step).toBe(2);
   expect(notices()).toEqual([]);
   showStep(app, 99_999);
-  expect(app.player.state.getState().step).toBe(stepCount);
+  expect(playerOf(app).state.getState().step).toBe(stepCount);
   expect(notices()).toEqual([
     expect.stringMatching(new RegExp(`no step 99999: its states are .* to ${stepCount}`)),
   ]);
@@ -112,19 +117,19 @@ it("shows the lesson's own run again after another one", async () => {
   await compareRun(app, "random");
   const { runs } = lessonRuns(app).getState();
   const [own, random] = runs;
-  const shown = () => app.player.state.getState().trace;
+  const shown = () => playerOf(app).state.getState().trace;
   expect(shown()).toBe(random?.trace);
-  showOwnRun(app.player, runs);
+  showOwnRun(playerOf(app), runs);
   expect(shown()).toBe(own?.trace);
   // What is not a run of the lesson stays.
-  if (random) app.player.show(random.trace, random.file);
-  showOwnRun(app.player, runs.slice(0, 1));
+  if (random) playerOf(app).show(random.trace, random.file);
+  showOwnRun(playerOf(app), runs.slice(0, 1));
   expect(shown()).toBe(random?.trace);
 });
 
 /** Lets the user stop the recordings after this many. `hasFront`: not before the front has begun. */
 function stopAfter(count: number, hasFront = true): void {
-  const player = vi.mocked(app.player);
+  const player = vi.mocked(playerOf(app));
   const whole = player.record.getMockImplementation();
   player.record.mockImplementation(async (choices) => {
     const made = (await whole?.(choices)) ?? null;
@@ -138,13 +143,13 @@ function stopAfter(count: number, hasFront = true): void {
 it.each([true, false])("does not compare a run that was stopped (in the front: %s)", async (hasFront) => {
   await showLessonModel(app, lesson);
   await compareRun(app, "random");
-  app.player.seek(3);
+  playerOf(app).seek(3);
   const { runs } = lessonRuns(app).getState();
   stopAfter(0, hasFront);
   expect(await compareRun(app, "first-in")).toBe(false);
   expect(lessonRuns(app).getState().runs).toEqual(runs);
-  expect(app.shell.getState().lessonRuns).toEqual(["random"]);
-  const { trace, step } = app.player.state.getState();
+  expect(openLessonOf(app).getState().runs).toEqual(["random"]);
+  const { trace, step } = playerOf(app).state.getState();
   expect(trace).toBe(runs[1]?.trace);
   expect(step).toBe(3);
 });
@@ -153,8 +158,8 @@ it("shows no front if the lesson's own run was stopped", async () => {
   stopAfter(0);
   await showLessonModel(app, lesson, ["random"]);
   expect(lessonRuns(app).getState()).toMatchObject({ runs: [], isPreparing: false });
-  expect(app.shell.getState().lessonRuns).toEqual([]);
-  expect(app.player.state.getState().trace).toBeNull();
+  expect(openLessonOf(app).getState().runs).toEqual([]);
+  expect(playerOf(app).state.getState().trace).toBeNull();
 });
 
 it("keeps the runs of an address before the one that was stopped", async () => {
@@ -164,30 +169,30 @@ it("keeps the runs of an address before the one that was stopped", async () => {
   const { runs, isPreparing } = lessonRuns(app).getState();
   expect(runs.map(({ name }) => name)).toEqual(["", "random"]);
   expect(isPreparing).toBe(false);
-  expect(app.shell.getState().lessonRuns).toEqual(["random"]);
-  expect(app.player.state.getState()).toMatchObject({ trace: runs[0]?.trace, step: lesson.step });
+  expect(openLessonOf(app).getState().runs).toEqual(["random"]);
+  expect(playerOf(app).state.getState()).toMatchObject({ trace: runs[0]?.trace, step: lesson.step });
 });
 
 it("does not end the opening of a lesson because it was opened before", async () => {
-  const whole = vi.mocked(app.player).record.getMockImplementation();
+  const whole = vi.mocked(playerOf(app)).record.getMockImplementation();
   let endFirst = (): void => undefined;
-  vi.mocked(app.player).record.mockImplementationOnce(
+  vi.mocked(playerOf(app)).record.mockImplementationOnce(
     () => new Promise((resolve) => (endFirst = () => resolve(null))),
   );
   const first = showLessonModel(app, lesson, ["random"]);
-  await vi.waitFor(() => expect(vi.mocked(app.player).record.mock.calls).toHaveLength(1));
+  await vi.waitFor(() => expect(vi.mocked(playerOf(app)).record.mock.calls).toHaveLength(1));
   let endSecond = (): void => undefined;
-  vi.mocked(app.player).record.mockImplementationOnce(async (choices) => {
+  vi.mocked(playerOf(app)).record.mockImplementationOnce(async (choices) => {
     await new Promise<void>((resolve) => (endSecond = resolve));
     return (await whole?.(choices)) ?? null;
   });
   const second = showLessonModel(app, lesson, ["random"]);
-  await vi.waitFor(() => expect(vi.mocked(app.player).record.mock.calls).toHaveLength(2));
+  await vi.waitFor(() => expect(vi.mocked(playerOf(app)).record.mock.calls).toHaveLength(2));
   // The player has ended the first recording, because another model is open.
   endFirst();
   await first;
   expect(lessonRuns(app).getState().isPreparing).toBe(true);
-  expect(app.shell.getState().lessonRuns).toEqual(["random"]);
+  expect(openLessonOf(app).getState().runs).toEqual(["random"]);
   endSecond();
   await second;
   expect(lessonRuns(app).getState()).toMatchObject({ isPreparing: false });
@@ -200,8 +205,8 @@ it("does not end the opening of a lesson because it was opened before", async ()
 
 it("runs no model that was changed while another run was recorded", async () => {
   await showLessonModel(app, lesson);
-  const whole = vi.mocked(app.player).record.getMockImplementation();
-  vi.mocked(app.player).record.mockImplementationOnce(async (choices) => {
+  const whole = vi.mocked(playerOf(app)).record.getMockImplementation();
+  vi.mocked(playerOf(app)).record.mockImplementationOnce(async (choices) => {
     const made = (await whole?.(choices)) ?? null;
     app.documents.edit(moveEntity("point", 1, 0, -2));
     return made;
@@ -213,18 +218,18 @@ it("runs no model that was changed while another run was recorded", async () => 
       .getState()
       .runs.map(({ name }) => name),
   ).toEqual([""]);
-  expect(app.shell.getState().lessonRuns).toEqual([]);
+  expect(openLessonOf(app).getState().runs).toEqual([]);
 });
 
 it("runs the model by other rules, which the address names", async () => {
   const name = "random+strict+unfiltered+tolerance-0.5+linear";
   await showLessonModel(app, lesson, [name]);
-  expect(vi.mocked(app.player).record.mock.lastCall?.[0]).toEqual({
+  expect(vi.mocked(playerOf(app)).record.mock.lastCall?.[0]).toEqual({
     order: "random",
     filters: false,
     experiment: { relaxation: false, tolerance: 0.5, search: "linear" },
   });
-  expect(app.shell.getState().lessonRuns).toEqual([name]);
+  expect(openLessonOf(app).getState().runs).toEqual([name]);
   expect(await compareRun(app, "strict+backwards")).toBe(false);
 });
 
@@ -242,7 +247,7 @@ it("does not edit the model of the open lesson, and offers to do so", async () =
     if (command) runCommand(app, command);
     expect(app.view.state.getState().tool).toBe("select");
   }
-  const notice = app.shell.getState().notices.find(({ key }) => key === "lesson-model");
+  const notice = app.shell.getState().notices.find(({ key }) => key === "locked");
   notice?.action.run();
   expect(commandNamed("tool-point").enabled(app)).toBe(true);
   app.documents.edit(moveEntity("point", 1, 0, -2));
@@ -251,7 +256,7 @@ it("does not edit the model of the open lesson, and offers to do so", async () =
 
 it("edits any other document while a lesson is open, and the same model without the lesson", async () => {
   await openLesson(app, lesson, 1);
-  app.shell.setState({ lesson: null });
+  closeLesson(app);
   app.documents.edit(moveEntity("point", 1, 0, -2));
   expect(app.documents.project.points[0]?.position[0]).toBe(-2);
   await openLesson(app, lesson, 1);

@@ -1,6 +1,6 @@
 /** The open lesson and its runs in the address of the page. */
 import { expect, it } from "vitest";
-import { lessonIn, withLesson } from "../../../web/lessons/lesson-address";
+import { lessonIn, withLesson } from "../../../web/teach/lessons/lesson-address";
 
 it.each([
   ["lesson=7", { number: 7, runs: [], step: null }],

@@ -2,13 +2,13 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it, vi } from "vitest";
 import { readTrace, type Trace } from "tetrafront/trace";
-import { isRight, isShown, numberIn } from "../../../web/lessons/check-task";
-import { finishTask, isFinished, progress, progressIn, restart } from "../../../web/lessons/course";
-import { parseLesson, type Lesson, type LessonTask, type TaskOf } from "../../../web/lessons/lesson";
-import { frontErrors } from "../../../web/lessons/front-errors";
-import { lessonBeside, listOf, loadCourse } from "../../../web/lessons/lesson-files";
-import { flatAngle, runMeasures } from "../../../web/lessons/run-measures";
-import { searchCost } from "../../../web/lessons/search-cost";
+import { isRight, isShown, numberIn } from "../../../web/teach/lessons/check-task";
+import { finishTask, isFinished, progress, progressIn, restart } from "../../../web/teach/lessons/course";
+import { parseLesson, type Lesson, type LessonTask, type TaskOf } from "../../../web/teach/lessons/lesson";
+import { frontErrors } from "../../../web/teach/lessons/front-errors";
+import { lessonBeside, listOf, loadCourse } from "../../../web/teach/lessons/lesson-files";
+import { flatAngle, runMeasures } from "../../../web/teach/lessons/run-measures";
+import { searchCost } from "../../../web/teach/lessons/search-cost";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
 

@@ -9,9 +9,9 @@ import {
   nextQuestion,
   type GameLevel,
   type GameQuestion,
-} from "../../../web/player/mesher-game";
-import { edgesAt, endsOf } from "../../../web/player/planar-judge";
-import { mesherGameStrings } from "../../../web/strings/mesher-game";
+} from "../../../web/teach/player/mesher-game";
+import { edgesAt, endsOf } from "../../../web/teach/player/planar-judge";
+import { mesherGameStrings } from "../../../web/teach/strings/mesher-game";
 import { expectFair } from "../../support/mesher-questions";
 import { recordSurface } from "../../support/recorded-models";
 

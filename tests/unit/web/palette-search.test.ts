@@ -1,8 +1,10 @@
+import { playerOf } from "../../../web/teach/commands/player-of";
+import { replayOf } from "../../../web/teach/teach";
 import type { Mesher } from "tetrafront";
 import { createBody } from "tetrafront/project";
 import { beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { paletteItems, type PaletteItem } from "../../../web/commands/palette-items";
+import { loadPaletteItems, paletteItems, type PaletteItem } from "../../../web/commands/palette-items";
 import { inGroups, searchPalette } from "../../../web/commands/palette-search";
 import { commands } from "../../../web/commands/registry";
 import { isSimilarWord } from "../../../web/commands/similar-words";
@@ -19,6 +21,15 @@ import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
 import { SilentWorker } from "../../support/silent-worker";
 
+vi.mock("../../../web/teach/lessons/course", () => ({
+  course: () => {
+    const titles = Array.from({ length: 10 }, (_, i) =>
+      i === 9 ? "When no candidate fits" : `Title ${i + 1}`,
+    );
+    return Promise.resolve({ lessons: titles.map((title) => ({ title })) });
+  },
+}));
+
 beforeEach(() => {
   vi.stubGlobal("Worker", SilentWorker);
 });
@@ -28,7 +39,7 @@ function cubeApp(models: Gallery["models"] = []): App {
   const mesher = Promise.resolve({ previewProject: () => new Promise(() => undefined) } as unknown as Mesher);
   const app = new App(
     { first: { document: newDocument(cubeProject()) }, mesher, previewMesher: mesher, library: null },
-    { gallery: { opening: "", models }, generate: false, still: true },
+    { gallery: { opening: "", models }, generate: false, still: true, replayOf },
   );
   app.viewer.setState({ viewer: {} as Viewer });
   return app;
@@ -139,8 +150,8 @@ const gallery = [
 ];
 
 /** The entries of an app with a small model, as the palette shows them for a query. */
-function foundBy(query: string, lessons: readonly string[] | null = null): readonly string[] {
-  const { listed, found } = paletteItems(cubeApp(gallery), query, lessons);
+function foundBy(query: string): readonly string[] {
+  const { listed, found } = paletteItems(cubeApp(gallery), query);
   return searchPalette(query, listed, found).map(({ id }) => id);
 }
 
@@ -211,17 +222,15 @@ it.each(["mesh", "points", "lines"])("does not hide a layer by the word %s alone
   expect(foundBy(query)[0]).not.toMatch(/^layer-/);
 });
 
-it("finds lessons by their number, also before their titles are known, and by their titles", () => {
-  const lessons = Array.from({ length: 10 }, (_, i) =>
-    i === 9 ? "When no candidate fits" : `Title ${i + 1}`,
-  );
-  for (const titles of [null, lessons]) {
-    expect(foundBy("lesson 10", titles)[0]).toBe("lesson-10");
-    expect(foundBy("lesson 1", titles)[0]).toBe("lesson-1");
+it("finds lessons by their number, also before their titles are known, and by their titles", async () => {
+  for (const areLoaded of [false, true]) {
+    if (areLoaded) await loadPaletteItems();
+    expect(foundBy("lesson 10")[0]).toBe("lesson-10");
+    expect(foundBy("lesson 1")[0]).toBe("lesson-1");
+    expect(foundBy("candidate fits")).toEqual(areLoaded ? ["lesson-10"] : []);
   }
-  expect(foundBy("candidate fits", lessons)).toEqual(["lesson-10"]);
-  expect(foundBy("lesson", lessons)).toHaveLength(11);
-  expect(foundBy("lesson 11", lessons)).toEqual([]);
+  expect(foundBy("lesson")).toHaveLength(11);
+  expect(foundBy("lesson 11")).toEqual([]);
 });
 
 it("remeshes the triangles of bodies", () => {
@@ -289,15 +298,15 @@ it("finds steps of the front by their number, and how to ask for one", async () 
   const before = foundBy("step").filter(isOfFront);
   expect(before.length).toBeGreaterThan(4);
   for (const { needs } of before) expect(needs).toContain("Record the front first");
-  await app.player.open(starTrace(starSurface(boxSurface(3, [0, 0, 0], [1, 1, 1]))).bytes);
+  await playerOf(app).open(starTrace(starSurface(boxSurface(3, [0, 0, 0], [1, 1, 1]))).bytes);
   const asks = foundBy("step").find(({ id }) => id === "go-to-step");
   expect(asks).toMatchObject({ begins: "step ", needs: null });
   for (const query of ["step 12", "go to step 12", "Step 12 "]) {
-    app.player.seek(0);
+    playerOf(app).seek(0);
     const [found] = foundBy(query);
     expect(found?.label).toBe("Go to step 12 of the front");
     found?.run();
-    expect(app.player.state.getState().step).toBe(12);
+    expect(playerOf(app).state.getState().step).toBe(12);
   }
   expect(foundBy("step 99999").filter(isOfFront)).toEqual([]);
 });

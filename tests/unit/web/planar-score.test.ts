@@ -1,7 +1,7 @@
 /** The scores of candidates for triangles, computed again, against the order in which the engine tried them. */
 import { expect, test } from "vitest";
 import { createMesher } from "tetrafront";
-import { scoreOf } from "../../../web/player/planar-judge";
+import { scoreOf } from "../../../web/teach/player/planar-judge";
 import { recordSurface } from "../../support/recorded-models";
 
 test.each(["unit-cube", "s-duct", "square-to-circle"])(

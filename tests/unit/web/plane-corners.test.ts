@@ -2,7 +2,7 @@
 import { createMesher, type Mesher } from "tetrafront";
 import type { PlanarFront } from "tetrafront/trace";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { cornersOfPlane } from "../../../web/player/plane-drawing";
+import { cornersOfPlane } from "../../../web/teach/player/plane-drawing";
 import { recordSurface } from "../../support/recorded-models";
 
 let mesher: Mesher;

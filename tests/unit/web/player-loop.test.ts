@@ -2,8 +2,8 @@
 import { createMesher } from "tetrafront";
 import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
-import { loopAround, loopLimits, shownLoop, withLoopEnd } from "../../../web/player/loop";
-import { phasesOf } from "../../../web/player/phases";
+import { loopAround, loopLimits, shownLoop, withLoopEnd } from "../../../web/teach/player/loop";
+import { phasesOf } from "../../../web/teach/player/phases";
 import { recordFront, galleryProject, recordSurface } from "../../support/recorded-models";
 
 let volume: Trace;

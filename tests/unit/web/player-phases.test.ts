@@ -11,12 +11,12 @@ import {
   phasesOf,
   phaseStart,
   surfaceState,
-} from "../../../web/player/phases";
-import { knownCandidate } from "../../../web/player/shared-front";
-import { nextStop, refusedIn, stopKinds, stopKindsOf } from "../../../web/player/stops";
-import { surfaceScene } from "../../../web/player/surface-scene";
-import { planePaths } from "../../../web/player/plane-drawing";
-import { examineCandidate } from "../../../web/player/planar-lens";
+} from "../../../web/teach/player/phases";
+import { knownCandidate } from "../../../web/teach/player/shared-front";
+import { nextStop, refusedIn, stopKinds, stopKindsOf } from "../../../web/teach/player/stops";
+import { surfaceScene } from "../../../web/teach/player/surface-scene";
+import { planePaths } from "../../../web/teach/player/plane-drawing";
+import { examineCandidate } from "../../../web/teach/player/planar-lens";
 
 let trace: Trace;
 beforeAll(async () => {

@@ -1,11 +1,13 @@
+import { playerOf } from "../../../web/teach/commands/player-of";
+import { replayOf } from "../../../web/teach/commands/replay";
 /** The player of the front: states, buffers, jumps, and the independent check of the decisions. */
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Mesher } from "tetrafront";
 import { readTrace, type Trace } from "tetrafront/trace";
 import { App } from "../../../web/app/app";
-import { alphasOf, excessOf } from "../../../web/player/crossing";
-import { ElementBuffers } from "../../../web/player/element-buffers";
-import { FrontBuffers } from "../../../web/player/front-buffers";
+import { alphasOf, excessOf } from "../../../web/teach/player/crossing";
+import { ElementBuffers } from "../../../web/teach/player/element-buffers";
+import { FrontBuffers } from "../../../web/teach/player/front-buffers";
 import {
   cornersOf,
   crossedFaces,
@@ -14,9 +16,9 @@ import {
   isBehind,
   newElement,
   touching,
-} from "../../../web/player/judge";
-import type { Player } from "../../../web/player/player";
-import { nextStop, stopKinds, stopKindsOf } from "../../../web/player/stops";
+} from "../../../web/teach/player/judge";
+import type { Player } from "../../../web/teach/player/player";
+import { nextStop, stopKinds, stopKindsOf } from "../../../web/teach/player/stops";
 import { newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { randomSource } from "../../support/random";
@@ -48,7 +50,7 @@ function newApp(): App {
   const first = { document: newDocument(cubeProject()) };
   return new App(
     { first, mesher: busyMesher, previewMesher: busyMesher, library: null },
-    { gallery: { opening: "", models: [] }, generate: false, still: true },
+    { gallery: { opening: "", models: [] }, generate: false, still: true, replayOf },
   );
 }
 
@@ -136,7 +138,7 @@ describe("the buffers of the front", () => {
 
 describe("the player", () => {
   it("moves within the trace, and forgets the chosen candidate", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     await player.open(bytes);
     const step = () => player.state.getState().step;
     player.move(5);
@@ -153,7 +155,7 @@ describe("the player", () => {
   });
 
   it("shows every state at once, but the lens waits for the last of a scrub", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     await player.open(bytes);
     vi.useFakeTimers();
     const shown = () => {
@@ -184,7 +186,7 @@ describe("the player", () => {
   });
 
   it("does not compute the lens of the states between which it is scrubbed or a key is held", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     await player.open(bytes);
     vi.useFakeTimers();
     vi.advanceTimersByTime(1000);
@@ -213,7 +215,7 @@ describe("the player", () => {
   });
 
   it("plays at its speed, pauses at a kind of step, and repeats a range", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     await player.open(bytes);
     player.setSpeed(100);
     player.play();
@@ -237,7 +239,7 @@ describe("the player", () => {
   });
 
   it("chooses the candidate because of which it pauses", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     await player.open(bytes);
     player.setSpeed(100);
     player.state.setState({ stopAt: "crosses" });
@@ -251,7 +253,7 @@ describe("the player", () => {
 
   it("shows one picture per second if the user prefers no motion, at the chosen speed", async () => {
     vi.stubGlobal("matchMedia", () => ({ matches: true }));
-    const { player } = newApp();
+    const player = playerOf(newApp());
     await player.open(bytes);
     player.play();
     expect(player.state.getState()).toMatchObject({ step: 0, isPlaying: true, playsStills: true });
@@ -278,7 +280,7 @@ describe("the player", () => {
   });
 
   it("jumps to every kind of step and back", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     await player.open(bytes);
     // The surface of this trace was given: it has neither lines nor patches.
     for (const kind of stopKinds.filter((other) => other !== "line" && other !== "patch")) {
@@ -298,15 +300,15 @@ describe("the player", () => {
 
   it("says why a file is no trace, and closes with the document and with a run", async () => {
     const app = newApp();
-    await app.player.open(new Uint8Array(20));
-    expect(app.player.state.getState()).toMatchObject({ trace: null, failure: [/no trace/] });
-    await app.player.open(bytes);
-    expect(app.player.state.getState()).toMatchObject({ failure: null });
+    await playerOf(app).open(new Uint8Array(20));
+    expect(playerOf(app).state.getState()).toMatchObject({ trace: null, failure: [/no trace/] });
+    await playerOf(app).open(bytes);
+    expect(playerOf(app).state.getState()).toMatchObject({ failure: null });
     app.showProject(cubeProject());
-    expect(app.player.state.getState().trace).toBeNull();
-    await app.player.open(bytes);
+    expect(playerOf(app).state.getState().trace).toBeNull();
+    await playerOf(app).open(bytes);
     void app.run.generate();
-    expect(app.player.state.getState().trace).toBeNull();
+    expect(playerOf(app).state.getState().trace).toBeNull();
   });
 });
 
@@ -325,7 +327,7 @@ describe("reading a trace", () => {
   const large = starTrace(starSurface(boxSurface(20, [-1, -1, -1], [1, 1, 1]))).bytes;
 
   it("shows the trace at once when it is read: never an empty panel between them", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     const seen: string[] = [];
     player.state.subscribe(({ reading, trace: shown }) =>
       seen.push(reading !== null ? "reading" : shown ? "trace" : "nothing"),
@@ -335,7 +337,7 @@ describe("reading a trace", () => {
   });
 
   it("can be cancelled; the model stays", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     const begun = untilReading(player);
     const opened = player.open(large);
     await begun;
@@ -345,7 +347,7 @@ describe("reading a trace", () => {
   });
 
   it("keeps the trace that is shown until another one is read, and if it cannot be read", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     await player.open(bytes);
     const shown = player.state.getState().trace;
     const begun = untilReading(player);
@@ -360,7 +362,7 @@ describe("reading a trace", () => {
   });
 
   it("ends with a message after a failure that no reader foresees", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     const detached = Uint8Array.from(bytes);
     structuredClone(detached.buffer, { transfer: [detached.buffer] });
     await player.open(detached);
@@ -370,7 +372,7 @@ describe("reading a trace", () => {
   });
 
   it("says that a trace does not fit into memory", async () => {
-    const { player } = newApp();
+    const player = playerOf(newApp());
     const slice = vi.spyOn(Uint32Array.prototype, "slice").mockImplementation(() => {
       throw new RangeError("Array buffer allocation failed");
     });
@@ -381,14 +383,14 @@ describe("reading a trace", () => {
 
   it("ends if another trace or another document is opened", async () => {
     const app = newApp();
-    const first = app.player.open(large);
-    await app.player.open(bytes);
+    const first = playerOf(app).open(large);
+    await playerOf(app).open(bytes);
     await first;
-    expect(app.player.state.getState().trace?.stepCount).toBe(trace.stepCount);
-    const last = app.player.open(large);
+    expect(playerOf(app).state.getState().trace?.stepCount).toBe(trace.stepCount);
+    const last = playerOf(app).open(large);
     app.showProject(cubeProject());
     await last;
-    expect(app.player.state.getState()).toMatchObject({ reading: null, trace: null });
+    expect(playerOf(app).state.getState()).toMatchObject({ reading: null, trace: null });
   });
 });
 

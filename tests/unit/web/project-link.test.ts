@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
-import { linkedIn, linkTo, maxLinkLength, withoutLink } from "../../../web/player/project-link";
+import { linkedIn, linkTo, maxLinkLength, withoutLink } from "../../../web/commands/project-link";
 
 const shown = { project: emptyProject("Δ-shaped “part” 😀"), camera: null, cut: null, front: null };
 const hashOf = async (linked = shown): Promise<string> =>

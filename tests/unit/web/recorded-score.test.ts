@@ -1,6 +1,6 @@
 /** The digits of a score that a trace records in two bytes. */
 import { expect, it } from "vitest";
-import { recordedScores } from "../../../web/player/recorded-score";
+import { recordedScores } from "../../../web/teach/player/recorded-score";
 import { randomSource } from "../../support/random";
 
 /** Returns the number that the upper two bytes of its float stand for. */

@@ -3,8 +3,8 @@ import { readFileSync } from "node:fs";
 import { readProject } from "tetrafront/project";
 import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
-import { recoveryCounts } from "../../../web/player/recovery-counts";
-import { recoverySentence } from "../../../web/strings/recovery";
+import { recoveryCounts } from "../../../web/teach/player/recovery-counts";
+import { recoverySentence } from "../../../web/teach/strings/recovery";
 import { recordFront } from "../../support/recorded-models";
 
 let trace: Trace;

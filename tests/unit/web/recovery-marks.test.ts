@@ -1,9 +1,9 @@
 /** What the view marks of a step of recovery. */
 import { expect, it } from "vitest";
 import { readTrace, type Trace } from "tetrafront/trace";
-import { cornersOf } from "../../../web/player/judge";
-import { initialPlayerState } from "../../../web/player/player";
-import { recoveryMarks, recoveryMarksOf } from "../../../web/player/recovery-marks";
+import { cornersOf } from "../../../web/teach/player/judge";
+import { initialPlayerState } from "../../../web/teach/player/player";
+import { recoveryMarks, recoveryMarksOf } from "../../../web/teach/player/recovery-marks";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
 

@@ -2,8 +2,8 @@
 import { readFileSync } from "node:fs";
 import type { AdvanceStep, Trace } from "tetrafront/trace";
 import { expect, test } from "vitest";
-import { nodesOf } from "../../../web/player/judge";
-import { outlineOf, searchRegionOf, type SearchRegion } from "../../../web/player/search-region";
+import { nodesOf } from "../../../web/teach/player/judge";
+import { outlineOf, searchRegionOf, type SearchRegion } from "../../../web/teach/player/search-region";
 import { cubeProject, stretchedCube } from "../../support/projects";
 import { recordFront } from "../../support/recorded-models";
 

@@ -1,6 +1,11 @@
 /** Addresses of states of a front. */
 import { expect, it } from "vitest";
-import { queryOf, sharedFrontIn, withoutFront, type SharedFront } from "../../../web/player/shared-front";
+import {
+  queryOf,
+  sharedFrontIn,
+  withoutFront,
+  type SharedFront,
+} from "../../../web/teach/player/shared-front";
 
 const full: SharedFront = {
   model: "unit-cube",

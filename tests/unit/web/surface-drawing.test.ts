@@ -2,13 +2,13 @@
 import { createMesher } from "tetrafront";
 import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
-import type { DrawingView } from "../../../web/player/front-drawing";
-import { firstState } from "../../../web/player/phases";
-import { initialPlayerState } from "../../../web/player/player";
-import { supposedFrontText } from "../../../web/panels/player/supposed-front";
-import { surfaceDrawing } from "../../../web/player/surface-drawing";
-import { surfaceLabels } from "../../../web/player/surface-labels";
-import { stepMarks, surfaceScene } from "../../../web/player/surface-scene";
+import type { DrawingView } from "../../../web/teach/player/front-drawing";
+import { firstState } from "../../../web/teach/player/phases";
+import { initialPlayerState } from "../../../web/teach/player/player";
+import { supposedFrontText } from "../../../web/teach/panels/player/supposed-front";
+import { surfaceDrawing } from "../../../web/teach/player/surface-drawing";
+import { surfaceLabels } from "../../../web/teach/player/surface-labels";
+import { stepMarks, surfaceScene } from "../../../web/teach/player/surface-scene";
 import { recordSurface } from "../../support/recorded-models";
 
 let trace: Trace;

@@ -2,9 +2,9 @@
 import { createMesher } from "tetrafront";
 import type { SurfaceTrace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
-import { judgeChoice, nextQuestion } from "../../../web/player/mesher-game";
-import { cornersOfPlane } from "../../../web/player/plane-drawing";
-import { surfaceLabels } from "../../../web/player/surface-labels";
+import { judgeChoice, nextQuestion } from "../../../web/teach/player/mesher-game";
+import { cornersOfPlane } from "../../../web/teach/player/plane-drawing";
+import { surfaceLabels } from "../../../web/teach/player/surface-labels";
 import { recordSurface } from "../../support/recorded-models";
 
 let surface: SurfaceTrace;

@@ -3,7 +3,7 @@ import { createMesher } from "tetrafront";
 import type { Trace } from "tetrafront/trace";
 import { Mesh, type BufferGeometry } from "three";
 import { beforeAll, expect, it, vi } from "vitest";
-import { SurfaceLayer } from "../../../web/player/surface-layer";
+import { SurfaceLayer } from "../../../web/teach/player/surface-layer";
 import { recordSurface } from "../../support/recorded-models";
 import { change, sceneState, show } from "./scene";
 

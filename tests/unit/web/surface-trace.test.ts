@@ -15,7 +15,7 @@ import {
   planeOf,
   targetLength,
   touching,
-} from "../../../web/player/planar-judge";
+} from "../../../web/teach/player/planar-judge";
 
 let mesher: Mesher;
 beforeAll(async () => {

@@ -1,3 +1,4 @@
+import { replayOf, teachingSlots } from "../../../web/teach/teach";
 // @vitest-environment happy-dom
 import { MantineProvider } from "@mantine/core";
 import { createRoot, type Root } from "react-dom/client";
@@ -48,13 +49,13 @@ function open(name: string): PageApp {
       previewMesher: busyMesher,
       library: null,
     },
-    { gallery: { opening: "", models: [] }, generate: false, still: true },
+    { gallery: { opening: "", models: [] }, generate: false, still: true, replayOf },
   );
   const host = document.body.appendChild(document.createElement("div"));
   const root = createRoot(host);
   root.render(
     <MantineProvider env="test">
-      <Page app={app} />
+      <Page app={app} slots={teachingSlots} />
     </MantineProvider>,
   );
   return { app, host, root };

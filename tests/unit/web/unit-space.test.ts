@@ -1,8 +1,8 @@
 /** The numbers of the ideal point and of distances under the lens, against what the engine has recorded. */
 import type { AdvanceStep, Trace } from "tetrafront/trace";
 import { describe, expect, it } from "vitest";
-import { cornersOf } from "../../../web/player/judge";
-import { distanceToFace, idealNumbers, unitAxes } from "../../../web/player/unit-space";
+import { cornersOf } from "../../../web/teach/player/judge";
+import { distanceToFace, idealNumbers, unitAxes } from "../../../web/teach/player/unit-space";
 import { cubeProject, stretchedCube } from "../../support/projects";
 import { recordFront } from "../../support/recorded-models";
 

@@ -1,16 +1,16 @@
 /** "Be the mesher" in the volume: questions and verdicts of a recorded front. */
 import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
-import { nodesOf } from "../../../web/player/judge";
-import { levels, type GameLevel } from "../../../web/player/mesher-game";
+import { nodesOf } from "../../../web/teach/player/judge";
+import { levels, type GameLevel } from "../../../web/teach/player/mesher-game";
 import {
   checkVolumeChoice,
   chosenCandidate,
   judgeVolumeChoice,
   nextVolumeQuestion,
   type VolumeQuestion,
-} from "../../../web/player/volume-game";
-import { volumeGameStrings } from "../../../web/strings/mesher-game";
+} from "../../../web/teach/player/volume-game";
+import { volumeGameStrings } from "../../../web/teach/strings/mesher-game";
 import { expectFair } from "../../support/mesher-questions";
 import { galleryProject, recordFront } from "../../support/recorded-models";
 

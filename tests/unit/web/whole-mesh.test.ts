@@ -1,7 +1,7 @@
 /** The elements of a front as one mesh, whole and cut open. */
 import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
-import { wholeMesh, type WholeMesh } from "../../../web/player/whole-mesh";
+import { wholeMesh, type WholeMesh } from "../../../web/teach/player/whole-mesh";
 import { galleryProject, recordFront } from "../../support/recorded-models";
 
 let trace: Trace;

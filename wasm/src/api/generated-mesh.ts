@@ -7,6 +7,7 @@ import { carriedRegions, type NamedRegions } from "../formats/region-names.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import { namesOfSolids } from "../formats/solid-names.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
+import type { RegionSummary } from "../mesh/report.js";
 import { type Project, patchesOf } from "../project/project-types.js";
 import { NO_REGION } from "../generated/constants.js";
 import { bodyRegions } from "./body-regions.js";
@@ -67,14 +68,6 @@ export function namedMesh(
 /** Returns whether the patches of a surface carry information. */
 export function hasNamedPatches({ patches }: Pick<Mesh, "patches">): boolean {
   return patches.length > 1 || !patches.every(hasGenericName);
-}
-
-/** What a region of a mesh consists of. */
-export interface RegionSummary {
-  readonly name: string;
-  readonly tetrahedra: number;
-  /** In cubed model units. */
-  readonly volume: number;
 }
 
 /** Returns name, number of tetrahedra and volume of each region of a mesh, in their order. O(n). */

@@ -17,6 +17,7 @@ import { checkFileMesh } from "../mesh/mesh-checks.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { PatchQuality } from "../mesh/quality.js";
 import type { MeshReport, MeshResult } from "../mesh/report.js";
+import { regionSummaries } from "./generated-mesh.js";
 import { emptyReport, emptyResult } from "./report.js";
 import { renumbered } from "./improvement.js";
 
@@ -168,8 +169,14 @@ const inspected = v.object({
   }),
 });
 const withTriangles = v.object({ mesh: v.object({ points: doubles(3), triangles: integers(3) }) });
+const withRegions = v.object({
+  points: doubles(3),
+  tetrahedra: integers(4),
+  tetrahedronRegion: integers(),
+  regions: v.array(v.object({ name: v.string() })),
+});
 const withShapes = v.object({
-  ...withTriangles.entries,
+  mesh: v.object({ ...withTriangles.entries.mesh.entries, ...withRegions.entries }),
   patchShapes: v.array(v.object({ meanEdge: v.number() })),
 });
 const withReport = v.object({
@@ -193,6 +200,7 @@ export function inspectedResult(
   const report: MeshReport = {
     ...emptyReport("done", poorElementWarnings(inspection.quality, true)),
     triangles: mesh.triangles.length / 3,
+    regions: regionSummaries(mesh),
     patches: patchShapes.map((shape) => ({ ...shape, meanEdge: shape.meanEdge / meanEdge })),
     ...figuresOf(inspection),
   };
@@ -200,7 +208,7 @@ export function inspectedResult(
 }
 
 const improved = v.object({
-  mesh: v.object({ points: doubles(3), tetrahedra: integers(4), tetrahedronRegion: integers() }),
+  mesh: withRegions,
   nodeOrigin: integers(),
 });
 
@@ -232,6 +240,7 @@ export function improvedResult(
     report: {
       ...result.report,
       ...figuresOf(inspection),
+      regions: regionSummaries(mesh),
       fingerprint: "",
       diagnostics: [...diagnostics, ...poorElementWarnings(inspection.quality)],
     },

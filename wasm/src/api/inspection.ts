@@ -92,9 +92,9 @@ export function describedRepair(
 }
 
 function sharedVolume(shared: EngineRepair["sharedVolumes"][number]): SharedVolume {
-  const { first, second, volume, depth, position } = shared;
+  const { first, second, position, ...rest } = shared;
   const [x, y, z] = position;
-  return { regions: [first, second], volume, depth, position: [x, y, z] };
+  return { regions: [first, second], ...rest, position: [x, y, z] };
 }
 
 /** `given`: the surface before the refinement. */

@@ -16,9 +16,8 @@ import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/project-types.js";
-import { regionSummaries, type RegionSummary } from "./generated-mesh.js";
 import { checkControl } from "./input-checks.js";
-import { readSurface } from "./mesh-files.js";
+import { type ReadFileOptions, readSurface } from "./mesh-files.js";
 import type { Mesher } from "./mesher-interface.js";
 import { createMesher } from "./mesher.js";
 import type { SurfaceMeshOptions } from "./option-types.js";
@@ -42,7 +41,6 @@ export interface MeshFileOptions extends SurfaceMeshOptions, LengthOptions {
 
 /** Statistics of a mesh, and what was done to the surface before; the same as `tetrafront mesh --report` writes. */
 export interface MeshFileReport extends MeshReport {
-  readonly regions: readonly RegionSummary[];
   /** Changes of the repair, if there was one. */
   readonly repair?: readonly RepairChange[] | undefined;
   /** Largest distance by which the repair moved a node, in model units. */
@@ -113,18 +111,20 @@ async function readAndMeshed(
     return withMesher(mesher, control, (made) => meshedProject(made, read.value, meshing, control));
   }
   const { size } = meshing;
-  const reading = { fileName, size, openOther, scale, units, fileUnits, signal };
-  const read = await readSurface(file, reading);
+  const reading = { size, openOther, scale, units, fileUnits, signal };
+  // Without a name, the reader says so.
+  const read = await readSurface(file, { ...reading, fileName } as ReadFileOptions);
   if (!read.success) return unopened(read);
-  const isCad = isCadFile(fileName);
+  const isCad = isCadFile(fileName ?? "");
   return withMesher(mesher, control, (made) => meshedSurface(made, read.value, { meshing, isCad, control }));
 }
 
 const PROJECT_EXTENSION = ".json";
 
-function nameOf(file: ByteSource): string {
+/** Returns the name of a `File`; undefined for other bytes. */
+function nameOf(file: ByteSource): string | undefined {
   const { name } = asObject(file as Partial<File>);
-  return typeof name === "string" ? name : "";
+  return typeof name === "string" ? name : undefined;
 }
 
 function checkMesher(mesher: unknown): Diagnostic[] {
@@ -218,7 +218,7 @@ interface Done {
   /** The surface that was meshed. */
   readonly surface?: Mesh;
   readonly notes?: readonly string[];
-  readonly done?: Omit<MeshFileReport, keyof MeshReport | "regions">;
+  readonly done?: Omit<MeshFileReport, keyof MeshReport>;
 }
 
 function outcome(
@@ -227,11 +227,10 @@ function outcome(
 ): MeshedFile {
   const { diagnostics, status } = report;
   const mesh = made.tetrahedra.length === 0 ? undefined : made;
-  const regions = mesh === undefined ? [] : regionSummaries(mesh);
   const left = mesh === undefined || surface === undefined ? [] : unmeshedNotes(surface, mesh);
   const others = diagnostics.filter(({ severity }) => severity !== "error");
   const all = [...notes, ...left, ...diagnosticLines(others).map(({ text }) => text)];
-  const whole = { report: { ...report, ...done, regions }, notes: all };
+  const whole = { report: { ...report, ...done }, notes: all };
   if (status === "done" && mesh !== undefined) return { success: true, mesh, ...whole };
   return { success: false, message: messageOf(report), mesh, ...whole };
 }

@@ -4,6 +4,7 @@ import { type Overlap, SMALLEST_OVERLAP, type TouchingPair } from "./touching-so
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { componentsOf, disjointSets } from "../formats/components.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { short } from "../base/short.js";
@@ -122,8 +123,8 @@ export async function joinedBodies(
 ): Promise<Diagnostic[]> {
   const { origin } = repaired;
   if (origin === undefined) return [];
-  const bodyOf = componentsOf(given);
-  const pieceOf = componentsOf(repaired);
+  const bodyOf = componentsOf(given.triangles, given.points.length / 3);
+  const pieceOf = componentsOf(repaired.triangles, repaired.points.length / 3);
   // Joined bodies may have several pieces: their outside, and the cavities between them.
   const sets = disjointSets(given.points.length / 3);
   const bodyIn = new Map<number, number>();
@@ -218,39 +219,4 @@ function isClosed({ points, triangles }: SurfaceInput): boolean {
     if (isLast && balance !== 0) return false;
   }
   return true;
-}
-
-/** Returns per triangle the first node of its connected component. */
-function componentsOf({ points, triangles }: SurfaceInput): Uint32Array {
-  const sets = disjointSets(points.length / 3);
-  for (let t = 0; t < triangles.length; t += 3) {
-    for (const corner of [t + 1, t + 2]) sets.join(triangles[t] ?? 0, triangles[corner] ?? 0);
-  }
-  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => sets.rootOf(triangles[3 * t] ?? 0));
-}
-
-interface DisjointSets {
-  /** The least number of the set. */
-  readonly rootOf: (number: number) => number;
-  readonly join: (one: number, other: number) => void;
-}
-
-/** Sets of the numbers from 0, at first one each. */
-function disjointSets(count: number): DisjointSets {
-  const parent = Uint32Array.from({ length: count }, (_, number) => number);
-  const rootOf = (number: number): number => {
-    let root = number;
-    while (parent[root] !== root) root = parent[root] ?? root;
-    for (let at = number; at !== root;) {
-      const next = parent[at] ?? root;
-      parent[at] = root;
-      at = next;
-    }
-    return root;
-  };
-  const join = (one: number, other: number): void => {
-    const [a, b] = [rootOf(one), rootOf(other)];
-    parent[Math.max(a, b)] = Math.min(a, b);
-  };
-  return { rootOf, join };
 }

@@ -17,7 +17,7 @@ import type { PatchQuality } from "../mesh/quality.js";
 import type { Project } from "../project/project-types.js";
 import type { ProjectPreview } from "../project/preview.js";
 import { noVolume } from "../formats/boundary.js";
-import { namedMesh, type NameSource } from "./generated-mesh.js";
+import { namedMesh, type NameSource, regionSummaries } from "./generated-mesh.js";
 
 /** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {
@@ -35,6 +35,7 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
     report: {
       status,
       ...statistics,
+      regions: regionSummaries(mesh),
       quality,
       diagnostics: [
         ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, indices)),
@@ -162,6 +163,7 @@ export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic
     dihedral: { min: 0, max: 0 },
     radiusRatio: { min: 0, mean: 0 },
     volume: 0,
+    regions: [],
     quality: NO_QUALITY,
     patches: [],
     recovery: { relaxed: 0, starred: 0, remeshed: 0, filled: 0, steinerPoints: 0 },

@@ -5,8 +5,6 @@ import type { EntityNamer } from "../diagnostics/entity-names.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
 import type { EngineClient } from "../engine/engine-client.js";
-import type { EngineRepair } from "../engine/loader.js";
-import { NO_REGION } from "../generated/constants.js";
 import type {
   SurfaceInspection,
   SurfaceRefinement,
@@ -49,7 +47,6 @@ import {
 } from "./options.js";
 import { completeSurface } from "./carried-mesh.js";
 import { splitSurface } from "./patch-names.js";
-import { innerFirst, type RegionOrder, renumbered } from "./region-order.js";
 import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
 
 /** The remedies for a surface that cannot be filled; the second one alone helps a remeshing. */
@@ -58,20 +55,6 @@ const REMESH_OR_REPAIR = /`surface: "remesh"`, or a repair \(`repair: true` or `
 /** Returns a diagnostic whose remedy does not advise the call that refuses the surface. */
 function withRepairOnly(found: Diagnostic): Diagnostic {
   return { ...found, remedy: found.remedy.replace(REMESH_OR_REPAIR, "`repairSurface()` ") };
-}
-
-/** Returns a repair of regions that were put in another order, with their own numbers. */
-function inGivenOrder(repair: EngineRepair, { regionAt }: RegionOrder): EngineRepair {
-  const numberOf = (place: number) => regionAt[place] ?? NO_REGION;
-  return {
-    ...repair,
-    triangleRegions: renumbered(repair.triangleRegions, regionAt),
-    sharedVolumes: repair.sharedVolumes.map((shared) => ({
-      ...shared,
-      first: numberOf(shared.first),
-      second: numberOf(shared.second),
-    })),
-  };
 }
 
 /** Returns the errors, with the warning that may explain them; nothing without errors. */
@@ -118,28 +101,21 @@ export class SurfaceTools {
     beginCall(this.#client, control);
     refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
     refuse(checkWeld(surface, options.weld));
-    const sides = triangleRegionsOf(surface);
-    const once = async (triangleRegions: Uint32Array) => {
-      const question = {
-        kind: "repair-surface",
-        id: this.#client.nextId(),
-        points: surface.points.slice(),
-        triangles: surface.triangles.slice(),
-        options: engineRepairOptions(options),
-        triangleRegions,
-      } as const;
-      const made = await this.#client.ask(question, control);
-      const found = changeDiagnostics(made, surfaceNamer(surface));
-      refuse(withCause(found, coarse));
-      return { made, diagnostics: [...found, ...coarse] };
-    };
+    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
+    const id = this.#client.nextId();
+    const question = {
+      kind: "repair-surface",
+      id,
+      points,
+      triangles,
+      options: engineRepairOptions(options),
+      triangleRegions: triangleRegionsOf(surface),
+    } as const;
+    const repair = await this.#client.ask(question, control);
+    const found = changeDiagnostics(repair, surfaceNamer(surface));
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
-    const { made, diagnostics } = await once(sides.slice());
-    const repair = describedRepair(made, surface, diagnostics);
-    const order = await inSteps(innerFirst(surface, sides, repair.sharedVolumes), control.signal);
-    if (order === undefined) return repair;
-    const again = await once(renumbered(sides, order.placeOf));
-    return describedRepair(inGivenOrder(again.made, order), surface, again.diagnostics);
+    refuse(withCause(found, coarse));
+    return describedRepair(repair, surface, [...found, ...coarse]);
   }
 
   async refine(

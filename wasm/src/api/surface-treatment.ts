@@ -22,7 +22,7 @@ export interface Treatment {
   readonly kind: Exclude<SurfaceTreatment, "auto"> | "smaller";
   /** Shapes of the triangles, if they are the reason for which all are replaced. */
   readonly needles?: TriangleShapes | undefined;
-  /** Number of pairs of solids that touch or overlap in triangles that cannot be kept, if they are the reason. */
+  /** Number of pairs of solids that touch or overlap and whose triangles do not fit together, if they are the reason. */
   readonly touching?: number | undefined;
 }
 
@@ -142,7 +142,7 @@ function needlesNote({ needles, triangles, smallestAngle }: TriangleShapes): Dia
 }
 
 function touchingNote(pairs: number): Diagnostic {
-  const message = `${plural(pairs, "pair")} of solids touch${pairs === 1 ? "es" : ""} in faces that are triangulated differently, or overlap${pairs === 1 ? "s" : ""}, so their triangles were replaced, as by \`surface: "remesh"\``;
+  const message = `the triangles of ${plural(pairs, "pair")} of solids that touch or overlap do not fit together, so they were replaced, as by \`surface: "remesh"\``;
   return packageDiagnostic("replaced-surface", message, "", "information");
 }
 

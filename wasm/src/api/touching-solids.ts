@@ -2,7 +2,8 @@
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { shellsOf } from "../formats/solid-names.js";
+import { componentsOf } from "../formats/components.js";
+import { mayBeNested } from "../formats/solid-units.js";
 import { NO_REGION, type InnerShells } from "../generated/constants.js";
 import type { Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
@@ -50,14 +51,17 @@ export async function withSolidsOfPatches(given: Mesh): Promise<Mesh> {
   return (await inSteps(solidsOfPatches(given))) ?? given;
 }
 
-/** As `withSolidsOfPatches`, if solids touch or intersect. */
+/** As `withSolidsOfPatches`, if solids touch or intersect. With `innerShells: "cavities"`, only if none may lie within another. */
 export async function withTouchingSolids(
   mesher: Pick<SurfaceMesher, "inspectSurface">,
   given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<Mesh> {
   const solids = await withSolidsOfPatches(given);
-  if (solids === given) return given;
+  const { surfaceRegions } = solids;
+  if (solids === given || surfaceRegions === undefined) return given;
+  // What lies inside another solid is not one then.
+  if (innerShells === "cavities" && mayBeNested({ ...solids, surfaceRegions })) return given;
   const { diagnostics } = await mesher.inspectSurface(given, { innerShells });
   const areTouching = diagnostics.some(
     ({ code, entities }) =>
@@ -76,7 +80,7 @@ export async function touchingShells(
   given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<number> {
-  const shells = shellsOf(given.triangles, given.points.length / 3);
+  const shells = componentsOf(given.triangles, given.points.length / 3);
   if (shells.every((shell) => shell === shells[0])) return 0;
   const { openEdges, diagnostics } = await mesher.inspectSurface(given, { innerShells });
   if (openEdges > 0) return 0;
@@ -161,19 +165,6 @@ export function assignedOverlap(
   const severity = share < SMALLEST_OVERLAP ? "information" : "warning";
   return {
     ...packageDiagnostic("touching-solids", message, remedy, severity),
-    ...(position && { position }),
-  };
-}
-
-/** Says that the first of two solids lies wholly inside the second one. */
-export function innerSolid(
-  given: SurfaceRegions | undefined,
-  { regions, position }: TouchingPair,
-): Diagnostic {
-  const [inner, outer] = regions.map((region) => namesOf(given, [region]));
-  const message = `The solid ${inner} lies inside ${outer}: both are regions, and ${outer} is what is left around it`;
-  return {
-    ...packageDiagnostic("touching-solids", message, "", "information"),
     ...(position && { position }),
   };
 }

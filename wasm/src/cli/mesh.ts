@@ -1,6 +1,5 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
-import { regionSummaries, type RegionSummary } from "../api/generated-mesh.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
 import { checkGradation, growthOf } from "../api/options.js";
@@ -91,7 +90,6 @@ interface Outcome {
   readonly repairDeviation?: number | undefined;
   readonly refinement?: RefinementCounts | undefined;
   readonly remesh?: RemeshReport | undefined;
-  readonly regions?: readonly RegionSummary[];
 }
 
 /** Runs the command; resolves with the exit code. */
@@ -102,7 +100,7 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   // If the report cannot be written, that failure is not reported in it either.
   if (failedCheck !== undefined) return failedCheck.exitCode;
   const outcome = await meshAndWrite(input, options).catch(whereFailed);
-  const { changes, repairDeviation, refinement, remesh, written, regions = [] } = outcome;
+  const { changes, repairDeviation, refinement, remesh, written } = outcome;
   const done = {
     ...(changes && { repair: changes, repairDeviation }),
     ...(refinement && { refinement }),
@@ -110,7 +108,7 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   };
   const inputs = joined === undefined ? {} : { inputs: joined };
   const diagnostics = outcome.report.diagnostics.map(asTypedDiagnostic);
-  const report = { ...outcome.report, diagnostics, regions, ...done, input, ...inputs, output: written };
+  const report = { ...outcome.report, diagnostics, ...done, input, ...inputs, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
@@ -156,7 +154,6 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
     repairDeviation,
     refinement,
     remesh,
-    regions: regionSummaries(mesh),
   };
 }
 
@@ -386,7 +383,6 @@ async function writeResult(
 }
 
 type CommandReport = MeshReport & {
-  readonly regions: readonly RegionSummary[];
   readonly input: string;
   readonly output: string | null;
 };

@@ -224,7 +224,7 @@ export interface EngineResult extends EngineMesh {
   readonly status: MeshStatus;
   /** Absent without stretching. */
   readonly metricShapes?: MetricShapes;
-  readonly statistics: Omit<MeshReport, "diagnostics" | "status">;
+  readonly statistics: Omit<MeshReport, "diagnostics" | "status" | "regions">;
   /** Of a run that records its steps. */
   readonly recording?: FrontRecording;
   /** Whether thorough optimization found no mesh that is better in one measure and worse in none. */

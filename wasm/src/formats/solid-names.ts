@@ -7,7 +7,9 @@ import {
   type SurfaceRegions,
 } from "../mesh/mesh.js";
 import { NO_REGION } from "../generated/constants.js";
+import { disjointSets } from "./components.js";
 import { differentNames, hasGenericName } from "./groups.js";
+import { nextCorner } from "./open-edges.js";
 
 /** Triangles with the regions on both sides. */
 type TrianglesBetween = Pick<Mesh, "points" | "triangles"> & Pick<SurfaceRegions, "triangleRegions">;
@@ -22,7 +24,7 @@ export function namesOfSolids(
   patches: readonly MeshGroup[],
   regions: number,
 ): (string | undefined)[] {
-  const shells = shellsOfSides(surface, regions);
+  const shells = shellsOf(surface.triangles, surface.points.length / 3);
   const outer = outerShells(surface, shells, regions);
   const patchOfShell = patchesOfShells(shells, trianglePatch);
   const found = outer.map((shell) => {
@@ -33,44 +35,43 @@ export function namesOfSolids(
   return differentNames(found);
 }
 
-/** Returns per triangle the least node of the triangles that are connected to it. */
-export function shellsOf(triangles: Uint32Array, nodes: number): Uint32Array {
-  const parent = Uint32Array.from({ length: nodes }, (_, node) => node);
-  const rootOf = (node: number): number => {
-    let at = node;
-    for (let next = parent[at] ?? at; next !== at; next = parent[at] ?? at) {
-      parent[at] = parent[next] ?? next;
-      at = next;
-    }
-    return at;
-  };
-  for (let t = 0; t < triangles.length; t += 3) {
-    for (const other of [t + 1, t + 2]) {
-      const [a, b] = [rootOf(triangles[t] ?? 0), rootOf(triangles[other] ?? 0)];
-      parent[Math.max(a, b)] = Math.min(a, b);
-    }
+/**
+ * Returns per triangle the least one that is connected to it over edges. Edges at which an even number of more than two triangles
+ * meet connect nothing: there, solids touch each other. O(n) for few triangles per node.
+ */
+function shellsOf(triangles: Uint32Array, nodes: number): Uint32Array {
+  const sets = disjointSets(triangles.length / 3);
+  for (const corners of edgesOf(triangles, nodes)) {
+    if (corners.length > 2 && corners.length % 2 === 0) continue;
+    const [first = 0, ...others] = corners.map((corner) => Math.floor(corner / 3));
+    for (const other of others) sets.join(first, other);
   }
-  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => rootOf(triangles[3 * t] ?? 0));
+  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => sets.rootOf(t));
 }
 
-/**
- * Returns per side of a triangle the shell of its region there, which is connected over nodes of this region: solids that touch in
- * an edge or a node have one shell each.
- */
-function shellsOfSides({ triangles, triangleRegions }: TrianglesBetween, regions: number): Uint32Array {
-  const nodeOf = new Map<number, number>();
-  const corners = new Uint32Array(3 * triangleRegions.length);
-  triangleRegions.forEach((region, side) => {
-    const beside = Math.min(region, regions);
-    const t = side >>> 1;
-    for (let k = 0; k < 3; k++) {
-      const key = (triangles[3 * t + k] ?? 0) * (regions + 1) + beside;
-      const node = nodeOf.get(key) ?? nodeOf.size;
-      nodeOf.set(key, node);
-      corners[3 * side + k] = node;
-    }
+/** Yields the corners at which each edge begins, in one of its directions. */
+function* edgesOf(triangles: Uint32Array, nodes: number): Generator<readonly number[]> {
+  const lowest = triangles.map((from, corner) => Math.min(from, triangles[nextCorner(corner)] ?? 0));
+  const starts = new Uint32Array(nodes + 1);
+  for (const node of lowest) starts[node + 1] = (starts[node + 1] ?? 0) + 1;
+  for (let node = 0; node < nodes; node++) starts[node + 1] = (starts[node + 1] ?? 0) + (starts[node] ?? 0);
+  const sorted = new Uint32Array(lowest.length);
+  const next = starts.slice();
+  lowest.forEach((node, corner) => {
+    const at = next[node] ?? 0;
+    sorted[at] = corner;
+    next[node] = at + 1;
   });
-  return shellsOf(corners, nodeOf.size);
+  for (let node = 0; node < nodes; node++) {
+    const byOther = new Map<number, number[]>();
+    for (const corner of sorted.subarray(starts[node], starts[node + 1])) {
+      const other = Math.max(triangles[corner] ?? 0, triangles[nextCorner(corner)] ?? 0);
+      const known = byOther.get(other);
+      if (known === undefined) byOther.set(other, [corner]);
+      else known.push(corner);
+    }
+    yield* byOther.values();
+  }
 }
 
 /** Returns the shell of each region that has a node farthest along x: nothing of the region lies outside of it. */
@@ -88,7 +89,7 @@ function outerShells(
       const x = points[3 * node] ?? 0;
       if (x <= (farthest[region] ?? 0)) continue;
       farthest[region] = x;
-      outer[region] = shells[side] ?? 0;
+      outer[region] = shells[t] ?? 0;
     }
   });
   return outer;
@@ -98,8 +99,8 @@ function outerShells(
 function patchesOfShells(shells: Uint32Array, trianglePatch: Uint32Array): Map<number, number> {
   const patchOf = new Map<number, number>();
   const mixed = new Set<number>();
-  shells.forEach((shell, side) => {
-    const patch = trianglePatch[side >>> 1] ?? 0;
+  shells.forEach((shell, t) => {
+    const patch = trianglePatch[t] ?? 0;
     const known = patchOf.get(shell);
     if (known === undefined) patchOf.set(shell, patch);
     else if (known !== patch) mixed.add(shell);

@@ -109,8 +109,10 @@ export type RepairChange = { readonly position: Position } & (
 
 /** Volume that two given regions shared. */
 export interface SharedVolume {
-  /** Numbers of the regions: the one that got the volume, and the other one. A region wholly inside another one gets its own. */
+  /** Numbers of the regions: the one that got the volume, and the other one. */
   readonly regions: readonly [first: number, second: number];
+  /** Whether the first one lies inside the other as a whole. */
+  readonly isNested: boolean;
   readonly volume: number;
   /** Mean width of its largest part, in model units. */
   readonly depth: number;

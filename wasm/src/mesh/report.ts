@@ -30,6 +30,14 @@ export interface ElementCount {
   readonly runs: number;
 }
 
+/** What a region of a mesh consists of. */
+export interface RegionSummary {
+  readonly name: string;
+  readonly tetrahedra: number;
+  /** In cubed model units. */
+  readonly volume: number;
+}
+
 /** Statistics and diagnostics of a run. */
 export interface MeshReport {
   readonly status: MeshStatus;
@@ -43,6 +51,8 @@ export interface MeshReport {
   readonly radiusRatio: { readonly min: number; readonly mean: number };
   /** Sum over the tetrahedra, in cubed model units. */
   readonly volume: number;
+  /** The regions of the mesh, in their order. */
+  readonly regions: readonly RegionSummary[];
   /** Empty unless the mesh is finished. */
   readonly quality: QualityReport;
   /** In the order of the patches, first those drawn, then those of the bodies; empty for a given surface. */

@@ -3,7 +3,7 @@ import { Spotlight, useSpotlight } from "@mantine/spotlight";
 import { IconSearch } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
 import { useStore } from "zustand";
-import { paletteItems } from "../../commands/palette-items";
+import { loadPaletteItems, paletteItems } from "../../commands/palette-items";
 import { inGroups, searchPalette } from "../../commands/palette-search";
 import { keyNames } from "../../commands/registry";
 import { strings } from "../../strings";
@@ -25,8 +25,8 @@ export function CommandPalette() {
   useRun((state) => state.busy);
   useView((state) => state.selection.length);
   useStore(app.viewer);
-  const lessons = useLessonTitles(opened);
-  const { listed, found } = opened ? paletteItems(app, query, lessons) : nothing;
+  useLoadedItems(opened);
+  const { listed, found } = opened ? paletteItems(app, query) : nothing;
   const actions = inGroups(searchPalette(query, listed, found)).map(({ group, items }) => ({
     group,
     actions: items.map(({ id, label, hotkey, needs, run, begins, takesFocus = false }) => ({
@@ -84,18 +84,12 @@ export function CommandPalette() {
   );
 }
 
-/** Returns the titles of the lessons, which are loaded when the palette is first opened; null until then. */
-function useLessonTitles(opened: boolean): readonly (string | null)[] | null {
-  const [titles, setTitles] = useState<readonly (string | null)[] | null>(null);
+/** Renders again when the entries are loaded that are loaded for the palette. */
+function useLoadedItems(opened: boolean): void {
+  const [, setLoaded] = useState(false);
   useEffect(() => {
-    if (!opened || titles !== null) return;
-    import("../../lessons/course")
-      .then(({ course }) => course())
-      .then(({ lessons }) => setTitles(lessons.map((lesson) => lesson?.title ?? null)))
-      // Without a network, lessons are found by their number only.
-      .catch(() => undefined);
-  }, [opened, titles]);
-  return titles;
+    if (opened) void loadPaletteItems().then(() => setLoaded(true));
+  }, [opened]);
 }
 
 /** Selects the first action for keys that the field did not get, as after typing, and runs it if Enter was among them. */

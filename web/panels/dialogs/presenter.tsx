@@ -64,9 +64,9 @@ function Presentation() {
   useClicker((key) => {
     // Whoever goes on wants to see something.
     setBlank(key === "blank" && !isBlank);
-    if (key === "next") app.player.move(1);
-    if (key === "back") app.player.move(-1);
-    if (key === "play") app.player.toggle();
+    if (key === "next") app.replay.move(1);
+    if (key === "back") app.replay.move(-1);
+    if (key === "play") app.replay.toggle();
   });
   return (
     <>
@@ -113,7 +113,7 @@ function useClicker(onKey: (key: ClickerKey) => void): void {
       const { key, target, ctrlKey, altKey, metaKey, shiftKey } = event;
       const meaning = clickerKeys.get(key);
       // Without a front, arrow keys orbit.
-      if (key.startsWith("Arrow") && app.player.state.getState().trace === null) return;
+      if (key.startsWith("Arrow") && !app.replay.state.getState().isShown) return;
       if (!meaning || ctrlKey || altKey || metaKey || (shiftKey && key !== "F5")) return;
       if (hasDialog() || isPaletteOpen() || isTaken(event) || !pageApps.owns(app, target)) return;
       event.preventDefault();

@@ -2,7 +2,7 @@ import { Button, Group, Text, Textarea } from "@mantine/core";
 import { IconCopy, IconDeviceFloppy } from "@tabler/icons-react";
 import { useEffect, useRef, useState, type Ref } from "react";
 import { save } from "../../commands/project-actions";
-import { maxLinkLength } from "../../player/project-link";
+import { maxLinkLength } from "../../commands/project-link";
 import { linkStrings as texts } from "../../strings/passing";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { useApp, useShell } from "../shared/app-context";
@@ -42,7 +42,7 @@ function ShareForm() {
     <>
       <Text size="sm">
         {texts.intro}
-        {app.player.state.getState().trace !== null && ` ${texts.withStep}`}
+        {app.replay.state.getState().isShown && ` ${texts.withStep}`}
       </Text>
       <Textarea
         mt="sm"

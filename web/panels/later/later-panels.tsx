@@ -1,9 +1,7 @@
 /** The panels behind tabs and selections, in one file that is loaded after the first picture. */
 export { DisplayPanel } from "../viewport/display-panel";
 export { EntityCard } from "../entities/entity-card";
-export { FrontPanel } from "../player/front-panel";
 export { GalleryPanel } from "../files/gallery";
-export { Lens } from "../player/lens";
 export { QualityReport } from "../quality/quality-report";
 export { GroupList } from "../entities/group-list";
 export { HistoryList } from "../model/history-list";

@@ -121,13 +121,13 @@ function describe(project: Project, { kind, id }: Entity, index: number): Descri
     case "background-node": {
       const { size = 0, stretching = 1 } = project.background.nodes[index] ?? {};
       const stretched = stretching === 1 ? "" : ` ×${formatShort(stretching)}`;
-      return named(undefined, () => `δ ${formatShort(size)}${stretched}`, "node");
+      return named(undefined, () => `size ${formatShort(size)}${stretched}`, "node");
     }
     case "source": {
       const source = project.background.sources?.[index];
       return named(
         source?.name,
-        () => `δ ${formatShort(source?.size ?? 0)}`,
+        () => `size ${formatShort(source?.size ?? 0)}`,
         source && sourceTypeNames[source.type],
       );
     }

@@ -4,11 +4,12 @@ import { groupProblems } from "../../document/validate";
 import { strings } from "../../strings";
 import { useApp, useProblems, useRun, useShell } from "../shared/app-context";
 import { PatchTable } from "../quality/patch-quality";
-import { FrontPanel, HistoryList } from "../later/later";
+import { HistoryList } from "../later/later";
 import { FixAllButton } from "../problems/fix-button";
 import { ProblemBadge } from "../problems/problem-badge";
 import { ProblemCard } from "../problems/problem-card";
 import { PanelBoundary } from "../shared/panel-boundary";
+import { useSlots } from "../shared/slots";
 import { useShownSeverity } from "../shared/problem-severity";
 import tabs from "../../ui/frames/panel-tabs.module.css";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
@@ -19,6 +20,7 @@ const bottomTabs = ["log", "problems", "patches", "front", "history"] as const;
 /** The log of the mesher, the problems, the quality of the patches, the player of the front, and the steps of undo. */
 export function BottomPanel() {
   const app = useApp();
+  const slot = useSlots().bottom;
   const tab = useShell((state) => state.bottomTab);
   const hasProblems = useProblems((state) => state.problems.length > 0);
   return (
@@ -40,7 +42,7 @@ export function BottomPanel() {
           {strings.patches.tab}
         </Tabs.Tab>
         <Tabs.Tab value="front" data-testid="tab-front">
-          {strings.player.tab}
+          {slot.label}
         </Tabs.Tab>
         <Tabs.Tab value="history" data-testid="tab-history">
           {strings.history.title}
@@ -57,7 +59,7 @@ export function BottomPanel() {
       </Tabs.Panel>
       <Tabs.Panel value="front">
         <PanelBoundary>
-          <FrontPanel />
+          <slot.Panel />
         </PanelBoundary>
       </Tabs.Panel>
       <Tabs.Panel value="history">

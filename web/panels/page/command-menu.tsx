@@ -39,7 +39,7 @@ export function CommandItems({ menu, hasSubmenus = false }: CommandItemsProps) {
   useView((state) => state);
   useRun((state) => state.busy);
   useStore(app.viewer);
-  useStore(app.player.state, ({ trace, recording }) => trace !== null || recording !== null);
+  useStore(app.replay.state, ({ isShown, isRecording }) => isShown || isRecording);
   const items = commands.filter((command) => command.menu === menu && command.inMenu);
   const sections = [...new Set(items.map(({ section }) => section))];
   const labels: Readonly<Record<number, string>> = hasSubmenus ? (strings.submenus[menu] ?? {}) : {};

@@ -3,7 +3,6 @@ import { useEffect } from "react";
 import type { App } from "../../app/app";
 import { commands, hotkeysOf, runCommand } from "../../commands/registry";
 import type { Command } from "../../commands/command";
-import { frontCommands } from "../../commands/front-commands";
 import { closeMenus, inputMode, isOfWidget, takesChord } from "../../tools/input-mode";
 import type { PageApps } from "../../tools/page-apps";
 import { pageApps } from "../shared/page-apps";
@@ -75,10 +74,8 @@ export function chordListener(
 /** Makes the hotkeys of all commands work. */
 export const useCommandHotkeys = (app: App): void => useHotkeys(app, commands);
 
-/** Makes the hotkeys of the player work, and no others. */
-export const useFrontHotkeys = (app: App): void => useHotkeys(app, frontCommands);
-
-function useHotkeys(app: App, among: readonly Command[]): void {
+/** Makes the hotkeys of some commands work, and no others. `among`: must not change. */
+export function useHotkeys(app: App, among: readonly Command[]): void {
   useEffect(() => {
     const life = new AbortController();
     const { documentElement: root } = document;

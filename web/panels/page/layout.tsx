@@ -8,11 +8,11 @@ import { useApp, useProblems, useShell } from "../shared/app-context";
 import { BottomPanel } from "./bottom-panel";
 import { Header } from "./header";
 import { Inspector } from "../inspector/inspector";
-import { DisplayPanel, GalleryPanel, Lens, LessonsPanel, QualityReport } from "../later/later";
-import { useHasLens } from "../player/use-has-lens";
+import { DisplayPanel, GalleryPanel, QualityReport } from "../later/later";
 import { ModelTree } from "../model/model-tree";
 import { ProblemBadge } from "../problems/problem-badge";
 import { PanelBoundary } from "../shared/panel-boundary";
+import { useSlots } from "../shared/slots";
 import { StatusBar } from "./status-bar";
 import { useLayout, type Layout } from "../shared/use-layout";
 import { ViewportPanel } from "../viewport/viewport-panel";
@@ -69,7 +69,8 @@ function useSizes(direction: "across" | "down", arrangement: Arrangement) {
 /** All panes stay where they are in the tree, so that the view keeps its camera in presenter mode. */
 function WideBody() {
   const isPresenting = useShell((state) => state.isPresenting);
-  const hasLens = useHasLens();
+  const slot = useSlots().left;
+  const hasLens = slot.useIsOffered();
   const arrangement = !isPresenting ? "usual" : hasLens ? "presentingLens" : "presenting";
   const { limits } = arrangements[arrangement];
   const [left, right] = [usual.across[0], usual.across[2]];
@@ -82,14 +83,11 @@ function WideBody() {
       {...useSizes("across", arrangement)}
     >
       <Splitter.Pane defaultSize={left} min={limits.left[0]} max={limits.left[1]}>
-        <aside
-          className={styles["side"]}
-          aria-label={isPresenting ? strings.player.lens : strings.tree.model}
-        >
+        <aside className={styles["side"]} aria-label={isPresenting ? slot.label : strings.tree.model}>
           {!isPresenting && <LeftPanel />}
           {arrangement === "presentingLens" && (
             <PanelBoundary>
-              <Lens />
+              <slot.Panel />
             </PanelBoundary>
           )}
         </aside>
@@ -198,7 +196,8 @@ const leftTabs = ["model", "examples", "lens"] as const;
 
 function LeftPanel() {
   const app = useApp();
-  const hasLens = useHasLens();
+  const slot = useSlots().left;
+  const hasLens = slot.useIsOffered();
   const chosen = useShell((state) => state.leftTab);
   const tab = chosen === "lens" && !hasLens ? "model" : chosen;
   return (
@@ -217,7 +216,7 @@ function LeftPanel() {
         </Tabs.Tab>
         {hasLens && (
           <Tabs.Tab value="lens" data-testid="tab-lens">
-            {strings.player.lens}
+            {slot.label}
           </Tabs.Tab>
         )}
       </Tabs.List>
@@ -232,7 +231,7 @@ function LeftPanel() {
       {hasLens && (
         <Tabs.Panel value="lens">
           <PanelBoundary>
-            <Lens />
+            <slot.Panel />
           </PanelBoundary>
         </Tabs.Panel>
       )}
@@ -242,6 +241,7 @@ function LeftPanel() {
 
 function RightPanel() {
   const app = useApp();
+  const slot = useSlots().right;
   const tab = useShell((state) => state.rightTab);
   return (
     <Tabs
@@ -259,7 +259,7 @@ function RightPanel() {
         </Tabs.Tab>
         <Tabs.Tab value="display">{strings.inspector.display}</Tabs.Tab>
         <Tabs.Tab value="lessons" data-testid="tab-lessons">
-          {strings.inspector.lessons}
+          {slot.label}
         </Tabs.Tab>
       </Tabs.List>
       <Tabs.Panel value="inspector">
@@ -277,7 +277,7 @@ function RightPanel() {
       </Tabs.Panel>
       <Tabs.Panel value="lessons">
         <PanelBoundary>
-          <LessonsPanel />
+          <slot.Panel />
         </PanelBoundary>
       </Tabs.Panel>
     </Tabs>

@@ -10,28 +10,31 @@ import { useCommandHotkeys } from "./hotkeys";
 import { fetchAhead } from "../later/later";
 import { pageApps, usePageApp } from "../shared/page-apps";
 import { losePalette } from "../shared/palette";
+import { SlotsContext, type Slots } from "../shared/slots";
 import { useScheme } from "./use-scheme";
 import styles from "./page.module.css";
 
 const Overlays = lazy(() => import("./overlays"));
 
 /** The app with its dialogs, hotkeys and drop target. */
-export function Page({ app }: { readonly app: App }) {
+export function Page({ app, slots }: { readonly app: App; readonly slots: Slots }) {
   const root = useRef<HTMLDivElement>(null);
   usePageApp(app, root);
   useCommandHotkeys(app);
   useHeldKeys(app);
   useScheme(app);
-  useEffect(fetchAhead, []);
+  useEffect(() => fetchAhead(slots), [slots]);
   const dropping = useFileDrop(app);
   return (
     <AppContext value={app}>
-      <ProjectNames>
-        <PageLayout root={root} />
-        <PanelBoundary floats onFailed={losePalette}>
-          <Overlays />
-        </PanelBoundary>
-      </ProjectNames>
+      <SlotsContext value={slots}>
+        <ProjectNames>
+          <PageLayout root={root} />
+          <PanelBoundary floats onFailed={losePalette}>
+            <Overlays />
+          </PanelBoundary>
+        </ProjectNames>
+      </SlotsContext>
       {dropping && <div className={styles["drop"]}>{strings.viewport.drop}</div>}
     </AppContext>
   );

@@ -1,11 +1,9 @@
 import { Progress, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import type { MeshReport, CallProgress } from "tetrafront";
-import type { Trace } from "tetrafront/trace";
 import { useStore } from "zustand";
 import { useMemo } from "react";
 import { unitOf } from "../../document/length-units";
-import { phaseAt } from "../../player/phases";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
 import { cancelledText, type RunState } from "../../session/run";
@@ -55,12 +53,6 @@ function outcomeText(run: RunState, stale: boolean, hasErrors: boolean, front: s
     case "invalid-input":
       return strings.status.invalid;
   }
-}
-
-/** Returns where the front that is shown is: steps are counted in each phase, as in the player. */
-function frontText(trace: Trace, step: number): string {
-  const { phase, from, to } = phaseAt(trace, step);
-  return strings.status.frontAt[phase](formatCount(step - from), formatCount(to - from));
 }
 
 function phaseText(task: RunState["task"], { phase, exactFillFraction: exactFill }: CallProgress): string {
@@ -147,7 +139,7 @@ function Outcome() {
   const hasErrors = useStore(app.problems.state, ({ problems }) =>
     problems.some(({ severity }) => severity === "error"),
   );
-  const front = useStore(app.player.state, ({ trace, step }) => trace && frontText(trace, step));
+  const front = useStore(app.replay.state, ({ text }) => text);
   return <span role="status">{outcomeText(run, stale, hasErrors, front)}</span>;
 }
 

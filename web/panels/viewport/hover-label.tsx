@@ -27,7 +27,7 @@ export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover })
       }
       case "background-node":
       case "source":
-        return `δ ${formatMeasure(findRecord(project, kind, id)?.size ?? 0, project.units)}`;
+        return `size ${formatMeasure(findRecord(project, kind, id)?.size ?? 0, project.units)}`;
     }
   };
   return (

@@ -1,7 +1,4 @@
-import { useMemo } from "react";
 import { useStore } from "zustand";
-import { frontValues } from "../../player/front-values";
-import { poorAngle } from "../../player/poor-angle";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import { formatShort } from "../../ui/format";
@@ -16,17 +13,19 @@ import {
   useRun,
   useView,
 } from "../shared/app-context";
+import { useSlots } from "../shared/slots";
+import { ScaleLegend } from "./scale-legend";
 import styles from "./legend.module.css";
 import { RegionList } from "../shared/region-list";
 
 /** The meaning of the mesh's colours. */
 export function Legend() {
   const app = useApp();
-  const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
+  const isReplaying = useStore(app.replay.state, ({ isShown }) => isShown);
+  const { Legend: ReplayLegend } = useSlots();
   const showsDeviation = useDeviationShown();
   const sizes = useStore(app.sizes.state, (state) => state.shown);
-  const isVolume = useStore(app.player.state, ({ step }) => step >= 0);
-  if (isReplaying) return isVolume ? <FrontLegend /> : null;
+  if (isReplaying) return <ReplayLegend />;
   if (sizes) return <SizeLegend range={sizes.range} />;
   if (showsDeviation) return <DeviationLegend />;
   return <MeshLegend />;
@@ -48,39 +47,6 @@ function useDeviationShown(): boolean {
   );
 }
 
-/** The colour scale of the faces of a recorded front. */
-function FrontLegend() {
-  const app = useApp();
-  const trace = useStore(app.player.state, (state) => state.trace);
-  const coloring = useStore(app.player.state, (state) => state.coloring);
-  const isSwept = useStore(app.player.state, ({ sweep }) => sweep !== null);
-  const [low, high] = useMemo(() => {
-    if (isSwept) return ["0°", `${poorAngle}°`];
-    const [from, to] = trace ? frontValues(trace, coloring).rangeAt(0) : [0, 0];
-    return strings.player.legendEnds(coloring, from, to);
-  }, [trace, coloring, isSwept]);
-  const name = isSwept ? strings.player.sweptLegend : strings.player.legend[coloring];
-  return (
-    <figure
-      className={styles["legend"]}
-      aria-label={`${strings.viewport.legend}: ${name}`}
-      data-testid="front-legend"
-      data-legend="scale"
-      data-covers-labels
-    >
-      <div
-        className={styles["bar"]}
-        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
-      />
-      <div className={styles["ticks"]}>
-        <span>{high}</span>
-        <span>{low}</span>
-      </div>
-      <figcaption>{name}</figcaption>
-    </figure>
-  );
-}
-
 /** Ticks on the scale of sizes, as shares of it: the ratio of two neighbouring ticks is the same everywhere. */
 const sizeTicks = [1, 0.75, 0.5, 0.25, 0];
 
@@ -93,25 +59,14 @@ function SizeLegend({ range: [low, high] }: { readonly range: readonly [number, 
   // As many digits as tell neighbouring ticks apart.
   const digits =
     [2, 3].find((n) => new Set(values.map((value) => value.toPrecision(n))).size === values.length) ?? 4;
-  const middle = viridis[(viridis.length - 1) / 2] ?? "";
+  const middle = viridis[(viridis.length - 1) / 2];
   return (
-    <figure
-      className={styles["legend"]}
-      aria-label={`${strings.viewport.legend}: ${name}`}
-      data-testid="size-legend"
-      data-legend="scale"
-    >
-      <div
-        className={styles["bar"]}
-        style={{ background: isOneSize ? middle : `linear-gradient(to top, ${viridis.join(", ")})` }}
-      />
-      <div className={styles["ticks"]}>
-        {values.map((value) => (
-          <span key={value}>{formatShort(Number(value.toPrecision(digits)))}</span>
-        ))}
-      </div>
-      <figcaption>{units === undefined ? name : `${name} (${units})`}</figcaption>
-    </figure>
+    <ScaleLegend
+      name={units === undefined ? name : `${name} (${units})`}
+      testId="size-legend"
+      ticks={values.map((value) => formatShort(Number(value.toPrecision(digits))))}
+      {...(isOneSize && middle !== undefined && { background: middle })}
+    />
   );
 }
 
@@ -119,23 +74,7 @@ function SizeLegend({ range: [low, high] }: { readonly range: readonly [number, 
 function DeviationLegend() {
   const name = strings.bodies.preview.deviationLegend;
   return (
-    <figure
-      className={styles["legend"]}
-      aria-label={`${strings.viewport.legend}: ${name}`}
-      data-testid="deviation-legend"
-      data-legend="scale"
-    >
-      <div
-        className={styles["bar"]}
-        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
-      />
-      <div className={styles["ticks"]}>
-        {ticks.map((tick) => (
-          <span key={tick}>{(1 - tick).toFixed(2)}</span>
-        ))}
-      </div>
-      <figcaption>{name}</figcaption>
-    </figure>
+    <ScaleLegend name={name} testId="deviation-legend" ticks={ticks.map((tick) => (1 - tick).toFixed(2))} />
   );
 }
 
@@ -145,7 +84,7 @@ function MeshLegend() {
   const visible = useView((state) => state.layers.mesh);
   const hasMesh = useShowsMesh();
   if (shading === "plain" || !visible || !hasMesh) return null;
-  return shading === "region" ? <RegionLegend /> : <ScaleLegend measure={shading} />;
+  return shading === "region" ? <RegionLegend /> : <MeasureLegend measure={shading} />;
 }
 
 /**
@@ -190,40 +129,21 @@ function useShownSpace() {
 const ticks = [1, 0.75, 0.5, 0.25, 0];
 
 /** The colour scale of a measure. */
-function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
+function MeasureLegend({ measure }: { readonly measure: QualityMeasure }) {
   const worst = worstShown[measure];
   const { space, isUnoptimized } = useShownSpace();
-  const name = measuredIn(measureNames[measure], space);
   const lines = [
     measureNames[measure].toLowerCase(),
     ...(space ? [spaceNames[space]] : []),
     ...(isUnoptimized ? [strings.viewport.unoptimized] : []),
   ];
+  const values = ticks.map((tick) => worst + tick * (bestValue[measure] - worst));
   return (
-    <figure
-      className={styles["legend"]}
-      aria-label={`${strings.viewport.legend}: ${name}`}
-      data-testid="legend"
-      data-legend="scale"
-      data-scale
-    >
-      <div
-        className={styles["bar"]}
-        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
-      />
-      <div className={styles["ticks"]}>
-        {ticks.map((tick) => {
-          const value = worst + tick * (bestValue[measure] - worst);
-          return (
-            <span key={tick}>{measure === "dihedral" ? `${Math.round(value)}°` : value.toFixed(2)}</span>
-          );
-        })}
-      </div>
-      <figcaption>
-        {lines.map((line) => (
-          <div key={line}>{line}</div>
-        ))}
-      </figcaption>
-    </figure>
+    <ScaleLegend
+      name={measuredIn(measureNames[measure], space)}
+      lines={lines}
+      testId="legend"
+      ticks={values.map((value) => (measure === "dihedral" ? `${Math.round(value)}°` : value.toFixed(2)))}
+    />
   );
 }

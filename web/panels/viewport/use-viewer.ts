@@ -120,26 +120,6 @@ const bodyCentres =
     return centre ? placed(centre, placement) : null;
   };
 
-/** Draws the recorded front when there is one. Its code is loaded then. Returns a function that ends this. */
-function followPlayer({ player }: App, viewer: Viewer): () => void {
-  let end: (() => void) | null = null;
-  let isOver = false;
-  const load = async (): Promise<void> => {
-    const { showPlayer } = await import("../../player/show-player");
-    if (!isOver) end = showPlayer(player.state, viewer);
-  };
-  let loading: Promise<void> | null = null;
-  const stop = player.state.subscribe(({ trace }) => {
-    if (trace) loading ??= load();
-  });
-  if (player.state.getState().trace) loading = load();
-  return () => {
-    isOver = true;
-    stop();
-    end?.();
-  };
-}
-
 /** Makes the receiver of keys that may begin coordinates or be hotkeys. */
 const typedKeys = (app: App): TypedKeys =>
   new TypedKeys({
@@ -211,7 +191,7 @@ function connect(
     viewer.framing.hold(tools.state.getState().hasGesture || drawing.state.getState().motion !== null);
   const stopsHolding = [tools.state.subscribe(hold), drawing.state.subscribe(hold)];
   const stopPointer = followPointer(canvas, stores);
-  const stopReplay = followPlayer(app, viewer);
+  const stopReplay = app.replay.drawIn(viewer);
   app.viewer.setState({ viewer });
   return () => {
     keys.drop();

@@ -1,6 +1,5 @@
 import { useEffect, type RefObject } from "react";
 import { useStore } from "zustand";
-import { frontSizeAt } from "../../player/phases";
 import {
   useApp,
   useAutosavePending,
@@ -44,24 +43,19 @@ export function ViewState({ container }: { readonly container: RefObject<HTMLDiv
     data["problems"] = String(problems);
     data["tool"] = tool;
   }, [container, points, lines, patches, problems, tool]);
-  useFrontState(container);
+  useReplayState(container);
   return null;
 }
 
-/** Copies the state of the recorded front, if it is shown. */
-function useFrontState(container: RefObject<HTMLDivElement | null>): void {
-  const { player } = useApp();
-  const trace = useStore(player.state, (state) => state.trace);
-  const step = useStore(player.state, (state) => state.step);
+/** Copies the state of what is played, if it is shown. */
+function useReplayState(container: RefObject<HTMLDivElement | null>): void {
+  const replay = useStore(useApp().replay.state, ({ data }) => data);
   useEffect(() => {
     const data = container.current?.dataset;
-    if (!data) return;
-    if (!trace) {
-      for (const name of ["step", "steps", "frontFaces"]) delete data[name];
-      return;
-    }
-    data["step"] = String(step);
-    data["steps"] = String(trace.stepCount);
-    data["frontFaces"] = String(frontSizeAt(trace, step));
-  }, [container, trace, step]);
+    if (!data) return undefined;
+    Object.assign(data, replay);
+    return () => {
+      for (const name of Object.keys(replay)) delete data[name];
+    };
+  }, [container, replay]);
 }

@@ -1,13 +1,13 @@
 import { Button, Kbd, Switch, Text } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
+import { useStore } from "zustand";
 import { generateMesh } from "../../commands/mesh-actions";
 import { cancelledText } from "../../session/run";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useProblems, useRun, useStale, useView } from "../shared/app-context";
 import { useIsMeshed } from "../shared/problem-severity";
-import { usePlayer } from "../player/use-player";
 import { CutAxisControl, CutSlider } from "./cut-controls";
 import type { Trouble } from "./use-viewer";
 import styles from "./viewport-overlays.module.css";
@@ -73,10 +73,10 @@ export function MeshBadge() {
   const status = useRun((state) => state.mesh?.report.status);
   const cancelled = useRun(cancelledText);
   const isToolActive = useView(({ tool }) => tool !== "select");
-  const showsTrace = usePlayer(({ trace, recording }) => trace !== null || recording !== null);
+  const isReplaying = useStore(app.replay.state, ({ isShown, isRecording }) => isShown || isRecording);
   if (busy) return null;
-  // A trace is drawn in place of the mesh, and a link to one has stopped the run.
-  const incomplete = !showsTrace && (status === "stalled" || status === "cancelled");
+  // A replay is drawn in place of the mesh, and a link to one has stopped the run.
+  const incomplete = !isReplaying && (status === "stalled" || status === "cancelled");
   if (!stale && !incomplete && failure === null) return null;
   const [title, hint] = badgeTexts(failure, stale, status, cancelled);
   return (

@@ -1,7 +1,6 @@
-import { lazy, Suspense, useEffect, useLayoutEffect, useRef, useState } from "react";
+import { lazy, Suspense, useLayoutEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
 import type { Hover } from "../../tools/select-tool";
-import type { Viewer } from "../../viewer/viewer";
 import { useApp, useShell, useView } from "../shared/app-context";
 import { ContextMenu, SelectionOutline } from "./selection-overlays";
 import { DrawingBar } from "./drawing-bar";
@@ -16,17 +15,11 @@ import type { Layout } from "../shared/use-layout";
 import { SizeBar } from "./size-bar";
 import { ToolColumn } from "./tool-column";
 import { OperationPanel } from "../operations/operation-panel";
+import { useSlots } from "../shared/slots";
 import { useViewer } from "./use-viewer";
 import { ViewCanvas } from "./view-canvas";
-import { VolumeChoices } from "./volume-choices";
 import { ViewState } from "./view-state";
-import { useShowsPlane } from "../player/use-player";
 import styles from "./viewport-panel.module.css";
-
-const importLabels = () => import("./lens-labels");
-const LensLabels = lazy(async () => ({ default: (await importLabels()).LensLabels }));
-const importPlane = () => import("../player/plane-view");
-const PlaneView = lazy(async () => ({ default: (await importPlane()).PlaneView }));
 
 const Notices = lazy(async () => ({ default: (await import("../dialogs/notices")).Notices }));
 const StartPage = lazy(() => import("../files/start-page"));
@@ -44,11 +37,11 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const hasChoices = useView((state) => state.tool !== "select");
   const showsSizes = useView((state) => state.sizes.enabled);
   const app = useApp();
-  const isReplaying = useStore(app.player.state, ({ trace }) => trace !== null);
+  const isReplaying = useStore(app.replay.state, ({ isShown }) => isShown);
+  const { Overlay, Beside, useBeside } = useSlots();
   const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
-  const showsPlane = useShowsPlane();
-  const isLessonModel = useLessonModel();
-  const hasColumn = !isLessonModel && (layout !== "phone" || !isReplaying);
+  const isLocked = useLocked();
+  const hasColumn = !isLocked && (layout !== "phone" || !isReplaying);
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   const [operation, setOperation] = useState<HTMLElement | null>(null);
   const showsStart = useShell(({ startPage }) => startPage) && !hasOperation && !isReplaying;
@@ -56,17 +49,13 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const operationEdge = useRightEdge(layout === "phone" ? null : (operation ?? start));
   const covered = operationEdge > 0 ? operationEdge + operationMargin : hasColumn ? columnWidth : 0;
   const { viewer, trouble } = useViewer(container, canvas, setHover, covered);
-  useFitBeside(viewer, showsPlane);
-  useEffect(() => {
-    // So that the plane of a patch is there when one is first shown. The labels are needed before.
-    if (isReplaying) void importLabels().then(importPlane);
-  }, [isReplaying]);
+  const hasBeside = useBeside(viewer);
   return (
     <main
       className={styles["view"]}
       data-operation={hasOperation || undefined}
-      data-split={showsPlane || undefined}
-      data-without-tools={isLessonModel || undefined}
+      data-split={hasBeside || undefined}
+      data-without-tools={isLocked || undefined}
       data-start={showsStart || undefined}
       data-replaying={isReplaying || undefined}
     >
@@ -78,22 +67,17 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         {viewer && <PatchRoleLabels viewer={viewer} />}
         {viewer && <PointNumbers viewer={viewer} />}
         {hover && !isMoving && <HoverLabel hover={hover} />}
-        {viewer && <VolumeChoices viewer={viewer} />}
-        {viewer && isReplaying && (
-          <Suspense fallback={null}>
-            <LensLabels viewer={viewer} />
-          </Suspense>
-        )}
+        {viewer && isReplaying && <Overlay viewer={viewer} />}
         {viewer && <DrawingMarks viewer={viewer} />}
         <SelectionOutline />
       </div>
-      {showsPlane && (
+      {hasBeside && (
         <Suspense fallback={null}>
-          <PlaneView />
+          <Beside />
         </Suspense>
       )}
       {trouble && <ViewNotice trouble={trouble} />}
-      {!isLessonModel && <ToolColumn />}
+      {!isLocked && <ToolColumn />}
       <div className={styles["top"]}>
         {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}
         {/* On a wide screen, the panel of an operation takes this place. */}
@@ -102,7 +86,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <CornerNotes />
       <ContextMenu />
       {!trouble && <Legend />}
-      {layout !== "phone" && !showsPlane && <MouseHint />}
+      {layout !== "phone" && !hasBeside && <MouseHint />}
       <OperationPanel ref={setOperation} />
       {layout === "wide" && (
         <Suspense fallback={null}>
@@ -118,11 +102,11 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   );
 }
 
-/** Returns whether the model of the open lesson is shown, which is not edited. */
-function useLessonModel(): boolean {
+/** Returns whether the document is not edited. */
+function useLocked(): boolean {
   const app = useApp();
   const id = useStore(app.documents.state, (state) => state.id);
-  return useStore(app.shell, ({ lesson, lessonModel }) => lesson !== null && lessonModel === id);
+  return useStore(app.shell, ({ lock }) => lock?.documentId === id);
 }
 
 /** Returns where an element ends in what contains it, in CSS pixels from the left; 0 without one. */
@@ -140,21 +124,4 @@ function useRightEdge(element: HTMLElement | null): number {
     return () => observer.disconnect();
   }, [element]);
   return element ? edge : 0;
-}
-
-/** Fits the model to the view again when the plane of a patch takes half of its width, or gives it back. */
-function useFitBeside(viewer: Viewer | null, showsPlane: boolean): void {
-  const { player } = useApp();
-  const before = useRef(showsPlane);
-  useEffect(() => {
-    if (before.current === showsPlane) return;
-    before.current = showsPlane;
-    // The view is at the base edge.
-    if (player.state.getState().follows) return;
-    // The canvas gets its new size in the next frame.
-    let frame = requestAnimationFrame(() => {
-      frame = requestAnimationFrame(() => viewer?.framing.fit(null));
-    });
-    return () => cancelAnimationFrame(frame);
-  }, [viewer, player, showsPlane]);
 }

@@ -1,0 +1,185 @@
+import { Button, Text } from "@mantine/core";
+import { lazy, memo, Suspense, useDeferredValue, useMemo } from "react";
+import type { AdvanceStep } from "tetrafront/trace";
+import { decisive, examine, type LensCandidate } from "../../player/lens";
+import { lensSceneOf, type LensScene } from "../../player/lens-scene";
+import { surfaceState } from "../../player/phases";
+import { recordedScores } from "../../player/recorded-score";
+import { recoveryCounts } from "../../player/recovery-counts";
+import { playerStrings } from "../../strings/player";
+import { formatShort } from "../../../ui/format";
+import { ScrollPanel } from "../../../ui/frames/scroll-panel";
+import { BaseFacts, type Fact } from "./base-facts";
+import { CandidatesAndFormulas, type CandidateRow } from "./candidate-table";
+import { frontChangeOf, sentenceOf, whatIfOf } from "./lens-sentence";
+import styles from "./player.module.css";
+import { SurfaceLens } from "./surface-lens";
+import { useKeptState } from "./use-kept-state";
+import { useFrontPlayer, usePlayer, useTrace } from "./use-player";
+
+const texts = playerStrings;
+const Sweeps = lazy(async () => ({ default: (await import("./sweeps")).Sweeps }));
+const VolumeGame = lazy(async () => ({ default: (await import("./volume-game")).VolumeGame }));
+const IdealFormula = lazy(async () => ({ default: (await import("./step-formula")).IdealFormula }));
+const RefusalFormula = lazy(async () => ({ default: (await import("./step-formula")).RefusalFormula }));
+const CrossingFormula = lazy(async () => ({ default: (await import("./crossing-formula")).CrossingFormula }));
+
+/** Why a step ended as it did. */
+export function Lens() {
+  const player = useFrontPlayer();
+  const isPlaying = usePlayer((state) => state.isPlaying);
+  const isVolume = usePlayer(({ step }) => step >= 0);
+  const sweeps = usePlayer(({ trace, lensStep }) =>
+    trace && lensStep === trace.stepCount ? trace.optimization : null,
+  );
+  const [isGame, setIsGame] = useKeptState(useTrace(), "is-game", false);
+  return (
+    <ScrollPanel label={texts.lens} className={styles["lens"]} data-testid="lens">
+      {isGame && isVolume ? (
+        <Suspense fallback={null}>
+          <VolumeGame onEnd={() => setIsGame(false)} />
+        </Suspense>
+      ) : (
+        <>
+          {sweeps && (
+            <Suspense fallback={null}>
+              <Sweeps optimization={sweeps} />
+            </Suspense>
+          )}
+          {isPlaying ? <Text size="sm">{texts.playing}</Text> : <Step />}
+          {isVolume && (
+            <Button
+              size="compact-xs"
+              variant="default"
+              mt={8}
+              data-testid="volume-game-toggle"
+              onClick={() => {
+                player.pause();
+                setIsGame(true);
+              }}
+            >
+              {texts.game.start}
+            </Button>
+          )}
+        </>
+      )}
+    </ScrollPanel>
+  );
+}
+
+function Step() {
+  const trace = useTrace();
+  const state = usePlayer(({ lensStep }) => surfaceState(trace, lensStep));
+  const isGame = usePlayer(({ edgeTask }) => edgeTask !== null);
+  // The step before the question would be taken for what is asked.
+  if (isGame) return <Text size="sm">{texts.game.lens}</Text>;
+  if (trace.surface === null || state === null) return <VolumeLens />;
+  return <SurfaceLens surface={trace.surface} state={state} />;
+}
+
+/** What the lens shows of the volume. */
+interface UnderLens {
+  readonly number: number;
+  readonly chosen: number | null;
+  readonly scene: LensScene | null;
+}
+
+/** The view answers a step first; the sentences and formulas about it follow. */
+function VolumeLens() {
+  const number = usePlayer((state) => state.lensStep);
+  const chosen = usePlayer((state) => state.candidate);
+  const scene = usePlayer(lensSceneOf);
+  const shown = useDeferredValue(useMemo(() => ({ number, chosen, scene }), [number, chosen, scene]));
+  return <StepUnderLens {...shown} />;
+}
+
+const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: UnderLens) {
+  const trace = useTrace();
+  const step = useMemo(() => trace.stepAt(number), [trace, number]);
+  const examined = useMemo(() => {
+    if (step?.kind !== "advance") return null;
+    // The view shows the same, unless it waits for the last of scrubbed states.
+    if (scene?.step.step === step.step) return scene.examined;
+    const candidate = step.candidates[chosen ?? decisive(step) ?? 0];
+    return candidate ? examine(trace, step, candidate) : null;
+  }, [trace, step, chosen, scene]);
+  const change = scene && scene.step.step === step?.step ? frontChangeOf(scene) : null;
+  if (!step) return <Text size="sm">{texts.beforeFirst}</Text>;
+  if (step.kind === "recovery")
+    return <p data-testid="lens-recovery">{texts.recovery(step.change, recoveryCounts(trace, step))}</p>;
+  return (
+    <>
+      {examined && (
+        <p data-testid="lens-sentence">
+          <b>{sentenceOf(step, examined)}</b>
+        </p>
+      )}
+      <CandidatesAndFormulas
+        label={texts.candidates}
+        rows={rowsOf(step)}
+        chosen={chosen ?? decisive(step)}
+        scoreHint={texts.scoreHint}
+      >
+        {examined && (
+          <Suspense fallback={null}>
+            <RefusalFormula step={step} candidate={examined.candidate} />
+          </Suspense>
+        )}
+        {examined?.test && (
+          <Suspense fallback={null}>
+            <CrossingFormula {...examined.test} />
+          </Suspense>
+        )}
+      </CandidatesAndFormulas>
+      {number === trace.stepCount && <End />}
+      {examined && <WhatIf examined={examined} />}
+      {change !== null && <p data-testid="lens-front-change">{change}</p>}
+      {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
+      <FaceFacts step={step} />
+      <Suspense fallback={null}>
+        <IdealFormula step={step} />
+      </Suspense>
+    </>
+  );
+});
+
+function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
+  const scores = recordedScores(candidates.map(({ score }) => score));
+  return candidates.map(({ node, isNew, verdict, culprit }, i) => ({
+    name: isNew ? null : node,
+    score: scores[i] ?? "",
+    verdict: texts.verdictAt(texts.verdicts[verdict], culprit),
+  }));
+}
+
+/** Says after the last step that the volume is full, if the front was completed. */
+function End() {
+  const trace = useTrace();
+  const isRecent = usePlayer(({ elements }) => elements === "last" || elements === "recent");
+  if ((trace.steps.frontSizes[trace.stepCount] ?? 0) > 0) return null;
+  const count = trace.elementsAt(trace.stepCount).length;
+  return (
+    <p data-testid="lens-end">
+      {texts.noFaces(count)} {isRecent && texts.recentElements}
+    </p>
+  );
+}
+
+function WhatIf({ examined }: { readonly examined: LensCandidate }) {
+  const whatIf = whatIfOf(examined);
+  return whatIf !== null && <p data-testid="lens-what-if">{whatIf}</p>;
+}
+
+function FaceFacts({ step }: { readonly step: AdvanceStep }) {
+  const { header } = useTrace();
+  const facts: readonly Fact[] = [
+    { ...texts.bucket, value: String(step.bucket) },
+    { ...texts.layers, value: String(step.layers) },
+    { ...texts.ruleClass, value: step.ruleClass === 0 ? texts.strict : String(step.ruleClass) },
+    { ...texts.targetEdge, value: formatShort(step.targetEdge) },
+    { ...texts.nearby, value: String(step.nearbyFaces) },
+    { ...texts.ranked, value: String(step.rankedCandidates) },
+  ];
+  const hint = step.isRemeshing ? texts.region : texts.whyNow[header.order];
+  return <BaseFacts title={texts.base(step.face)} facts={facts} hint={hint} />;
+}

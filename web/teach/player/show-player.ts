@@ -1,0 +1,139 @@
+import type { Trace } from "tetrafront/trace";
+import type { StoreApi } from "zustand/vanilla";
+import type { Position } from "../../document/position";
+import { showAskedEdge, showAskedFace } from "./asked-face";
+import { cornersOf } from "./judge";
+import { LensLayer } from "./lens-layer";
+import { lensMarks } from "./lens-marks";
+import { lensSceneOf, sceneOf, type LensScene } from "./lens-scene";
+import { initialPlayerState, type PlayerState } from "./player";
+import { firstState, surfaceState } from "./phases";
+import { recoveryMarks, recoveryMarksOf } from "./recovery-marks";
+import { ReplayLayer } from "./replay-layer";
+import { SurfaceLayer } from "./surface-layer";
+import { stepMarks } from "./surface-scene";
+import { SweepLayer } from "./sweep-layer";
+import type { Viewer } from "../../viewer/viewer";
+
+/** Speed in steps per second up to which the view follows while the front is played: faster, it would jerk. */
+const maxFollowedSpeed = 5;
+
+/** Draws the trace of a player in a view, instead of the model's surfaces and mesh. Returns a function that ends this. */
+export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () => void {
+  let shown: {
+    readonly trace: Trace;
+    readonly end: () => void;
+    readonly show: (state: PlayerState) => void;
+  } | null = null;
+  const update = (state: PlayerState): void => {
+    if (shown?.trace !== state.trace) {
+      shown?.end();
+      // A trace from a file can be of another model.
+      viewer.framing.replaceModel(state.isOpened ? (state.trace?.nodes.positions ?? null) : null);
+      shown = state.trace && { trace: state.trace, ...drawTrace(state.trace, viewer, player) };
+      viewer.show({ isReplaying: shown !== null });
+    }
+    shown?.show(state);
+  };
+  update(player.getState());
+  const stop = player.subscribe(update);
+  return () => {
+    stop();
+    shown?.end();
+    viewer.framing.replaceModel(null);
+    viewer.show({ isReplaying: false });
+  };
+}
+
+function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) {
+  const replay = new ReplayLayer(trace);
+  const lens = new LensLayer();
+  const sweeps = new SweepLayer(trace);
+  const surface = new SurfaceLayer(trace);
+  /** What the view has moved to last; null if the last state was about no face or edge, or was shown too briefly. */
+  let followed: { readonly step: number; readonly scene: LensScene | null } | null = null;
+  const follow = (state: PlayerState, scene: LensScene | null): void => {
+    if (followed?.step === state.step && followed.scene === scene) return;
+    const positions = positionsToFollow(trace, state, scene);
+    followed = positions && { step: state.step, scene };
+    if (positions) viewer.framing.fitPositions(positions);
+  };
+  /** What was asked for last: the view moves once per question, and the reader may turn it then. */
+  let asked: unknown = null;
+  const ask = ({ task, edgeTask }: PlayerState): void => {
+    const question = task?.question ?? edgeTask?.question ?? null;
+    if (question === null || question === asked) return;
+    asked = question;
+    if (task) showAskedFace(trace, task, viewer);
+    else if (edgeTask) showAskedEdge(edgeTask, viewer);
+  };
+  const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
+  const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {
+    const recovered = recoveryMarksOf(state);
+    replay.show(state, (scene !== null || recovered !== null) && state.fades, scene?.supposed);
+    surface.show(surfaceState(trace, state.step), state.candidate, state.edgeTask);
+    sweeps.show(state.sweep);
+    lens.show(scene, recovered);
+    return scene;
+  };
+  // Not with the scene of `lensSceneOf`: the one that is followed would be made again.
+  const drawHidden = (step: number): void => {
+    const { coloring, faces, elements } = player.getState();
+    const state = { ...initialPlayerState, trace, step, lensStep: step, coloring, faces, elements };
+    draw(state, sceneOf(trace, state));
+  };
+  const warmUp = new AbortController();
+  const hidden = statesToWarmUp(trace).map((step) => (): void => drawHidden(step));
+  void viewer.warmUp(hidden, () => void draw(player.getState()), warmUp.signal);
+  return {
+    show: (state: PlayerState): void => {
+      const scene = draw(state);
+      if (state.follows) follow(state, scene);
+      else followed = null;
+      ask(state);
+      viewer.requestFrame();
+    },
+    end: (): void => {
+      warmUp.abort();
+      ends.forEach((end) => end());
+    },
+  };
+}
+
+/** Returns a state of the patches and one of the volume, with what the lens shows there: an edge, and a face. */
+function statesToWarmUp(trace: Trace): readonly number[] {
+  const { surface } = trace;
+  const first = firstState(trace);
+  const isEdge = (step: number): boolean => {
+    const kind = surface?.kindAt(step - first);
+    return kind === "accepted" || kind === "postponed";
+  };
+  const edge = surface && findStep(first + surface.lastLineStep + 1, 0, isEdge);
+  const face = findStep(1, trace.stepCount + 1, (step) => trace.stepAt(step)?.kind === "advance");
+  return [edge, face].filter((step) => step !== null);
+}
+
+/** Returns the first step from `from` to before `to` that meets a condition; null if there is none. */
+function findStep(from: number, to: number, isFound: (step: number) => boolean): number | null {
+  for (let step = from; step < to; step++) if (isFound(step)) return step;
+  return null;
+}
+
+/** Returns what the step of a state is about; null if it is not about a face or an edge, or if steps follow each other too fast. */
+function positionsToFollow(
+  trace: Trace,
+  { step: number, isPlaying, speed, lensStep }: PlayerState,
+  scene: LensScene | null,
+): readonly Position[] | null {
+  if (scene) {
+    const { base, ideal, candidate, culprit } = lensMarks(scene);
+    return [...base, ...ideal, ...candidate, ...culprit];
+  }
+  if (isPlaying ? speed > maxFollowedSpeed : number !== lensStep) return null;
+  const step = trace.stepAt(number);
+  if (step?.kind === "advance") return cornersOf(trace, step.face);
+  const state = surfaceState(trace, number);
+  const { left = [], joined = [] } = (step?.kind === "recovery" && recoveryMarks(trace, step)) || {};
+  const about = state === null ? [...left, ...joined] : stepMarks(trace, state, null).base;
+  return about.length > 0 ? about : null;
+}
