@@ -56,20 +56,24 @@ export async function solidParts(
       wholeTriangles: chainedOrigins(given.origin, wholeTriangles),
       wholeNodes: chainedOrigins(given.nodeOrigin, wholeNodes),
     };
-    parts.push({ surface: group.length > 1 ? surface : await withNesting(mesher, surface), numbers });
+    parts.push({ surface: group.length > 1 ? surface : await apart(mesher, surface), numbers });
   }
   return parts;
 }
 
-/** Returns solids whose triangles do not intersect, with the regions on both sides of each: one may lie within another. */
-export async function withNesting<Surface extends Mesh>(
-  mesher: SurfaceMesher,
-  part: Surface,
-): Promise<Omit<Surface, "givenRegions">> {
-  const hasSeveral = (part.surfaceRegions?.regions.length ?? 0) > 1;
-  const located = hasSeveral ? (await withSolidRegions(mesher, part, part)).surface : part;
-  const { surfaceRegions } = located;
-  return withoutRegions({ ...part, ...(surfaceRegions && { surfaceRegions }) });
+/** Returns solids that do not touch, with the regions on both sides of their triangles: one may lie within another. */
+async function apart(mesher: SurfaceMesher, part: SolidsSurface): Promise<Mesh> {
+  return withoutRegions(part.surfaceRegions.regions.length < 2 ? part : await nested(mesher, part));
+}
+
+/** Returns a surface that states the regions on both sides of its triangles, which may lie within others. */
+async function nested(mesher: SurfaceMesher, surface: SolidsSurface): Promise<SolidsSurface> {
+  const { regions } = surface.surfaceRegions;
+  const { surfaceRegions = surface.surfaceRegions } = (await withSolidRegions(mesher, surface, surface))
+    .surface;
+  const triangleRegions = surfaceRegions.triangleRegions.slice();
+  const givenRegions = { triangleRegions, maxVolumes: new Float64Array(regions.length) };
+  return { ...surface, surfaceRegions, givenRegions };
 }
 
 async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Promise<boolean> {
@@ -79,15 +83,17 @@ async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Pro
 }
 
 /** Returns surfaces that are ready as one; it names triangles and nodes by their numbers in the whole surface. */
-export function unitedReady(
+export async function unitedReady(
+  mesher: SurfaceMesher,
   parts: readonly (ChangedSurface & { readonly numbers: WholeNumbers })[],
-): ChangedSurface {
+): Promise<ChangedSurface> {
   const changes = parts.flatMap(({ numbers, changes: own = [] }) =>
     own.map((one) => changeInWhole(numbers, one)),
   );
   const deviations = parts.flatMap(({ repairDeviation }) => repairDeviation ?? []);
+  const whole = unitedSurfaces(parts.map(({ numbers, surface }) => withWholeOrigins(numbers, surface)));
   return {
-    surface: unitedSurfaces(parts.map(({ numbers, surface }) => withWholeOrigins(numbers, surface))),
+    surface: await nested(mesher, whole),
     ...(parts.some((one) => one.changes !== undefined) && {
       changes,
       repairDeviation: Math.max(0, ...deviations),
@@ -105,7 +111,10 @@ export interface TreatedPart extends TreatedSurface {
  * Returns what became of several surfaces as one: counts are sums, and shapes and distances the worst. It names triangles and
  * nodes by their numbers in the whole surface.
  */
-export function unitedTreated(parts: readonly TreatedPart[]): TreatedSurface {
+export async function unitedTreated(
+  mesher: SurfaceMesher,
+  parts: readonly TreatedPart[],
+): Promise<TreatedSurface> {
   const all = parts.map(({ numbers, ...one }): TreatedSurface => ({
     ...one,
     surface: withWholeOrigins(numbers, one.surface),
@@ -116,8 +125,9 @@ export function unitedTreated(parts: readonly TreatedPart[]): TreatedSurface {
   const diagnostics = all.flatMap((one) => one.diagnostics ?? []);
   const refinement = unitedRefinements(all.flatMap((one) => one.refinement ?? []));
   const remesh = unitedRemeshes(all.flatMap((one) => one.remesh ?? []));
+  const whole = unitedSurfaces(all.map(({ surface }) => surface));
   return {
-    surface: unitedSurfaces(all.map(({ surface }) => surface)),
+    surface: invalid.length > 0 ? whole : await nested(mesher, whole),
     ...(refinement && { refinement }),
     ...(remesh && { remesh }),
     ...(invalid.length > 0 && { invalid }),

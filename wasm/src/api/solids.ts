@@ -1,6 +1,7 @@
 /** What becomes of the solids of a surface: regions, overlaps, and gaps between them. */
 import {
   assignedOverlap,
+  innerSolid,
   mergeWarning,
   type Overlap,
   overlapWarning,
@@ -34,8 +35,8 @@ interface Known {
 }
 
 /**
- * Returns a surface that can be filled with the regions of its solids, and what the user should know: solids that overlap,
- * almost touch, or share faces. `made`: the given surface, or the result of its repair.
+ * Returns a surface that can be filled with the regions of its solids, and what the user should know: solids that overlap, or
+ * almost touch. `made`: the given surface, or the result of its repair.
  */
 export async function withSolidRegions(
   mesher: SurfaceMesher,
@@ -53,10 +54,7 @@ export async function withSolidRegions(
   // Solids that overlap by next to nothing lose their regions too.
   const isTold = new Set(all.flatMap(({ regions }) => [...regions]));
   const merged = shared.filter(({ regions }) => regions.some((one) => !isLeft(one) && !isTold.has(one)));
-  // A solid that lies inside another one is what it seems.
-  const told = (assigned ?? [])
-    .filter(({ isNested }) => !isNested)
-    .map((one) => assignedDiagnostic(given, one, isLeft));
+  const told = (assigned ?? []).map((one) => assignedDiagnostic(given, one, isLeft));
   // A solid inside another one has it on its outer side, which the given regions do not state.
   const isStated = haveSameSides(given.surfaceRegions, surface.surfaceRegions);
   const isKept = made === given && shared.length === 0 && isStated;
@@ -70,7 +68,6 @@ export async function withSolidRegions(
       ...merged.map(({ regions, position }) => mergeWarning(given.surfaceRegions, regions, position)),
       ...gaps,
       ...almostTouching(surface, [...touching, ...all, ...(assigned ?? [])]),
-      ...(left.size > 2 ? sharedFacesNote(surface) : []),
     ],
   };
 }
@@ -80,18 +77,48 @@ function haveSameSides(one: SurfaceRegions | undefined, other: SurfaceRegions | 
   return a.length === b.length && a.every((region, side) => region === b[side]);
 }
 
+/** Returns a surface without the solids that lie wholly inside another one, which bound cavities then; one inside of such a cavity stays. O(n). */
+export function withCavities(surface: Mesh): Mesh {
+  const { surfaceRegions, givenRegions } = surface;
+  if (surfaceRegions === undefined || givenRegions === undefined) return surface;
+  const { triangleRegions: sides } = surfaceRegions;
+  const around = surfaceRegions.regions.map(() => new Set<number>());
+  sides.forEach((region, side) => around[region]?.add(sides[side ^ 1] ?? NO_REGION));
+  const isCavity = (region: number, inner: readonly number[] = []): boolean => {
+    const [outer = NO_REGION, ...more] = around[region] ?? [];
+    const isInside = outer !== NO_REGION && more.length === 0 && !inner.includes(outer);
+    return isInside && !isCavity(outer, [...inner, region]);
+  };
+  const cavities = new Set([...around.keys()].filter((region) => isCavity(region)));
+  if (cavities.size === 0) return surface;
+  const triangles = surface.triangles.slice();
+  const triangleRegions = sides.map((region) => (cavities.has(region) ? NO_REGION : region));
+  for (let t = 0; 2 * t < sides.length; t++) {
+    if (triangleRegions[2 * t] !== NO_REGION) continue;
+    triangles.subarray(3 * t, 3 * t + 3).reverse();
+    triangleRegions.subarray(2 * t, 2 * t + 2).reverse();
+  }
+  return {
+    ...surface,
+    triangles,
+    surfaceRegions: { ...surfaceRegions, triangleRegions },
+    givenRegions: { ...givenRegions, triangleRegions: triangleRegions.slice() },
+  };
+}
+
 /** Says which solid got a volume that two shared. */
 function assignedDiagnostic(
   given: Mesh,
-  { regions, position, volume, depth }: SharedVolume,
+  { regions, position, volume, depth, isNested }: SharedVolume,
   isLeft: (region: number) => boolean,
 ): Diagnostic {
   const [one, two] = regions.map((region) => solidOf(given, region).volume);
   const share = volume / Math.min(one ?? 0, two ?? 0);
   const overlap = { regions, position, volume, share };
-  return isLeft(regions[1])
-    ? assignedOverlap(given.surfaceRegions, overlap, depth)
-    : overlapWarning(given.surfaceRegions, overlap, { isLeft, into: regions[0] });
+  if (!isLeft(regions[1])) return overlapWarning(given.surfaceRegions, overlap, { isLeft, into: regions[0] });
+  return isNested
+    ? innerSolid(given.surfaceRegions, overlap)
+    : assignedOverlap(given.surfaceRegions, overlap, depth);
 }
 
 /** Returns the overlaps of the solids of a shared volume that are not known yet. */
@@ -130,10 +157,13 @@ export async function checkedSolids(
   return { surface: given, warnings: [] };
 }
 
-/** Returns a note on which solids share faces. */
-function sharedFacesNote({ surfaceRegions }: Mesh): Diagnostic[] {
-  if (surfaceRegions === undefined || surfaceRegions.regions.length < 2) return [];
+/** Returns a note on which of the solids of a surface share faces; nothing if one at most is left. */
+export function sharedFacesNote({ surfaceRegions }: Mesh): Diagnostic[] {
+  if (surfaceRegions === undefined) return [];
   const { regions, triangleRegions } = surfaceRegions;
+  const left = new Set(triangleRegions);
+  left.delete(NO_REGION);
+  if (left.size < 2) return [];
   const pairs = new Set<string>();
   for (let side = 0; side < triangleRegions.length; side += 2) {
     const [one = NO_REGION, other = NO_REGION] = triangleRegions.subarray(side, side + 2);
@@ -149,7 +179,7 @@ function sharedFacesNote({ surfaceRegions }: Mesh): Diagnostic[] {
   const [first = "", ...more] = names;
   const listed = more.length > MAX_PAIRS ? `${first} and ${more.length} more pairs` : names.join("; ");
   const what = names.length === 0 ? "none of them share faces" : `shared faces: ${listed}`;
-  return [packageDiagnostic("touching-solids", `${regions.length} solids; ${what}`, "", "information")];
+  return [packageDiagnostic("touching-solids", `${left.size} solids; ${what}`, "", "information")];
 }
 
 /** Largest number of pairs that are listed, after the first. */

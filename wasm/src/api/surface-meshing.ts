@@ -26,7 +26,7 @@ import {
   splitPart,
 } from "./surface-mesh-options.js";
 import { type SurfaceMesher, withControl } from "./surface-mesher.js";
-import type { TreatedPart } from "./solid-parts.js";
+import type { SolidPart, TreatedPart } from "./solid-parts.js";
 import type { WholeNumbers } from "./whole-numbers.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withoutCracks } from "./surface-preparation.js";
@@ -82,16 +82,42 @@ export async function readySurface(
     (asked.kind === "smaller" || asked.kind === "remesh") &&
     repairPart(options) === undefined &&
     splitPart(options) === undefined &&
-    innerShells !== "cavities" &&
     given.patches.length > 1;
   const parts = mayBeDivided ? await (await ofParts()).solidParts(mesher, given) : undefined;
-  if (parts === undefined) return readyWhole(mesher, given, asked, options, origin, isExact);
+  const ready =
+    parts === undefined
+      ? await readyWhole(mesher, given, asked, options, origin, isExact)
+      : await readyParts(mesher, parts, asked, options, origin, isExact);
+  if (!hasSolids(ready.surface)) return ready;
+  const { sharedFacesNote } = await import("./solids.js");
+  // Regions that a file states say what inner shells bound.
+  const surface = hasSolids(given) ? ready.surface : await withInnerShells(ready.surface, innerShells);
+  return { ...ready, surface, diagnostics: [...ready.diagnostics, ...sharedFacesNote(surface)] };
+}
+
+/** As `readySurface`, for solids that are treated by themselves. */
+async function readyParts(
+  mesher: SurfaceMesher,
+  parts: readonly SolidPart[],
+  asked: Treatment,
+  options: SurfaceMeshOptions,
+  origin: SurfaceOrigin,
+  isExact: boolean,
+): Promise<ReadySurface> {
   const ready: ReadyPart[] = [];
   for (const { surface, numbers } of parts)
     ready.push({ ready: await readyWhole(mesher, surface, asked, options, origin, isExact), numbers });
   const { unitedReady } = await ofParts();
-  const united = unitedReady(ready.map((part) => ({ ...part.ready, numbers: part.numbers })));
+  const united = await unitedReady(
+    mesher,
+    ready.map((part) => ({ ...part.ready, numbers: part.numbers })),
+  );
   return { ...united, treatment: asked, parts: ready };
+}
+
+/** Returns the surface of solids; those inside others bound cavities, if inner shells do. */
+async function withInnerShells(surface: Mesh, innerShells: InnerShells | undefined): Promise<Mesh> {
+  return innerShells === "cavities" ? (await import("./solids.js")).withCavities(surface) : surface;
 }
 
 /** As `readySurface`, for a surface of which all solids are treated alike. `asked`: what becomes of triangles that do not touch others. */
@@ -133,7 +159,7 @@ async function readyWhole(
   };
 }
 
-/** Returns the treatment; solids whose triangles do not fit together are remeshed too, which gives both the same face. */
+/** Returns the treatment; solids that touch or overlap in triangles that do not match are remeshed too, which gives both the same face. */
 async function decidedForSolids(
   mesher: SurfaceMesher,
   surface: Mesh,
@@ -243,15 +269,11 @@ async function partsFilled(
   const made: TreatedPart[] = [];
   for (const { ready: part, numbers } of parts)
     made.push({ ...(await treated(mesher, part, filling)), numbers });
-  const { unitedTreated, withNesting } = await ofParts();
-  const treatedParts = unitedTreated(made);
-  // A solid of one part may lie within one of another.
-  const united =
-    treatedParts.invalid === undefined
-      ? { ...treatedParts, surface: await withNesting(mesher, treatedParts.surface) }
-      : treatedParts;
-  const result = await fill(mesher, united, meshPart(filling.options), filling.controlOf());
-  return meshed(result, ready, united, { ...filling, isExact: false });
+  const { surface: whole, ...united } = await (await ofParts()).unitedTreated(mesher, made);
+  const surface = await withInnerShells(whole, filling.options.innerShells);
+  const treatedWhole = { ...united, surface };
+  const result = await fill(mesher, treatedWhole, meshPart(filling.options), filling.controlOf());
+  return meshed(result, ready, treatedWhole, { ...filling, isExact: false });
 }
 
 function treated(

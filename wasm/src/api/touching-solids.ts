@@ -3,7 +3,6 @@ import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { componentsOf } from "../formats/components.js";
-import { mayBeNested } from "../formats/solid-units.js";
 import { NO_REGION, type InnerShells } from "../generated/constants.js";
 import type { Mesh, SurfaceRegions } from "../mesh/mesh.js";
 import type { SurfaceMesher } from "./surface-mesher.js";
@@ -51,17 +50,14 @@ export async function withSolidsOfPatches(given: Mesh): Promise<Mesh> {
   return (await inSteps(solidsOfPatches(given))) ?? given;
 }
 
-/** As `withSolidsOfPatches`, if solids touch or intersect. With `innerShells: "cavities"`, only if none may lie within another. */
+/** As `withSolidsOfPatches`, if solids touch or intersect. */
 export async function withTouchingSolids(
   mesher: Pick<SurfaceMesher, "inspectSurface">,
   given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<Mesh> {
   const solids = await withSolidsOfPatches(given);
-  const { surfaceRegions } = solids;
-  if (solids === given || surfaceRegions === undefined) return given;
-  // What lies inside another solid is not one then.
-  if (innerShells === "cavities" && mayBeNested({ ...solids, surfaceRegions })) return given;
+  if (solids === given) return given;
   const { diagnostics } = await mesher.inspectSurface(given, { innerShells });
   const areTouching = diagnostics.some(
     ({ code, entities }) =>
@@ -165,6 +161,19 @@ export function assignedOverlap(
   const severity = share < SMALLEST_OVERLAP ? "information" : "warning";
   return {
     ...packageDiagnostic("touching-solids", message, remedy, severity),
+    ...(position && { position }),
+  };
+}
+
+/** Says that the first of two solids lies wholly inside the second one. */
+export function innerSolid(
+  given: SurfaceRegions | undefined,
+  { regions, position }: TouchingPair,
+): Diagnostic {
+  const [inner, outer] = regions.map((region) => namesOf(given, [region]));
+  const message = `The solid ${inner} lies inside ${outer}: both are regions, and ${outer} is what is left around it`;
+  return {
+    ...packageDiagnostic("touching-solids", message, "", "information"),
     ...(position && { position }),
   };
 }

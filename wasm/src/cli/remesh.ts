@@ -4,6 +4,9 @@ import { hasWelded, remeshedBest } from "../api/best-repair.js";
 import { located } from "../api/located-surface.js";
 import { readSurface, writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
+import { sharedFacesNote } from "../api/solids.js";
+import type { Mesh } from "../mesh/mesh.js";
+import { hasSolids } from "../api/stated-solids.js";
 import { madeFillable, type PreparedSurface, repaired } from "../api/surface-preparation.js";
 import type { RemeshReport } from "../api/meshed-surface.js";
 import { remeshed } from "../api/surface-treatment.js";
@@ -88,7 +91,8 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
           ? await madeFillable(mesher, given.surface, { innerShells, isRemeshed: true, isExact })
           : await repaired(mesher, given.surface, repair);
       const divided = await withSplit(mesher, treated.surface, split);
-      return { treated, divided, ...(await located(mesher, divided, innerShells)) };
+      const { surface, diagnostics } = await located(mesher, divided, innerShells);
+      return { treated, divided, surface, diagnostics: [...diagnostics, ...sharedFacesOf(surface)] };
     };
     const welded = await prepare(false);
     if (!isQuiet) printChanges(input, welded.treated);
@@ -143,6 +147,8 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     };
   });
 }
+
+const sharedFacesOf = (surface: Mesh) => (hasSolids(surface) ? sharedFacesNote(surface) : []);
 
 function problemsOf(prepared: {
   readonly treated: Pick<PreparedSurface, "warnings">;

@@ -57,13 +57,6 @@ export function connectedGroups(count: number, pairs: readonly (readonly [number
     .sort(([a = 0], [b = 0]) => a - b);
 }
 
-/** Returns whether a solid may lie within another one: boxes decide. O(n). */
-export function mayBeNested({ points, triangles, surfaceRegions }: SolidsSurface): boolean {
-  const { regions, triangleRegions } = surfaceRegions;
-  const boxes = boxesOf({ points, triangles }, regions.length, triangleRegions);
-  return boxes.some((inner) => boxes.some((outer) => isWithin(inner, outer)));
-}
-
 /**
  * Returns the solids of a surface in units, by their first ones: each solid that may touch another is one, with those that it
  * shares triangles with; all others are one together. Boxes decide: solids within others do not touch. O(n).
@@ -201,7 +194,7 @@ class Numbering {
  * Returns surfaces as one; its nodes, patches and regions are those of the first, then of the next. It states the origins of its
  * triangles and nodes if all of them do. O(n).
  */
-export function unitedSurfaces(parts: readonly Mesh[]): Mesh {
+export function unitedSurfaces(parts: readonly Mesh[]): SolidsSurface {
   const sum = (of: (part: Mesh) => number): number => parts.reduce((all, part) => all + of(part), 0);
   const points = new Float64Array(sum((part) => part.points.length));
   const triangles = new Uint32Array(sum((part) => part.triangles.length));
