@@ -6,6 +6,8 @@ import type { SurfaceInput } from "./mesh.js";
 const NEEDLE_ANGLE = 10;
 /** Share of needles above which the mesh is of little use: each has several elements next to it, and one poor element in a hundred is too many. */
 const MAX_NEEDLES = 0.02;
+/** Angle, in degrees, below which a single triangle makes elements that spoil a computation, which the mesh is warned of. */
+export const HARMFUL_ANGLE = 5;
 
 /** How many triangles of a surface are needles. */
 export interface TriangleShapes {
@@ -14,7 +16,7 @@ export interface TriangleShapes {
   readonly needles: number;
   /** Degrees. */
   readonly smallestAngle: number;
-  /** Whether a mesh that keeps the triangles can be used: few are needles. */
+  /** Whether a mesh that keeps the triangles can be used: few are needles, and none has an angle below 5°. */
   readonly isFit: boolean;
 }
 
@@ -28,7 +30,8 @@ export function* triangleShapes({ points, triangles }: SurfaceInput): Steps<Tria
     if (angle < NEEDLE_ANGLE) needles++;
     if (angle < smallestAngle) smallestAngle = angle;
   });
-  return { triangles: count, needles, smallestAngle, isFit: needles <= MAX_NEEDLES * count };
+  const isFit = needles <= MAX_NEEDLES * count && smallestAngle >= HARMFUL_ANGLE;
+  return { triangles: count, needles, smallestAngle, isFit };
 }
 
 /** Returns the smallest angle of a triangle in degrees, 0 without area or of invalid nodes. */
