@@ -7,11 +7,12 @@ import { nameByIndex } from "../diagnostics/entity-names.js";
 import { MESH_DEFAULTS } from "../generated/constants.js";
 import type { SurfaceInput } from "./mesh.js";
 import type { ElementQuality, PoorElements, QualityReport } from "./quality.js";
-import { HARMFUL_ANGLE, triangleShapes } from "./triangle-shapes.js";
+import { triangleShapes } from "./triangle-shapes.js";
 
 /** Smallest dihedral angle, in degrees, that finite elements tolerate well. */
 const POOR_ANGLE = 10;
-/** Largest dihedral angle, in degrees, above which a single element spoils a computation, as below `HARMFUL_ANGLE`. */
+/** Dihedral angles, in degrees, beyond which a single element spoils a computation. */
+const HARMFUL_ANGLE = 5;
 const HARMFUL_OBTUSE_ANGLE = 170;
 /** Share of poor elements above which a mesh is of little use, however good the others are. */
 const MAX_POOR = 0.01;
@@ -22,7 +23,7 @@ const REMESH =
 /** Number of poor elements that the warning names. */
 const NAMED_ELEMENTS = 5;
 
-/** Returns a warning if the triangles are not fit: too many are needles or caps, or one is very flat. O(n). */
+/** Returns a warning if the triangles are not fit: too many are needles or caps, or one spoils the elements beside it. O(n). */
 export function* needleWarnings(surface: SurfaceInput): Steps<Diagnostic[]> {
   const shapes = yield* triangleShapes(surface);
   if (shapes.isFit) return [];
