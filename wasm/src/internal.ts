@@ -30,6 +30,7 @@ export {
   type MeshWithBoundary,
 } from "./api/given-mesh.js";
 export { patchNames } from "./api/generated-mesh.js";
+export { type FileReport, fileReport } from "./api/report.js";
 export type { MeshShapes } from "./mesh/improvement.js";
 export type {
   ElementQuality,

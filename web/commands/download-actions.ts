@@ -1,7 +1,8 @@
 import type { App } from "../app/app";
 import { download, fileStem } from "../session/files";
 import { strings } from "../strings";
-import { writeMeshFiles, type FileChoice } from "../workers/mesh-files";
+import { overlapDiagnostic } from "../document/validate";
+import { writeMeshFiles, writeMeshReport, type FileChoice } from "../workers/mesh-files";
 import { showMessage } from "./messages";
 
 /** `extension`: of a format that the package writes, without its first dot. */
@@ -22,9 +23,16 @@ export async function downloadMesh(
   }
 }
 
-export function downloadReport(app: App): void {
-  const { mesh } = app.run.state.getState();
+/** Saves the report of the shown mesh, with what the preparation of its run has found. */
+export async function downloadReport(app: App): Promise<void> {
+  const { mesh, outcome } = app.run.state.getState();
   if (!mesh) return;
-  const text = `${JSON.stringify(mesh.report, null, 2)}\n`;
-  download([text], `${fileStem(app.documents.project.name)}-report.json`, "application/json");
+  const warnings = outcome?.result === mesh ? outcome.warnings.map(overlapDiagnostic) : [];
+  const diagnostics = [...warnings, ...mesh.report.diagnostics];
+  try {
+    const content = await writeMeshReport({ mesh: mesh.mesh, report: { ...mesh.report, diagnostics } });
+    download([content], `${fileStem(app.documents.project.name)}-report.json`, "application/json");
+  } catch (error) {
+    showMessage(app, strings.messages.downloadFailed, [String(error)]);
+  }
 }

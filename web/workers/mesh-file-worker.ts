@@ -1,10 +1,12 @@
 /** Writes a mesh to files. The page starts one worker per download and ends it afterwards. */
 import { writeMesh } from "tetrafront";
+import { fileReport } from "tetrafront/internal";
 import { lengthConverter } from "../document/length-units";
 import type { MeshFileProtocol } from "./mesh-files";
 import { serveCalls } from "./serve-calls";
 
 serveCalls<MeshFileProtocol>({
+  report: (result) => ({ answer: new Blob([`${JSON.stringify(fileReport(result), null, 2)}\n`]) }),
   write: async ({ mesh, from, fileName, elementOrder, unit }) => {
     if (unit !== null && from !== undefined) {
       const convert = lengthConverter(from, unit);

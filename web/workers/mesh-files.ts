@@ -1,4 +1,4 @@
-import type { ElementOrder, Mesh, LengthUnit } from "tetrafront";
+import type { ElementOrder, Mesh, LengthUnit, MeshReport, MeshResult } from "tetrafront";
 import { patchNames } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
 import { unitOf } from "../document/length-units";
@@ -27,6 +27,11 @@ export interface MeshFileProtocol {
     } & FileChoice;
     readonly answer: readonly MeshFile[];
   };
+  readonly report: {
+    readonly argument: { readonly mesh: Mesh; readonly report: MeshReport };
+    /** JSON text. */
+    readonly answer: Blob;
+  };
 }
 
 const startWorker = (): Worker =>
@@ -49,4 +54,10 @@ export async function writeMeshFiles(
   const { copy, buffers } = await copyForTransfer({ ...mesh, patches });
   const argument = { mesh: copy, from: unitOf(project.units), ...choice };
   return callOnce<MeshFileProtocol, "write">(startWorker, "write", argument, buffers);
+}
+
+/** Returns the report of a mesh as `tetrafront mesh --report` writes it, made in a worker. */
+export async function writeMeshReport({ mesh, report }: Pick<MeshResult, "mesh" | "report">): Promise<Blob> {
+  const { copy, buffers } = await copyForTransfer(mesh);
+  return callOnce<MeshFileProtocol, "report">(startWorker, "report", { mesh: copy, report }, buffers);
 }

@@ -16,7 +16,8 @@ import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/project-types.js";
-import { regionSummaries, type RegionSummary } from "./generated-mesh.js";
+import type { RegionSummary } from "./generated-mesh.js";
+import { fileReport } from "./report.js";
 import { checkControl } from "./input-checks.js";
 import { readSurface } from "./mesh-files.js";
 import type { Mesher } from "./mesher-interface.js";
@@ -227,11 +228,10 @@ function outcome(
 ): MeshedFile {
   const { diagnostics, status } = report;
   const mesh = made.tetrahedra.length === 0 ? undefined : made;
-  const regions = mesh === undefined ? [] : regionSummaries(mesh);
   const left = mesh === undefined || surface === undefined ? [] : unmeshedNotes(surface, mesh);
   const others = diagnostics.filter(({ severity }) => severity !== "error");
   const all = [...notes, ...left, ...diagnosticLines(others).map(({ text }) => text)];
-  const whole = { report: { ...report, ...done, regions }, notes: all };
+  const whole = { report: { ...fileReport({ mesh: made, report }), ...done }, notes: all };
   if (status === "done" && mesh !== undefined) return { success: true, mesh, ...whole };
   return { success: false, message: messageOf(report), mesh, ...whole };
 }

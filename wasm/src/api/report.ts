@@ -17,7 +17,15 @@ import type { PatchQuality } from "../mesh/quality.js";
 import type { Project } from "../project/project-types.js";
 import type { ProjectPreview } from "../project/preview.js";
 import { noVolume } from "../formats/boundary.js";
-import { namedMesh, type NameSource } from "./generated-mesh.js";
+import { namedMesh, type NameSource, regionSummaries, type RegionSummary } from "./generated-mesh.js";
+
+/** The report of a mesh as files hold it: with its regions. */
+export type FileReport = MeshReport & { readonly regions: readonly RegionSummary[] };
+
+/** Returns the report of a mesh for a file; without a mesh, it has no regions. O(n). */
+export function fileReport({ mesh, report }: Pick<MeshResult, "mesh" | "report">): FileReport {
+  return { ...report, regions: mesh.tetrahedra.length === 0 ? [] : regionSummaries(mesh) };
+}
 
 /** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {

@@ -1,6 +1,6 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
-import { regionSummaries, type RegionSummary } from "../api/generated-mesh.js";
+import { fileReport, type FileReport } from "../api/report.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
 import { checkGradation, growthOf } from "../api/options.js";
@@ -82,7 +82,7 @@ export const EXIT_CODES: Readonly<Record<MeshStatus, number>> = {
 
 /** Result of a command. */
 interface Outcome {
-  readonly report: MeshReport;
+  readonly report: MeshReport & Partial<FileReport>;
   readonly exitCode: number;
   /** File that contains the mesh, if any. */
   readonly written: string | null;
@@ -91,7 +91,6 @@ interface Outcome {
   readonly repairDeviation?: number | undefined;
   readonly refinement?: RefinementCounts | undefined;
   readonly remesh?: RemeshReport | undefined;
-  readonly regions?: readonly RegionSummary[];
 }
 
 /** Runs the command; resolves with the exit code. */
@@ -102,7 +101,7 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   // If the report cannot be written, that failure is not reported in it either.
   if (failedCheck !== undefined) return failedCheck.exitCode;
   const outcome = await meshAndWrite(input, options).catch(whereFailed);
-  const { changes, repairDeviation, refinement, remesh, written, regions = [] } = outcome;
+  const { changes, repairDeviation, refinement, remesh, written } = outcome;
   const done = {
     ...(changes && { repair: changes, repairDeviation }),
     ...(refinement && { refinement }),
@@ -110,7 +109,7 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   };
   const inputs = joined === undefined ? {} : { inputs: joined };
   const diagnostics = outcome.report.diagnostics.map(asTypedDiagnostic);
-  const report = { ...outcome.report, diagnostics, regions, ...done, input, ...inputs, output: written };
+  const report = { regions: [], ...outcome.report, diagnostics, ...done, input, ...inputs, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
@@ -149,14 +148,13 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const exitCode = isLost || poor.length > 0 ? ExitCode.notCompleted : EXIT_CODES[report.status];
   const diagnostics = [...found, ...report.diagnostics, ...poor];
   return {
-    report: { ...report, diagnostics },
+    report: { ...fileReport(result), diagnostics },
     written,
     exitCode,
     changes,
     repairDeviation,
     refinement,
     remesh,
-    regions: regionSummaries(mesh),
   };
 }
 
@@ -385,8 +383,7 @@ async function writeResult(
   return succeeds(() => writeAll(files, { input: subject, output, name, isQuiet }));
 }
 
-type CommandReport = MeshReport & {
-  readonly regions: readonly RegionSummary[];
+type CommandReport = FileReport & {
   readonly input: string;
   readonly output: string | null;
 };
