@@ -1,6 +1,7 @@
 import type { App } from "../app/app";
 import { download, fileStem } from "../session/files";
 import { strings } from "../strings";
+import { overlapDiagnostic } from "../document/validate";
 import { writeMeshFiles, type FileChoice } from "../workers/mesh-files";
 import { showMessage } from "./messages";
 
@@ -22,9 +23,12 @@ export async function downloadMesh(
   }
 }
 
+/** Saves the report of the shown mesh, with what the preparation of its run has found. */
 export function downloadReport(app: App): void {
-  const { mesh } = app.run.state.getState();
+  const { mesh, outcome } = app.run.state.getState();
   if (!mesh) return;
-  const text = `${JSON.stringify(mesh.report, null, 2)}\n`;
+  const warnings = outcome?.result === mesh ? outcome.warnings.map(overlapDiagnostic) : [];
+  const report = { ...mesh.report, diagnostics: [...warnings, ...mesh.report.diagnostics] };
+  const text = `${JSON.stringify(report, null, 2)}\n`;
   download([text], `${fileStem(app.documents.project.name)}-report.json`, "application/json");
 }

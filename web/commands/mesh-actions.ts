@@ -25,9 +25,31 @@ export async function generateMesh(app: App): Promise<void> {
   if (!hasBodies) proposeSize(app);
   const before = app.run.state.getState().outcome;
   const { left } = app.documents;
-  await app.run.generate("user", hasBodies ? (control) => validBodies(app, control) : undefined);
+  let notes: readonly RunNote[] = [];
+  const prepare: RunPreparation = async (control) => (notes = await validBodies(app, control));
+  await app.run.generate("user", hasBodies ? prepare : undefined);
   const { outcome } = app.run.state.getState();
-  if (!left.aborted && outcome !== before && outcome?.result.report.status === "done") showAsMeshed(app);
+  if (!left.aborted && outcome !== before && outcome?.result.report.status === "done") {
+    showAsMeshed(app);
+    showPrepared(app, notes);
+  }
+}
+
+/** Says what was done to bodies before they were meshed. Warnings are among the problems. */
+function showPrepared({ shell }: App, notes: readonly RunNote[]): void {
+  const made = notes
+    .filter(({ level }) => level === "information")
+    .map(({ text }) => text.replace(/\.$/, ""));
+  if (made.length === 0) return;
+  showNotice(shell, {
+    key: "prepared",
+    tone: "information",
+    text: `${made.join(". ")}.`,
+    action: {
+      label: strings.notices.showLog,
+      run: () => shell.setState({ bottomTab: "log", drawer: "bottom" }),
+    },
+  });
 }
 
 /**

@@ -112,14 +112,17 @@ export function bodyProblems(
   });
 }
 
+/** Code of the problem that bodies touch, which a run solves. */
+export const touchingCode = "touching-bodies";
+
 /** Warns that bodies touch, and says what “Generate mesh” will do. */
 export function touchingProblem(bodies: readonly ProjectBody[]): Problem {
   const { message, remedy } = strings.bodies.touching;
   const text = message(bodies.map(bodyLabel));
   return {
-    key: `touching-bodies: ${text}`,
+    key: `${touchingCode}: ${text}`,
     severity: "warning",
-    code: "touching-bodies",
+    code: touchingCode,
     message: text,
     remedy,
     entities: bodies.map(({ id }) => ({ kind: "body", id })),
@@ -129,23 +132,23 @@ export function touchingProblem(bodies: readonly ProjectBody[]): Problem {
   };
 }
 
-/** Warns of what a run has found while it joined bodies. */
-export function overlapProblem({
-  text,
-  remedy = "",
-}: {
+/** What a run has found while it joined bodies. */
+interface OverlapNote {
   readonly text: string;
   readonly remedy?: string;
-}): Problem {
+}
+
+const overlapCode = { severity: "warning", code: "touching-solids" } as const;
+
+/** Warns of what a run has found while it joined bodies. */
+export function overlapProblem({ text, remedy = "" }: OverlapNote): Problem {
   const nothing = { entities: [], triangles: [], body: null, position: null };
-  return {
-    key: `touching-solids: ${text}`,
-    severity: "warning",
-    code: "touching-solids",
-    message: text,
-    remedy,
-    ...nothing,
-  };
+  return { key: `${overlapCode.code}: ${text}`, ...overlapCode, message: text, remedy, ...nothing };
+}
+
+/** Returns the same warning as the reports of files have it. */
+export function overlapDiagnostic({ text, remedy = "" }: OverlapNote): Diagnostic {
+  return { ...overlapCode, message: text, remedy, entities: [], data: {} };
 }
 
 /** Entities and triangles to emphasize in the view. */

@@ -154,6 +154,11 @@ const isShowable = ({ mesh }: MeshResult): boolean => mesh.tetrahedra.length > 0
 
 const count = (value: number): string => value.toLocaleString("en-US");
 
+/** A mesh, and the warnings of the preparation of its run. */
+interface KeptMesh extends Pick<RunOutcome, "warnings"> {
+  readonly shown: ShownMesh;
+}
+
 /** A run under way. It is cancelled, and changes the state no longer, once its document has been left. */
 class ActiveRun {
   readonly signal: AbortSignal;
@@ -185,7 +190,7 @@ export class MeshRun {
   readonly state: StoreApi<RunState> = createStore<RunState>(() => emptyRun);
   readonly #documents: DocumentStore;
   readonly #mesher: Promise<Mesher>;
-  readonly #cache = new Map<string, ShownMesh>();
+  readonly #cache = new Map<string, KeptMesh>();
   /** The run of the present document; null without one. */
   #active: ActiveRun | null = null;
   /** Resolves when the last run has ended, that of another document too. */
@@ -444,7 +449,8 @@ export class MeshRun {
     const shown: ShownMesh = { ...madeByRun, mesh: result };
     const meshedBodies = placedSurfacesKey(bodiesOf(project));
     this.state.setState({ ...shown, meshKey: key, meshedBodies, front: null, unoptimized: null });
-    if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, shown);
+    if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra)
+      this.#remember(key, shown, ended.warnings);
   }
 
   /** A new mesh replaces one that was opened or improved, as a step of undo if the user has asked for it. */
@@ -456,21 +462,22 @@ export class MeshRun {
   }
 
   /** Keeps a mesh. The oldest one that a run can make again is dropped first, then the oldest one. */
-  #remember(key: string, shown: ShownMesh): void {
+  #remember(key: string, shown: ShownMesh, warnings: KeptMesh["warnings"] = []): void {
     this.#cache.delete(key);
-    this.#cache.set(key, shown);
+    this.#cache.set(key, { shown, warnings });
     if (this.#cache.size <= cachedMeshes) return;
     const kept = [...this.#cache];
-    const [dropped] = kept.find(([, { isValid }]) => isValid === null) ?? kept[0] ?? [];
+    const [dropped] = kept.find(([, { shown: other }]) => other.isValid === null) ?? kept[0] ?? [];
     if (dropped !== undefined) this.#cache.delete(dropped);
   }
 
   #showCached(content: DocumentContent): void {
     const key = shownMeshKey(content);
-    const shown = this.#cache.get(key);
-    if (!shown) return;
+    const kept = this.#cache.get(key);
+    if (!kept) return;
+    const { shown, warnings } = kept;
     const meshedBodies = placedSurfacesKey(bodiesOf(content.project));
-    const outcome = { key, result: shown.mesh, expectedTetrahedra: 0, warnings: [] };
+    const outcome = { key, result: shown.mesh, expectedTetrahedra: 0, warnings };
     this.state.setState({ ...shown, meshKey: key, meshedBodies, outcome, failure: null });
   }
 

@@ -26,6 +26,7 @@ export interface Notice {
     | "file-notes"
     | "improvement"
     | "repair"
+    | "prepared"
     | "deleted"
     | "note"
     | "shared"
@@ -119,7 +120,7 @@ export function hideNotice(shell: Shell, hidden: Notice["key"]): void {
 }
 
 /** Notices about a mesh, or about what becomes of an opened file in the next one: they give way to a run. */
-const ofMesh: readonly Notice["key"][] = ["file-notes", "improvement"];
+const ofMesh: readonly Notice["key"][] = ["file-notes", "improvement", "prepared"];
 /** Notices about the open document, which give way to another one. */
 const ofDocument: readonly Notice["key"][] = [...ofMesh, "deleted", "note", "locked"];
 

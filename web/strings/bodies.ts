@@ -201,6 +201,18 @@ export const bodyStrings = {
     details: (count: number) => counted(count, "detail dropped", "details dropped"),
     detail: (index: number) => `Detail ${index}`,
   },
+  plan: {
+    /** What a run does first. */
+    repair: "“Generate mesh” repairs the surface first.",
+    join: "“Generate mesh” first joins it to the bodies that it touches, whose triangles change there.",
+    /** What a run makes of the triangles, then. */
+    surface: {
+      remesh: "Its triangles are replaced by new ones.",
+      refine: "Its triangles are kept, and divided where they are too large.",
+      keep: "Its triangles are kept as they are.",
+    },
+    cut: "Its triangles are replaced by new ones, because cuts leave needles.",
+  },
   split: {
     title: "Patches",
     hint: "Splits patches along edges with a larger angle.",
@@ -258,13 +270,33 @@ export const bodyStrings = {
 
 const short = (value: number): string => String(Number(value.toPrecision(3)));
 
+/** What is known, before a run, of what it will do with a body. */
+export interface BodyPlan {
+  readonly isRepaired: boolean;
+  readonly isJoined: boolean;
+  /** What becomes of the triangles by the choice of the user, and after the repair. */
+  readonly chosen: "remesh" | "refine" | "keep";
+  readonly repaired: "remesh" | "refine" | "keep";
+}
+
+/** Returns what a run will do with a body, in sentences. */
+export function planText({ isRepaired, isJoined, chosen, repaired }: BodyPlan): string {
+  const { plan } = bodyStrings;
+  const first = [isRepaired && plan.repair, isJoined && plan.join].filter((text) => text !== false);
+  return [...first, chosen === repaired ? plan.surface[repaired] : plan.cut].join(" ");
+}
+
 /** Returns what became of the triangles of a body: how many there are, their sizes and shapes, and how near they are. */
-export function preparedText(body: string, prepared: PreparedBody): string {
-  const { triangles, size, minSize, tolerance, deviation, smallestAngle, meanRadiusRatio } = prepared;
+export const preparedText = (body: string, prepared: PreparedBody): string =>
+  `${body}: ${preparedFacts(prepared)}`;
+
+function preparedFacts(prepared: PreparedBody): string {
+  const { triangles, origin, size, minSize, tolerance, deviation, smallestAngle, meanRadiusRatio } = prepared;
   const { mergedDetails = [] } = prepared;
-  const isRemeshed = deviation !== undefined;
+  const isDivided = origin.some((given, triangle) => given !== triangle);
+  const verb = deviation !== undefined ? "remeshed to" : isDivided ? "divided to" : "kept";
   const parts = [
-    `${isRemeshed ? "remeshed to " : ""}${counted(triangles.length / 3, "triangle", "triangles")}`,
+    `${verb} ${counted(triangles.length / 3, "triangle", "triangles")}`,
     ...(size === undefined
       ? []
       : [minSize === undefined ? `size ${short(size)}` : `sizes ${short(minSize)} to ${short(size)}`]),
@@ -277,5 +309,5 @@ export function preparedText(body: string, prepared: PreparedBody): string {
         ]),
     ...(mergedDetails.length > 0 ? [`${counted(mergedDetails.length, "detail", "details")} dropped`] : []),
   ];
-  return `${body}: ${parts.join(", ")}`;
+  return parts.join(", ");
 }

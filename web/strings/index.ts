@@ -19,7 +19,7 @@ export const strings = {
   problemTitle,
 } as const;
 
-export { bodyStepNames, preparedText } from "./bodies";
+export { bodyStepNames, planText, preparedText } from "./bodies";
 export * from "./commands";
 export * from "./edits";
 export * from "./entities";

@@ -132,6 +132,7 @@ export const pageStrings = {
     understood: "OK",
     comparingRepairs: "Two repairs of the surface are compared. The better one is made, and then the mesh.",
     repairNow: "Do not wait",
+    showLog: "Show log",
     improvementDiscarded: "The improvement was discarded, because the model has changed meanwhile.",
     showQuality: "Show quality",
   },
@@ -156,7 +157,7 @@ export const pageStrings = {
     noCadLibrary:
       "The library that reads CAD files is not kept in this browser, and there is no network. Open a CAD file once with a network, or use Keep for offline use in the Help menu.",
     keptTriangles:
-      "Its triangles are well shaped, so Generate mesh keeps them. Those that are far too large beside small ones are divided. Select Remesh under Triangles to replace all.",
+      "Its triangles are well shaped, so Generate mesh keeps them, unless they must be repaired or joined to those of other bodies. Those that are far too large beside small ones are divided. Select Remesh under Triangles to replace all.",
     needles: (needles: number, triangles: number) =>
       `${needles.toLocaleString("en-US")} of ${triangles.toLocaleString("en-US")} triangles are needles, so Generate mesh replaces all by well-shaped ones. Select Keep under Triangles to mesh them as they are.`,
     regionPointsUnused: (count: number) =>

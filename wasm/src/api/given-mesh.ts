@@ -17,8 +17,7 @@ import { checkFileMesh } from "../mesh/mesh-checks.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { PatchQuality } from "../mesh/quality.js";
 import type { MeshReport, MeshResult } from "../mesh/report.js";
-import { regionSummaries } from "./generated-mesh.js";
-import { emptyReport, emptyResult } from "./report.js";
+import { emptyReport, emptyResult, regionsOf } from "./report.js";
 import { renumbered } from "./improvement.js";
 
 /** A volume mesh with the triangles between its regions, and around them. */
@@ -200,7 +199,7 @@ export function inspectedResult(
   const report: MeshReport = {
     ...emptyReport("done", poorElementWarnings(inspection.quality, true)),
     triangles: mesh.triangles.length / 3,
-    regions: regionSummaries(mesh),
+    regions: regionsOf(mesh, inspection.quality),
     patches: patchShapes.map((shape) => ({ ...shape, meanEdge: shape.meanEdge / meanEdge })),
     ...figuresOf(inspection),
   };
@@ -240,7 +239,7 @@ export function improvedResult(
     report: {
       ...result.report,
       ...figuresOf(inspection),
-      regions: regionSummaries(mesh),
+      regions: regionsOf(mesh, inspection.quality),
       fingerprint: "",
       diagnostics: [...diagnostics, ...poorElementWarnings(inspection.quality)],
     },

@@ -11,9 +11,10 @@ import type { EnginePreview } from "../engine/loader.js";
 import type { EngineResult } from "../engine/protocol.js";
 import { NO_QUALITY, withRegions } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
-import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
+import type { Mesh } from "../mesh/mesh.js";
+import type { MeshReport, MeshResult, MeshStatus, RegionSummary } from "../mesh/report.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
-import type { PatchQuality } from "../mesh/quality.js";
+import type { PatchQuality, QualityReport } from "../mesh/quality.js";
 import type { Project } from "../project/project-types.js";
 import type { ProjectPreview } from "../project/preview.js";
 import { noVolume } from "../formats/boundary.js";
@@ -35,7 +36,7 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
     report: {
       status,
       ...statistics,
-      regions: regionSummaries(mesh),
+      regions: regionsOf(mesh, quality),
       quality,
       diagnostics: [
         ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, indices)),
@@ -44,6 +45,16 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
       ],
     },
   };
+}
+
+/** Returns the regions of a mesh. Those of a finished one have been measured. */
+export function regionsOf(mesh: Mesh, { regions }: Pick<QualityReport, "regions">): RegionSummary[] {
+  if (regions.length === 0) return regionSummaries(mesh);
+  return regions.map(({ tetrahedra, volume }, r) => ({
+    name: mesh.regions[r]?.name ?? "",
+    tetrahedra,
+    volume,
+  }));
 }
 
 function nothingBetter(): Diagnostic {

@@ -3,14 +3,17 @@ import { IconPlayerPlayFilled } from "@tabler/icons-react";
 import type { SurfaceInspection } from "tetrafront";
 import type { ProjectBody } from "tetrafront/project";
 import { commandNamed, runCommand } from "../../commands/registry";
-import { canBeFilled } from "../../session/bodies";
+import { withTreatmentAfter } from "../../document/body-repair";
+import { entityKey } from "../../document/entities";
+import { touchingCode } from "../../document/validate";
+import { canBeFilled, isFillable } from "../../session/bodies";
 import { Facts } from "../../ui/facts";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { formatCount, formatMeasure, formatShort } from "../../ui/format";
-import { strings } from "../../strings";
+import { planText, strings } from "../../strings";
 import { ratioMeanings } from "../../strings/ratio-meanings";
 import { Explained } from "../../ui/explained";
-import { useApp, useProject, useRun } from "../shared/app-context";
+import { useApp, useProblems, useProject, useRun } from "../shared/app-context";
 import { BrushSection } from "./body-brush";
 import { SplitSection } from "./body-patches";
 import { BodyPlacementFields } from "./body-placement";
@@ -50,6 +53,7 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
       <BodyRepairs body={body} />
       <BodyTreatment body={body} />
       <BodyPreview body={body} />
+      <PlanLine body={body} />
       <GenerateButton isPossible={state !== undefined && canBeFilled(state)} />
       <SplitSection body={body} patch={null} />
       <BrushSection body={body} />
@@ -119,6 +123,25 @@ function BodyFacts({ body, inspection }: BodyFactsProps) {
         )}
       </Facts>
     </>
+  );
+}
+
+/** Says what a run will do with the body. */
+function PlanLine({ body }: { readonly body: ProjectBody }) {
+  const state = useBody(body.id);
+  const isJoined = useProblems(
+    ({ byEntity }) =>
+      byEntity.get(entityKey({ kind: "body", id: body.id }))?.some(({ code }) => code === touchingCode) ??
+      false,
+  );
+  if (!state?.inspection || !canBeFilled(state)) return null;
+  const isRepaired = !isFillable(state);
+  const after = isRepaired && state.repair ? withTreatmentAfter(state.repair.changes, body) : body;
+  const [chosen, repaired] = [body, after].map(({ surface = "remesh" }) => surface);
+  return (
+    <Text size="xs" c="dimmed" mt={8} data-testid="body-plan">
+      {planText({ isRepaired, isJoined, chosen: chosen ?? "remesh", repaired: repaired ?? "remesh" })}
+    </Text>
   );
 }
 

@@ -64,7 +64,7 @@ export function ExportDialog() {
           </div>
         </div>
         <Group justify="flex-end" gap="xs" mt="md" className={styles["actions"]}>
-          <Button size="xs" variant="subtle" mr="auto" onClick={() => downloadReport(app)}>
+          <Button size="xs" variant="subtle" mr="auto" onClick={() => void downloadReport(app)}>
             {texts.report}
           </Button>
           <Button size="xs" variant="default" onClick={onClose}>
