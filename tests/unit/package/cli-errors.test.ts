@@ -107,7 +107,7 @@ test("output names contain input names verbatim", async () => {
 
 test("propose does not add the same sources twice", async () => {
   save("duct.json", readFileSync(new URL("../../../public/models/pipe-and-flow.json", import.meta.url)));
-  const propose = () => run("propose", "duct.json", "-o", "duct.json", "--uniform", "0.5");
+  const propose = () => run("propose", "duct.json", "-o", "duct.json", "--max-size", "0.5");
   await propose();
   const first = readFileSync(inFolder("duct.json"), "utf8");
   const { background } = JSON.parse(first) as { background: { sources: readonly unknown[] } };

@@ -51,7 +51,7 @@ describe("cover", () => {
     const { code, stderr } = await run(command, "sized.json", "-o", "out.json");
     expect([code, stderr]).toEqual([0, expect.stringContaining("of size 0.3, ")]);
     expect(projectIn("out.json").meshing).toEqual({ order: "smallest-first" });
-    await run(command, "sized.json", "-o", "own.json", command === "cover" ? "--size" : "--uniform", "0.5");
+    await run(command, "sized.json", "-o", "own.json", command === "cover" ? "--size" : "--max-size", "0.5");
     expect(projectIn("own.json").background.nodes.map(({ size }) => size)).toEqual(Array(8).fill(0.5));
     expect(projectIn("own.json").meshing).toEqual({ order: "smallest-first" });
   });
@@ -98,7 +98,7 @@ test("propose adds sources in narrow parts of a model after the existing ones", 
     },
   };
   save("thin.json", writeProject(thin));
-  const { code, stderr } = await run("propose", "thin.json", "-o", "out.json", "--uniform", "0.2");
+  const { code, stderr } = await run("propose", "thin.json", "-o", "out.json", "--max-size", "0.2");
   expect(code).toBe(0);
   expect(stderr).toMatch(/of size 0\.2, \d+ sources -> out\.json\n$/);
   const { background } = projectIn("out.json");

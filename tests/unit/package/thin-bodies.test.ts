@@ -1,7 +1,10 @@
 /** The note on bodies so thin that a single layer of good elements needs very many of them. */
+import type { Mesher } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { completeSurface } from "../../../wasm/src/api/carried-mesh.js";
+import { emptyResult } from "../../../wasm/src/api/report.js";
+import { filledSurface } from "../../../wasm/src/api/surface-meshing.js";
 import { thinBodyNotes } from "../../../wasm/src/api/thin-bodies.js";
 import { withoutPause } from "../../../wasm/src/base/steps.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -24,4 +27,24 @@ test("thicker bodies, and those whose sizes or layers are chosen, have no note",
   for (const options of [{ size: 1 }, { layers: 1 }]) {
     expect(withoutPause(thinBodyNotes(plate(0.1), options))).toEqual([]);
   }
+});
+
+test("it is told before the body is filled, which takes long", async () => {
+  const told: string[] = [];
+  const { mesh, volume } = plate(0.1);
+  const diagnostics = withoutPause(thinBodyNotes({ mesh, volume }, {}));
+  const mesher = {
+    remeshSurface: () => Promise.resolve({ mesh, smallestAngle: 30, meanRadiusRatio: 1, diagnostics }),
+    fillSurface: () => {
+      told.push("filled");
+      return Promise.resolve(emptyResult("cancelled"));
+    },
+  } as unknown as Mesher;
+  const ready = { surface: mesh, treatment: { kind: "remesh" }, diagnostics: [] } as const;
+  await filledSurface(mesher, mesh, ready, {
+    options: {},
+    controlOf: () => ({}),
+    onTreated: (found) => told.push(...found.map(({ code }) => code)),
+  });
+  expect(told).toEqual(["thin-body", "filled"]);
 });

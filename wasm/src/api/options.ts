@@ -257,7 +257,7 @@ const coverSchema = objectWith({
 } satisfies EntriesOf<CoverOptions>);
 
 /** Largest number of elements around a circle, and across a gap, in a proposal. */
-export const MAX_PROPOSED = 1000;
+const MAX_PROPOSED = 1000;
 const proposalSchema = objectWith({
   maxSize: remeshEntries.maxSize,
   minSize: remeshEntries.minSize,

@@ -201,6 +201,8 @@ export interface FillingOptions extends SurfaceOrigin {
   readonly controlOf: ControlOf;
   /** Factor on the automatic sizes of a remeshing. Default 1. */
   readonly sizeFactor?: number | undefined;
+  /** Called with what is worth to know of the surface before it is filled, which may take long. */
+  readonly onTreated?: ((diagnostics: readonly Diagnostic[]) => void) | undefined;
   /** Whether the front is recorded, also one that stalls: then no second surface is tried. Default false. */
   readonly isRecorded?: boolean | undefined;
 }
@@ -247,7 +249,10 @@ async function filledOnce(
   try {
     const best = await remeshedBest(ready, exact, (one) => treated(mesher, one, filling));
     const tried = filling.isRecorded === true ? { ...best, welded: undefined, exact: undefined } : best;
-    const filled = await filledBest(tried, (made) => fill(mesher, made, mesh, controlOf()));
+    const filled = await filledBest(tried, (made) => {
+      filling.onTreated?.(made.diagnostics ?? []);
+      return fill(mesher, made, mesh, controlOf());
+    });
     const { made, prepared, result, isExact } = filled;
     const { treatment: _, ...done } = prepared;
     return meshed(result, done, made, { ...filling, isExact });
@@ -279,6 +284,7 @@ async function partsFilled(
           ),
         }
       : treatedParts;
+  filling.onTreated?.(united.diagnostics ?? []);
   const result = await fill(mesher, united, meshPart(filling.options), filling.controlOf());
   return meshed(result, ready, united, { ...filling, isExact: false });
 }

@@ -2,7 +2,7 @@
 import type { Mesher } from "../api/mesher-interface.js";
 import { createMesher } from "../api/mesher.js";
 import type { CoverOptions, ProposalOptions } from "../api/option-types.js";
-import { checkCoverOptions, checkProposalOptions, MAX_PROPOSED } from "../api/options.js";
+import { checkCoverOptions, checkProposalOptions } from "../api/options.js";
 import { plural } from "../base/plural.js";
 import { extensionOf } from "../formats/file-formats.js";
 import type { CoverShape } from "../generated/constants.js";
@@ -10,7 +10,6 @@ import { writeProject } from "../project/project.js";
 import type { Project, ProjectBackground, ProjectSource } from "../project/project-types.js";
 import { checkOutput, FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
 import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./input.js";
-import { countProblems } from "./numbers.js";
 import { ExitCode, print, reportFailure } from "./messages.js";
 
 /** Options as commander passes them: numbers are still text. */
@@ -25,10 +24,10 @@ export interface CoverCommandOptions extends CommonOptions {
 }
 
 export interface ProposeCommandOptions extends CommonOptions {
-  readonly uniform?: string;
-  readonly smallest?: string;
-  readonly perCircle?: string;
-  readonly perGap?: string;
+  readonly minSize?: string;
+  readonly maxSize?: string;
+  readonly anglePerEdge?: string;
+  readonly layers?: string;
   readonly growth?: string;
 }
 
@@ -44,21 +43,20 @@ export function coverFile(input: string, options: CoverCommandOptions): Promise<
   });
 }
 
+/** Returns the options of a proposal, which are those of a project and of a surface. */
+export const proposalOptions = (options: Omit<ProposeCommandOptions, "output">): ProposalOptions => ({
+  minSize: numberIn(options.minSize),
+  maxSize: numberIn(options.maxSize),
+  anglePerEdge: numberIn(options.anglePerEdge),
+  layers: numberIn(options.layers),
+  growth: numberIn(options.growth),
+});
+
 /** Runs `propose`; resolves with the exit code. */
 export function proposeForFile(input: string, options: ProposeCommandOptions): Promise<number> {
-  const [perCircle, perGap] = [numberIn(options.perCircle), numberIn(options.perGap)];
-  const proposal: ProposalOptions = {
-    maxSize: numberIn(options.uniform),
-    minSize: numberIn(options.smallest),
-    anglePerEdge: perCircle && 360 / perCircle,
-    layers: perGap,
-    growth: numberIn(options.growth),
-  };
+  const proposal = proposalOptions(options);
   return rewritten(input, options, {
-    check: () => [
-      ...countProblems("--per-circle", perCircle, [1, MAX_PROPOSED]),
-      ...checkProposalOptions(proposal),
-    ],
+    check: () => checkProposalOptions(proposal),
     change: async (mesher, project) => {
       const { size, sources } = await mesher.proposeSizes(project, {
         ...proposal,

@@ -294,14 +294,14 @@ Examples
 export const PROPOSE_HELP = `
 For a project, the output is a project that you can inspect, change and mesh; the input is not changed. For a
 surface, the program prints the smallest and the largest size that \`tetrafront remesh\` would choose, the
-tolerance, and about how many triangles and tetrahedra result. --uniform and --smallest limit these sizes;
---per-gap is the number of elements across thin walls.
+tolerance, and about how many triangles and tetrahedra result. The options mean what they mean for remeshing, with its
+defaults: --angle-per-edge is 36, and --layers 1.
 ${EXIT_CODES_HELP}
 
 Examples
   tetrafront propose duct.json -o sized.json
   tetrafront propose part.stl
-  tetrafront propose duct.json -o sized.json --per-circle 12 --per-gap 2 --smallest 0.01
+  tetrafront propose duct.json -o sized.json --angle-per-edge 30 --layers 2 --min-size 0.01
   tetrafront mesh sized.json -o duct.vtu
 `;
 

@@ -370,18 +370,18 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
     )
     .argument("<input>", "project (.json) or surface")
     .option("-o, --output <file>", "output project (.json), for a project")
+    .option("--min-size <length>", "smallest size that the shape may ask for (default: 1/50 of the largest)")
     .option(
-      "--uniform <length>",
+      "--max-size <length>",
       "largest size (default: uniform size of the project, else 1/20 of the model's diagonal)",
     )
-    .option("--smallest <length>", "smallest size (default: 1/50 of the largest)")
     .option(
-      "--per-circle <count>",
-      `elements around a full circle; 0 for no limit (default ${elementsPerCircle})`,
+      "--angle-per-edge <degrees>",
+      `largest angle that an edge spans where the shape is curved; 0 for a project omits it (default ${360 / elementsPerCircle})`,
     )
     .option(
-      "--per-gap <count>",
-      `elements between opposite patches; 0 for no limit (default ${elementsPerGap})`,
+      "--layers <count>",
+      `elements across thin walls and narrow gaps; 0 ignores thickness (default ${elementsPerGap})`,
     )
     .option("-g, --growth <rate>", `growth of the size per unit of distance from sources (default ${growth})`)
     .addOption(shapeOption())

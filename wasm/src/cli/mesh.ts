@@ -189,6 +189,7 @@ export async function meshInput(
   const { given, diagnostics: read } = await readGiven(input, options, meshOptions.size);
   if (given.kind === "project") checkForProject(given.project, options, meshOptions);
   const grid = await readGivenGrid(options, isQuiet);
+  const early = earlyNotes(subject, isQuiet);
   const meshed = await withRun(isQuiet, async (mesher, controlOf) => {
     const all = await withGrid(mesher, meshOptions, grid);
     const control = (step?: string) => ({ ...controlOf(step), ...recording });
@@ -207,6 +208,7 @@ export async function meshInput(
       isCad,
       hasInterfacePatches,
       controlOf: control,
+      onTreated: (found: readonly Diagnostic[]) => early.print(found),
       isRecorded: recording.onTrace !== undefined,
     };
     const made = await filledSurface(mesher, surface, ready, filling).catch((failure: unknown) => {
@@ -219,9 +221,23 @@ export async function meshInput(
   }).catch((failure: unknown) => cancelledOr(failure, given, read));
   if (meshed.made !== undefined) printMade(subject, meshed.made, isQuiet);
   const { diagnostics } = meshed.result.report;
-  const shown = [...meshed.found, ...diagnostics];
+  const shown = early.others([...meshed.found, ...diagnostics]);
   printWithGrid({ input: subject, background: options.background }, shown, isQuiet);
   return { given, ...meshed };
+}
+
+/** Notes that say why a run takes long: they are printed before it, once, and not among `others` at its end. */
+function earlyNotes(subject: string, isQuiet: boolean) {
+  const told: string[] = [];
+  const isTold = ({ message }: Diagnostic) => told.includes(message);
+  return {
+    print: (found: readonly Diagnostic[]) => {
+      const fresh = found.filter((one) => one.code === "thin-body" && !isTold(one));
+      printDiagnostics(subject, fresh, { isQuiet });
+      told.push(...fresh.map(({ message }) => message));
+    },
+    others: (found: readonly Diagnostic[]) => found.filter((one) => !isTold(one)),
+  };
 }
 
 /** Returns a cancelled result if the failure means that; rethrows others. */

@@ -1,6 +1,5 @@
 /** Numbers in the text of options. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { asTypedDiagnostic } from "./command-line-words.js";
 import { InvalidInput } from "./messages.js";
 
@@ -12,18 +11,6 @@ export function numberIn(text: string | undefined): number | undefined {
   if (text === undefined) return undefined;
   const word = text.trim();
   return DECIMAL.test(word) ? Number(word) : (word as unknown as number);
-}
-
-/** Returns a diagnostic if a number that counts is neither 0 nor within a range. */
-export function countProblems(
-  option: string,
-  count: number | undefined,
-  [min, max]: readonly [min: number, max: number],
-  what = "",
-): Diagnostic[] {
-  if (count === undefined || count === 0 || (count >= min && count <= max)) return [];
-  const range = `${min === 0 ? "" : "0 or "}a number from ${min} to ${max}`;
-  return [invalidOption(option, `${option} is ${count}`, `Use ${range}${what}; 0 means no limit.`)];
 }
 
 /** Throws the problems found by a check of options. */

@@ -1,18 +1,16 @@
 /** `tetrafront propose`: writes sizes into a project, or prints the sizes of a surface. */
 import type { SurfaceSizeProposal } from "../api/mesher-interface.js";
 import type { SurfaceProposalOptions } from "../api/option-types.js";
-import { checkProposalOptions, checkSurfaceProposalOptions } from "../api/options.js";
+import { checkSurfaceProposalOptions } from "../api/options.js";
 import { located } from "../api/located-surface.js";
 import { madeFillable } from "../api/surface-preparation.js";
 import { plural } from "../base/plural.js";
 import { short } from "../base/short.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
-import { MAX_LAYERS, MIN_REMESH_ANGLE } from "../generated/constants.js";
 import { writeToStandardOutput } from "./files.js";
-import { type ProposeCommandOptions, proposeForFile, withMesher } from "./grids.js";
-import { isProject, numberIn, readModel, refuseOptions } from "./input.js";
+import { proposalOptions, type ProposeCommandOptions, proposeForFile, withMesher } from "./grids.js";
+import { isProject, readModel, refuseOptions } from "./input.js";
 import { ExitCode, printDiagnostics, reportFailure } from "./messages.js";
-import { countProblems } from "./numbers.js";
 import { printChanges } from "./repair.js";
 import { refuseUnits, type UnitOptions } from "./units.js";
 
@@ -48,7 +46,8 @@ async function proposeForSurface(input: string, options: ProposeOptions): Promis
     const message = `${option} is for projects, but the input is a surface, whose sizes are printed`;
     refuseOptions([invalidOption(option, message, "Omit it; `tetrafront remesh` uses these sizes.")]);
   }
-  const sizes = surfaceOptions(options);
+  const sizes: SurfaceProposalOptions = proposalOptions(options);
+  refuseOptions(checkSurfaceProposalOptions(sizes));
   const given = await readModel(input, options);
   if (given.kind === "project") return ExitCode.invalidInput;
   const { surface, proposal } = await withMesher(async (mesher) => {
@@ -70,30 +69,6 @@ async function proposeForSurface(input: string, options: ProposeOptions): Promis
       : proposalText(input, proposal, unit === undefined ? "" : ` ${unit}`);
   await writeToStandardOutput(`${text}\n`);
   return ExitCode.meshed;
-}
-
-/** Largest number of elements around a circle: one per degree, as `anglePerEdge` permits. */
-const MAX_PER_CIRCLE = 360 / MIN_REMESH_ANGLE;
-
-/** Converts the options for projects to those of a remeshing with the same meaning; messages name them as they are given. */
-function surfaceOptions(options: ProposeOptions): SurfaceProposalOptions {
-  const [uniform, smallest, growth] = [options.uniform, options.smallest, options.growth].map(numberIn);
-  const [perCircle, perGap] = [numberIn(options.perCircle), numberIn(options.perGap)];
-  refuseOptions([
-    ...checkProposalOptions({ maxSize: uniform, minSize: smallest, growth }),
-    ...countProblems("--per-circle", perCircle, [2, MAX_PER_CIRCLE], " for a surface"),
-    ...countProblems("--per-gap", perGap, [0, MAX_LAYERS], " for a surface"),
-  ]);
-  const sizes: SurfaceProposalOptions = {
-    maxSize: uniform,
-    minSize: smallest,
-    growth,
-    layers: perGap,
-    // 180 degrees per edge leaves curvature out.
-    anglePerEdge: perCircle === undefined ? undefined : perCircle === 0 ? 180 : 360 / perCircle,
-  };
-  refuseOptions(checkSurfaceProposalOptions(sizes));
-  return sizes;
 }
 
 function proposalText(input: string, proposal: SurfaceSizeProposal, unit: string): string {

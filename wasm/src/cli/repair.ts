@@ -1,4 +1,5 @@
 /** Repairs requested on the command line, and the list of their changes. */
+import { positionText } from "../base/position-text.js";
 import type { RepairOptions } from "../api/option-types.js";
 import { checkRepairOptions } from "../api/options.js";
 import type { PreparedSurface } from "../api/surface-preparation.js";
@@ -9,7 +10,6 @@ import type { InnerShells } from "../generated/constants.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import { numberIn, refuseOptions } from "./input.js";
 import { print } from "./messages.js";
-import { positionText } from "./tables.js";
 
 /** Options as commander passes them. */
 export interface RepairCommandOptions {

@@ -1,6 +1,7 @@
 /** Statistics as lines of text. */
 import { unusedData } from "../api/node-sizes.js";
 import { plural } from "../base/plural.js";
+import { positionText } from "../base/position-text.js";
 import { short } from "../base/short.js";
 import { listed } from "../formats/groups.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -29,10 +30,6 @@ export function angleText(degrees: number, digits: number, round: (value: number
 interface Range {
   readonly min: number;
   readonly max: number;
-}
-
-export function positionText(position: readonly number[]): string {
-  return `(${position.map((value) => short(value)).join(", ")})`;
 }
 
 /**

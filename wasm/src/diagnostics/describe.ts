@@ -1,4 +1,5 @@
 /** Describes diagnostics of the engine: unpacks their arrays, names the entities, and fills in the sentences. */
+import { positionText } from "../base/position-text.js";
 import { PAUSE, type Steps } from "../base/steps.js";
 import {
   CHECKED_OPTIONS,
@@ -15,7 +16,7 @@ import type { DiagnosticData } from "./data.js";
 import type { Diagnostic, DiagnosticOf, EntityRef } from "./diagnostic.js";
 import type { EntityNamer } from "./entity-names.js";
 import { sentence } from "./package-diagnostic.js";
-import { SENTENCES, short, type Subject } from "./sentences.js";
+import { SENTENCES, type Subject } from "./sentences.js";
 
 /** Diagnostic as the engine returns it. */
 export interface EngineDiagnostic {
@@ -161,7 +162,7 @@ export function subjectOf<Code extends EngineCode>(
     the: (kind) => labels([kind])[0] ?? `a ${kind.replace("-", " ")}`,
     count: (kinds) => new Set(labels(kinds)).size,
     all: (kinds, otherwise) => joined([...new Set(labels(kinds))]) ?? otherwise,
-    at: position === undefined ? "" : ` at (${position.map(short).join(", ")})`,
+    at: position === undefined ? "" : ` at ${positionText(position)}`,
     main: entities[0]?.label ?? "the model",
     kind: entities[0]?.kind,
     drawn,

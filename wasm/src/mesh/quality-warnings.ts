@@ -1,5 +1,6 @@
 /** Warnings about the shapes of a surface's triangles and of a mesh's elements. */
 import { plural } from "../base/plural.js";
+import { positionText } from "../base/position-text.js";
 import type { Steps } from "../base/steps.js";
 import { joined, withCounting } from "../diagnostics/describe.js";
 import type { Diagnostic, DiagnosticOf } from "../diagnostics/diagnostic.js";
@@ -19,6 +20,9 @@ const MAX_POOR = 0.01;
 
 const REMESH =
   'Remesh the surface (`surface: "remesh"` or `remeshSurface()`), or export it with more uniform triangles.';
+
+/** Significant digits of positions: an element is larger than what they leave out. */
+const DIGITS = 4;
 
 /** Number of poor elements that the warning names. */
 const NAMED_ELEMENTS = 5;
@@ -74,10 +78,10 @@ export function poorElementWarnings(quality: QualityReport, isGiven = false): Di
 /** Returns where the worst element is, its angle and the reason, as the end of a sentence. */
 function reasonText({ worst, reason, value, edge }: PoorElements): string {
   if (worst === null) return "";
-  const begin = `. The smallest angle is ${angleText(worst.dihedral.min)}, at ${positionText(worst.centroid)}`;
+  const begin = `. The smallest angle is ${angleText(worst.dihedral.min)}, at ${positionText(worst.centroid, DIGITS)}`;
   switch (reason) {
     case "wedge":
-      return `${begin}: two faces meet at an angle of ${angleText(value)} at the edge from ${positionText(edge.from)} to ${positionText(edge.to)}`;
+      return `${begin}: two faces meet at an angle of ${angleText(value)} at the edge from ${positionText(edge.from, DIGITS)} to ${positionText(edge.to, DIGITS)}`;
     case "triangle":
       return `${begin}: a triangle of the surface has an angle of ${angleText(value)} there`;
     case "thickness":
@@ -123,10 +127,6 @@ function rounded(value: number): string {
 
 function angleText(degrees: number): string {
   return `${Number(degrees.toPrecision(2))}°`;
-}
-
-function positionText(position: readonly number[]): string {
-  return `(${position.map((value) => String(Number(value.toPrecision(4)))).join(", ")})`;
 }
 
 /** Returns the poor elements with the smallest angles, of those that the report lists. */
