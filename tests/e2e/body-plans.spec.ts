@@ -1,7 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { stlBinary } from "../support/surface-files";
 import { boxSurface, joined } from "../support/surfaces";
-import { AppPage } from "./app-page";
+import { AppPage, sampleProject } from "./app-page";
 import { downloaded } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
 
@@ -74,9 +74,8 @@ test("a file that is dropped while a model is meshed shows nothing of its mesh",
   const app = new AppPage(page);
   await app.openCube();
   const { viewport } = app;
-  await page.getByTestId("element-size").fill("0.02");
-  await page.getByTestId("element-size").press("Enter");
-  await page.keyboard.press("Control+Enter");
+  const fine = { ...sampleProject("unit-cube"), meshing: { size: 0.02 } };
+  await app.openFile("fine.json", JSON.stringify(fine));
   await expect(viewport).toHaveAttribute("data-busy", "true");
   await expect(page.getByRole("progressbar").first()).toBeVisible();
   await dropBytes(page, stlBinary(boxSurface(2)), "box.stl");
