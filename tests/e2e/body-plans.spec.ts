@@ -1,7 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { stlBinary } from "../support/surface-files";
 import { boxSurface, joined } from "../support/surfaces";
-import { AppPage } from "./app-page";
+import { AppPage, sampleProject } from "./app-page";
 import { downloaded } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
 
@@ -74,9 +74,8 @@ test("a file that is dropped while a model is meshed shows nothing of its mesh",
   const app = new AppPage(page);
   await app.openCube();
   const { viewport } = app;
-  await page.getByTestId("element-size").fill("0.02");
-  await page.getByTestId("element-size").press("Enter");
-  await page.keyboard.press("Control+Enter");
+  const fine = { ...sampleProject("unit-cube"), meshing: { size: 0.02 } };
+  await app.openFile("fine.json", JSON.stringify(fine));
   await expect(viewport).toHaveAttribute("data-busy", "true");
   await expect(page.getByRole("progressbar").first()).toBeVisible();
   await dropBytes(page, stlBinary(boxSurface(2)), "box.stl");
@@ -86,4 +85,20 @@ test("a file that is dropped while a model is meshed shows nothing of its mesh",
   // The cancelled run of the model ends before that of the box.
   const { tets } = await app.generate();
   expect(tets).toBeLessThan(1000);
+});
+
+test("the view cube stays when a picture of the document is taken for the lists", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await dropBytes(page, stlBinary(boxSurface(2)), "box.stl");
+  await expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
+  const { x = 0, y = 0, width = 0 } = (await app.viewport.boundingBox()) ?? {};
+  const cube = async (): Promise<Buffer> =>
+    page.screenshot({ clip: { x: x + width - 102, y: y + 10, width: 92, height: 92 } });
+  await app.stillView();
+  const before = await cube();
+  // The database is made with its first picture. Opening it earlier would make another one.
+  const databases = () => page.evaluate(async () => (await indexedDB.databases()).map(({ name }) => name));
+  await expect.poll(databases).toContain("tetrafront-pictures");
+  expect((await cube()).equals(before)).toBe(true);
 });

@@ -1,7 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { parseVtu } from "../support/mesh-files";
-import { AppPage } from "./app-page";
+import { AppPage, sampleProject } from "./app-page";
 import { chooseFormat, downloadMesh } from "./downloads";
 
 test("one dialog exports the mesh: format, order, encoding and what the file keeps", async ({ page }) => {
@@ -71,3 +71,32 @@ test("lengths are exported in the unit that is chosen", async ({ page }) => {
   // The cube is drawn in metres.
   expect(Array.from(converted.points)).toEqual(Array.from(given.points, (x) => x * 1000));
 });
+
+for (const width of [1440, 390]) {
+  test(`every label of the dialog is whole in a window of ${width} pixels, with and without a unit`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height: 844 });
+    const app = new AppPage(page);
+    await app.openCube();
+    const { units: _, ...without } = sampleProject("unit-cube");
+    for (const project of [sampleProject("unit-cube"), { ...without, name: "no unit" }]) {
+      await app.openFile("model.json", JSON.stringify(project));
+      await app.meshed();
+      await page.getByTestId("viewport-canvas").focus();
+      await page.keyboard.press("Control+Shift+E");
+      const dialog = page.getByRole("dialog", { name: "Export mesh" });
+      await expect(dialog.getByTestId("export-apply")).toBeVisible();
+      const cut = await dialog
+        .locator("input, label, button, dd, dt, span, strong")
+        .evaluateAll((all) =>
+          all
+            .filter(({ scrollWidth, clientWidth }) => clientWidth > 0 && scrollWidth > clientWidth + 1)
+            .map(({ outerHTML }) => outerHTML),
+        );
+      expect(cut).toEqual([]);
+      await page.keyboard.press("Escape");
+      await expect(dialog).toBeHidden();
+    }
+  });
+}

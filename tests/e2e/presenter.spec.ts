@@ -331,3 +331,36 @@ test("on a phone, the lens of lesson 10 shows its formulas without scrolling, an
   await expect(page.getByTestId("player-speed")).toBeVisible();
   await expect(page.getByTestId("player-kind")).toBeVisible();
 });
+
+test("presenter mode enlarges notices, which cover no legend", async ({ page }) => {
+  await openLesson(page, 4);
+  // The lesson's model is not edited: the notice says so.
+  const notices = page.getByRole("region", { name: "Notices" });
+  const shownNotice = async (): Promise<{
+    readonly top: number;
+    readonly bottom: number;
+    readonly type: number;
+  }> => {
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Control+k");
+    await page.keyboard.type("Keep for offline use");
+    await page.keyboard.press("Enter");
+    const notice = notices.locator("p").first();
+    await expect(notice).toBeVisible();
+    const line = await notice.evaluate((text) => {
+      const range = document.createRange();
+      range.selectNodeContents(text);
+      return range.getClientRects()[0]?.height ?? 0;
+    });
+    const { y = 0, height = 0 } = (await notices.boundingBox()) ?? {};
+    await notices.getByRole("button", { name: "Dismiss" }).first().click();
+    return { top: y, bottom: y + height, type: line };
+  };
+  const usual = await shownNotice();
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
+  const presented = await shownNotice();
+  expect(presented.type).toBeGreaterThan(1.3 * usual.type);
+  const legend = await page.getByTestId("lens-legend").boundingBox();
+  expect(presented.bottom).toBeLessThan(legend?.y ?? 0);
+});

@@ -49,7 +49,7 @@ export const fileMenu: readonly Command[] = [
     inFields: true,
     ...needsTetrahedra,
   }),
-  define("file", 2)("download-report", commandLabels.downloadReport, downloadReport, {
+  define("file", 2)("download-report", commandLabels.downloadReport, (app) => void downloadReport(app), {
     enabled: hasMesh,
     needs: meshNeeded,
   }),

@@ -26,8 +26,7 @@ export const exportStrings = {
   orders: { 1: "Linear", 2: "Second order" },
   orderHint: "This format stores linear elements only, without nodes at the middle of edges.",
   units: "Length unit",
-  asDrawn: (unit: string | null) =>
-    unit === null ? "As in the project (no unit)" : `${unit}, as in the project`,
+  asDrawn: (unit: string | null) => (unit === null ? "As drawn" : `${unit} (project)`),
   noUnits: "The project has no length unit. Choose one in the inspector to convert lengths.",
   encoding: "Encoding",
   onlyEncoding: { text: "This format has text files only.", binary: "This format has binary files only." },

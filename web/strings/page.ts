@@ -82,7 +82,6 @@ export const pageStrings = {
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `${count} front faces`,
     filling: "Filling remaining pockets",
-    exactFill: (fraction: string) => `exact fill ${fraction}`,
     cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
     cancelling: { mesh: "Cancelling…", improve: "Stopping…" },
     progress: { mesh: "Meshing progress", improve: "Progress of the improvement" },

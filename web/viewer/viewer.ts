@@ -286,8 +286,7 @@ export class Viewer {
 
   /** Returns the picture as it is drawn now, for another thread: the page does not wait for it. */
   bitmap(): Promise<ImageBitmap> {
-    this.#setScale(this.#renderer.sharpScale);
-    this.#renderer.render(this.#view.camera);
+    this.#drawWithoutCube();
     return createImageBitmap(this.#renderer.webgl.domElement);
   }
 
@@ -296,9 +295,15 @@ export class Viewer {
     paper: CanvasRenderingContext2D,
     background: string | null = getComputedStyle(document.body).backgroundColor,
   ): void {
+    this.#drawWithoutCube();
+    this.#renderer.copyTo(paper, background);
+  }
+
+  /** Draws a picture on the canvas, for a copy. The next frame shows the view cube again before the page is drawn. */
+  #drawWithoutCube(): void {
     this.#setScale(this.#renderer.sharpScale);
     this.#renderer.render(this.#view.camera);
-    this.#renderer.copyTo(paper, background);
+    this.#loop.request();
   }
 
   /**

@@ -12,7 +12,12 @@ const visibleMs = 15_000;
 export function Notices() {
   const notices = useShell((state) => state.notices);
   return (
-    <section className={styles["notices"]} aria-label={strings.notices.label} aria-live="polite">
+    <section
+      className={styles["notices"]}
+      aria-label={strings.notices.label}
+      aria-live="polite"
+      data-presented
+    >
       {notices.map((notice) => (
         <NoticeCard key={`${notice.key} ${notice.text}`} notice={notice} />
       ))}

@@ -9,14 +9,7 @@ import { savedState } from "../../session/document-store";
 import { cancelledText, type RunState } from "../../session/run";
 import { IconButton } from "../../ui/icon-button";
 import { TextButton } from "../../ui/text-button";
-import {
-  formatAngle,
-  formatCount,
-  formatPosition,
-  formatSeconds,
-  formatShare,
-  formatShort,
-} from "../../ui/format";
+import { formatAngle, formatCount, formatPosition, formatSeconds, formatShort } from "../../ui/format";
 import { measuredIn, phaseNames, strings } from "../../strings";
 import {
   useApp,
@@ -170,11 +163,9 @@ function RunProgress() {
       {secondsLeft !== null && !cancelling && (
         <span data-testid="time-left">{strings.status.timeLeft(roundTime(secondsLeft))}</span>
       )}
-      {progress && progress.frontFaces > 0 && (
+      {progress && progress.frontFaces > 0 && progress.exactFillFraction === 0 && (
         <span className={styles["wide"]} aria-hidden>
-          {progress.exactFillFraction > 0
-            ? strings.status.exactFill(formatShare(progress.exactFillFraction))
-            : strings.status.front(formatCount(progress.frontFaces))}
+          {strings.status.front(formatCount(progress.frontFaces))}
         </span>
       )}
       <VisuallyHidden role="status">{announced}</VisuallyHidden>
