@@ -29,20 +29,6 @@ function withoutNodeModules() {
   };
 }
 
-/** Gives the view cube's library a clock that does not warn. */
-function withOwnClock() {
-  return {
-    name: "tetrafront:own-clock",
-    transform: (code, id) => {
-      const clock = /\bClock as (\w+),\s*/.exec(code);
-      if (!id.includes("three-viewport-gizmo") || !clock) return null;
-      const file = JSON.stringify(inRoot("./viewer/cube-clock.ts"));
-      const own = `import { Clock as ${clock[1] ?? "Clock"} } from ${file};\n`;
-      return { code: own + code.replace(clock[0], ""), map: null };
-    },
-  };
-}
-
 /** Every page of the site. */
 const pages = ["./index.html", "./embed.html"].map(inRoot);
 const notices = thirdPartyNotices();
@@ -55,7 +41,6 @@ export default defineConfig({
   plugins: [
     react(),
     withoutNodeModules(),
-    withOwnClock(),
     embindWithoutText(),
     preloadedApp(),
     contentSecurityPolicy(),

@@ -116,6 +116,7 @@ test("dropping a project file on the page opens it", async ({ page }) => {
   const before = await app.mesh();
   const text = JSON.stringify({ ...sampleProject("unit-cube"), name: "Dropped cube" });
   await dropProject(page, text);
+  await expect(page.getByRole("button", { name: "Front view" })).toBeVisible();
   await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
   await app.meshed();
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");

@@ -67,9 +67,7 @@ test("the view draws only when something has changed", async ({ page }) => {
   expect(await settles()).toBe(true);
 });
 
-test("moving the pointer over empty space draws no frame, but over the view cube it does", async ({
-  page,
-}) => {
+test("moving the pointer over empty space and over the view cube draws no frame", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await screenPosition(page, "point", 1);
@@ -79,11 +77,11 @@ test("moving the pointer over empty space draws no frame, but over the view cube
   await screenPosition(page, "point", 1);
   const before = await app.viewport.getAttribute("data-frames");
   await page.mouse.move(box.x + 30, box.y + box.height / 2 + 60, { steps: 12 });
+  await page.getByRole("button", { name: "Front view" }).hover();
   await page.evaluate(
     () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
   );
   expect(await app.viewport.getAttribute("data-frames")).toBe(before);
-  await nextFrame(app.viewport, () => page.mouse.move(box.x + box.width - 56, box.y + 56, { steps: 3 }));
 });
 
 test("a drag of the view cube turns the camera and may end beside it; the view then answers as before", async ({
@@ -121,59 +119,33 @@ test("a drag of the view cube turns the camera and may end beside it; the view t
   expect(await app.at([0, 0, 1])).not.toEqual(corner);
 });
 
-test("the view cube follows the camera, the pointer and the theme, and is one draw call while nothing on it changes", async ({
-  page,
-}) => {
-  await page.addInitScript(() => {
-    const counts = { cube: 0 };
-    Object.assign(window, { counts });
-    const { prototype } = WebGL2RenderingContext;
-    const draw = Reflect.get(prototype, "drawElements");
-    prototype.drawElements = function (...args) {
-      const viewport: unknown = this.getParameter(this.VIEWPORT);
-      const [, , width, height] = viewport instanceof Int32Array ? viewport : [];
-      if (width === height) ++counts.cube;
-      draw.apply(this, args);
-    };
-  });
+test("the view cube turns the camera by pointer and by keyboard, and turns with it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  const front = await screenPosition(page, "patch", 3);
-  const box = await app.viewport.boundingBox();
-  if (!box) throw new Error("The view has no box");
-  const cube = { x: box.x + box.width - 56, y: box.y + 56 };
-  const clip = { x: box.x + box.width - 102, y: box.y + 10, width: 92, height: 92 };
-  const picture = (): Promise<Buffer> => page.screenshot({ clip });
-  const draws = (): Promise<number> =>
-    page.evaluate(() => (window as unknown as { counts: { cube: number } }).counts.cube);
-  const frames = async (): Promise<number> => Number(await app.viewport.getAttribute("data-frames"));
-  // The first selection may load more of the page.
-  await page.mouse.click(front.x, front.y);
-  await expect(page.getByTestId("tree-patch-3")).toHaveAttribute("aria-selected", "true");
-  await screenPosition(page, "patch", 3);
-  const atRest = await picture();
-  const [drawsBefore, framesBefore] = [await draws(), await frames()];
-  await nextFrame(app.viewport, () => page.getByTestId("tree-patch-6").click());
-  await screenPosition(page, "patch", 3);
-  expect((await draws()) - drawsBefore).toBe((await frames()) - framesBefore);
-  expect((await picture()).equals(atRest)).toBe(true);
-  const side = { x: cube.x - 16, y: cube.y + 10 };
-  await nextFrame(app.viewport, () => page.mouse.move(side.x, side.y, { steps: 3 }));
-  await expect.poll(async () => (await picture()).equals(atRest)).toBe(false);
-  await page.mouse.move(front.x, front.y, { steps: 3 });
-  await expect.poll(async () => (await picture()).equals(atRest)).toBe(true);
-  const middle = await app.at([0.5, 0.5, 1]);
-  await expect(async () => {
-    await page.mouse.move(side.x, side.y, { steps: 3 });
-    await page.mouse.click(side.x, side.y);
-    await expect.poll(async () => (await app.at([0.5, 0.5, 1])).y, { timeout: 5000 }).not.toBe(middle.y);
-  }).toPass();
-  await page.mouse.move(front.x, front.y, { steps: 3 });
-  await screenPosition(page, "patch", 3);
-  expect((await picture()).equals(atRest)).toBe(false);
-  const dark = await picture();
-  await page.getByTestId("theme").click();
-  await expect.poll(async () => (await picture()).equals(dark)).toBe(false);
+  const cube = page.getByRole("group", { name: "View cube" });
+  const face = (name: string) => cube.getByRole("button", { name, exact: true });
+  /** Where the upper corner at the front right is, relative to the lower one at the front left. */
+  const across = async (): Promise<string> => {
+    await screenPosition(page, "patch", 3);
+    const [from, to] = [await app.at([0, 0, 0]), await app.at([1, 0, 1])];
+    return [to.x - from.x, from.y - to.y]
+      .map((pixels) => (Math.abs(pixels) < 1 ? 0 : Math.sign(pixels)))
+      .join();
+  };
+  await face("Front view").click();
+  await expect.poll(across).toBe("1,1");
+  const seen = await face("Front view").boundingBox();
+  expect((seen?.width ?? 0) / (seen?.height ?? 1)).toBeCloseTo(1, 1);
+  await face("Back view").press("Enter");
+  await expect.poll(across).toBe("-1,1");
+  await face("Top view").press("Space");
+  // What is nearer is farther from the middle.
+  await expect.poll(across).toBe("1,-1");
+  // The corner at the lower right is that of the front and the right.
+  const box = await cube.boundingBox();
+  if (!box) throw new Error("The view has no cube");
+  await page.mouse.click(box.x + box.width / 2 + 27.5, box.y + box.height / 2 + 27.5);
+  await expect.poll(across).toBe("1,1");
 });
 
 test("a selected point is emphasized from near and from far", async ({ page }) => {

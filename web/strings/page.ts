@@ -67,6 +67,15 @@ export const pageStrings = {
     summary: (name: string, tetrahedra: string, minAngle: string) =>
       `${name}, meshed with ${tetrahedra} tetrahedra, smallest dihedral angle ${minAngle}.`,
     summaryCancelled: (name: string, cancelled: string) => `${name}, not meshed to the end. ${cancelled}.`,
+    cube: "View cube",
+    cubeFaces: {
+      front: "Front",
+      back: "Back",
+      right: "Right",
+      left: "Left",
+      top: "Top",
+      bottom: "Bottom",
+    },
     summaryCut: " The mesh is cut open.",
     summaryStale: " The mesh is out of date.",
     keys: "Arrow keys orbit, Shift with arrow keys pans, plus and minus zoom.",

@@ -44,23 +44,15 @@ export class ToolController {
   readonly #canvas: HTMLElement;
   readonly #viewer: Pick<Viewer, "addLayer" | "hit">;
   readonly #listening = new AbortController();
-  /** Returns whether a key event with this target is meant for the view. */
-  readonly #ownsKeys: (target: EventTarget | null) => boolean;
   #tool: Tool;
   #removeOverlay: (() => void) | null;
   #press: Press | null = null;
   #lastClick: Click = { at: { x: 0, y: 0 }, time: -Infinity, count: 0 };
 
-  constructor(
-    canvas: HTMLElement,
-    viewer: Pick<Viewer, "addLayer" | "hit">,
-    tool: Tool,
-    ownsKeys: (target: EventTarget | null) => boolean = () => true,
-  ) {
+  constructor(canvas: HTMLElement, viewer: Pick<Viewer, "addLayer" | "hit">, tool: Tool) {
     this.#canvas = canvas;
     this.#viewer = viewer;
     this.#tool = tool;
-    this.#ownsKeys = ownsKeys;
     this.#removeOverlay = this.#addOverlay();
     this.state = createStore<ToolState>(() => ({ tool: tool.id, hasGesture: false }));
     const options = { capture: true, signal: this.#listening.signal };
@@ -166,7 +158,7 @@ export class ToolController {
 
   #key(event: KeyboardEvent): void {
     const hasGesture = this.#press?.isClaimed === true;
-    const isMeant = this.#ownsKeys(event.target) && inputMode(event.target) === "view";
+    const isMeant = inputMode(event.target) === "view";
     if (!hasGesture && !isMeant) return;
     const isUsed = hasGesture && event.key === "Escape" ? this.#cancelByKey() : this.#tool.key(event);
     if (isUsed) event.preventDefault();

@@ -126,7 +126,7 @@ export class ViewCamera {
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = smooth ? 0.16 : 0;
     this.controls.draggingSmoothTime = smooth ? 0.05 : 0;
-    this.#rotateTo("isometric", false);
+    this.look("isometric", false);
   }
 
   /** Sets how near and how far the camera may go, and the distance from the origin up to which the scene is drawn. */
@@ -173,7 +173,14 @@ export class ViewCamera {
   }
 
   look(view: StandardView, animate: boolean): void {
-    this.#rotateTo(view, animate);
+    const [azimuth, polar] = standardAngles[view];
+    this.#rotateTo(azimuth * degrees, polar * degrees, animate);
+  }
+
+  /** Looks from a direction, which may have any length. From above and below, x is to the right. */
+  lookFrom([x, y, z]: Position, animate: boolean): void {
+    const across = Math.hypot(x, y);
+    this.#rotateTo(across === 0 ? 0 : Math.atan2(x, -y), Math.atan2(across, z), animate);
   }
 
   /** The pose at which a running motion will end, in the coordinates of the scene. */
@@ -274,8 +281,9 @@ export class ViewCamera {
     );
   }
 
-  #rotateTo(view: StandardView, animate: boolean): void {
-    const [azimuth, polar] = standardAngles[view];
-    void this.controls.rotateTo(azimuth * degrees, polar * degrees, animate);
+  /** Rotates the shorter way round, by angles in radians. */
+  #rotateTo(azimuth: number, polar: number, animate: boolean): void {
+    const turns = Math.round((this.controls.azimuthAngle - azimuth) / (2 * Math.PI));
+    void this.controls.rotateTo(azimuth + turns * 2 * Math.PI, polar, animate);
   }
 }

@@ -19,11 +19,6 @@ export interface ViewerColors {
   /** Colour that an out-of-date mesh fades towards. */
   readonly faded: string;
   readonly ground: string;
-  readonly cubeFace: string;
-  /** Edges and corners of the view cube. */
-  readonly cubeTrim: string;
-  readonly cubeText: string;
-  readonly cubeHover: string;
   /** Quality from bad to good, evenly spaced. */
   readonly ramp: readonly string[];
   /** Colours of regions by index; they repeat after the last. */

@@ -1,192 +1,79 @@
-import type CameraControls from "camera-controls";
-import type { Quaternion } from "three";
-import { PerspectiveCamera, type Object3D, type WebGLRenderer } from "three";
-import { ViewportGizmo, type GizmoOptions } from "three-viewport-gizmo";
-import type { ViewerColors } from "./colors";
-import { cubePlace } from "./cube-place";
-import { KeptPicture } from "./kept-picture";
-import { prepareShaders } from "./shaders";
-
-/** Sine of the angle to the z axis below which the view is from above or below: less than a pixel of the cube. */
-const alongZ = 1e-3;
-
-/** From where the library draws the cube, which has no name for this camera. */
-const cubeCamera = new PerspectiveCamera(26, 1, 5, 10);
-cubeCamera.position.set(0, 0, 7);
-
-/** What the picture shows, apart from colours and highlight. */
-interface Pictured {
-  readonly direction: Quaternion;
-  readonly pixelRatio: number;
-}
-
 /**
- * The clickable cube in the corner of the view. It consists of many pieces, and each of them is a draw call, so its picture
- * is kept as long as nothing on it changes.
+ * The cube in the corner of the view, as CSS transforms: its faces, edges and corners are flat elements around its middle. The
+ * browser draws and hit-tests them, so that the cube costs the renderer nothing.
  */
-export class ViewCube {
-  readonly #renderer: WebGLRenderer;
-  readonly #gizmo: ViewportGizmo;
-  readonly #fixed: GizmoOptions;
-  readonly #requestFrame: () => void;
-  readonly #listening = new AbortController();
-  readonly #picture: KeptPicture;
-  /** What the picture shows; null if it is to be drawn again. */
-  #pictured: Pictured | null = null;
-  /** The library has a new camera, which is ready for hit tests only when it has drawn with it. */
-  #isNew = true;
+import { Matrix4, Vector3, type Quaternion } from "three";
+import type { Label } from "./apart";
+import type { StandardView } from "./camera";
 
-  constructor(
-    camera: PerspectiveCamera,
-    renderer: WebGLRenderer,
-    controls: CameraControls,
-    colors: ViewerColors,
-    options: { readonly container: HTMLElement; readonly animated: boolean; readonly onChange: () => void },
-  ) {
-    this.#renderer = renderer;
-    this.#requestFrame = options.onChange;
-    this.#fixed = { container: options.container, animated: options.animated };
-    this.#picture = new KeptPicture(renderer, cubePlace);
-    this.#gizmo = new ViewportGizmo(camera, renderer, { ...styleOf(colors), ...this.#fixed });
-    setUpright(this.#gizmo.children);
-    this.#gizmo.addEventListener("start", () => {
-      controls.enabled = false;
-      options.onChange();
-    });
-    this.#gizmo.addEventListener("change", () => {
-      const { x, y, z } = camera.position;
-      void controls.setPosition(x, y, z, false);
-      options.onChange();
-    });
-    this.#gizmo.addEventListener("end", () => {
-      controls.enabled = true;
-      // From above or below, no direction is the library's: the views of the keys have x to the right.
-      if (Math.sin(controls.polarAngle) < alongZ) void controls.rotateTo(0, controls.polarAngle, false);
-      // A piece that the pointer has left is not highlighted any more.
-      this.#pictured = null;
-      options.onChange();
-    });
-    controls.addEventListener("update", () => {
-      controls.getTarget(this.#gizmo.target);
-      this.#gizmo.update(false);
-    });
-    let wasOver = false;
-    const light = ({ target }: PointerEvent): void => {
-      // A pointer that has left the canvas may be over the cube, which is then highlighted.
-      const isOver = !(target instanceof HTMLCanvasElement);
-      if (isOver || wasOver) {
-        this.#pictured = null;
-        options.onChange();
-      }
-      wasOver = isOver;
-    };
-    const { signal } = this.#listening;
-    for (const type of ["pointermove", "pointerdown", "pointerout"] as const)
-      options.container.addEventListener(type, light, { signal });
-    renderer.domElement.addEventListener("webglcontextrestored", () => (this.#pictured = null), { signal });
-  }
+/** Size of the square around the cube and its distance from the top right corner of the view, in CSS pixels. */
+const size = 92;
+const offset = 10;
+/** Distance of the faces from the middle, and half of their width: edges and corners are between them. In CSS pixels. */
+const faceDistance = 29;
+const halfFace = 22;
 
-  /** Compiles the shaders of the cube. */
-  async prepare(renderer: WebGLRenderer, camera: PerspectiveCamera): Promise<void> {
-    await prepareShaders(renderer, this.#gizmo, camera);
-    await this.#picture.prepare();
-  }
+export type CubeFace = Exclude<StandardView, "isometric">;
 
-  get animating(): boolean {
-    return this.#gizmo.animating;
-  }
-
-  setColors(colors: ViewerColors): void {
-    this.#clear();
-    this.#gizmo.set({ ...styleOf(colors), ...this.#fixed });
-    setUpright(this.#gizmo.children);
-    this.#pictured = null;
-    this.#isNew = true;
-  }
-
-  resize(): void {
-    this.#gizmo.update(false);
-  }
-
-  render(): void {
-    // The library turns the camera of the view when it draws.
-    if (this.#gizmo.animating || this.#isNew) {
-      // The kept picture differs by roundings: the view must end with it, however few frames are drawn.
-      if (this.#isNew) this.#requestFrame();
-      this.#pictured = null;
-      this.#isNew = false;
-      this.#showFront();
-      this.#gizmo.render();
-      return;
-    }
-    const scene = this.#gizmo.parent;
-    if (!scene) return;
-    const pixelRatio = this.#renderer.getPixelRatio();
-    const direction = this.#gizmo.quaternion;
-    const before = this.#pictured;
-    if (before?.pixelRatio !== pixelRatio || !before.direction.equals(direction)) {
-      this.#showFront();
-      this.#picture.draw(scene, cubeCamera);
-      this.#pictured = { pixelRatio, direction: direction.clone() };
-    }
-    this.#picture.show();
-  }
-
-  dispose(): void {
-    this.#listening.abort();
-    this.#clear();
-    this.#picture.dispose();
-  }
-
-  #showFront(): void {
-    for (const piece of this.#gizmo.children) piece.visible = this.#isFront(piece);
-  }
-
-  /** The library removes every other piece only. */
-  #clear(): void {
-    do this.#gizmo.dispose();
-    while (this.#gizmo.children.length > 0);
-  }
-
-  /** Whether the outer side of a piece can be seen. Pieces are flat; each draw call takes time, even if it draws nothing. */
-  #isFront({ position }: Object3D): boolean {
-    const place = position.clone().applyQuaternion(this.#gizmo.quaternion);
-    return place.dot(cubeCamera.position.clone().sub(place)) > 0;
-  }
+export interface CubePiece {
+  /** -1, 0 or 1 in each axis: the sides of the cube that it belongs to. */
+  readonly direction: readonly [number, number, number];
+  /** The face; null for an edge or corner. */
+  readonly face: CubeFace | null;
+  readonly kind: "face" | "edge" | "corner";
+  readonly transform: string;
 }
 
-/** Rotates the labels of the faces at the top and at the bottom, which the library turns by a right angle with z up. */
-export function setUpright(pieces: readonly Object3D[]): void {
-  for (const piece of pieces) {
-    const { x, y, z } = piece.position;
-    if (x === 0 && y === 0 && z !== 0) piece.rotateZ((-Math.sign(z) * Math.PI) / 2);
-  }
+const axisFaces: readonly (readonly [negative: CubeFace, positive: CubeFace])[] = [
+  ["left", "right"],
+  ["front", "back"],
+  ["bottom", "top"],
+];
+
+const css = ({ elements }: Matrix4): string => `matrix3d(${elements.join(",")})`;
+
+/** The y axis of CSS points downwards. */
+const downwards = new Matrix4().makeScale(1, -1, 1);
+
+/** Edges are drawn as if they were horizontal, corners as if they were at the top. */
+function turned([, , z]: CubePiece["direction"], sides: number): string {
+  if (sides === 2 && z === 0) return " rotate(90deg)";
+  return sides === 3 && z < 0 ? " rotate(180deg)" : "";
 }
 
-function styleOf(colors: ViewerColors): GizmoOptions {
-  const face = (label: string) => ({
-    label,
-    color: colors.cubeFace,
-    labelColor: colors.cubeText,
-    hover: { color: colors.cubeHover, labelColor: "#ffffff" },
-  });
-  const trim = { color: colors.cubeTrim, opacity: 1, hover: { color: colors.cubeHover, opacity: 1 } };
+function cubePiece(direction: CubePiece["direction"]): CubePiece {
+  const sides = direction.filter((side) => side !== 0).length;
+  const axis = direction.findIndex((side) => side !== 0);
+  const outward = new Vector3(...direction).normalize();
+  const [x, y] = direction;
+  const right = x === 0 && y === 0 ? new Vector3(1, 0, 0) : new Vector3(-y, x, 0).normalize();
+  const up = new Vector3().crossVectors(outward, right);
+  const middle = (faceDistance + (sides - 1) * halfFace) / Math.sqrt(sides);
+  const matrix = new Matrix4().makeBasis(right, up, outward).multiply(downwards);
   return {
-    type: "cube",
-    size: cubePlace.size,
-    placement: "top-right",
-    offset: { top: cubePlace.offset, right: cubePlace.offset },
-    resolution: 128,
-    font: { family: "Inter Variable, sans-serif", weight: 600 },
-    background: { enabled: false },
-    corners: trim,
-    edges: trim,
-    right: face("Right"),
-    left: face("Left"),
-    top: face("Top"),
-    bottom: face("Bottom"),
-    // With z up, the library's names of these two are swapped.
-    front: face("Back"),
-    back: face("Front"),
+    direction,
+    face: sides === 1 ? (axisFaces[axis]?.[direction[axis] === 1 ? 1 : 0] ?? null) : null,
+    kind: sides === 1 ? "face" : sides === 2 ? "edge" : "corner",
+    transform: css(matrix.setPosition(outward.multiplyScalar(middle))) + turned(direction, sides),
   };
 }
+
+const sides = [-1, 0, 1];
+
+/** The six faces, twelve edges and eight corners of the cube. */
+export const cubePieces: readonly CubePiece[] = sides
+  .flatMap((x) => sides.flatMap((y) => sides.map((z) => [x, y, z] as const)))
+  .filter((direction) => direction.some((side) => side !== 0))
+  .map(cubePiece);
+
+/** Returns the transform that turns the pieces as a camera sees the axes of the model. */
+export const cubeTransform = (camera: Quaternion): string =>
+  css(new Matrix4().makeRotationFromQuaternion(camera.clone().invert()).premultiply(downwards));
+
+/** Returns the square that the cube covers in a view of a width. */
+export const cubeArea = (width: number): Label => ({
+  x: width - offset - size / 2,
+  y: offset + size / 2,
+  width: size,
+  height: size,
+});

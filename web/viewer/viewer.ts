@@ -4,7 +4,6 @@ import { entityBounds, roomyBounds } from "./bounds";
 import type { Label } from "./apart";
 import { ViewCamera, type CameraPose, type StandardView } from "./camera";
 import type { ViewerColors } from "./colors";
-import { cubeArea } from "./cube-place";
 import { FrameLoop } from "./frame-loop";
 import { Framing, type FramedScene } from "./framing";
 import type { Hit, Layer } from "./layers/layer";
@@ -17,7 +16,7 @@ import { SceneLayers } from "./scene-layers";
 import { SceneChanges, type SceneState, type ShownState, type Viewport } from "./scene-state";
 import { SceneRenderer } from "./scene-renderer";
 import { screenProjection, type ScreenPoint } from "./screen";
-import type { ViewCube } from "./view-cube";
+import { cubeArea } from "./view-cube";
 
 export interface ViewerEvents {
   readonly onFrame: (frames: number) => void;
@@ -61,8 +60,6 @@ export class Viewer {
   readonly framing: Framing;
   readonly #loop: FrameLoop;
   readonly #motion = new MotionWatch(() => this.#sharpen());
-  /** Loaded after the first picture. */
-  #cube: ViewCube | null = null;
   #isDisposed = false;
   /** Whether the next frame is the last one of a motion. */
   #isResting = false;
@@ -101,11 +98,9 @@ export class Viewer {
     this.#resize();
     this.framing.reset();
     void this.#start();
-    void this.#loadCube();
   }
 
   setColors(colors: ViewerColors): void {
-    this.#cube?.setColors(colors);
     this.#update({ colors });
   }
 
@@ -129,6 +124,12 @@ export class Viewer {
   look(view: StandardView): void {
     this.#view.look(view, this.#options.motion);
     this.framing.fit(null);
+  }
+
+  /** Looks from a direction, at the same position and distance. */
+  lookFrom(direction: Position): void {
+    this.#view.lookFrom(direction, this.#options.motion);
+    this.#loop.request();
   }
 
   /** Where the camera is and what it looks at, in the coordinates of the model. */
@@ -268,7 +269,7 @@ export class Viewer {
   }
 
   /**
-   * Returns the picture as a PNG file, without the view cube and with a transparent background. `add` draws on it; its pixels
+   * Returns the picture as a PNG file with a transparent background. `add` draws on it; its pixels
    * are those of the screen.
    */
   picture(add: (paper: CanvasRenderingContext2D) => void = () => undefined): Promise<Blob> {
@@ -346,7 +347,6 @@ export class Viewer {
     this.#loop.stop();
     this.#motion.stop();
     this.#observer.disconnect();
-    this.#cube?.dispose();
     this.#layers.dispose();
     this.#view.dispose();
     this.#renderer.dispose();
@@ -380,32 +380,11 @@ export class Viewer {
     if (!this.#isDisposed) this.#loop.start();
   }
 
-  async #loadCube(): Promise<void> {
-    const { ViewCube: Cube } = await import("./view-cube");
-    if (this.#isDisposed) return;
-    const { camera, controls } = this.#view;
-    const cube = new Cube(camera, this.#renderer.webgl, controls, this.#state.colors, {
-      container: this.#container,
-      animated: this.#options.motion,
-      onChange: () => this.#loop.request(),
-    });
-    await this.#showCube(cube);
-  }
-
-  async #showCube(cube: ViewCube): Promise<void> {
-    await cube.prepare(this.#renderer.webgl, this.#view.camera);
-    if (this.#isDisposed) return cube.dispose();
-    cube.setColors(this.#state.colors);
-    this.#cube = cube;
-    this.#loop.request();
-  }
-
   #resize(coveredLeft = this.framing.coveredLeft): void {
     const { clientWidth: width, clientHeight: height } = this.#container;
     const viewport = width === 0 || height === 0 ? null : this.#renderer.resize(width, height);
     this.framing.resize(viewport, coveredLeft);
     if (!viewport) return;
-    this.#cube?.resize();
     // Draw at once: the canvas is blank after a change of its size.
     this.#loop.drawNow();
   }
@@ -442,9 +421,8 @@ export class Viewer {
     this.#isResting = false;
     const isMoving = this.#view.update(seconds);
     this.#renderer.render(this.#view.camera);
-    this.#cube?.render();
     const isGrowing = this.#layers.drawMore();
-    return isMoving || isGrowing || this.#cube?.animating === true;
+    return isMoving || isGrowing;
   }
 }
 

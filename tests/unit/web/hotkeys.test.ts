@@ -5,7 +5,6 @@ import type { Mesher } from "tetrafront";
 import { App } from "../../../web/app/app";
 import { chordListener, hotkeyListener } from "../../../web/panels/page/hotkeys";
 import { newDocument } from "../../../web/session/document-store";
-import { PageApps } from "../../../web/tools/page-apps";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
@@ -47,49 +46,26 @@ beforeEach(() => {
   vi.stubGlobal("Worker", SilentWorker);
 });
 
-/** Two apps on one page, each with a button and a field. */
-function openTwo() {
-  const apps = new PageApps<App>();
-  const parts = [newApp(), newApp()].map((app) => {
-    const [button, field] = [element(), element("input")];
-    apps.add(app, { contains: (target) => target === button || target === field });
-    return { app, button, field };
-  });
-  const listeners = parts.map(({ app }) => hotkeyListener(app, apps));
-  const send = (event: KeyboardEvent): void => listeners.forEach((listen) => listen(event));
-  /** Whether the cut of each app is on: X toggles it. */
-  const cuts = (): boolean[] => parts.map(({ app }) => app.view.state.getState().cut.enabled);
-  return { apps, parts, send, cuts };
+/** An app, with its listener for hotkeys. */
+function listening() {
+  const app = newApp();
+  /** Returns whether the mesh is cut: X toggles it. */
+  const isCut = (): boolean => app.view.state.getState().cut.enabled;
+  return { app, send: hotkeyListener(app), isCut };
 }
 
-describe("the hotkeys of two apps on one page", () => {
-  it("work in the app around the focus", () => {
-    const { parts, send, cuts } = openTwo();
-    send(press(parts[1]?.button as EventTarget, "x"));
-    expect(cuts()).toEqual([false, true]);
-    send(press(parts[0]?.button as EventTarget, "x"));
-    expect(cuts()).toEqual([true, true]);
-  });
-
-  it("work in the app used last if the focus is in neither", () => {
-    const { apps, parts, send, cuts } = openTwo();
+describe("hotkeys", () => {
+  it("work without a focus, and do nothing in fields and dialogs, except those that work in fields", () => {
+    const { app, send, isCut } = listening();
+    for (const target of [element("input"), element('[role="dialog"]')]) send(press(target, "x"));
+    expect(isCut()).toBe(false);
     send(press(element(), "x"));
-    expect(cuts()).toEqual([true, false]);
-    apps.use(parts[1]?.app as App);
-    send(press(element(), "x"));
-    expect(cuts()).toEqual([true, true]);
-  });
-
-  it("do nothing in fields and dialogs, except those that work in the app's own fields", () => {
-    const { parts, send, cuts } = openTwo();
-    for (const target of [parts[0]?.field as EventTarget, element("input"), element('[role="dialog"]')]) {
-      send(press(target, "x"));
-    }
-    expect(cuts()).toEqual([false, false]);
-    const generate = parts.map(({ app }) => vi.spyOn(app.run, "generate").mockResolvedValue());
+    expect(isCut()).toBe(true);
+    const generate = vi.spyOn(app.run, "generate").mockResolvedValue();
+    send(press(element('[role="dialog"]'), "Enter", true));
+    expect(generate).not.toHaveBeenCalled();
     send(press(element("input"), "Enter", true));
-    send(press(parts[1]?.field as EventTarget, "Enter", true));
-    expect(generate.map(({ mock }) => mock.calls.length)).toEqual([0, 1]);
+    expect(generate).toHaveBeenCalledTimes(1);
   });
 });
 
@@ -99,24 +75,23 @@ describe("signs and digits", () => {
     ["?", false],
     ["F1", false],
   ])("the help opens by %s, with Shift: %s", (key, shift) => {
-    const { parts, send } = openTwo();
+    const { app, send } = listening();
     send(press(element(), key, false, shift));
-    expect(parts.map(({ app }) => app.shell.getState().dialog)).toEqual(["help", null]);
+    expect(app.shell.getState().dialog).toBe("help");
   });
 
   it("a question mark is typed into a field, where F1 opens the help", () => {
-    const { parts, send } = openTwo();
-    const [{ app, field }] = parts as [(typeof parts)[number]];
-    send(press(field, "?", false, true));
+    const { app, send } = listening();
+    send(press(element("input"), "?", false, true));
     expect(app.shell.getState().dialog).toBeNull();
-    send(press(field, "F1"));
+    send(press(element("input"), "F1"));
     expect(app.shell.getState().dialog).toBe("help");
   });
 
   it.each([false, true])("a digit chooses a view, with Shift: %s", (shift) => {
-    const { parts, send } = openTwo();
+    const { app, send } = listening();
     const look = vi.fn();
-    parts[0]?.app.viewer.setState({ viewer: { look } as unknown as Viewer });
+    app.viewer.setState({ viewer: { look } as unknown as Viewer });
     send(press(element(), "7", false, shift));
     expect(look).toHaveBeenCalledWith("top");
   });
@@ -128,10 +103,8 @@ describe("chords", () => {
     vi.stubGlobal("document", { body: new EventTarget() });
     vi.stubGlobal("MouseEvent", class extends Event {});
     const app = newApp();
-    const apps = new PageApps<App>();
-    apps.add(app, { contains: () => true });
     const generate = vi.spyOn(app.run, "generate").mockResolvedValue();
-    const listen = chordListener(app, apps);
+    const listen = chordListener(app);
     const send = (target: EventTarget, key: string, ctrlKey = true): boolean => {
       const stopped = vi.fn();
       listen({ ...press(target, key, ctrlKey), preventDefault: stopped, stopPropagation: stopped });
@@ -190,9 +163,7 @@ describe("the hotkeys of the player", () => {
   it("work while the heading of a lesson has the focus, and scroll a panel that has it", async () => {
     const app = newApp();
     await playerOf(app).open(bytes);
-    const apps = new PageApps<App>();
-    apps.add(app, { contains: () => true });
-    const listen = hotkeyListener(app, apps);
+    const listen = hotkeyListener(app);
     const within = (...selectors: readonly string[]): EventTarget =>
       ({
         closest: (selector: string) => (selectors.some((inside) => selector.includes(inside)) ? {} : null),
@@ -214,9 +185,7 @@ describe("the hotkeys of the player", () => {
   it.each(Object.entries(layouts))("work on an %s keyboard", async (_, keys) => {
     const app = newApp();
     await playerOf(app).open(bytes);
-    const apps = new PageApps<App>();
-    apps.add(app, { contains: () => true });
-    const listen = hotkeyListener(app, apps);
+    const listen = hotkeyListener(app);
     const stepAfter = (key: string, shift: boolean): number => {
       listen(press(element(), key, false, shift));
       return playerOf(app).state.getState().step;
@@ -231,21 +200,5 @@ describe("the hotkeys of the player", () => {
       playerOf(app).seek(150);
       expect(stepAfter(key, shift)).toBe(50);
     }
-  });
-});
-
-describe("PageApps", () => {
-  it("gives the keys to another app when an app is removed", () => {
-    const apps = new PageApps<{ readonly name: string }>();
-    const [a, b] = [{ name: "a" }, { name: "b" }];
-    const nowhere = { contains: () => false };
-    const removeA = apps.add(a, nowhere);
-    const removeB = apps.add(b, nowhere);
-    expect(apps.owns(a, null)).toBe(true);
-    removeA();
-    expect(apps.owns(a, null)).toBe(false);
-    expect(apps.owns(b, null)).toBe(true);
-    removeB();
-    expect(apps.state.getState().lastUsed).toBeNull();
   });
 });

@@ -29,16 +29,6 @@ vi.mock("../../../web/viewer/scene-renderer", () => ({
     readonly warmUp = (): void => void drawn.push("hidden");
   },
 }));
-vi.mock("../../../web/viewer/view-cube", () => ({
-  ViewCube: class {
-    readonly animating = false;
-    readonly prepare = (): Promise<void> => Promise.resolve();
-    readonly setColors = vi.fn();
-    readonly resize = vi.fn();
-    readonly render = vi.fn();
-  },
-}));
-
 let notice: () => void = () => undefined;
 let frames: (() => void)[] = [];
 

@@ -3,7 +3,6 @@ import { strings } from "../../strings";
 import { enlarging } from "../../viewer/materials/enlarging";
 import { hasDialog, inputMode } from "../../tools/input-mode";
 import { useApp, useShell } from "../shared/app-context";
-import { pageApps } from "../shared/page-apps";
 import { isPaletteOpen } from "../shared/palette";
 import styles from "./presenter.module.css";
 
@@ -110,12 +109,12 @@ function useClicker(onKey: (key: ClickerKey) => void): void {
   useEffect(() => {
     const life = new AbortController();
     const press = (event: KeyboardEvent): void => {
-      const { key, target, ctrlKey, altKey, metaKey, shiftKey } = event;
+      const { key, ctrlKey, altKey, metaKey, shiftKey } = event;
       const meaning = clickerKeys.get(key);
       // Without a front, arrow keys orbit.
       if (key.startsWith("Arrow") && !app.replay.state.getState().isShown) return;
       if (!meaning || ctrlKey || altKey || metaKey || (shiftKey && key !== "F5")) return;
-      if (hasDialog() || isPaletteOpen() || isTaken(event) || !pageApps.owns(app, target)) return;
+      if (hasDialog() || isPaletteOpen() || isTaken(event)) return;
       event.preventDefault();
       event.stopPropagation();
       latest.current(meaning);
@@ -128,7 +127,6 @@ function useClicker(onKey: (key: ClickerKey) => void): void {
 
 /** Calls a function when Escape is pressed and nothing else uses it: no menu, dialog, field or command. */
 function useEscape(onEscape: () => void): void {
-  const app = useApp();
   const latest = useRef(onEscape);
   useEffect(() => void (latest.current = onEscape));
   useEffect(() => {
@@ -137,7 +135,7 @@ function useEscape(onEscape: () => void): void {
     // Before anything else: a menu that Escape closes is gone when the event has reached the window.
     const note = ({ target }: KeyboardEvent): void => {
       const isChoice = target instanceof Element && target.matches(choices);
-      isFree = !hasDialog() && (isChoice || inputMode(target) === "view") && pageApps.owns(app, target);
+      isFree = !hasDialog() && (isChoice || inputMode(target) === "view");
     };
     const end = (event: KeyboardEvent): void => {
       if (event.key !== "Escape" || event.defaultPrevented || !isFree || isPaletteOpen()) return;
@@ -147,7 +145,7 @@ function useEscape(onEscape: () => void): void {
     window.addEventListener("keydown", note, { capture: true, signal: life.signal });
     window.addEventListener("keydown", end, { signal: life.signal });
     return () => life.abort();
-  }, [app]);
+  }, []);
 }
 
 /** A red dot at the pointer, above everything else. It takes no clicks. */

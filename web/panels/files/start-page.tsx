@@ -11,7 +11,6 @@ import { formatTime } from "../../ui/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { useFocusReturn } from "../../ui/use-focus-return";
 import { useApp } from "../shared/app-context";
-import { pageApps } from "../shared/page-apps";
 import { isPaletteOpen } from "../shared/palette";
 import { DocumentPicture } from "./document-picture";
 import { useRecentDocuments } from "./use-recent";
@@ -54,12 +53,11 @@ export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
 
 /** Calls a function on Escape, wherever the focus is on the page: the start page is what lies on top. Dialogs, menus and fields come first. */
 function useEscape(onEscape: () => void): void {
-  const app = useApp();
   useEffect(() => {
     const life = new AbortController();
     const press = (event: KeyboardEvent): void => {
       const { key, target } = event;
-      if (key !== "Escape" || hasDialog() || isPaletteOpen() || !pageApps.owns(app, target)) return;
+      if (key !== "Escape" || hasDialog() || isPaletteOpen()) return;
       const isInside = target instanceof Element && target.closest('[data-testid="start-page"]') !== null;
       if (!isInside && inputMode(target) !== "view") return;
       event.preventDefault();
@@ -69,7 +67,7 @@ function useEscape(onEscape: () => void): void {
     // Before the view, whose selection stays.
     window.addEventListener("keydown", press, { capture: true, signal: life.signal });
     return () => life.abort();
-  }, [app, onEscape]);
+  }, [onEscape]);
 }
 
 function Beginnings() {

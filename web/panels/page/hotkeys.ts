@@ -4,18 +4,14 @@ import type { App } from "../../app/app";
 import { commands, hotkeysOf, runCommand } from "../../commands/registry";
 import type { Command } from "../../commands/command";
 import { closeMenus, inputMode, isOfWidget, takesChord } from "../../tools/input-mode";
-import type { PageApps } from "../../tools/page-apps";
-import { pageApps } from "../shared/page-apps";
 import { isPaletteOpen } from "../shared/palette";
 
-type Apps = Pick<PageApps<App>, "owns" | "contains">;
-
 /** Returns whether a hotkey of the command works for an event. */
-function isMeant(app: App, apps: Apps, { inFields }: Command, { key, target }: KeyboardEvent): boolean {
-  if (isPaletteOpen() || !apps.owns(app, target)) return false;
+function isMeant({ inFields }: Command, { key, target }: KeyboardEvent): boolean {
+  if (isPaletteOpen()) return false;
   const mode = inputMode(target);
-  // The page may have fields outside the app. The browser would open its own help.
-  return mode === "view" || (mode === "field" && (inFields || key === "F1") && apps.contains(app, target));
+  // The browser would open its own help.
+  return mode === "view" || (mode === "field" && (inFields || key === "F1"));
 }
 
 /** Returns a handler of key events that calls `act` with the command of a key. */
@@ -39,11 +35,10 @@ const handlerOf = (
  */
 export function hotkeyListener(
   app: App,
-  apps: Apps,
   among: readonly Command[] = commands,
 ): (event: KeyboardEvent) => void {
   return handlerOf(among, (command, event) => {
-    if (!isMeant(app, apps, command, event) || !command.enabled(app)) return;
+    if (!isMeant(command, event) || !command.enabled(app)) return;
     if (event.defaultPrevented || isOfWidget(event)) return;
     event.preventDefault();
     runCommand(app, command);
@@ -56,12 +51,11 @@ export function hotkeyListener(
  */
 export function chordListener(
   app: App,
-  apps: Apps,
   among: readonly Command[] = commands,
 ): (event: KeyboardEvent) => void {
   return handlerOf(among, (command, event) => {
     const { target } = event;
-    if (!takesChord(event) || isPaletteOpen() || !apps.owns(app, target)) return;
+    if (!takesChord(event) || isPaletteOpen()) return;
     // Of a disabled command, only Enter is kept from a button: the browser may copy a text, for example.
     if (!command.enabled(app) && event.key !== "Enter") return;
     event.preventDefault();
@@ -80,8 +74,8 @@ export function useHotkeys(app: App, among: readonly Command[]): void {
     const life = new AbortController();
     const { documentElement: root } = document;
     const capturing = { capture: true, signal: life.signal };
-    root.addEventListener("keydown", chordListener(app, pageApps, among), capturing);
-    root.addEventListener("keydown", hotkeyListener(app, pageApps, among), { signal: life.signal });
+    root.addEventListener("keydown", chordListener(app, among), capturing);
+    root.addEventListener("keydown", hotkeyListener(app, among), { signal: life.signal });
     return () => life.abort();
   }, [app, among]);
 }

@@ -1,7 +1,7 @@
 import { ActionIcon, Splitter, Tabs, Tooltip } from "@mantine/core";
 import type { SplitterPaneSize } from "@mantine/hooks";
 import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-react";
-import { useState, type ReactNode, type RefObject } from "react";
+import { useState, type ReactNode } from "react";
 import { FramedDrawer } from "../../ui/frames/framed-drawer";
 import { strings } from "../../strings";
 import { useApp, useProblems, useShell } from "../shared/app-context";
@@ -22,10 +22,10 @@ import styles from "./layout.module.css";
 const rightTabs = ["inspector", "quality", "display", "lessons"] as const;
 
 /** The whole app: panels beside the view if there is room, otherwise in drawers. */
-export function PageLayout({ root }: { readonly root: RefObject<HTMLDivElement | null> }) {
+export function PageLayout() {
   const layout = useLayout();
   return (
-    <div ref={root} className={styles["page"]} data-testid="app" data-layout={layout}>
+    <div className={styles["page"]} data-testid="app" data-layout={layout}>
       <Header layout={layout} />
       {layout === "wide" ? <WideBody /> : <NarrowBody layout={layout} />}
       <StatusBar />

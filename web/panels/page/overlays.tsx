@@ -1,11 +1,9 @@
-import { useApp } from "../shared/app-context";
 import { CommandPalette } from "../dialogs/command-palette";
 import { CoverDialog } from "../background/cover-dialog";
 import { CreatePositionedDialog } from "../dialogs/create-dialogs";
 import { ExportDialog } from "../dialogs/export-dialog";
 import { HelpDialog } from "../help/help-dialog";
 import { MessageDialog } from "../dialogs/message-dialog";
-import { useIsLastUsed } from "../shared/page-apps";
 import { Presenter } from "../dialogs/presenter";
 import { ProposeDialog } from "../background/propose-dialog";
 import { RecentDialog } from "../files/recent-dialog";
@@ -18,11 +16,9 @@ import { TemplateDialog } from "../files/template-dialog";
 
 /** Everything that opens above the page. Loaded after it. */
 export default function Overlays() {
-  // All apps of the page share the palette; its commands are for the one used last.
-  const hasPalette = useIsLastUsed(useApp());
   return (
     <>
-      {hasPalette && <CommandPalette />}
+      <CommandPalette />
       <HelpDialog />
       <ExportDialog />
       <CreatePositionedDialog kind="point" />

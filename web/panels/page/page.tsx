@@ -1,4 +1,4 @@
-import { lazy, useEffect, useRef, useState } from "react";
+import { lazy, useEffect, useState } from "react";
 import { openDropped } from "../../commands/drop-actions";
 import type { App } from "../../app/app";
 import { strings } from "../../strings";
@@ -8,7 +8,6 @@ import { PageLayout } from "./layout";
 import { PanelBoundary } from "../shared/panel-boundary";
 import { useCommandHotkeys } from "./hotkeys";
 import { fetchAhead } from "../later/later";
-import { pageApps, usePageApp } from "../shared/page-apps";
 import { losePalette } from "../shared/palette";
 import { SlotsContext, type Slots } from "../shared/slots";
 import { useScheme } from "./use-scheme";
@@ -18,8 +17,6 @@ const Overlays = lazy(() => import("./overlays"));
 
 /** The app with its dialogs, hotkeys and drop target. */
 export function Page({ app, slots }: { readonly app: App; readonly slots: Slots }) {
-  const root = useRef<HTMLDivElement>(null);
-  usePageApp(app, root);
   useCommandHotkeys(app);
   useHeldKeys(app);
   useScheme(app);
@@ -29,7 +26,7 @@ export function Page({ app, slots }: { readonly app: App; readonly slots: Slots 
     <AppContext value={app}>
       <SlotsContext value={slots}>
         <ProjectNames>
-          <PageLayout root={root} />
+          <PageLayout />
           <PanelBoundary floats onFailed={losePalette}>
             <Overlays />
           </PanelBoundary>
@@ -46,8 +43,8 @@ function useHeldKeys(app: App): void {
     const life = new AbortController();
     const options = { capture: true, signal: life.signal };
     const { documents } = app;
-    const note = ({ repeat, target }: KeyboardEvent): void => {
-      documents.held = repeat && pageApps.owns(app, target);
+    const note = ({ repeat }: KeyboardEvent): void => {
+      documents.held = repeat;
     };
     const release = (): void => void (documents.held = false);
     window.addEventListener("keydown", note, options);
@@ -61,7 +58,7 @@ function useFileDrop(app: App): boolean {
   const [dropping, setDropping] = useState(false);
   useEffect(() => {
     const onDragOver = (event: DragEvent): void => {
-      if (!event.dataTransfer?.types.includes("Files") || !pageApps.owns(app, event.target)) return;
+      if (!event.dataTransfer?.types.includes("Files")) return;
       event.preventDefault();
       setDropping(true);
     };
@@ -69,7 +66,6 @@ function useFileDrop(app: App): boolean {
       if (event.relatedTarget === null) setDropping(false);
     };
     const onDrop = (event: DragEvent): void => {
-      if (!pageApps.owns(app, event.target)) return;
       event.preventDefault();
       setDropping(false);
       const files = [...(event.dataTransfer?.files ?? [])];

@@ -32,7 +32,6 @@ import { followSession, shownState } from "../../viewer/follow-session";
 import { shownBodies } from "../../viewer/shown-bodies";
 import { Viewer, type ViewerEvents } from "../../viewer/viewer";
 import { useApp } from "../shared/app-context";
-import { pageApps } from "../shared/page-apps";
 
 /** Why the view shows nothing. */
 export type Trouble = "no-webgl" | "context-lost";
@@ -146,7 +145,7 @@ function connect(
     { documents, previews, view, drawing, bodies: () => shownBodies(documents.project, app.bodies) },
     { onHover, onEdit: () => editSelected(app, "values") },
   );
-  const tools = new ToolController(canvas, viewer, select, (target) => pageApps.owns(app, target));
+  const tools = new ToolController(canvas, viewer, select);
   const brush = new BrushTool(app.documents, app.view, viewer);
   const keys = typedKeys(app);
   const inform = (text: string): void => showNote(app, text);

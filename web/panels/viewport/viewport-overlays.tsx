@@ -2,7 +2,7 @@ import { Button, Kbd, Switch, Text } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
 import { useStore } from "zustand";
-import { generateMesh } from "../../commands/mesh-actions";
+import { commandNamed, runCommand } from "../../commands/registry";
 import { cancelledText } from "../../session/run";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
@@ -93,7 +93,7 @@ export function MeshBadge() {
         size="compact-xs"
         variant="default"
         {...(isToolActive && { title: hint })}
-        onClick={() => void generateMesh(app)}
+        onClick={() => runCommand(app, commandNamed("generate"))}
       >
         {strings.viewport.update}
       </Button>

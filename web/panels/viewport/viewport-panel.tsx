@@ -18,6 +18,7 @@ import { OperationPanel } from "../operations/operation-panel";
 import { useSlots } from "../shared/slots";
 import { useViewer } from "./use-viewer";
 import { ViewCanvas } from "./view-canvas";
+import { ViewCube } from "./view-cube";
 import { ViewState } from "./view-state";
 import styles from "./viewport-panel.module.css";
 
@@ -62,6 +63,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <ViewState container={container} />
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
+        {viewer && <ViewCube viewer={viewer} />}
         {viewer && <ProblemMarkers viewer={viewer} />}
         {viewer && <PositionMarker viewer={viewer} />}
         {viewer && <PatchRoleLabels viewer={viewer} />}

@@ -1,4 +1,4 @@
-import { lazy, Suspense, useRef } from "react";
+import { lazy, Suspense } from "react";
 import type { App } from "../../app/app";
 import { queryOf, type SharedFront } from "../player/shared-front";
 import { shareStrings as texts } from "../strings/share";
@@ -8,7 +8,6 @@ import { frontCommands } from "../commands/front-commands";
 import { CompactPlayer } from "../panels/player/compact-player";
 import { usePlayer } from "../panels/player/use-player";
 import { AppContext } from "../../panels/shared/app-context";
-import { usePageApp } from "../../panels/shared/page-apps";
 import { useHotkeys } from "../../panels/page/hotkeys";
 import { FrontView } from "./front-view";
 import styles from "./embed.module.css";
@@ -24,12 +23,10 @@ export interface EmbedPageProps {
 
 /** The view of a front with a small player below it. */
 export function EmbedPage({ app, shared }: EmbedPageProps) {
-  const root = useRef<HTMLDivElement>(null);
-  usePageApp(app, root);
   useHotkeys(app, frontCommands);
   return (
     <AppContext value={app}>
-      <div ref={root} className={styles["page"]} data-testid="embed">
+      <div className={styles["page"]} data-testid="embed">
         <FrontView />
         <footer className={styles["bar"]}>
           <Controls />

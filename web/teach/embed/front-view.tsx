@@ -6,6 +6,7 @@ import { teachingSlots } from "../panels/slots";
 import { usePageScroll } from "./use-page-scroll";
 import { useViewer } from "../../panels/viewport/use-viewer";
 import { ViewCanvas } from "../../panels/viewport/view-canvas";
+import { ViewCube } from "../../panels/viewport/view-cube";
 import { ViewNotice } from "../../panels/viewport/viewport-overlays";
 import { ViewState } from "../../panels/viewport/view-state";
 import styles from "../../panels/viewport/viewport-panel.module.css";
@@ -26,6 +27,7 @@ export function FrontView() {
       <ViewState container={container} />
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
+        {viewer && <ViewCube viewer={viewer} />}
         {viewer && isReplaying && <Overlay viewer={viewer} />}
       </div>
       <p aria-hidden className={styles["wheelHint"]} data-shown={isHinted || undefined}>
