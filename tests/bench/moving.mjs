@@ -97,7 +97,7 @@ function countPreviews() {
   const { Worker } = globalThis;
   const post = Worker.prototype.postMessage;
   Worker.prototype.postMessage = function (message, ...rest) {
-    if (message?.kind === "preview") {
+    if (message?.call === "previewModel") {
       if (asked.size === 0) {
         this.addEventListener("message", ({ data }) => {
           if (data?.kind === "answer" && asked.has(data.id)) ++globalThis.previews;

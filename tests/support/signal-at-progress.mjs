@@ -10,8 +10,8 @@ const {
   TETRAFRONT_TEST_FRACTION: fraction,
 } = process.env;
 const { emit, postMessage } = Worker.prototype;
-/** Kind of each question to a worker, by id. */
-const kinds = new Map();
+/** Call of each question to a worker, by id. */
+const calls = new Map();
 let isSent = false;
 
 /** Returns whether no other child of the parent has sent the signal: a second one would end the parent at once. */
@@ -27,11 +27,11 @@ function isFirstChild() {
 /** Returns whether the moment has come. */
 function isDue(id, { tetrahedra, fraction: reached }) {
   if (fraction === undefined) return tetrahedra > 0;
-  return kinds.get(id) !== "inspect-surface" && reached > Number(fraction);
+  return calls.get(id) !== "inspectSurface" && reached > Number(fraction);
 }
 
 Worker.prototype.postMessage = function (message, ...args) {
-  kinds.set(message?.id, message?.kind);
+  calls.set(message?.id, message?.call ?? message?.kind);
   return postMessage.call(this, message, ...args);
 };
 

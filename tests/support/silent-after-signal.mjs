@@ -3,18 +3,18 @@
 import { Worker } from "node:worker_threads";
 
 const { emit, postMessage } = Worker.prototype;
-const kinds = new Map();
+const calls = new Map();
 let isSilent = false;
 
 Worker.prototype.postMessage = function (message, ...args) {
-  kinds.set(message?.id, message?.kind);
+  calls.set(message?.id, message?.call ?? message?.kind);
   return postMessage.call(this, message, ...args);
 };
 
 Worker.prototype.emit = function (event, ...args) {
   const [reply] = args;
   if (event !== "message") return emit.call(this, event, ...args);
-  if (!isSilent && reply?.kind === "progress" && kinds.get(reply.id) !== "inspect-surface") {
+  if (!isSilent && reply?.kind === "progress" && calls.get(reply.id) !== "inspectSurface") {
     isSilent = true;
     process.stderr.write(`signal at ${Date.now()}\n`);
     process.kill(process.pid, process.env.TETRAFRONT_TEST_SIGNAL);
