@@ -248,9 +248,8 @@ TEST(RepairedRegions, WhatLiesInsideAnotherRegionStays) {
 
 /// The first body has a void, which stays one, with a body in it, and one inside that; the last one overlaps the first.
 TEST(RepairedRegions, AVoidStaysEmptyAroundWhatLiesInIt) {
-  const std::vector<SurfaceMesh> solids{
-      box({0, 0, 0}, {8, 8, 8}), box({2, 2, 2}, {5, 5, 5}), box({3, 3, 3}, {4, 4, 4}),
-      box({7, 1, 1}, {9, 3, 3})};
+  const std::vector<SurfaceMesh> solids{box({0, 0, 0}, {8, 8, 8}), box({2, 2, 2}, {5, 5, 5}),
+                                        box({3, 3, 3}, {4, 4, 4}), box({7, 1, 1}, {9, 3, 3})};
   SurfaceMesh given = regionsOf(solids);
   SurfaceMesh around = box({1, 1, 1}, {6, 6, 6});
   turnInsideOut(around);
@@ -331,8 +330,8 @@ TEST(RepairedRegions, RandomBoxesGetTheCellsOfTheInnermost) {
                });
       };
       const auto owner = std::ranges::find_if(around, [&](std::size_t outer) {
-        return std::ranges::none_of(
-            around, [&](std::size_t inner) { return contains(outer, inner); });
+        return std::ranges::none_of(around,
+                                    [&](std::size_t inner) { return contains(outer, inner); });
       });
       if (owner == around.end()) continue;
       expected[*owner] += 1.0;

@@ -89,8 +89,8 @@ std::vector<std::uint32_t> CellRegions::regionsOf(std::uint32_t cell) const {
     if (winding > 0) regions.push_back(region);
   }
   const auto containsNone = [&](std::uint32_t outer) {
-    return std::ranges::none_of(
-        regions, [&](std::uint32_t inner) { return isWithin(inner, outer); });
+    return std::ranges::none_of(regions,
+                                [&](std::uint32_t inner) { return isWithin(inner, outer); });
   };
   const auto owner = std::ranges::find_if(regions, containsNone);
   if (owner != regions.end()) std::rotate(regions.begin(), owner, owner + 1);

@@ -387,7 +387,7 @@ class Enclosing {
       0.0;  ///< of the grid of coordinates: a power of two, or 0 if they are not rounded
   bool isHopeless_ = false;  ///< another attempt would fail alike
   bool areRegionsInconsistent_ = false;
-  std::size_t spent_ = 0;        ///< triangles and pairs of all rounds
+  std::size_t spent_ = 0;  ///< triangles and pairs of all rounds
   EnclosedSurface result_;
   std::vector<std::uint8_t> isInterface_;    ///< per triangle
   std::vector<std::uint8_t> isWeldable_;     ///< per node

@@ -293,8 +293,8 @@ class InsideFinder {
         sharing.push_back({region, regions.isWithin(all[0], region)});
       }
       sharedAt[s] = static_cast<std::uint32_t>(shared.size());
-      shared.push_back({all[0], std::move(sharing), shell.volume, 2.0 * shell.volume / shell.area,
-                        Vec3(0.0)});
+      shared.push_back(
+          {all[0], std::move(sharing), shell.volume, 2.0 * shell.volume / shell.area, Vec3(0.0)});
     }
     // The first part of each is the last one that is visited.
     for (std::uint32_t p = arrangement_.partCount(); p-- > 0;) {

@@ -40,10 +40,6 @@ export type EngineImprovement = ReturnType<Improvement["result"]>;
 export type EngineImproveOptions = Readonly<Parameters<Engine["improveMesh"]>[4]>;
 export type EnginePreview = ResultOf<"previewModel">;
 export type EngineLocation = ResultOf<"locateRegions">;
-export type EngineSurfaceProposal = ResultOf<"proposeSurfaceSizes">;
-export type EngineProposal = ResultOf<"propose">;
-export type EngineSizeSamples = ResultOf<"sampleSizes">;
-export type EngineGrid = ResultOf<"cover">;
 
 /** Options of the engine: 0 for a size that is not given, and enumerators by their numbers. */
 export type EngineOptions = Readonly<Parameters<Engine["meshModel"]>[2]>;
