@@ -34,6 +34,7 @@ MeshRun::~MeshRun() = default;
 
 MeshStatus MeshRun::advance(std::uint32_t budget) { return impl_->advance(budget); }
 void MeshRun::cancel() { impl_->cancel(); }
+void MeshRun::endBeforeFront() { impl_->endBeforeFront(); }
 MeshStatus MeshRun::status() const { return impl_->status(); }
 Progress MeshRun::progress() const { return impl_->progress(); }
 const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }

@@ -67,6 +67,8 @@ class MeshRun::Impl {
     end();
   }
 
+  void endBeforeFront() { endsBeforeFront_ = true; }
+
   [[nodiscard]] MeshStatus status() const { return status_; }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   [[nodiscard]] const SurfaceMesh& surface() const { return surface_; }
@@ -207,6 +209,7 @@ class MeshRun::Impl {
   std::unique_ptr<FrontMaker> frontMaker_ = std::make_unique<PlainFrontMaker>();
   MakeSweepObserver makeObserver_ = nullptr;
   bool records_ = false;
+  bool endsBeforeFront_ = false;
   StepRecorder recorder_;
   std::uint64_t frontFingerprint_ = 0;
   std::optional<RegionMesher> front_;        ///< while it fills

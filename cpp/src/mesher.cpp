@@ -102,6 +102,7 @@ Task<MeshStatus> MeshRun::Impl::run(Work& work) {
   }
   if (bodies_) summarizeBodies();
   if (!limitElements()) co_return MeshStatus::kInvalidInput;
+  if (endsBeforeFront_) co_return MeshStatus::kDone;
 
   begin(work, Phase::kVolume, kVolumeEnd);
   const MeshStatus filled = co_await fill(work);

@@ -45,6 +45,7 @@ const PUBLIC_HEADERS = {
   "region_location.h": "repair",
   "remesh.h": "remesh",
   "mesher.h": undefined,
+  "run_check.h": undefined,
   "trace.h": undefined,
 };
 

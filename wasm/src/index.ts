@@ -10,6 +10,7 @@ export { createMesher } from "./api/mesher.js";
 export type {
   Mesher,
   PatchSplit,
+  ProjectCheck,
   SizeProposal,
   SizeSamples,
   SurfaceSizeProposal,

@@ -12,7 +12,7 @@ import { settledProject, type DocumentStore } from "./document-store";
 export interface BodyCheckState {
   /** Key of the project that was checked last; null before the first check. */
   readonly key: string | null;
-  /** The errors that a run of this project would find before it makes tetrahedra, apart from bodies that touch. */
+  /** The errors that a run of this project would find before its front starts, apart from bodies that touch. */
   readonly errors: readonly Diagnostic[];
   /** Ids of the bodies in each group of bodies that touch or intersect, which “Generate mesh” joins. */
   readonly touching: readonly (readonly number[])[];
@@ -27,8 +27,7 @@ const maxTriangles = 300_000;
 
 /**
  * Finds what a run would refuse: bodies that intersect drawn patches or each other, or lie outside the background grid;
- * and bodies that would be joined.
- * Begins a run as soon as all bodies have up-to-date previews, and ends it when the front has made tetrahedra.
+ * and bodies that would be joined. Checks as soon as all bodies have up-to-date previews.
  */
 export class BodyCheck {
   readonly state: StoreApi<BodyCheckState> = createStore<BodyCheckState>(() => unchecked);
@@ -120,7 +119,7 @@ function leftOut(groups: readonly (readonly number[])[]): readonly ReadonlySet<n
   );
 }
 
-/** Returns the errors that a run of a project without some of its bodies finds before it makes tetrahedra. */
+/** Returns the errors that a run of a project without some of its bodies finds before its front starts. */
 async function errorsOf(
   mesher: Mesher,
   project: Project,
@@ -129,20 +128,9 @@ async function errorsOf(
   signal: AbortSignal,
 ): Promise<readonly Diagnostic[]> {
   const [input, options] = engineInput(others.size === 0 ? project : withoutBodies(project, others));
-  const stop = new AbortController();
-  const { report } = await mesher.meshProject(
-    input,
-    { ...options, preparedBodies: preparedBodies.filter(({ body }) => !others.has(body)) },
-    {
-      signal: AbortSignal.any([signal, stop.signal]),
-      onProgress: ({ tetrahedra }) => {
-        if (tetrahedra > 0) stop.abort();
-      },
-    },
-  );
-  signal.throwIfAborted();
-  if (report.status !== "invalid-input") return [];
-  return report.diagnostics.filter(({ severity }) => severity === "error").map(withoutTriangles);
+  const known = preparedBodies.filter(({ body }) => !others.has(body));
+  const { diagnostics } = await mesher.checkProject(input, { ...options, preparedBodies: known }, { signal });
+  return diagnostics.filter(({ severity }) => severity === "error").map(withoutTriangles);
 }
 
 /** Leaves out triangles and nodes of a surface that the page does not have. */

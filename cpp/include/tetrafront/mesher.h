@@ -58,6 +58,9 @@ class MeshRun {
   /// Ends the run immediately. The mesh made so far can still be read.
   void cancel();
 
+  /// Lets a run that has not begun end as soon as its front could start: with kDone, without elements.
+  void endBeforeFront();
+
   [[nodiscard]] MeshStatus status() const;
   [[nodiscard]] Progress progress() const;
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;

@@ -183,6 +183,11 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
     options: { growth: 0.3, background, preparedBodies: [prepared] },
     control,
   },
+  checkProject: {
+    project: { ...project, bodies: [body] },
+    options: { growth: 0.3, background, preparedBodies: [prepared] },
+    control,
+  },
   fillSurface: { surface: { ...box, givenRegions }, options: { growth: 0.3, background }, control },
   locateRegions: { surface: { ...surfaceFile, regionPoints }, control },
   proposeSurfaceSizes: { surface: box, options: { size: 1 }, control },

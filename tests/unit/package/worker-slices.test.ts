@@ -115,6 +115,7 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   remeshSurface: () => [...surfaceArrays, none, emptyGrid(), remeshing, noRegions],
   inspectMesh: () => [points, tetrahedra, none],
   improveMesh: () => [points, tetrahedra, none, none, engineImproveOptions({})],
+  checkRun: () => [model, noBodies, grid, options],
 };
 
 describe.each(Object.entries(queries))("%s", (call, given) => {

@@ -28,15 +28,13 @@ const prepared: PreparedBody = {
 it("a check that an edit has ended says nothing of the project, even if undo restores it", async () => {
   const ends: (() => void)[] = [];
   const mesher = {
-    meshProject: (_project: unknown, _options: unknown, { signal }: RunControl) =>
-      new Promise((resolve) => {
+    checkProject: (_project: unknown, _options: unknown, { signal }: RunControl) =>
+      new Promise((resolve, reject) => {
         const number = ends.length;
         ends.push(() => {
           const found = { severity: "error", code: "self-intersection", entities: [], number };
-          const report = signal?.aborted
-            ? { status: "cancelled", diagnostics: [] }
-            : { status: "invalid-input", diagnostics: [found] };
-          resolve({ report });
+          if (signal?.aborted) reject(new Error("cancelled"));
+          else resolve({ isFillable: false, expectedTetrahedra: null, diagnostics: [found] });
         });
       }),
   } as unknown as Mesher;

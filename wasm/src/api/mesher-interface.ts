@@ -1,4 +1,5 @@
 /** The mesher: the engine in a worker, as callers see it. */
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
 import type { Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import type {
@@ -72,6 +73,15 @@ export interface PatchSplit {
   readonly mesh: Mesh;
 }
 
+/** Result of `checkProject`. */
+export interface ProjectCheck {
+  /** Whether the front would start. */
+  readonly isFillable: boolean;
+  /** Expected number of tetrahedra, also of a model that is refused because they are too many; null if it is not known. */
+  readonly expectedTetrahedra: number | null;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
 /** One mesher: an engine in its own worker, in browsers and in Node. Runs are queued. */
 export interface Mesher {
   /**
@@ -80,6 +90,12 @@ export interface Mesher {
    * `MesherError` if memory runs out, the mesher is disposed of, or the engine fails.
    */
   meshProject(project: Project, options?: ProjectMeshOptions, control?: RunControl): Promise<MeshResult>;
+  /**
+   * Returns what `meshProject` with the same options would find before its front starts: all errors, and the number of
+   * tetrahedra that the sizes ask for. Rejects with `cancelled`, and otherwise as `meshProject` does. Works in slices beside a
+   * run.
+   */
+  checkProject(project: Project, options?: ProjectMeshOptions, control?: RunControl): Promise<ProjectCheck>;
   /**
    * Makes the surface of a body as `meshProject` with the same options will mesh it: placed, and remeshed, refined or kept.
    * Its sizes are its own `remeshing.size`, else those of the project, else automatic, as they are with a `maxSize`; sources

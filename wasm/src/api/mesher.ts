@@ -3,6 +3,8 @@ import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
 import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { describeAll } from "../diagnostics/describe.js";
 import { EngineClient, type RunRequest } from "../engine/engine-client.js";
 import type { EngineResult } from "../engine/protocol.js";
 import type { BodySurfaceArrays } from "../generated/constants.js";
@@ -64,6 +66,7 @@ import { sizesAtNodes } from "./node-sizes.js";
 import type {
   Mesher,
   PatchSplit,
+  ProjectCheck,
   SizeProposal,
   SizeSamples,
   SurfaceSizeProposal,
@@ -154,6 +157,48 @@ interface ElementsMade extends MeshResult {
 /** Loaded when a number of elements is asked for. */
 const ofElements = () => import("./counted-surface.js");
 
+/** Options of a run of a project, with the project's settings. */
+interface SettledRun {
+  readonly settled: MeshOptions;
+  /** Bodies whose triangles are known. */
+  readonly known: readonly PreparedBody[];
+  /** Wanted number of elements. */
+  readonly elements: number | undefined;
+  /** What is wrong with the project or the options; the rest holds without errors only. */
+  readonly errors: readonly Diagnostic[];
+}
+
+function settledRun(project: Project, options: ProjectMeshOptions): SettledRun {
+  const unusable = [...checkProject(project), ...checkProjectOptions(options)];
+  if (unusable.length > 0) return { settled: {}, known: [], elements: undefined, errors: unusable };
+  const { preparedBodies: all = [], ...own } = options;
+  const known = all.filter(({ sizeFactor }) => sizeFactor === undefined);
+  const settled = withSettings(own, project);
+  return { settled, known, elements: wantedElements(own, project), errors: checkOptions(settled) };
+}
+
+/** Returns what a run is given of a valid project, and the names of what its diagnostics are about. */
+function drawnRun(project: Project, { background }: MeshOptions) {
+  const { model, grid } = projectArrays(project);
+  const name = projectNamer(project);
+  return background === undefined
+    ? { model, grid, name }
+    : { model, grid: withNodes(grid, background), name: gridByIndex(name) };
+}
+
+const refused = (diagnostics: readonly Diagnostic[]): ProjectCheck => ({
+  isFillable: false,
+  expectedTetrahedra: null,
+  diagnostics,
+});
+
+const noBodySurfaces = (): BodySurfaceArrays => ({
+  points: new Float64Array(),
+  triangles: new Uint32Array(),
+  trianglePatch: new Uint32Array(),
+  patches: 0,
+});
+
 class WorkerMesher implements Mesher {
   readonly #client = new EngineClient();
   readonly #surfaces = new SurfaceTools(this.#client);
@@ -162,17 +207,47 @@ class WorkerMesher implements Mesher {
   async meshProject(project: Project, options: ProjectMeshOptions = {}, control: RunControl = {}) {
     const early = this.#endedEarly(control);
     if (early !== undefined) return early;
-    const unusable = [...checkProject(project), ...checkProjectOptions(options)];
-    if (unusable.length > 0) return emptyResult("invalid-input", unusable);
-    const { preparedBodies = [], ...own } = options;
-    const known = preparedBodies.filter(({ sizeFactor }) => sizeFactor === undefined);
-    const settled = withSettings(own, project);
-    const wrong = checkOptions(settled);
-    if (wrong.length > 0) return emptyResult("invalid-input", wrong);
-    const elements = wantedElements(own, project);
+    const { settled, known, elements, errors } = settledRun(project, options);
+    if (errors.length > 0) return emptyResult("invalid-input", errors);
     return elements === undefined
       ? this.#meshSettled(project, settled, known, control)
       : this.#meshToElements(project, settled, { elements, known }, control);
+  }
+
+  async checkProject(
+    project: Project,
+    options: ProjectMeshOptions = {},
+    control: RunControl = {},
+  ): Promise<ProjectCheck> {
+    beginCall(this.#client, control);
+    const { settled, known, errors } = settledRun(project, options);
+    if (errors.length > 0) return refused(errors);
+    if (!hasBodies(project)) return this.#checkRun(project, settled, undefined, control);
+    const drawn = await this.#errorsBefore(project, settled, control.signal);
+    if (drawn.length > 0) return refused(drawn);
+    const { bodies, diagnostics } = await preparedBodies(this.#surfaces, project, settled, known, control);
+    if (bodies.length < (project.bodies?.length ?? 0)) return refused(diagnostics);
+    return this.#checkRun(project, settled, joinedBodies(project, bodies), control);
+  }
+
+  async #checkRun(
+    project: Project,
+    options: MeshOptions,
+    bodies: BodySurfaceArrays | undefined,
+    control: RunControl,
+  ): Promise<ProjectCheck> {
+    const { model, grid, name } = drawnRun(project, options);
+    const given = [model, bodies ?? noBodySurfaces(), grid, engineOptions(options)] as const;
+    const { isFillable, expectedTetrahedra, trianglePatch, diagnostics } = await this.#client.ask(
+      "checkRun",
+      given,
+      control,
+    );
+    const named = bodies === undefined ? name : withPatchOfTriangle(name, trianglePatch);
+    const found = withoutBodyNotes(describeAll(diagnostics, named), project);
+    const tooMany = found.find(({ code }) => code === "too-many-elements");
+    const expected = tooMany?.code === "too-many-elements" ? tooMany.data.expected : expectedTetrahedra;
+    return { isFillable, expectedTetrahedra: expected > 0 ? expected : null, diagnostics: found };
   }
 
   /** Meshes a valid project with valid options, which include the project's settings. */
@@ -264,8 +339,13 @@ class WorkerMesher implements Mesher {
       const later = known.length < bodies.length ? afterBodies(control, seconds()) : control;
       const preparation = seconds();
       const result = await this.#meshModel(project, options, later, joinedBodies(project, bodies));
-      const described = withBodyDeviations(withoutBodyNotes(result, project), project, bodies);
-      return withPreparation(described, preparation, diagnostics);
+      const { report } = withBodyDeviations(result, project, bodies);
+      const own = withoutBodyNotes(report.diagnostics, project);
+      return withPreparation(
+        { ...result, report: { ...report, diagnostics: own } },
+        preparation,
+        diagnostics,
+      );
     } catch (failure) {
       if (failure instanceof MesherError && failure.code === "cancelled") {
         return emptyResult("cancelled", [], seconds());
@@ -282,21 +362,18 @@ class WorkerMesher implements Mesher {
   }
 
   #meshModel(project: Project, options: MeshOptions, control: RunControl, bodies?: BodySurfaceArrays) {
-    const { background } = options;
-    const drawn = projectArrays(project);
+    const { model, grid, name } = drawnRun(project, options);
     const request = {
       kind: "mesh-model",
       id: this.#client.nextId(),
       showFront: control.onFront !== undefined,
       showUnoptimized: control.onUnoptimized !== undefined,
       recordTrace: control.onTrace && { ...control.experiment },
-      model: drawn.model,
+      model,
       bodies,
-      grid: background === undefined ? drawn.grid : withNodes(drawn.grid, background),
+      grid,
       options: engineOptions(options),
     } as const;
-    const byName = projectNamer(project);
-    const name = background === undefined ? byName : gridByIndex(byName);
     return this.#run(request, control, { project }, ({ surface }) =>
       bodies === undefined ? name : withPatchOfTriangle(name, surface.trianglePatch),
     );

@@ -102,12 +102,11 @@ function deviationByPatch(made: PreparedBody | undefined, patches: number): Floa
 }
 
 /** Leaves out notes about the orientation of bodies, which their preparation has made. */
-export function withoutBodyNotes(result: MeshResult, { patches }: Project): MeshResult {
+export function withoutBodyNotes(found: readonly Diagnostic[], { patches }: Project): Diagnostic[] {
   const drawn = new Set(patches.map(({ id }) => id));
-  const diagnostics = result.report.diagnostics.filter(
+  return found.filter(
     ({ code, entities }) => code !== "reoriented-patch" || entities.some(({ id }) => drawn.has(id ?? 0)),
   );
-  return { ...result, report: { ...result.report, diagnostics } };
 }
 
 /** Adds the preparation of bodies to the result of a run: its time and its diagnostics. */

@@ -3,7 +3,12 @@
  * "trace", whose runs record the steps of the front, and the module "tools", for everything else. The only file that names
  * the compiled modules.
  */
-import createEngine, { type Improvement, type MainModule as Engine, type Run } from "./engine.js";
+import createEngine, {
+  type Improvement,
+  type MainModule as Engine,
+  type Run,
+  type RunCheck,
+} from "./engine.js";
 import type {
   BackgroundFromMesh,
   Cover,
@@ -56,6 +61,7 @@ export type EngineRun = Run &
 export type EngineTool =
   | Cover
   | Improvement
+  | RunCheck
   | Inspection
   | BackgroundFromMesh
   | Location
