@@ -16,8 +16,8 @@ namespace tetrafront {
 
 /// What a run would find before its front starts.
 struct RunCheck {
-  bool isFillable = false;               ///< the front would start
-  std::uint32_t expectedTetrahedra = 0;  ///< that the sizes ask for; 0 unless fillable
+  bool isFillable = false;                   ///< the front would start
+  std::uint32_t expectedTetrahedra = 0;      ///< that the sizes ask for; 0 unless fillable
   std::vector<std::uint32_t> trianglePatch;  ///< of the boundary, to which diagnostics refer
   std::vector<Diagnostic> diagnostics;
 };

@@ -3,8 +3,6 @@ import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
 import { type EntityNamer, gridByIndex } from "../diagnostics/entity-names.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
-import type { Diagnostic } from "../diagnostics/diagnostic.js";
-import { describeAll } from "../diagnostics/describe.js";
 import { EngineClient, type RunRequest } from "../engine/engine-client.js";
 import type { EngineResult } from "../engine/protocol.js";
 import type { BodySurfaceArrays } from "../generated/constants.js";
@@ -21,7 +19,7 @@ import { inSteps } from "../calls/yielder.js";
 import { resolutionWarnings } from "../mesh/resolution-warnings.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
-import { modelWithBodyBoxes, projectArrays } from "../project/arrays.js";
+import { modelWithBodyBoxes } from "../project/arrays.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import {
   backgroundFrom,
@@ -71,6 +69,7 @@ import type {
   SizeSamples,
   SurfaceSizeProposal,
 } from "./mesher-interface.js";
+import { checkedRun, drawnRun, refused, settledRun } from "./project-run.js";
 import { type RegionLocation, locateRegions } from "./region-location.js";
 import {
   ballOf,
@@ -105,13 +104,11 @@ import {
   checkImproveOptions,
   checkOptions,
   checkPreviewOptions,
-  checkProjectOptions,
   checkProposalOptions,
   engineCoverOptions,
   engineOptions,
   engineProposalOptions,
   engineImproveOptions,
-  wantedElements,
   withSettings,
 } from "./options.js";
 import {
@@ -157,48 +154,6 @@ interface ElementsMade extends MeshResult {
 /** Loaded when a number of elements is asked for. */
 const ofElements = () => import("./counted-surface.js");
 
-/** Options of a run of a project, with the project's settings. */
-interface SettledRun {
-  readonly settled: MeshOptions;
-  /** Bodies whose triangles are known. */
-  readonly known: readonly PreparedBody[];
-  /** Wanted number of elements. */
-  readonly elements: number | undefined;
-  /** What is wrong with the project or the options; the rest holds without errors only. */
-  readonly errors: readonly Diagnostic[];
-}
-
-function settledRun(project: Project, options: ProjectMeshOptions): SettledRun {
-  const unusable = [...checkProject(project), ...checkProjectOptions(options)];
-  if (unusable.length > 0) return { settled: {}, known: [], elements: undefined, errors: unusable };
-  const { preparedBodies: all = [], ...own } = options;
-  const known = all.filter(({ sizeFactor }) => sizeFactor === undefined);
-  const settled = withSettings(own, project);
-  return { settled, known, elements: wantedElements(own, project), errors: checkOptions(settled) };
-}
-
-/** Returns what a run is given of a valid project, and the names of what its diagnostics are about. */
-function drawnRun(project: Project, { background }: MeshOptions) {
-  const { model, grid } = projectArrays(project);
-  const name = projectNamer(project);
-  return background === undefined
-    ? { model, grid, name }
-    : { model, grid: withNodes(grid, background), name: gridByIndex(name) };
-}
-
-const refused = (diagnostics: readonly Diagnostic[]): ProjectCheck => ({
-  isFillable: false,
-  expectedTetrahedra: null,
-  diagnostics,
-});
-
-const noBodySurfaces = (): BodySurfaceArrays => ({
-  points: new Float64Array(),
-  triangles: new Uint32Array(),
-  trianglePatch: new Uint32Array(),
-  patches: 0,
-});
-
 class WorkerMesher implements Mesher {
   readonly #client = new EngineClient();
   readonly #surfaces = new SurfaceTools(this.#client);
@@ -222,32 +177,16 @@ class WorkerMesher implements Mesher {
     beginCall(this.#client, control);
     const { settled, known, errors } = settledRun(project, options);
     if (errors.length > 0) return refused(errors);
-    if (!hasBodies(project)) return this.#checkRun(project, settled, undefined, control);
+    if (!hasBodies(project)) return checkedRun(this.#client, { project, options: settled }, control);
     const drawn = await this.#errorsBefore(project, settled, control.signal);
     if (drawn.length > 0) return refused(drawn);
     const { bodies, diagnostics } = await preparedBodies(this.#surfaces, project, settled, known, control);
     if (bodies.length < (project.bodies?.length ?? 0)) return refused(diagnostics);
-    return this.#checkRun(project, settled, joinedBodies(project, bodies), control);
-  }
-
-  async #checkRun(
-    project: Project,
-    options: MeshOptions,
-    bodies: BodySurfaceArrays | undefined,
-    control: RunControl,
-  ): Promise<ProjectCheck> {
-    const { model, grid, name } = drawnRun(project, options);
-    const given = [model, bodies ?? noBodySurfaces(), grid, engineOptions(options)] as const;
-    const { isFillable, expectedTetrahedra, trianglePatch, diagnostics } = await this.#client.ask(
-      "checkRun",
-      given,
+    return checkedRun(
+      this.#client,
+      { project, options: settled, bodies: joinedBodies(project, bodies) },
       control,
     );
-    const named = bodies === undefined ? name : withPatchOfTriangle(name, trianglePatch);
-    const found = withoutBodyNotes(describeAll(diagnostics, named), project);
-    const tooMany = found.find(({ code }) => code === "too-many-elements");
-    const expected = tooMany?.code === "too-many-elements" ? tooMany.data.expected : expectedTetrahedra;
-    return { isFillable, expectedTetrahedra: expected > 0 ? expected : null, diagnostics: found };
   }
 
   /** Meshes a valid project with valid options, which include the project's settings. */
