@@ -1,5 +1,6 @@
 /** What one front is compared by with another. */
-import { REFUSALS, type Trace } from "tetrafront/trace";
+import type { Trace } from "tetrafront/trace";
+import { refusals } from "../player/refusals";
 import type { Position } from "../../document/position";
 import { cross, dot, subtract } from "../../document/vectors";
 import { faceSize } from "../player/front-values";
@@ -22,7 +23,7 @@ export interface RunMeasures {
 /** Dihedral angle in degrees below which an element counts as flat. */
 export const flatAngle = 5;
 
-const crosses = REFUSALS.indexOf("crosses");
+const crosses = refusals.indexOf("crosses");
 
 /** O(steps + elements). */
 export function runMeasures(trace: Trace): RunMeasures {

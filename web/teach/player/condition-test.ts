@@ -1,5 +1,6 @@
 /** Tests conditions on the steps of a trace, without decoding the steps. */
-import { REFUSALS, type PlanarFront, type SurfaceTrace, type Trace } from "tetrafront/trace";
+import type { PlanarFront, SurfaceTrace, Trace } from "tetrafront/trace";
+import { refusals } from "./refusals";
 import type { Position } from "../../document/position";
 import { distance } from "../../document/vectors";
 import type { Condition } from "./condition";
@@ -97,8 +98,8 @@ function volumeStep(trace: Trace, step: number): TestedStep {
     },
     refuses: (reason) => {
       const verdicts = tried(steps.candidateVerdicts);
-      if (reason === null) return verdicts.some((verdict) => verdict < REFUSALS.length);
-      const verdict = REFUSALS.findIndex((refusal) => refusal === reason);
+      if (reason === null) return verdicts.some((verdict) => verdict < refusals.length);
+      const verdict = refusals.findIndex((refusal) => refusal === reason);
       return verdict >= 0 && verdicts.includes(verdict);
     },
   };

@@ -1,5 +1,6 @@
 /** Conditions on steps, written as text, such as `size < 0.02 and refused: crosses`: where playing pauses, and jumps lead. */
-import { EDGE_REFUSALS, type EdgeRefusal } from "tetrafront/trace";
+import type { EdgeRefusal } from "tetrafront/trace";
+import { edgeRefusals } from "./refusals";
 
 /** What a condition can name by its number: as the app shows it, so that patches and lines count from 1. */
 const things = ["face", "edge", "node", "element", "patch", "line"] as const;
@@ -105,7 +106,7 @@ class Parser {
   }
 
   #reason(): EdgeRefusal | undefined {
-    return EDGE_REFUSALS.find((reason) => this.#takes(reason) || this.#takesAll(reason.replace("-", " ")));
+    return edgeRefusals.find((reason) => this.#takes(reason) || this.#takesAll(reason.replace("-", " ")));
   }
 
   #number(expected: "index" | "number"): number {

@@ -1,10 +1,11 @@
-import { REFUSALS, type EdgeRefusal, type Refusal, type SurfaceTrace, type Trace } from "tetrafront/trace";
+import type { EdgeRefusal, Refusal, SurfaceTrace, Trace } from "tetrafront/trace";
+import { refusals } from "./refusals";
 import type { Condition } from "./condition";
 import { holds } from "./condition-test";
 import { firstState, surfaceState } from "./phases";
 
 /** Steps at which playing can pause, and to which one can jump. */
-export const stopKinds = ["postponed", ...REFUSALS, "recovery", "new-node", "line", "patch"] as const;
+export const stopKinds = ["postponed", ...refusals, "recovery", "new-node", "line", "patch"] as const;
 export type StopKind = (typeof stopKinds)[number];
 
 /** `TraceSteps.outcomes` of a step whose face was postponed; those of recovery are larger. */
@@ -75,14 +76,14 @@ function isVolumeStepOfKind({ steps }: Trace, step: number, kind: StopKind): boo
 function firstRefused(steps: Trace["steps"], step: number, reason: Refusal): number | null {
   const begin = steps.firstCandidates[step] ?? 0;
   const verdicts = steps.candidateVerdicts.subarray(begin, steps.firstCandidates[step + 1]);
-  const rank = verdicts.indexOf(REFUSALS.indexOf(reason));
+  const rank = verdicts.indexOf(refusals.indexOf(reason));
   return rank < 0 ? null : rank;
 }
 
 /** Returns the rank of the candidate because of which a step is of a kind; null if it is so as a whole. */
 export function refusedIn(trace: Trace, step: number, stop: Stop): number | null {
   const sought = typeof stop === "string" ? stop : reasonIn(stop);
-  const reason = REFUSALS.find((refusal) => refusal === sought);
+  const reason = refusals.find((refusal) => refusal === sought);
   if (!reason) return null;
   const state = surfaceState(trace, step);
   if (state === null) return firstRefused(trace.steps, step, reason);
@@ -100,9 +101,9 @@ function reasonIn(condition: Condition): EdgeRefusal | null {
 /** Returns the kinds of steps that a trace has, in the order of `stopKinds`. O(steps + candidates), without decoding a step. */
 export function stopKindsOf(trace: Trace): readonly StopKind[] {
   const { refused, postponed, changes, patches } = trace.summary();
-  const refusals = REFUSALS.map((kind) => [kind, refused[kind] + (patches?.refused[kind] ?? 0)] as const);
+  const ofRefusals = refusals.map((kind) => [kind, refused[kind] + (patches?.refused[kind] ?? 0)] as const);
   const counts = new Map<StopKind, number>([
-    ...refusals,
+    ...ofRefusals,
     ["postponed", postponed + (patches?.postponed ?? 0)],
     ["recovery", Object.values(changes).reduce((sum, count) => sum + count, 0)],
   ]);

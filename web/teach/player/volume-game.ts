@@ -1,5 +1,6 @@
 /** "Be the mesher" in the volume: the reader chooses the fourth node of the next element, and the choice is judged. */
-import { REFUSALS, type AdvanceStep, type Refusal, type Trace, type TracedCandidate } from "tetrafront/trace";
+import type { AdvanceStep, Refusal, Trace, TracedCandidate } from "tetrafront/trace";
+import { refusals } from "./refusals";
 import { distance } from "../../document/vectors";
 import { crossedFaces, isBehind, newElement, nodesOf, positionOf, touching } from "./judge";
 import { bestPoints, maxChoices, possiblePoints, type GameLevel } from "./mesher-game";
@@ -46,7 +47,7 @@ export function nextVolumeQuestion(
   for (let at = Math.max(0, state) + 1; at >= 1 && at <= trace.stepCount; at += direction) {
     if (outcomes[at] !== 0) continue;
     const verdicts = candidateVerdicts.subarray(firstCandidates[at], firstCandidates[at + 1]);
-    const hasRefused = verdicts.some((verdict) => verdict < REFUSALS.length);
+    const hasRefused = verdicts.some((verdict) => verdict < refusals.length);
     if ((level === "easy" && hasRefused) || (level === "hard" && !hasRefused)) continue;
     const step = trace.stepAt(at);
     if (step?.kind === "advance" && !step.isRemeshing) return questionOf(trace, step, level);
