@@ -44,6 +44,7 @@ type Call = (signal: AbortSignal) => Promise<unknown>;
 /** The methods by name, without runs. */
 const methods: Readonly<Record<string, Call>> = {
   previewProject: (signal) => mesher.previewProject(project, {}, { signal }),
+  checkProject: (signal) => mesher.checkProject(project, {}, { signal }),
   coverProject: (signal) => mesher.coverProject(project, {}, { signal }),
   proposeSizes: (signal) => mesher.proposeSizes(project, {}, { signal }),
   sampleSizes: (signal) => mesher.sampleSizes(project, new Float64Array(3), {}, { signal }),
