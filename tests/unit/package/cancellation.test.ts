@@ -103,6 +103,7 @@ test("no argument is accessed if the signal was aborted before the call", async 
   const aborted = { signal: AbortSignal.abort() };
   const calls: Readonly<Record<string, Promise<unknown>>> = {
     previewProject: mesher.previewProject(untouched, untouched, aborted),
+    checkProject: mesher.checkProject(untouched, untouched, aborted),
     coverProject: mesher.coverProject(untouched, untouched, aborted),
     proposeSizes: mesher.proposeSizes(untouched, untouched, aborted),
     sampleSizes: mesher.sampleSizes(untouched, untouched, untouched, aborted),
