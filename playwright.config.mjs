@@ -5,7 +5,7 @@ import { findChromium } from "./scripts/lib/tools.mjs";
 
 const port = Number(process.env.TETRAFRONT_E2E_PORT ?? 4179);
 
-/** Measured when the run begins; the processes of the tests are told. */
+/** How slow the machine is, measured once when the run begins. The test processes inherit it. */
 const slow = Number(process.env.TETRAFRONT_SLOWNESS ?? slowness());
 process.env.TETRAFRONT_SLOWNESS = String(slow);
 

@@ -280,7 +280,7 @@ TEST(RepairedRegions, ALowerRegionInsideAnotherStays) {
 }
 
 /// Boxes on a coarse grid, with common planes and edges, inside one another, and equal ones: the cells of the grid say which
-/// region each volume belongs to. It is the lowest box around it of those that contain no other one around it.
+/// region each volume belongs to: of the boxes around it that contain no other such box, the lowest one.
 TEST(RepairedRegions, RandomBoxesGetTheCellsOfTheInnermost) {
   constexpr int kCells = 4;
   Random random(11);

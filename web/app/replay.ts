@@ -12,7 +12,7 @@ export interface ReplayState {
   readonly data: Readonly<Record<string, string>>;
 }
 
-/** What a link to a project says of a replay, as it stands in the link. */
+/** The part of a link that describes a replay, unchecked. */
 export type LinkedReplay = Readonly<Record<string, unknown>>;
 
 /** What can be played in the view in place of the model. The app knows no more of what teaches (web/teach). */

@@ -126,7 +126,7 @@ function entityItems(app: App): PaletteItem[] {
 
 /** Entries of another part of the page. */
 export interface PaletteSource {
-  /** Returns the entries, some of which a query may ask for by a number: "step 100". */
+  /** Returns the entries. A query may hold a number, as in "step 100". */
   readonly itemsOf: (app: App, query: string) => readonly PaletteItem[];
   /** Loads what the entries need, when the palette is opened. */
   readonly load: () => Promise<void>;

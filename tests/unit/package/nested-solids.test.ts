@@ -85,7 +85,7 @@ describe("solids", () => {
     ["touch", boxSurface(2, [1, 0, 0], [2, 1, 1]), 'shared faces: "a" and "b"'],
     ["overlap", boxSurface(2, [0.5, 0, 0], [1.5, 1, 1]), "that touch or overlap do not fit together"],
     ["are equal", boxSurface(2), "that touch or overlap do not fit together"],
-  ] as const)("that %s are told as such", async (_, b, note) => {
+  ] as const)("that %s are named so in a note", async (_, b, note) => {
     expect((await meshed({ a: boxSurface(2), b })).notes).toContain(note);
   });
 

@@ -29,7 +29,7 @@ test("thicker bodies, and those whose sizes or layers are chosen, have no note",
   }
 });
 
-test("it is told before the body is filled, which takes long", async () => {
+test("the note comes before the body is filled, which takes long", async () => {
   const told: string[] = [];
   const { mesh, volume } = plate(0.1);
   const diagnostics = withoutPause(thinBodyNotes({ mesh, volume }, {}));

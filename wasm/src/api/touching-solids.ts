@@ -171,7 +171,7 @@ export function innerSolid(
   { regions, position }: TouchingPair,
 ): Diagnostic {
   const [inner, outer] = regions.map((region) => namesOf(given, [region]));
-  const message = `The solid ${inner} lies inside ${outer}: both are regions, and ${outer} is what is left around it`;
+  const message = `The solid ${inner} lies inside ${outer}. Both are regions; ${outer} is the rest around it`;
   return {
     ...packageDiagnostic("touching-solids", message, "", "information"),
     ...(position && { position }),

@@ -11,7 +11,7 @@ const loadPlane = () => import("./player/plane-view");
 const Lens = lazy(async () => ({ default: (await loadPanels()).Lens }));
 const FrontPanel = lazy(async () => ({ default: (await loadPanels()).FrontPanel }));
 const PlaneView = lazy(async () => ({ default: (await loadPlane()).PlaneView }));
-/** With the libraries that render their text: loaded when the tab is opened. */
+/** Loaded when the tab is opened, because it needs the libraries that render text. */
 const LessonsPanel = lazy(async () => ({
   default: (await import("./lessons/lessons-panel")).LessonsPanel,
 }));
