@@ -39,6 +39,21 @@ test("presenter mode has larger type and a laser pointer that takes no clicks", 
   expect(await heightOf(page)).toBe(before);
 });
 
+test("on a phone, the button that ends presenter mode covers nothing of the view", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("Presenter mode");
+  await page.keyboard.press("Enter");
+  const end = page.getByTestId("presenter-end");
+  await expect(end).toBeInViewport({ ratio: 1 });
+  const view = await boxOf(page.getByTestId("viewport-canvas"));
+  expect((await boxOf(end)).y).toBeGreaterThanOrEqual(view.y + view.height);
+  await end.click();
+  await expect(page.getByTestId("presenter")).toHaveCount(0);
+});
+
 test("presenter mode enlarges the labels of the view, and knows the keys of a clicker", async ({ page }) => {
   await openLesson(page, 4);
   const labels = page.getByTestId("lens-labels").locator("span");

@@ -20,6 +20,7 @@ import { canCompare, comparedRepair, proposedRepair } from "./body-repairs";
 import { BodySurfaces } from "./body-surfaces";
 import type { DocumentStore } from "./document-store";
 import { failureText } from "./failure-text";
+import { LatestTask, LatestTasks } from "./latest-task";
 import { untilState } from "./until-state";
 
 /** What is known of a body of the document. */
@@ -118,15 +119,16 @@ export class BodyFeed {
   readonly #mesher: Promise<Mesher>;
   readonly #client = new SurfaceClient();
   readonly #surfaces = new BodySurfaces(this.#client);
-  readonly #aborts = new Map<number, AbortController>();
-  /** Keys of the contents whose previews are being made, by body. */
+  /** Previews that are being made, by body. */
+  readonly #previews = new LatestTasks<number>();
+  /** Keys of their contents. */
   readonly #making = new Map<number, string>();
-  /** Aborts proposals and comparisons of repairs that are being made, by body. */
-  readonly #comparisons = new Map<number, AbortController>();
+  /** Proposals and comparisons of repairs that are being made, by body. */
+  readonly #repairs = new LatestTasks<number>();
   /** Ids of bodies whose preview is made as soon as they are inspected. */
   readonly #awaited = new Set<number>();
-  /** Aborts the proposal of a split that is being made. */
-  #splitting = new AbortController();
+  /** The proposal of a split that is being made. */
+  readonly #splitting = new LatestTask();
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#documents = documents;
@@ -147,34 +149,24 @@ export class BodyFeed {
     const { project } = this.#documents;
     const body = bodiesOf(project).find((other) => other.id === id);
     if (!body) return;
-    this.cancel(id);
-    const abort = new AbortController();
-    this.#aborts.set(id, abort);
-    this.#making.set(id, preparedKey(project, body));
+    const key = preparedKey(project, body);
+    this.#making.set(id, key);
     this.#set(id, { preparing: 0, ...noFailure });
+    const make = async (signal: AbortSignal): Promise<Preparation> =>
+      this.preparations.find(project, body) ??
+      this.preparations.make(project, body, signal, (preparing) => {
+        if (!signal.aborted) this.#set(id, { preparing });
+      });
+    const end = (change: Partial<BodyState>): void => {
+      this.#making.delete(id);
+      this.#set(id, { preparing: null, ...change });
+    };
     try {
-      const known = this.preparations.find(project, body);
-      const preparation =
-        known ??
-        (await this.preparations.make(project, body, abort.signal, (fraction) => {
-          if (this.#aborts.get(id) === abort) this.#set(id, { preparing: fraction });
-        }));
-      if (this.#aborts.get(id) === abort) this.#set(id, { preparation });
+      await this.#previews.of(id).run(make, (preparation) => end({ preparation }));
     } catch (error) {
-      if (!abort.signal.aborted) {
-        const isRefused = error instanceof MesherError && error.code === "invalid-input";
-        this.#set(id, {
-          preparationFailure: failureText(error),
-          preparationErrors: isRefused ? error.data.diagnostics : noErrors,
-          failedKey: preparedKey(project, body),
-        });
-      }
-    } finally {
-      if (this.#aborts.get(id) === abort) {
-        this.#aborts.delete(id);
-        this.#making.delete(id);
-        this.#set(id, { preparing: null });
-      }
+      const isRefused = error instanceof MesherError && error.code === "invalid-input";
+      const preparationErrors = isRefused ? error.data.diagnostics : noErrors;
+      end({ preparationFailure: failureText(error), preparationErrors, failedKey: key });
     }
   }
 
@@ -241,8 +233,7 @@ export class BodyFeed {
 
   /** Aborts the preview of a body. */
   cancel(id: number): void {
-    this.#aborts.get(id)?.abort();
-    this.#aborts.delete(id);
+    this.#previews.of(id).cancel();
     this.#making.delete(id);
     this.#set(id, { preparing: null });
   }
@@ -275,70 +266,71 @@ export class BodyFeed {
   /** Finds out what a repair would change, and whether problems would remain. */
   async proposeRepair(body: ProjectBody, wishes: RepairWishes = defaultRepair): Promise<void> {
     this.cancelComparison(body.id);
-    const abort = new AbortController();
-    this.#comparisons.set(body.id, abort);
     try {
-      const loaded = await this.#surfaces.load(body);
-      const repair = await proposedRepair(await this.#mesher, body, loaded, wishes, abort);
-      this.#setFor(body, { repair });
-      const isSmall = repair.after.triangles <= maxUnaskedTriangles;
-      if (isSmall && canCompare(body, repair)) await this.compareRepairs(body);
+      const propose = async (signal: AbortSignal): Promise<RepairProposal> => {
+        const loaded = await this.#surfaces.load(body);
+        return proposedRepair(await this.#mesher, body, loaded, wishes, { signal });
+      };
+      let proposed: RepairProposal | null = null;
+      await this.#repairs.of(body.id).run(propose, (repair) => {
+        proposed = repair;
+        this.#setFor(body, { repair });
+      });
+      await this.#compareIfSmall(body, proposed);
     } catch (error) {
-      if (!abort.signal.aborted) this.#setFor(body, { failure: failureText(error) });
+      this.#setFor(body, { failure: failureText(error) });
     }
+  }
+
+  async #compareIfSmall(body: ProjectBody, repair: RepairProposal | null): Promise<void> {
+    const isSmall = repair !== null && repair.after.triangles <= maxUnaskedTriangles;
+    if (isSmall && canCompare(body, repair)) await this.compareRepairs(body);
   }
 
   /** Tries the exact repair beside the proposed one, and proposes the better one. */
   async compareRepairs(body: ProjectBody): Promise<void> {
     const repair = this.state.getState().byId.get(body.id)?.repair;
     if (!repair || !canCompare(body, repair)) return;
-    this.cancelComparison(body.id);
-    const abort = new AbortController();
-    this.#comparisons.set(body.id, abort);
-    const isPresent = () => this.#comparisons.get(body.id) === abort;
-    try {
-      this.#setFor(body, { comparing: 0 });
-      const loaded = await this.#surfaces.load(body);
-      const compared = await comparedRepair(await this.#mesher, body, loaded, repair, {
-        signal: abort.signal,
-        onProgress: (fraction) => isPresent() && this.#setFor(body, { comparing: fraction }),
+    this.#setFor(body, { comparing: 0 });
+    const compare = async (signal: AbortSignal): Promise<RepairProposal> =>
+      comparedRepair(await this.#mesher, body, await this.#surfaces.load(body), repair, {
+        signal,
+        onProgress: (comparing) => !signal.aborted && this.#setFor(body, { comparing }),
       });
-      if (isPresent()) this.#setFor(body, { repair: compared });
+    try {
+      await this.#repairs
+        .of(body.id)
+        .run(compare, (compared) => this.#setFor(body, { repair: compared, comparing: null }));
     } catch (error) {
       // The proposed repair stays: the body can still be repaired without a comparison.
-      if (!abort.signal.aborted) this.#setFor(body, { failure: failureText(error) });
-    } finally {
-      if (isPresent()) this.#setFor(body, { comparing: null });
+      this.#setFor(body, { failure: failureText(error), comparing: null });
     }
   }
 
   /** Ends the comparison of two repairs of a body; the proposed one stays. */
   cancelComparison(id: number): void {
-    this.#comparisons.get(id)?.abort();
-    this.#comparisons.delete(id);
+    this.#repairs.of(id).cancel();
     if (this.state.getState().byId.get(id)?.comparing != null) this.#set(id, { comparing: null });
   }
 
   /** Shows which patches a split along edges with a larger angle would make, of one patch or of all. */
   async proposeSplit(body: ProjectBody, angle: number, patch: number | null): Promise<void> {
-    const { signal } = this.#newSplitting();
-    try {
+    const split = async (signal: AbortSignal): Promise<BodySplit> => {
       const { surface } = await this.#surfaces.load(body);
       const mesher = await this.#mesher;
       const patches = patch === null ? undefined : [body.patches.findIndex(({ id }) => id === patch)];
       const given = { ...surface, patches: bodyPatchGroups(body) };
-      const { mesh: split } = await mesher.splitPatches(given, { angle, patches }, { signal });
-      const after = await this.#split(body, split, true);
+      const { mesh } = await mesher.splitPatches(given, { angle, patches }, { signal });
+      return { patch, split: mesh, after: await this.#split(body, mesh, true) };
+    };
+    await this.#splitting.run(split, (proposed) => {
       const present = this.state.getState().byId.get(body.id)?.body;
-      if (signal.aborted || present?.patches !== body.patches) return;
-      this.#setFor(body, { split: { patch, split, after } });
-    } catch (error) {
-      if (!signal.aborted) throw error;
-    }
+      if (present?.patches === body.patches) this.#setFor(body, { split: proposed });
+    });
   }
 
   dropSplit(id: number): void {
-    this.#newSplitting();
+    this.#splitting.cancel();
     this.#set(id, { split: null });
   }
 
@@ -347,20 +339,13 @@ export class BodyFeed {
     return this.#client.split(body, split, firstPatchId, isPreview);
   }
 
-  #newSplitting(): AbortController {
-    this.#splitting.abort();
-    return (this.#splitting = new AbortController());
-  }
-
-  /** Aborts all that is made for the bodies of a document that is left: those of another one may have the same ids. */
+  /** Ends all that is made for the bodies of a document that is left: those of another one may have the same ids. */
   #forget(): void {
-    for (const aborts of [this.#aborts, this.#comparisons]) {
-      for (const abort of aborts.values()) abort.abort();
-      aborts.clear();
-    }
+    this.#previews.cancelBut(new Set());
+    this.#repairs.cancelBut(new Set());
     this.#making.clear();
     this.#awaited.clear();
-    this.#splitting.abort();
+    this.#splitting.cancel();
     this.state.setState({ byId: new Map() });
   }
 
@@ -369,8 +354,7 @@ export class BodyFeed {
     const { byId } = this.state.getState();
     if (bodies.length === 0 && byId.size === 0) return;
     const next = new Map(bodies.map((body) => [body.id, this.#followed(project, body, byId.get(body.id))]));
-    for (const id of this.#aborts.keys()) if (!next.has(id)) this.#aborts.get(id)?.abort();
-    for (const id of this.#comparisons.keys()) if (!next.has(id)) this.#comparisons.get(id)?.abort();
+    for (const tasks of [this.#previews, this.#repairs]) tasks.cancelBut(next);
     this.state.setState({ byId: next });
     for (const { body, loaded, inspection, failure } of next.values()) {
       if (failure === null && (!loaded || !inspection)) void this.#inspect(body);
@@ -379,7 +363,7 @@ export class BodyFeed {
 
   #followed(project: Project, body: ProjectBody, before: BodyState | undefined): BodyState {
     const isSame = before !== undefined && hasSameSurface(before.body, body);
-    if (!isSame) this.#comparisons.get(body.id)?.abort();
+    if (!isSame) this.#repairs.of(body.id).cancel();
     const known = isSame ? { ...before, body } : unknownBody(body);
     const isFailed = known.failedKey !== null && known.failedKey === preparedKey(project, body);
     const state = known.failedKey === null || isFailed ? known : { ...known, ...noFailure };

@@ -7,7 +7,9 @@ import { bodiesOf, recordsOf } from "../document/entities";
 import { withoutBodies } from "../document/painted-sizes";
 import { strings } from "../strings";
 import { fillableBodies, type BodyFeed } from "./bodies";
+import { derived, sameItems, type Readable } from "./derived";
 import { settledProject, type DocumentStore } from "./document-store";
+import { LatestTask } from "./latest-task";
 
 export interface BodyCheckState {
   /** Key of the project that was checked last; null before the first check. */
@@ -18,12 +20,19 @@ export interface BodyCheckState {
   readonly touching: readonly (readonly number[])[];
 }
 
-type Found = Omit<BodyCheckState, "key">;
-
 const unchecked: BodyCheckState = { key: null, errors: [], touching: [] };
 
 /** Largest number of triangles of all bodies that are checked unasked. */
 const maxTriangles = 300_000;
+
+/** What to check. */
+interface Question {
+  readonly project: Project;
+  /** Key of the project, and of the names that its errors have. */
+  readonly key: string;
+  readonly names: string;
+  readonly preparedBodies: readonly PreparedBody[];
+}
 
 /**
  * Finds what a run would refuse: bodies that intersect drawn patches or each other, or lie outside the background grid;
@@ -33,75 +42,77 @@ export class BodyCheck {
   readonly state: StoreApi<BodyCheckState> = createStore<BodyCheckState>(() => unchecked);
   readonly #mesher: Promise<Mesher>;
   readonly #bodies: BodyFeed;
-  /** The check that is being made. */
-  #active: { readonly key: string; readonly names: string; readonly abort: AbortController } | null = null;
+  readonly #task = new LatestTask();
   /** Key of the names in the errors. */
   #names = "";
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>, bodies: BodyFeed) {
     this.#mesher = mesher;
     this.#bodies = bodies;
-    const update = (): void => this.#update(settledProject(documents.state.getState()));
     documents.onLeave(() => {
-      this.#stop();
+      this.#task.cancel();
       this.state.setState(unchecked);
     });
-    documents.onSettled(update);
-    bodies.state.subscribe(({ byId }, before) => {
-      for (const [id, { preparation }] of byId) {
-        if (before.byId.get(id)?.preparation !== preparation) return update();
-      }
-    });
+    questionOf(documents, bodies).subscribe((question) => this.#check(question));
   }
 
-  #update(project: Project): void {
-    if (!canFail(project)) return this.#stop();
-    const key = meshKey(project);
-    const names = namesKey(project);
-    if (key === this.#active?.key && names === this.#active.names) return;
-    const { key: checked, errors } = this.state.getState();
-    const isChecked = key === checked && (errors.length === 0 || names === this.#names);
-    this.#stop();
-    if (isChecked) return;
-    const preparedBodies = this.#bodies.preparations.allOf(project);
-    const triangles = preparedBodies.reduce((sum, body) => sum + body.triangles.length / 3, 0);
-    if (preparedBodies.length < bodiesOf(project).length || triangles > maxTriangles) return;
-    const abort = new AbortController();
-    this.#active = { key, names, abort };
-    this.#found(project, preparedBodies, abort)
-      .then((found) => {
-        if (this.#active?.abort !== abort) return;
-        this.#names = names;
-        this.state.setState({ key, ...found });
-      })
+  #check(question: Question | null): void {
+    this.#task.cancel();
+    if (!question || this.#isAnswered(question)) return;
+    const { key, names } = question;
+    this.#task
+      .run(
+        (signal) => this.#found(question, signal),
+        (found) => {
+          this.#names = names;
+          this.state.setState({ key, ...found });
+        },
+      )
       // A run will report what has failed.
-      .catch(() => undefined)
-      .finally(() => {
-        if (this.#active?.abort === abort) this.#active = null;
-      });
+      .catch(() => undefined);
   }
 
-  #stop(): void {
-    this.#active?.abort.abort();
-    this.#active = null;
+  #isAnswered({ key, names }: Question): boolean {
+    const { key: checked, errors } = this.state.getState();
+    return key === checked && (errors.length === 0 || names === this.#names);
   }
 
   async #found(
-    project: Project,
-    preparedBodies: readonly PreparedBody[],
-    abort: AbortController,
-  ): Promise<Found> {
+    { project, preparedBodies }: Question,
+    signal: AbortSignal,
+  ): Promise<Omit<BodyCheckState, "key">> {
     const mesher = await this.#mesher;
     const given = fillableBodies(this.#bodies.state.getState().byId.values());
-    const groups = await this.#bodies.pairs.touching(mesher, given, abort.signal);
+    const groups = await this.#bodies.pairs.touching(mesher, given, signal);
     const touching = groups.map((group) => group.map(({ body }) => body.id));
     const errors: Diagnostic[] = [];
     for (const others of leftOut(touching)) {
-      const found = await errorsOf(mesher, project, preparedBodies, others, abort.signal);
+      const found = await errorsOf(mesher, project, preparedBodies, others, signal);
       errors.push(...found);
     }
     return { errors, touching };
   }
+}
+
+/** What to check of the present project; null if nothing can fail, or the triangles of some bodies are not known. */
+function questionOf(documents: DocumentStore, bodies: BodyFeed): Readable<Question | null> {
+  const settled = derived((read) => settledProject(read(documents.state)));
+  const prepared = derived((read, before: readonly unknown[] | undefined) =>
+    sameItems(
+      [...read(bodies.state).byId.values()].map(({ preparation }) => preparation),
+      before,
+    ),
+  );
+  return derived((read, before: Question | null | undefined) => {
+    const project = read(settled);
+    read(prepared);
+    if (!canFail(project)) return null;
+    const preparedBodies = bodies.preparations.allOf(project);
+    const triangles = preparedBodies.reduce((sum, body) => sum + body.triangles.length / 3, 0);
+    if (preparedBodies.length < bodiesOf(project).length || triangles > maxTriangles) return null;
+    const [key, names] = [meshKey(project), namesKey(project)];
+    return before?.key === key && before.names === names ? before : { project, key, names, preparedBodies };
+  });
 }
 
 /**

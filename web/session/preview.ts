@@ -3,6 +3,7 @@ import type { Project, ProjectPreview } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
 import type { DocumentStore } from "./document-store";
+import { pause } from "./latest-task";
 import { changedPart, withPart } from "./part-preview";
 import { failureText } from "./failure-text";
 
@@ -105,7 +106,7 @@ export class PreviewFeed {
       this.#abort = abort;
       const isAborted = (): boolean => abort.signal.aborted;
       const next = this.#next;
-      if (next === null) await this.#rest(abort.signal);
+      if (next === null) await pause(restMs, abort.signal);
       const project = next ?? this.#unchecked;
       if (isAborted() || project === null) continue;
       this.#next = null;
@@ -145,16 +146,5 @@ export class PreviewFeed {
     left.throwIfAborted();
     this.state.setState({ preview: withPart(preview, samples, part), project, failure: null });
     return true;
-  }
-
-  /** Resolves after a while without a newer project, or as soon as there is one. */
-  #rest(signal: AbortSignal): Promise<void> {
-    return new Promise((resolve) => {
-      const timer = setTimeout(resolve, restMs);
-      signal.addEventListener("abort", () => {
-        clearTimeout(timer);
-        resolve();
-      });
-    });
   }
 }

@@ -1,11 +1,6 @@
 import type { Project } from "tetrafront/project";
-import { createStore, type StoreApi } from "zustand/vanilla";
-import type { BodyFeed } from "./bodies";
-import type { BodyCheck } from "./body-check";
-import type { PreviewFeed } from "./preview";
-import type { MeshRun } from "./run";
 import { meshKey, shownMeshKey } from "../document/content-keys";
-import { type DocumentStore } from "./document-store";
+import type { DocumentContent } from "../document/edit";
 import { bodiesOf, isEmptyProject, recordsOf } from "../document/entities";
 import {
   bodyProblems,
@@ -16,6 +11,12 @@ import {
   touchingProblem,
   type Problem,
 } from "../document/validate";
+import type { BodyFeed, BodyState } from "./bodies";
+import type { BodyCheck, BodyCheckState } from "./body-check";
+import { derived, type Readable } from "./derived";
+import type { DocumentStore } from "./document-store";
+import type { PreviewFeed, PreviewState } from "./preview";
+import type { MeshRun, RunState } from "./run";
 
 export interface ProblemState {
   readonly problems: readonly Problem[];
@@ -24,71 +25,82 @@ export interface ProblemState {
   readonly areBodiesChecked: boolean;
 }
 
+/** What finds problems. */
+interface Finders {
+  readonly documents: DocumentStore;
+  readonly previews: Pick<PreviewFeed, "state">;
+  readonly bodies: Pick<BodyFeed, "state">;
+  readonly check: Pick<BodyCheck, "state">;
+  readonly run: Pick<MeshRun, "state">;
+}
+
+/** What is known of a body that can be a problem. */
+type KnownBody = Pick<BodyState, "inspection" | "preparationErrors">;
+
 /** The problems of the current project, found by the check and by the last run. */
 export class ProblemList {
-  readonly state: StoreApi<ProblemState> = createStore<ProblemState>(() => ({
-    problems: [],
-    byEntity: new Map(),
-    areBodiesChecked: false,
-  }));
+  readonly state: Readable<ProblemState>;
 
-  constructor(
-    documents: DocumentStore,
-    previews: PreviewFeed,
-    bodies: Pick<BodyFeed, "state">,
-    check: Pick<BodyCheck, "state">,
-    run: MeshRun,
-  ) {
-    const update = (): void => {
-      // Also during a gesture: its problems are shown as soon as they are known.
-      const content = documents.state.getState().history.present;
-      const { project } = content;
-      const { preview, checked } = previews.state.getState();
-      const { outcome } = run.state.getState();
+  constructor({ documents, previews, bodies, check, run }: Finders) {
+    // Also during a gesture: its problems are shown as soon as they are known.
+    const content = derived((read) => read(documents.state).history.present);
+    const outcome = derived((read) => read(run.state).outcome);
+    const known = derived<ReadonlyMap<number, KnownBody>>((read, before) => {
+      const { byId } = read(bodies.state);
+      return before && hasSameFindings(byId, before) ? before : byId;
+    });
+    this.state = derived<ProblemState>((read, before) => {
+      const { project } = read(content);
+      const { checked, failure } = read(previews.state);
       // Keep the old problems while the check of an edit runs, so that the list does not flicker.
-      const current = checked === project;
-      if (!current && checked !== null && previews.busy) return;
-      const areBodiesChecked = check.state.getState().key === meshKey(project);
-      const isPresent = outcome !== null && [meshKey(project), shownMeshKey(content)].includes(outcome.key);
-      const ofDrawn = toProblems(project, [
-        // An empty project lacks everything; only a run reports that. Bodies need no patches beside them.
-        ...(current && !isEmptyProject(project) && !hasBodiesOnly(project)
-          ? (preview?.diagnostics ?? [])
-          : []),
-        ...(areBodiesChecked ? check.state.getState().errors : []),
-        ...bodiesOf(project).flatMap(
-          ({ id }) => bodies.state.getState().byId.get(id)?.preparationErrors ?? [],
-        ),
-        // A run finds more than the checks do.
-        ...(isPresent ? outcome.result.report.diagnostics : []),
-      ]);
-      const { byId } = bodies.state.getState();
-      const touching = (areBodiesChecked ? check.state.getState().touching : []).map((ids) =>
-        touchingProblem(bodiesOf(project).filter(({ id }) => ids.includes(id))),
-      );
-      const ofBodies = bodiesOf(project).flatMap((body) => {
-        const inspection = byId.get(body.id)?.inspection;
-        return inspection ? bodyProblems(body, inspection) : [];
-      });
-      const overlaps = isPresent ? outcome.warnings.map(overlapProblem) : [];
-      const others = [...overlaps, ...touching, ...ofBodies];
-      const problems = others.length > 0 ? sorted([...ofDrawn, ...others]) : ofDrawn;
-      this.state.setState({ problems, byEntity: problemsByEntity(problems), areBodiesChecked });
-    };
-    documents.onSettled(update);
-    previews.state.subscribe(update);
-    bodies.state.subscribe(({ byId }, before) => {
-      for (const [id, { inspection, preparationErrors }] of byId) {
-        const last = before.byId.get(id);
-        if (last?.inspection !== inspection || last.preparationErrors !== preparationErrors) return update();
-      }
+      const isAwaited = checked !== null && checked !== project && failure?.project !== project;
+      if (before && isAwaited) return before;
+      const found = { content: read(content), previews: read(previews.state), check: read(check.state) };
+      return problemsOf({ ...found, bodies: read(known), outcome: read(outcome) });
     });
-    check.state.subscribe(update);
-    run.state.subscribe((state, before) => {
-      if (state.outcome !== before.outcome) update();
-    });
-    update();
   }
+}
+
+const hasSameFindings = (a: ReadonlyMap<number, KnownBody>, b: ReadonlyMap<number, KnownBody>): boolean =>
+  a.size === b.size &&
+  [...a].every(([id, { inspection, preparationErrors }]) => {
+    const other = b.get(id);
+    return other?.inspection === inspection && other.preparationErrors === preparationErrors;
+  });
+
+interface Found {
+  readonly content: DocumentContent;
+  readonly previews: PreviewState;
+  readonly bodies: ReadonlyMap<number, KnownBody>;
+  readonly check: BodyCheckState;
+  readonly outcome: RunState["outcome"];
+}
+
+function problemsOf({ content, previews, bodies, check, outcome }: Found): ProblemState {
+  const { project } = content;
+  const areBodiesChecked = check.key === meshKey(project);
+  const present =
+    outcome !== null && [meshKey(project), shownMeshKey(content)].includes(outcome.key) ? outcome : null;
+  // An empty project lacks everything; only a run reports that. Bodies need no patches beside them.
+  const isDrawn = !isEmptyProject(project) && !hasBodiesOnly(project);
+  const ofPreview = previews.checked === project && isDrawn ? previews.preview?.diagnostics : undefined;
+  const ofDrawn = toProblems(project, [
+    ...(ofPreview ?? []),
+    ...(areBodiesChecked ? check.errors : []),
+    ...bodiesOf(project).flatMap(({ id }) => bodies.get(id)?.preparationErrors ?? []),
+    // A run finds more than the checks do.
+    ...(present?.result.report.diagnostics ?? []),
+  ]);
+  const touching = (areBodiesChecked ? check.touching : []).map((ids) =>
+    touchingProblem(bodiesOf(project).filter(({ id }) => ids.includes(id))),
+  );
+  const ofBodies = bodiesOf(project).flatMap((body) => {
+    const inspection = bodies.get(body.id)?.inspection;
+    return inspection ? bodyProblems(body, inspection) : [];
+  });
+  const others = [...(present?.warnings ?? []).map(overlapProblem), ...touching, ...ofBodies];
+  const problems = others.length > 0 ? sorted([...ofDrawn, ...others]) : ofDrawn;
+  return { problems, byEntity: problemsByEntity(problems), areBodiesChecked };
 }
 
 /** Returns whether nothing is drawn beside the bodies. */

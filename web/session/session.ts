@@ -57,7 +57,7 @@ export class Session {
     });
     this.previews = new PreviewFeed(this.documents, previewMesher);
     const check = new BodyCheck(this.documents, previewMesher, this.bodies);
-    this.problems = new ProblemList(this.documents, this.previews, this.bodies, check, this.run);
+    this.problems = new ProblemList({ ...this, check });
     this.sizes = new SizeFeed(this, previewMesher);
     this.library = library;
     this.autosave = library && new Autosave(this.documents, library.storage);

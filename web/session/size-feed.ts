@@ -1,5 +1,5 @@
 import type { Mesher, PreparedBody } from "tetrafront";
-import type { Project, ProjectBody } from "tetrafront/project";
+import type { Project, ProjectBody, ProjectPreview } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, isEmptyProject } from "../document/entities";
@@ -8,7 +8,9 @@ import type { SizePlane, ViewStore } from "../document/selection";
 import { sizeSurface, type SizeSurface } from "../document/size-positions";
 import { defaultName } from "../strings";
 import type { BodyFeed } from "./bodies";
+import { derived, type Readable } from "./derived";
 import type { DocumentStore } from "./document-store";
+import { LatestTask, pause } from "./latest-task";
 import type { PreviewFeed } from "./preview";
 import { isStale, type MeshRun } from "./run";
 
@@ -43,10 +45,14 @@ const nothing: SizeState = { expected: null, without: [], shown: null };
 /** What an answer belongs to. */
 interface Question {
   readonly project: Project;
+  readonly preview: ProjectPreview;
   readonly plane: SizePlane | null;
   readonly enabled: boolean;
   readonly bodies: readonly PreparedBody[];
 }
+
+/** A question, nothing to ask, or a preview that comes before the next question. */
+type Wish = Question | "nothing" | "preview";
 
 interface Stores {
   readonly documents: DocumentStore;
@@ -64,129 +70,59 @@ export class SizeFeed {
   readonly state: StoreApi<SizeState> = createStore<SizeState>(() => nothing);
   readonly #stores: Stores;
   readonly #mesher: Promise<Mesher>;
-  #timer: ReturnType<typeof setTimeout> | undefined;
-  #abort: AbortController | null = null;
-  #asked: Question | null = null;
+  readonly #task = new LatestTask();
 
   constructor(stores: Stores, mesher: Promise<Mesher>) {
     this.#stores = stores;
     this.#mesher = mesher;
     stores.documents.onLeave(() => {
-      this.#forget();
+      this.#task.cancel();
       this.state.setState(nothing);
     });
-    stores.documents.onProject(() => this.#postpone());
-    stores.previews.state.subscribe(() => this.#changed());
-    stores.bodies.state.subscribe(() => this.#changed());
-    stores.run.state.subscribe((state, before) => {
-      if (state.busy !== before.busy || state.mesh !== before.mesh) this.#changed();
-    });
-    stores.view.state.subscribe((state, before) => {
-      if (state.sizes !== before.sizes) this.#changed();
-    });
+    wishOf(stores).subscribe((wish) => this.#follow(wish));
   }
 
-  #changed(): void {
-    if (!this.#isPreviewed()) {
-      this.#forget();
-      return;
-    }
-    const question = this.#question();
-    if (question && this.#asked && sameQuestion(question, this.#asked)) return;
-    this.#asked = question;
-    this.#abort?.abort();
-    if (!question) {
-      this.#stopWaiting();
-      this.state.setState(nothing);
-    } else {
-      if (!question.enabled) this.state.setState({ shown: null });
-      this.#wait(question);
-    }
-  }
-
-  /** Asks when nothing has changed for a while. */
-  #wait(question: Question): void {
-    this.#stopWaiting();
-    this.#timer = setTimeout(() => {
-      this.#timer = undefined;
-      void this.#ask(question);
-    }, restMs);
-  }
-
-  #stopWaiting(): void {
-    clearTimeout(this.#timer);
-    this.#timer = undefined;
-  }
-
-  /** The document has changed: its preview comes first, and then calls `#changed()`. It may have come already. */
-  #postpone(): void {
-    if (this.#asked?.project !== this.#stores.documents.project) this.#forget();
-  }
-
-  /** Drops the last question, whose answer would come too late. The sizes that are shown stay. */
-  #forget(): void {
-    this.#stopWaiting();
-    this.#abort?.abort();
-    this.#asked = null;
-    const { enabled } = this.#stores.view.state.getState().sizes;
-    if (!enabled && this.state.getState().shown) this.state.setState({ shown: null });
-  }
-
-  /** Whether there is a preview of the present project, or will be none. */
-  #isPreviewed(): boolean {
-    const { documents, previews } = this.#stores;
-    const { project, failure } = previews.state.getState();
-    return project === documents.project || failure?.project === documents.project;
-  }
-
-  #question(): Question | null {
-    const { documents, previews, bodies: feed, run, view } = this.#stores;
-    const { project } = previews.state.getState();
-    const { enabled, plane } = view.state.getState().sizes;
-    if (!project || isEmptyProject(project)) return null;
-    const { busy, mesh } = run.state.getState();
-    const isKnown = busy || (mesh !== null && !isStale(run.state.getState(), documents.state.getState()));
-    if (isKnown && !enabled) return null;
-    const bodies = feed.preparations.allOf(project);
-    return { project, enabled, plane: enabled ? plane : null, bodies };
-  }
-
-  async #ask(question: Question): Promise<void> {
-    const { preview } = this.#stores.previews.state.getState();
-    if (!preview) return;
-    const abort = new AbortController();
-    this.#abort = abort;
-    const isAborted = (): boolean => abort.signal.aborted;
-    const { project, enabled, plane, bodies } = question;
-    try {
-      const surface = enabled ? await sizeSurface(project, preview, bodies, plane, abort.signal) : null;
-      if (isAborted()) return;
-      const [drawn, options] = engineInput(project);
-      const mesher = await this.#mesher;
-      const positions = surface?.points ?? new Float64Array();
-      const given = { ...options, preparedBodies: bodies };
-      const { sizes, tetrahedra } = await mesher.sampleSizes(drawn, positions, given, {
-        signal: abort.signal,
-      });
-      if (isAborted()) return;
-      const missing = unpreparedBodies(project, bodies);
-      const rest =
-        tetrahedra === null && missing.length > 0
-          ? withoutBodies(project, new Set(missing.map(({ id }) => id)))
-          : null;
-      const counted =
-        rest && !isEmptyProject(rest) ? await this.#count(rest, bodies, abort.signal) : tetrahedra;
-      if (isAborted()) return;
-      const hasSizes = surface !== null && sizes.length > 0;
-      this.state.setState({
-        expected: counted,
-        without: counted === null ? [] : missing.map(nameOfBody),
-        shown: hasSizes ? { ...surface, sizes, range: rangeOf(sizes) } : null,
-      });
-    } catch {
+  #follow(wish: Wish): void {
+    this.#task.cancel();
+    if (wish === "nothing") return this.state.setState(nothing);
+    const isEnabled = wish === "preview" ? this.#stores.view.state.getState().sizes.enabled : wish.enabled;
+    if (!isEnabled && this.state.getState().shown) this.state.setState({ shown: null });
+    if (wish === "preview") return;
+    this.#task
+      .run(
+        async (signal) => {
+          await pause(restMs, signal);
+          signal.throwIfAborted();
+          return this.#answer(wish, signal);
+        },
+        (answer) => this.state.setState(answer),
+      )
       // A drawing that is not finished has no sizes; its problems say why.
-      if (!isAborted()) this.state.setState(nothing);
-    }
+      .catch(() => this.state.setState(nothing));
+  }
+
+  async #answer(question: Question, signal: AbortSignal): Promise<SizeState> {
+    const { project, preview, plane, enabled, bodies } = question;
+    const surface = enabled ? await sizeSurface(project, preview, bodies, plane, signal) : null;
+    signal.throwIfAborted();
+    const [drawn, options] = engineInput(project);
+    const mesher = await this.#mesher;
+    const positions = surface?.points ?? new Float64Array();
+    const given = { ...options, preparedBodies: bodies };
+    const { sizes, tetrahedra } = await mesher.sampleSizes(drawn, positions, given, { signal });
+    signal.throwIfAborted();
+    const missing = unpreparedBodies(project, bodies);
+    const rest =
+      tetrahedra === null && missing.length > 0
+        ? withoutBodies(project, new Set(missing.map(({ id }) => id)))
+        : null;
+    const counted = rest && !isEmptyProject(rest) ? await this.#count(rest, bodies, signal) : tetrahedra;
+    const hasSizes = surface !== null && sizes.length > 0;
+    return {
+      expected: counted,
+      without: counted === null ? [] : missing.map(nameOfBody),
+      shown: hasSizes ? { ...surface, sizes, range: rangeOf(sizes) } : null,
+    };
   }
 
   /** Returns the expected number of tetrahedra of a project whose bodies are all prepared; null if it has none. */
@@ -209,6 +145,26 @@ function unpreparedBodies(project: Project, prepared: readonly PreparedBody[]): 
 }
 
 const nameOfBody = ({ id, name }: ProjectBody): string => name ?? defaultName("body", id);
+
+/** What to ask for the present project. */
+function wishOf({ documents, previews, bodies: feed, run, view }: Stores): Readable<Wish> {
+  const present = derived((read) => read(documents.state).history.present.project);
+  const shownSizes = derived((read) => read(view.state).sizes);
+  const isMeshKnown = derived((read) => {
+    const state = read(run.state);
+    return state.busy || (state.mesh !== null && !isStale(state, read(documents.state)));
+  });
+  return derived((read, before: Wish | undefined): Wish => {
+    const { project, preview, failure } = read(previews.state);
+    if (project !== read(present) && failure?.project !== read(present)) return "preview";
+    const { enabled, plane } = read(shownSizes);
+    if (!project || !preview || isEmptyProject(project) || (read(isMeshKnown) && !enabled)) return "nothing";
+    read(feed.state);
+    const bodies = feed.preparations.allOf(project);
+    const question = { project, preview, enabled, plane: enabled ? plane : null, bodies };
+    return typeof before === "object" && sameQuestion(question, before) ? before : question;
+  });
+}
 
 function sameQuestion(a: Question, b: Question): boolean {
   const sameBodies = a.bodies.length === b.bodies.length && a.bodies.every((body, i) => body === b.bodies[i]);

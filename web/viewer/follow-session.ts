@@ -3,10 +3,11 @@ import { groupTints } from "../document/groups";
 import type { ViewStore } from "../document/selection";
 import { defectsOf } from "../document/validate";
 import type { BodyFeed } from "../session/bodies";
-import type { DocumentStore } from "../session/document-store";
+import { derived, type Read, type Readable } from "../session/derived";
+import { settledProject, type DocumentState, type DocumentStore } from "../session/document-store";
 import type { PreviewFeed } from "../session/preview";
 import type { ProblemList } from "../session/problems";
-import { isOfOtherBodies, isStale, type MeshRun } from "../session/run";
+import { isOfOtherBodies, isStale, type MeshRun, type RunState } from "../session/run";
 import type { SizeFeed } from "../session/size-feed";
 import type { SampledProject, ShownState } from "./scene-state";
 import { shownBodies } from "./shown-bodies";
@@ -23,70 +24,74 @@ export interface SessionStores {
   readonly sizes: SizeFeed;
 }
 
+/** What the viewer shows of the stores, in parts that change together. */
+const partsOf = (stores: SessionStores) =>
+  ({
+    project: derived((read) => projectState(stores, read)),
+    preview: derived((read) => previewState(stores, read)),
+    run: derived((read) => runState(stores, read)),
+    problems: problemsOf(stores),
+    sizes: derived((read) => ({ shownSizes: read(stores.sizes.state).shown })),
+  }) as const;
+
 /** Returns the state of the stores as the viewer shows it. */
 export function shownState(stores: SessionStores): ShownState {
+  const { project, preview, run, problems, sizes } = partsOf(stores);
   return {
     ...stores.view.state.getState(),
-    ...projectState(stores),
-    ...previewState(stores),
-    ...runState(stores),
-    ...problemState(stores),
-    ...sizeState(stores),
+    ...project.getState(),
+    ...preview.getState(),
+    ...run.getState(),
+    ...problems.getState(),
+    ...sizes.getState(),
     isReplaying: false,
   };
 }
 
 /** Shows every change of the stores. Returns a function that ends this. */
 export function followSession(stores: SessionStores, viewer: Viewer): () => void {
-  const stops = [
-    stores.documents.state.subscribe(() => viewer.show(projectState(stores))),
-    stores.bodies.state.subscribe(() => viewer.show(projectState(stores))),
-    stores.previews.state.subscribe(() => viewer.show(previewState(stores))),
-    stores.run.state.subscribe(() => viewer.show(runState(stores))),
-    stores.problems.state.subscribe(() => viewer.show(problemState(stores))),
-    stores.view.state.subscribe((state) => viewer.show(state)),
-    stores.sizes.state.subscribe(() => viewer.show(sizeState(stores))),
+  const parts: readonly Readable<Partial<ShownState>>[] = [
+    stores.view.state,
+    ...Object.values(partsOf(stores)),
   ];
+  const stops = parts.map((part) => part.subscribe((state) => viewer.show(state)));
   return () => stops.forEach((stop) => stop());
 }
 
-function projectState({ documents, bodies, run }: SessionStores) {
-  const { project } = documents;
+function projectState({ documents, bodies, run }: SessionStores, read: Read) {
+  const { project } = read(documents.state).history.present;
+  read(bodies.state);
   return {
     project,
     bodies: shownBodies(project, bodies),
     tints: groupTints(project),
-    ...agreementOf(run, documents),
+    ...agreementOf(read(run.state), read(documents.state)),
   };
 }
 
 /** How the mesh agrees with the project. */
-function agreementOf(run: MeshRun, documents: DocumentStore) {
-  const [state, document] = [run.state.getState(), documents.state.getState()];
-  return { isMeshStale: isStale(state, document), isMeshOfOthers: isOfOtherBodies(state, document) };
-}
+const agreementOf = (run: RunState, document: DocumentState) => ({
+  isMeshStale: isStale(run, document),
+  isMeshOfOthers: isOfOtherBodies(run, document),
+});
 
-function previewState({ previews }: SessionStores): { readonly preview: SampledProject | null } {
-  const { preview, project } = previews.state.getState();
+function previewState({ previews }: SessionStores, read: Read): { readonly preview: SampledProject | null } {
+  const { preview, project } = read(previews.state);
   return { preview: preview && project && { samples: preview, project } };
 }
 
-function runState({ documents, run }: SessionStores) {
-  const state = run.state.getState();
-  return {
-    mesh: state.mesh,
-    ...agreementOf(run, documents),
-    checkedSurface: state.outcome?.result.mesh ?? null,
-    front: state.front,
-    unoptimized: state.unoptimized,
-  };
+function runState({ documents, run }: SessionStores, read: Read) {
+  const state = read(run.state);
+  const { mesh, outcome, front, unoptimized } = state;
+  const agreement = agreementOf(state, read(documents.state));
+  return { mesh, ...agreement, checkedSurface: outcome?.result.mesh ?? null, front, unoptimized };
 }
 
-function problemState({ problems, run, documents }: SessionStores) {
-  const isMeshed = run.state.getState().outcome?.key === meshKey(documents.project);
-  return { defects: defectsOf(problems.state.getState().problems, isMeshed) };
-}
-
-function sizeState({ sizes }: SessionStores) {
-  return { shownSizes: sizes.state.getState().shown };
+/** Problems of the last mesh are shown otherwise than those of a drawing that is not finished. */
+function problemsOf({ problems, run, documents }: SessionStores) {
+  const isMeshed = derived((read) => {
+    const { outcome } = read(run.state);
+    return outcome?.key === meshKey(settledProject(read(documents.state)));
+  });
+  return derived((read) => ({ defects: defectsOf(read(problems.state).problems, read(isMeshed)) }));
 }

@@ -125,13 +125,13 @@ describe("bodies that touch", () => {
       state: { getState: () => ({ preview: null, checked: null }), subscribe: () => () => undefined },
     };
     const run = { state: { getState: () => ({ outcome: null }), subscribe: () => () => undefined } };
-    const problems = new ProblemList(
+    const problems = new ProblemList({
       documents,
-      none as unknown as PreviewFeed,
+      previews: none as unknown as PreviewFeed,
       bodies,
       check,
-      run as unknown as MeshRun,
-    );
+      run: run as unknown as MeshRun,
+    });
     return { documents, check, problems };
   };
 

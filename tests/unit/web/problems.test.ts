@@ -20,7 +20,7 @@ it("an empty project has no problems until it is meshed or something is drawn", 
   const run = new MeshRun(documents, Promise.resolve(mesher));
   const bodies = new BodyFeed(documents, Promise.resolve(mesher));
   const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
-  const problems = new ProblemList(documents, previews, bodies, check, run);
+  const problems = new ProblemList({ documents, previews, bodies, check, run });
   const count = (): number => problems.state.getState().problems.length;
   await vi.waitFor(() => expect(previews.state.getState().preview?.diagnostics.length).toBeGreaterThan(0));
   expect(count()).toBe(0);

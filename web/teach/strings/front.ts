@@ -17,7 +17,7 @@ export const frontStrings = {
     play: "step animation run pause",
     start: "step first begin rewind",
     end: "step last finish",
-    lessons: "learn course tutorial teach students compare orders experiments help",
+    lessons: "learn course tutorial teach students orders experiments help",
   },
   needsFront: "Record the front first (Mesh ▸ Record the front).",
   group: "Front",
