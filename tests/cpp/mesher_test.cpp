@@ -275,6 +275,26 @@ TEST(MeshRun, KeepsThePartialMeshWheneverItIsCancelled) {
   }
 }
 
+/// The sides of a prism are in one plane up to rounding, so four of their corners may enclose a positive volume. With these
+/// diagonals, no three elements fill it.
+TEST(MeshRun, LeavesNoFlatElementOnAFacePlaneUpToRounding) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SurfaceMesh prism = testing::schoenhardtPrism(0.0);
+    for (std::size_t i = 2; i < prism.points.size(); i += 3)
+      prism.points[i] *= 0.5 + 0.1 * static_cast<double>(seed % 10);
+    testing::rotateRandomly(prism, seed);
+    for (const Optimization level : {Optimization::kFast, Optimization::kDefault}) {
+      MeshOptions options;
+      options.optimization = level;
+      MeshRun run(prism.points, prism.triangles, options);
+      while (run.advance(1000) == MeshStatus::kRunning) {
+      }
+      ASSERT_EQ(run.status(), MeshStatus::kDone) << seed;
+      EXPECT_GT(run.quality().minDihedral, 8.0) << seed;
+    }
+  }
+}
+
 TEST(MeshRun, GradesInwardsFromASurfaceFarCoarserThanTheTargetSize) {
   const SurfaceMesh surface = testing::gridBox(Vec3(0.0), Vec3(3.0, 3.0, 2.0), {3, 3, 2});
   for (const double size : {0.5, 0.2, 0.05}) {

@@ -38,25 +38,29 @@ export function isOfWidget({ key, target }: Pick<KeyboardEvent, "key" | "target"
 /** Widgets that take the keys of menus: letters search their items, Enter opens them. */
 const menus = '[role="menu"], [role="menubar"]';
 
+/** Fields in which one chooses from a list. Enter opens the list. */
+const choices = "input[readonly]";
+
 /**
  * Returns whether a key is a hotkey whatever control has the focus: with Ctrl outside fields, dialogs and trees (where Ctrl A
- * selects what is beside the focus), and single letters on the names of closed menus.
+ * selects what is beside the focus), Ctrl Enter also in fields with a list, and single letters on the names of closed menus.
  */
 export function takesChord(
   event: Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "altKey" | "target">,
 ): boolean {
   const { key, target } = event;
   if (target === null || !isElement(target)) return false;
-  if (target.closest(fields) || target.closest('[role="dialog"]')) return false;
   const isChord = event.ctrlKey || event.metaKey;
+  if (target.closest('[role="dialog"]')) return false;
+  if (target.closest(fields)) return isChord && key === "Enter" && target.closest(choices) !== null;
   if (isChord) return key === "Enter" || !target.closest('[role="tree"]');
   const isLetter = key.length === 1 && key !== " " && !event.altKey;
   return isLetter && target.closest('[role="menubar"]:not(:has([aria-expanded="true"]))') !== null;
 }
 
-/** Closes the menus around a target, as a press elsewhere does. */
+/** Closes the menus or the list around a target, as a press elsewhere does. */
 export function closeMenus(target: EventTarget | null): void {
-  if (target === null || !isElement(target) || !target.closest(menus)) return;
+  if (target === null || !isElement(target) || !target.closest(`${menus}, ${choices}`)) return;
   document.body.dispatchEvent(new MouseEvent("mousedown", { bubbles: true }));
 }
 

@@ -6,7 +6,8 @@ import { placed, placedBox } from "../document/placement";
 import type { Position } from "../document/position";
 import type { ViewState } from "../document/selection";
 import type { BodyFeed, BodyState } from "../session/bodies";
-import type { LoadedSurface } from "../workers/surface-files";
+import { sameItems } from "../session/derived";
+import type { LoadedSurface, NewBody } from "../workers/surface-files";
 
 /** A body as the view shows it. */
 export interface ShownBody {
@@ -17,8 +18,8 @@ export interface ShownBody {
   readonly given: LoadedSurface | null;
   /** The triangles of an up-to-date preview, at their position; null without one. */
   readonly preview: DrawnSurface | null;
-  /** The given triangles with the patches that a proposed split would make; null without a proposal. */
-  readonly split: { readonly drawn: DrawnSurface; readonly patches: readonly ProjectBodyPatch[] } | null;
+  /** The body after a proposed split of its patches; null without a proposal. */
+  readonly split: NewBody | null;
 }
 
 /** Triangles to draw, and how. */
@@ -31,33 +32,32 @@ export interface DrawnTriangles {
   readonly values: "deviation" | PatchMeaning;
 }
 
-interface Known {
-  readonly bodies: Project["bodies"];
-  readonly shown: readonly ShownBody[];
-}
-
 const noBodies: readonly ShownBody[] = [];
-/** The last result for each state of the feed: equal results must be the same object. */
-const known = new WeakMap<object, Known>();
+/** The last result for each feed: what has not changed must be the same object, because it is not drawn again. */
+const known = new WeakMap<BodyFeed, readonly ShownBody[]>();
 
 /** Returns the bodies of a project. */
 export function shownBodies(project: Project, feed: BodyFeed): readonly ShownBody[] {
   const bodies = bodiesOf(project);
   if (bodies.length === 0) return noBodies;
   const { byId } = feed.state.getState();
-  const last = known.get(byId);
-  if (last?.bodies === project.bodies && last) return last.shown;
-  const shown = bodies.map(({ id, patches, placement }): ShownBody => {
+  const before = known.get(feed) ?? noBodies;
+  const shown = bodies.map(({ id, patches, placement }, index): ShownBody => {
     const state = byId.get(id);
     const given = state?.loaded ?? null;
     const preview = state ? currentPreview(project, feed, state) : null;
-    const after = state?.split?.after;
-    const split = after ? { drawn: after.loaded.drawn, patches: after.body.patches } : null;
-    return { id, patches, placement, given, preview, split };
+    const split = state?.split?.after ?? null;
+    const body = { id, patches, placement, given, preview, split };
+    const last = before[index];
+    return last && isSame(body, last) ? last : body;
   });
-  known.set(byId, { bodies: project.bodies, shown });
-  return shown;
+  const same = sameItems(shown, before);
+  known.set(feed, same);
+  return same;
 }
+
+const isSame = (a: ShownBody, b: ShownBody): boolean =>
+  (Object.keys(a) as (keyof ShownBody)[]).every((part) => a[part] === b[part]);
 
 function currentPreview(project: Project, { preparations }: BodyFeed, state: BodyState): DrawnSurface | null {
   const body = bodiesOf(project).find(({ id }) => id === state.body.id);
@@ -70,7 +70,7 @@ export function drawnOf(
   { given, preview, split, patches, placement }: ShownBody,
   surface: ViewState["bodySurface"],
 ): DrawnTriangles {
-  if (split) return { ...split, placement, values: "patch" };
+  if (split) return { drawn: split.loaded.drawn, patches: split.body.patches, placement, values: "patch" };
   if (surface === "new" && preview)
     return { drawn: preview, patches, placement: undefined, values: "deviation" };
   return { drawn: given?.drawn ?? null, patches, placement, values: meaningOf(patches) };

@@ -112,7 +112,26 @@ bool ElementImprover<Space>::insertNode(TetId tet, const ElementCost<Space>& cos
     const Vec3 middle = (complex_.position(ring.from) + complex_.position(ring.to)) * 0.5;
     if (insertAt(ring.elementSpan(), middle, target, cost)) return true;
   }
-  return false;
+  return insertBeside(tet, target, cost);
+}
+
+/// Inserts a node among the neighbours of an element on the boundary. Two boundary faces in one plane, up to rounding, leave no
+/// room within an element between them.
+template <class Space>
+bool ElementImprover<Space>::insertBeside(TetId tet, const Target& target,
+                                          const ElementCost<Space>& cost) {
+  std::array<TetId, 5> seeds{tet};
+  std::size_t count = 1;
+  for (const ElementFace across : complex_.element(tet).across) {
+    if (!across.isNone()) seeds[count++] = across.tet();
+  }
+  if (count == seeds.size()) return false;
+  Vec3 middle(0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const NodeId node : complex_.element(seeds[i]).nodes) middle += complex_.position(node);
+  }
+  return insertAt(std::span(seeds).first(count), middle / (4.0 * static_cast<double>(count)),
+                  target, cost);
 }
 
 /// Returns the cost of the element of an apex and a face.

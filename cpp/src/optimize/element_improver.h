@@ -65,6 +65,7 @@ class ElementImprover {
   bool collapseCorner(const Corners& nodes, const ElementCost<Space>& cost);
   [[nodiscard]] Vec3 besideShortestEdge(const Corners& nodes, const Vec3& centroid) const;
   bool insertNode(TetId tet, const ElementCost<Space>& cost);
+  bool insertBeside(TetId tet, const Target& target, const ElementCost<Space>& cost);
   bool insertAt(std::span<const TetId> seeds, const Vec3& start, const Target& target,
                 const ElementCost<Space>& cost);
   bool growCavity(const Vec3& position, const Target& target, const ElementCost<Space>& cost,

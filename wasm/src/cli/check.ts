@@ -254,13 +254,21 @@ async function inspectedSurface(
   const before = isChanged ? await mesher.inspectSurface(withoutRegions(given)) : undefined;
   const isReplaced = ready.treatment.kind === "remesh";
   const shown = isReplaced ? diagnostics.flatMap((found) => withoutAdvice(found, isCad)) : diagnostics;
-  const near = before?.diagnostics.filter(({ code }) => code === "near-nodes") ?? [];
+  const hasWelded = changes?.some(({ kind }) => kind === "welded-node") ?? false;
+  const near = before?.diagnostics.flatMap((found) => (hasWelded ? asWelded(found) : [])) ?? [];
   return {
     ...result,
     diagnostics: [...ready.diagnostics, ...near, ...shown, ...others],
     changes,
     repairDeviation,
   };
+}
+
+/** Makes a warning about nodes that nearly coincide a note: a repair has welded them. Leaves out others. */
+function asWelded(found: Diagnostic): Diagnostic[] {
+  if (found.code !== "near-nodes") return [];
+  const remedy = `The repair welded such nodes. To weld no others, use \`weld: ${found.data.distance}\`.`;
+  return [{ ...found, severity: "information", remedy }];
 }
 
 /** Makes the warning about needles a note: a mesh replaces them. Triangles of CAD programs are always replaced: nothing is said. */
