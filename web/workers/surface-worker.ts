@@ -100,12 +100,13 @@ async function bodiesIn(
 async function treatmentOf(
   file: SurfaceInput,
   fileName: string,
-): Promise<{ readonly treatment: Pick<ProjectBody, "surface">; readonly note: string[] }> {
+): Promise<{ readonly treatment: Pick<ProjectBody, "surface" | "remeshing">; readonly note: string[] }> {
   if (formatOf(fileName)?.isCad === true) return { treatment: {}, note: [] };
-  const { isFit, needles, triangles } = await measureTriangles(file);
-  return isFit
-    ? { treatment: { surface: "refine" }, note: [strings.files.keptTriangles] }
-    : { treatment: {}, note: [strings.files.needles(needles, triangles)] };
+  const { isFit, needles, triangles, statedSize } = await measureTriangles(file);
+  if (isFit) return { treatment: { surface: "refine" }, note: [strings.files.keptTriangles] };
+  // A few needles among good triangles: these state the size that is wanted.
+  const treatment = statedSize === undefined ? {} : { remeshing: { maxSize: statedSize } };
+  return { treatment, note: [strings.files.needles(needles, triangles)] };
 }
 
 /** Bodies have no points that mark regions and holes. */

@@ -29,7 +29,7 @@ import { type SurfaceMesher, withControl } from "./surface-mesher.js";
 import type { SolidPart, TreatedPart } from "./solid-parts.js";
 import type { WholeNumbers } from "./whole-numbers.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
-import { preparedSurface, withoutCracks } from "./surface-preparation.js";
+import { preparedSurface, withSmallRepair } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
 import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
@@ -134,8 +134,8 @@ async function readyWhole(
   const isRepairImplied = repair === undefined && (isRemeshed || isCad);
   const preparation = { repair, innerShells, isRepairImplied, isRemeshed, isExact };
   const isKept = repair === undefined && first.kind === "smaller";
-  const closed = isKept ? await withoutCracks(mesher, stated, innerShells) : undefined;
-  const prepared = closed ?? (await preparedSurface(mesher, stated, preparation));
+  const small = isKept ? await withSmallRepair(mesher, stated, innerShells) : undefined;
+  const prepared = small ?? (await preparedSurface(mesher, stated, preparation));
   const { surface: whole, changes, repairDeviation, warnings = [] } = prepared;
   const isUnasked = first.needles !== undefined || (first.touching !== undefined && !hasSolids(stated));
   if (isRepairImplied && isUnasked && isVisiblyChanged(stated, prepared)) {

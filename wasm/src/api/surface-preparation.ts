@@ -110,6 +110,20 @@ async function weldedCracks(
   return isFillable ? repair : undefined;
 }
 
+/** Removes triangles that are there twice. Returns undefined if there are none, or if this alone does not make the surface valid. */
+async function withoutDuplicates(
+  mesher: SurfaceMesher,
+  given: Mesh,
+  innerShells: InnerShells | undefined,
+): Promise<SurfaceRepair | undefined> {
+  const { openEdges, diagnostics } = await mesher.inspectSurface(given, { innerShells });
+  if (openEdges > 0 || !diagnostics.some(({ code }) => code === "duplicate-triangle")) return undefined;
+  const repair = await mesher.repairSurface(given, { innerShells, resolveIntersections: false });
+  if (!keepsTriangles(repair)) return undefined;
+  const after = await mesher.inspectSurface(withoutRegions(repair.mesh), { innerShells });
+  return after.isFillable ? repair : undefined;
+}
+
 /**
  * Repairs a surface. A limit of holes that is given holds for all of them: if larger ones were closed to resolve the rest, they
  * stay open, and nothing is resolved.
@@ -218,15 +232,17 @@ export async function madeFillable(
 }
 
 /**
- * Returns a surface whose cracks have been welded; undefined if it has none, if this does not make it valid, or if one would see the
- * change.
+ * Returns a surface after a repair that keeps its triangles: cracks are welded, or triangles that were there twice removed, as where
+ * two shells have a face in common. Undefined if nothing is to be done, if this does not make it valid, or if one would see it.
  */
-export async function withoutCracks(
+export async function withSmallRepair(
   mesher: SurfaceMesher,
   given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<PreparedSurface | undefined> {
-  const repair = await weldedCracks(mesher, given, { innerShells });
+  const repair =
+    (await weldedCracks(mesher, given, { innerShells })) ??
+    (await withoutDuplicates(mesher, given, innerShells));
   if (repair === undefined) return undefined;
   const { mesh: welded, changes, deviation: repairDeviation } = repair;
   const solids = hasSolids(given)

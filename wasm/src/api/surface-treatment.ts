@@ -15,6 +15,8 @@ import type {
   RemeshSettings,
   SurfaceTreatment,
 } from "./option-types.js";
+import { inSteps } from "../calls/yielder.js";
+import { harmfulNeedles } from "../mesh/quality-warnings.js";
 import type { Mesh } from "../mesh/mesh.js";
 
 /** What was decided for a surface: never `auto`. */
@@ -58,7 +60,7 @@ export async function treatedSurface(
   const { treatment } = wanted;
   switch (treatment.kind) {
     case "keep":
-      return { surface: given };
+      return { surface: given, diagnostics: await inSteps(harmfulNeedles(given)) };
     case "remesh":
       return replaced(mesher, given, wanted);
     case "refine": {
@@ -76,7 +78,8 @@ async function replaced(
   { treatment: { needles, touching }, remeshing, options, sizeFactor, controlOf }: TreatmentOptions,
 ): Promise<TreatedSurface> {
   const { size, growth, maxVolume, innerShells, background } = options;
-  const all = { ...remeshing, size, sizeFactor, growth, maxVolume, innerShells, background };
+  const settings = needles && !hasSizes(options) ? withStatedSize(remeshing, needles) : remeshing;
+  const all = { ...settings, size, sizeFactor, growth, maxVolume, innerShells, background };
   const made = await remeshed(mesher, given, all, { ...controlOf("remesh"), partial: true });
   const notes = [
     ...(needles === undefined ? [] : [needlesNote(needles)]),
@@ -84,6 +87,10 @@ async function replaced(
   ];
   return { ...made, diagnostics: [...notes, ...made.diagnostics] };
 }
+
+/** Triangles that are replaced because of a few needles among them state the size that is wanted. */
+const withStatedSize = (remeshing: RemeshSettings, { statedSize }: TriangleShapes): RemeshSettings =>
+  statedSize === undefined ? remeshing : { ...remeshing, maxSize: remeshing.maxSize ?? statedSize };
 
 function hasSizes({ size, background, maxVolume }: MeshOptions): boolean {
   const sources = background?.sources ?? [];

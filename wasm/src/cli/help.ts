@@ -70,8 +70,8 @@ CAD files
 
 Surfaces
   By default, --surface auto, the mesh keeps every triangle of other surfaces if they are fit. If more than 2 %
-  have an angle below 10 degrees, as in STL files of CAD programs, or an option of a remeshing such as --max-size
-  or --tolerance is given, all are replaced. If an edge is longer than twice the target length, fit triangles are
+  have an angle below 10 degrees, as in STL files of CAD programs, or one below 0.5 degrees, or an option of a
+  remeshing such as --max-size or --tolerance is given, all are replaced. If an edge is longer than twice the target length, fit triangles are
   split. Fine cracks between them are welded. Notes state what was done. --join and
   several solids do not change this.
 

@@ -8,7 +8,7 @@ import { nameByIndex } from "../diagnostics/entity-names.js";
 import { MESH_DEFAULTS } from "../generated/constants.js";
 import type { SurfaceInput } from "./mesh.js";
 import type { ElementQuality, PoorElements, QualityReport } from "./quality.js";
-import { triangleShapes } from "./triangle-shapes.js";
+import { type TriangleShapes, triangleShapes } from "./triangle-shapes.js";
 
 /** Smallest dihedral angle, in degrees, that finite elements tolerate well. */
 const POOR_ANGLE = 10;
@@ -30,17 +30,28 @@ const NAMED_ELEMENTS = 5;
 /** Returns a warning if the triangles are not fit: too many are needles or caps, or one spoils the elements beside it. O(n). */
 export function* needleWarnings(surface: SurfaceInput): Steps<Diagnostic[]> {
   const shapes = yield* triangleShapes(surface);
-  if (shapes.isFit) return [];
-  const { needles: count, triangles } = shapes;
+  return shapes.isFit ? [] : [needleWarning(shapes)];
+}
+
+/**
+ * Returns a warning if a few needles among good triangles spoil the elements beside them: too few to count among the poor
+ * elements. O(n).
+ */
+export function* harmfulNeedles(surface: SurfaceInput): Steps<Diagnostic[]> {
+  const shapes = yield* triangleShapes(surface);
+  return shapes.isFit || shapes.statedSize === undefined ? [] : [needleWarning(shapes)];
+}
+
+function needleWarning({ needles: count, triangles, smallestAngle }: TriangleShapes): Diagnostic {
   const warning: DiagnosticOf<"needle-surface"> = {
     code: "needle-surface",
     severity: "warning",
-    message: `${shareOf(count, triangles, "triangle")} ${count === 1 ? "a needle or cap" : "needles or caps"}; elements next to them would have small angles`,
+    message: `${shareOf(count, triangles, "triangle")} ${count === 1 ? "a needle or cap" : "needles or caps"}; elements next to them would have small angles. The smallest angle of a triangle is ${angleText(smallestAngle)}`,
     remedy: REMESH,
     entities: [],
     data: { count, triangles },
   };
-  return [warning];
+  return warning;
 }
 
 /**

@@ -21,6 +21,8 @@ export interface TriangleShapes {
   readonly smallestAngle: number;
   /** Whether a mesh that keeps the triangles can be used: few are needles, and none spoils the elements beside it. */
   readonly isFit: boolean;
+  /** Mean edge length of the other triangles, if they state the size that is wanted because few are needles; else undefined. */
+  readonly statedSize?: number | undefined;
 }
 
 /** Measures all triangles of a surface with valid indices. O(n). */
@@ -28,19 +30,29 @@ export function* triangleShapes({ points, triangles }: SurfaceInput): Steps<Tria
   const count = triangles.length / 3;
   let needles = 0;
   let smallestAngle = count === 0 ? 0 : 180;
+  let length = 0;
   yield* stepwise(count, (t) => {
-    const angle = smallestAngleOf(points, triangles.subarray(3 * t, 3 * t + 3));
+    const edges = edgesOf(points, triangles.subarray(3 * t, 3 * t + 3));
+    const angle = smallestAngleOf(edges);
     if (angle < NEEDLE_ANGLE) needles++;
+    else length += edges[0] + edges[1] + edges[2];
     if (angle < smallestAngle) smallestAngle = angle;
   });
-  const isFit = needles <= MAX_NEEDLES * count && smallestAngle >= HARMFUL_ANGLE;
-  return { triangles: count, needles, smallestAngle, isFit };
+  const areFew = count > 0 && needles <= MAX_NEEDLES * count;
+  const isFit = count === 0 || (areFew && smallestAngle >= HARMFUL_ANGLE);
+  const statedSize = areFew ? length / (3 * (count - needles)) : undefined;
+  return { triangles: count, needles, smallestAngle, isFit, statedSize };
+}
+
+type Edges = readonly [number, number, number];
+
+function edgesOf(points: Float64Array, [a = 0, b = 0, c = 0]: Uint32Array): Edges {
+  return [distance(points, a, b), distance(points, b, c), distance(points, c, a)];
 }
 
 /** Returns the smallest angle of a triangle in degrees, 0 without area or of invalid nodes. */
-function smallestAngleOf(points: Float64Array, [a = 0, b = 0, c = 0]: Uint32Array): number {
-  const edges = [distance(points, a, b), distance(points, b, c), distance(points, c, a)] as const;
-  const [p, q, r] = edges.toSorted((x, y) => x - y) as [number, number, number];
+function smallestAngleOf(edges: Edges): number {
+  const [p = 0, q = 0, r = 0] = edges.toSorted((x, y) => x - y);
   // Half the angle opposite the shortest edge, by the half-angle formula, which is exact for needles too.
   const sum = p + q + r;
   const square = ((p + q - r) * (p + r - q)) / (sum * (q + r - p));
