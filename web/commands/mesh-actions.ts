@@ -15,10 +15,12 @@ import { showFailure, showMessage } from "./messages";
 import { joinTouchingBodies, repairBody } from "./surface-actions";
 
 /**
- * Meshes the project, and shows the mesh even if other triangles of a body were shown before. Bodies that a proposed repair
+ * Meshes the project, with what an open operation makes, and shows the mesh even if other triangles of a body were shown before. Bodies that a proposed repair
  * makes valid are repaired first, and bodies that touch are joined, each as a step of undo.
  */
 export async function generateMesh(app: App): Promise<void> {
+  // What an open operation shows is meshed; one that gives nothing is closed.
+  if (!app.operations.accept()) app.operations.cancel();
   app.view.setLayer("mesh", true);
   hideMeshNotices(app.shell);
   const hasBodies = app.bodies.state.getState().byId.size > 0;
@@ -83,8 +85,7 @@ async function validBodies(
     signal.throwIfAborted();
     showFailure(app, parts.join, error);
   });
-  await app.documents.afterGesture();
-  signal.throwIfAborted();
+  await app.documents.afterGesture(signal);
   await app.bodies.previewed(signal, (fraction) => onPart(parts.preview, fraction));
   signal.throwIfAborted();
   proposeSize(app);

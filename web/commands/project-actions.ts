@@ -103,7 +103,7 @@ export function showNotes(app: App, notes: readonly string[]): void {
   showNotice(app.shell, {
     key: "file-notes",
     tone: "information",
-    text: notes.join(" "),
+    text: notes.map((note) => (note.endsWith(".") ? note : `${note}.`)).join(" "),
     action: { label: strings.notices.understood, run: () => undefined },
   });
 }

@@ -118,7 +118,7 @@ export async function joinTouchingBodies(
     if (!joined) continue;
     const { surface, regions, shared } = joined;
     const body = await app.bodies.replaced(joined.body, surface, joined.body.patches);
-    await app.documents.afterGesture();
+    await app.documents.afterGesture(signal);
     const { project } = app.documents;
     const bodies = group.map((one) => one.body);
     const areThere = bodies.every((one) => findRecord(project, "body", one.id) === one);

@@ -173,11 +173,11 @@ export class DocumentStore {
     this.#set(commit(history, edit, contentAfter(history.present, edit), this.#now(), this.held));
   }
 
-  /** Resolves when no gesture is under way: work that ends during a drag must not cut it short with its edit. */
-  async afterGesture(): Promise<void> {
+  /** Resolves when no gesture is under way: work that ends during a drag must not cut it short with its edit. Rejects if it is aborted. */
+  async afterGesture(signal?: AbortSignal): Promise<void> {
     while (this.#gesture) {
       const { gestureStart: start } = this.state.getState();
-      await untilState(this.state, ({ gestureStart }) => gestureStart !== start);
+      await untilState(this.state, ({ gestureStart }) => gestureStart !== start, signal);
     }
   }
 

@@ -126,7 +126,7 @@ export const commandLabels = {
   uniformSize: "Uniform size",
   problems: "Show problems",
   log: "Show log",
-  worstElement: "Show worst element",
+  worstElement: "Show worst element (smallest angle)",
 
   present: "Presenter mode",
   help: "Help: keys, mouse, documents",

@@ -33,7 +33,7 @@ const exportedFormats = [...Object.keys(exportStrings.formats), ...Object.values
 export const synonyms: Readonly<Record<string, string>> = {
   new: "create file clear close",
   "new-template": "start box wing cylinder sphere",
-  open: "load file import",
+  open: `load file import ${exportedFormats} step stp iges igs brep cad 3mf vtk`,
   "import-surface": "load stl obj ply off step stp iges cad 3mf vtk triangles insert",
   recent: "history last autosave restore",
   export: `export download save write file convert output format units order second quadratic binary text ${exportedFormats}`,
@@ -134,8 +134,8 @@ export const synonyms: Readonly<Record<string, string>> = {
 
 /** Settings and other words for them. */
 export const settingNames = {
-  "uniform-size": { label: "Element size", words: "settings uniform edge length" },
-  elements: { label: "Number of elements", words: "settings count budget tetrahedra size" },
+  "uniform-size": { label: "Element size", words: "settings uniform edge length mesh" },
+  elements: { label: "Number of elements", words: "settings count budget tetrahedra size mesh" },
   gradation: { label: "Gradation", words: "settings growth ratio neighbouring sizes" },
   optimization: { label: "Optimization", words: "settings quality thorough fast" },
   units: { label: "Length unit", words: "settings units mm millimetre millimeter metre meter inch scale" },

@@ -8,6 +8,7 @@ import { newProject } from "../../../web/commands/project-actions";
 import { setBodySurface } from "../../../web/document/body-edits";
 import { emptyProject } from "../../../web/document/create";
 import type { RepairProposal } from "../../../web/document/body-repair";
+import { pieceOperations } from "../../../web/document/operations/pieces";
 import type { BodyState } from "../../../web/session/bodies";
 import { newDocument } from "../../../web/session/document-store";
 import { showNotice } from "../../../web/session/shell";
@@ -85,6 +86,34 @@ it("lets notices about a document give way when another one is opened", () => {
     showNotice(app.shell, { key, tone: "information", text: key, action });
   newProject(app);
   expect(app.shell.getState().notices.map(({ key }) => key)).toEqual(["worker"]);
+});
+
+it("meshes what an open operation shows, and closes one that gives nothing", async () => {
+  const [box] = pieceOperations;
+  if (!box) throw new Error("there is no operation");
+  app.operations.start(box);
+  const run = generateMesh(app);
+  expect(app.operations.state.getState().open).toBeNull();
+  expect(steps()).toEqual([box.step]);
+  app.run.cancel();
+  await run;
+  app.documents.undo();
+  app.operations.start({ ...box, make: () => ({ possible: false, reason: "no size" }) });
+  const other = generateMesh(app);
+  expect(app.operations.state.getState().open).toBeNull();
+  expect(steps()).toEqual([]);
+  app.run.cancel();
+  await other;
+});
+
+it("is cancelled while it waits for the end of a gesture", async () => {
+  vi.spyOn(app.bodies, "settled").mockResolvedValue();
+  const run = generateMesh(app);
+  app.documents.begin("Drag");
+  await vi.waitFor(() => expect(app.run.state.getState().preparing).toBe("Joining bodies that touch"));
+  app.run.cancel();
+  await run;
+  expect(log()).toEqual(["Cancelled before anything was meshed"]);
 });
 
 it("waits until all bodies are inspected, and is cancelled meanwhile", async () => {
