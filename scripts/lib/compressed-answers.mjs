@@ -16,6 +16,10 @@ const types = {
   ".webmanifest": "application/manifest+json",
 };
 
+/** Browsers compile WebAssembly while it arrives only if its type has no charset. */
+const contentType = (extension) =>
+  extension === ".wasm" ? types[extension] : `${types[extension]}; charset=utf-8`;
+
 /** A good part of what the best level saves, in a fraction of its time. */
 const brotliLevel = 5;
 const encoders = {
@@ -58,7 +62,7 @@ export function compressedFiles(folder, headers = {}) {
     if (!found) return next();
     const isHashed = path.basename(path.dirname(file)) === "assets";
     for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
-    response.setHeader("Content-Type", `${types[path.extname(file)]}; charset=utf-8`);
+    response.setHeader("Content-Type", contentType(path.extname(file)));
     response.setHeader("Vary", "Accept-Encoding");
     response.setHeader("Cache-Control", isHashed ? "public, max-age=31536000, immutable" : "no-cache");
     response.setHeader("ETag", found.tag);

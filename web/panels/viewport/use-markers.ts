@@ -5,6 +5,8 @@ import { placedApart, type Label } from "../../viewer/apart";
 
 /** Room that the text beside a marker needs at the right and below, in CSS pixels. */
 const room = { right: 170, below: 110 };
+/** The same beside the legend, which is at the right of a view of this width. */
+const besideLegend = { right: 270, fromWidth: 600 };
 
 /**
  * Keeps the children of an element at positions in the view. They follow the camera without rendering again. With `areApart`,
@@ -28,7 +30,8 @@ export function useMarkers(
         const at = viewer.toScreen(position);
         marker.style.display = at ? "" : "none";
         if (at && view) {
-          marker.toggleAttribute("data-at-right", at.x > view.width - room.right);
+          const right = view.width < besideLegend.fromWidth ? room.right : besideLegend.right;
+          marker.toggleAttribute("data-at-right", at.x > view.width - right);
           marker.toggleAttribute("data-at-bottom", at.y > view.height - room.below);
         }
         if (at) shown.push({ ...at, width: marker.offsetWidth, height: marker.offsetHeight, marker });
