@@ -115,8 +115,8 @@ bool ElementImprover<Space>::insertNode(TetId tet, const ElementCost<Space>& cos
   return insertBeside(tet, target, cost);
 }
 
-/// Inserts a node among the neighbours of an element on the boundary. Two boundary faces in one plane, up to rounding, leave no
-/// room within an element between them.
+/// Inserts a node among the neighbours of an element with two faces on the boundary. If these lie in one plane, up to rounding,
+/// there is no room for a node within the element.
 template <class Space>
 bool ElementImprover<Space>::insertBeside(TetId tet, const Target& target,
                                           const ElementCost<Space>& cost) {
@@ -125,7 +125,8 @@ bool ElementImprover<Space>::insertBeside(TetId tet, const Target& target,
   for (const ElementFace across : complex_.element(tet).across) {
     if (!across.isNone()) seeds[count++] = across.tet();
   }
-  if (count == seeds.size()) return false;
+  constexpr std::size_t kMostNeighbours = 2;
+  if (count > 1 + kMostNeighbours) return false;
   Vec3 middle(0.0);
   for (std::size_t i = 0; i < count; ++i) {
     for (const NodeId node : complex_.element(seeds[i]).nodes) middle += complex_.position(node);

@@ -269,7 +269,8 @@ Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
   result.tolerance = lengths.tolerance;
   SizeOctreeBuilder builder(positions, sizes, options.growth, lengths.maxSize);
   co_await work.finish(builder);
-  result.tetrahedra = expectedTetrahedra(mesh, SizeField::fromOctree(builder.take()));
+  result.tetrahedra =
+      expectedTetrahedra(mesh, SizeField::fromOctree(builder.take()), result.triangles);
   co_return result;
 }
 

@@ -13,8 +13,17 @@ namespace tetrafront {
 namespace {
 
 constexpr int kSamplesPerAxis = 12;
-/// Lower bound for a mesh without interior nodes: elements / triangles.
+/// Elements / triangles of the boundary in a mesh without interior nodes: of one triangle after the other, and in one layer of many.
 constexpr double kTetrahedraPerTriangle = 0.5;
+constexpr double kTetrahedraPerLayerTriangle = 1.48;
+/// A body of fewer triangles than the square of this is no layer.
+constexpr double kLayerSides = 2.0;
+
+/// Returns about how many elements the least interior has: none in a layer one element thick.
+double leastTetrahedra(double triangles) {
+  const double inLayer = 1.0 - kLayerSides / std::sqrt(std::max(1.0, triangles));
+  return triangles * std::max(kTetrahedraPerTriangle, kTetrahedraPerLayerTriangle * inLayer);
+}
 
 /// Calls visit(triangle, six times the volume of its cone from a point of the surface) for each triangle.
 template <class Visit>
@@ -64,10 +73,13 @@ double minTetrahedra(const SurfaceMesh& surface, double maxVolume,
 }
 
 double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field) {
-  const auto corners = static_cast<double>(surface.triangles.size());
-  const double atTriangles = kTetrahedraPerTriangle * corners / 3.0;
+  return expectedTetrahedra(surface, field, static_cast<double>(surface.triangles.size()) / 3.0);
+}
+
+double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field, double triangles) {
+  const double least = leastTetrahedra(triangles);
   const double within = tetrahedraWithin(enclosedVolume(surface), surface, field);
-  return within > atTriangles || std::isnan(within) ? within : atTriangles;
+  return within > least || std::isnan(within) ? within : least;
 }
 
 double tetrahedraWithin(double volume, const SurfaceMesh& surface, const SizeField& field) {

@@ -16,6 +16,10 @@ inline constexpr double kTetrahedraPerUnitVolume = 8.485281374238571;
 /// where h^3 is the determinant of the size tensor. The surface must be closed, oriented and not empty. O(triangles).
 [[nodiscard]] double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field);
 
+/// The same for a surface that will have this number of triangles.
+[[nodiscard]] double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field,
+                                        double triangles);
+
 /// Returns the estimated number of tetrahedra in `volume`, with the mean over samples of the surface's interior. The
 /// surface must be closed. If it is not oriented, the mean over its triangles is used.
 [[nodiscard]] double tetrahedraWithin(double volume, const SurfaceMesh& surface,

@@ -124,7 +124,7 @@ function tooFew(
   if (!isUnfit || sizeFactor <= 1 || expected == null || expected < TOO_FEW * asked) return [];
   const good = Number(expected.toPrecision(2));
   const message = `${plural(tetrahedra, "element")} are too few for good shapes, as in thin walls: the smallest dihedral angle is ${short(dihedral.min, 2)}°, and the mean radius ratio ${short(radiusRatio.mean, 2)}`;
-  const remedy = `Ask for about ${good} elements, which the automatic sizes lead to, or omit the number; or compute thin walls with shell elements.`;
+  const remedy = `Ask for about ${good} elements, which the automatic sizes lead to, or compute thin walls with shell elements.`;
   return [packageDiagnostic("element-count", message, remedy, "warning")];
 }
 
