@@ -194,7 +194,18 @@ test("hotkeys win over the button that has the focus, also after a command of a 
   await expect(page.getByTestId("cut-toggle")).toBeChecked();
   await page.keyboard.press("e");
   await expect(page.getByRole("menuitem", { name: "View" })).toBeFocused();
-  // Ctrl Enter presses no button, either.
+  // Ctrl Enter opens no list, and closes one.
+  const unit = page.getByRole("combobox", { name: "Length unit" });
+  await unit.focus();
+  await page.keyboard.press("Control+Enter");
+  await app.meshed();
+  await expect(page.getByRole("option")).toHaveCount(0);
+  await unit.click();
+  await expect(page.getByRole("option").first()).toBeVisible();
+  await page.keyboard.press("Control+Enter");
+  await app.meshed();
+  await expect(page.getByRole("option")).toHaveCount(0);
+  // It presses no button, either.
   await page.getByTestId("cut-button").focus();
   await page.keyboard.press("Control+Enter");
   await app.meshed();

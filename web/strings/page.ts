@@ -91,6 +91,9 @@ export const pageStrings = {
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `${count} front faces`,
     filling: "Filling remaining pockets",
+    /** While a number of elements is sought. */
+    ofMesh: (phase: string, mesh: number) =>
+      `Mesh ${mesh}: ${phase.charAt(0).toLowerCase()}${phase.slice(1)}`,
     cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
     cancelling: { mesh: "Cancelling…", improve: "Stopping…" },
     progress: { mesh: "Meshing progress", improve: "Progress of the improvement" },

@@ -39,7 +39,7 @@ export function isOfWidget({ key, target }: Pick<KeyboardEvent, "key" | "target"
 const menus = '[role="menu"], [role="menubar"]';
 
 /** Fields in which one chooses from a list. Enter opens the list. */
-const choices = "input[readonly]";
+const choices = '[aria-haspopup="listbox"]';
 
 /**
  * Returns whether a key is a hotkey whatever control has the focus: with Ctrl outside fields, dialogs and trees (where Ctrl A

@@ -77,7 +77,7 @@ describe("a surface of needles that are kept", () => {
     expect(mesh.code).toBe(0);
     expect(warningsIn(mesh.stdout)).toContainEqual(["poor-elements", "warning"]);
     expect(mesh.stderr).toMatch(
-      /warning: gear\.off: \d+ of \d+ tetrahedra \(\d+ %\) are poor: .* below 10°; .*\. The smallest angle is [\d.]+°, at \(.*\)\. The largest angle is 1\d\d°\. Remesh the surface \(--surface remesh/,
+      /warning: gear\.off: \d+ of \d+ tetrahedra \(\d+ %\) are poor: .* below 10°; .*\. The smallest angle is [\d.]+°, at \(.*\).*\. The largest angle is 1\d\d°\. Remesh the surface \(--surface remesh/,
     );
     // The message states the number of all poor elements.
     expect(mesh.stderr).not.toContain('more "poor-elements"');

@@ -34,16 +34,16 @@ describe("every ten seconds, a line", () => {
     vi.advanceTimersByTime(9000);
     expect(lines).toEqual([]);
     vi.advanceTimersByTime(1000);
-    enterPhase("check", "remesh", 0.437);
+    enterPhase({ phase: "check", fraction: 0.437 }, "remesh");
     vi.advanceTimersByTime(10_000);
-    enterPhase("volume", undefined, 0.5);
+    enterPhase({ phase: "volume", fraction: 0.5, meshNumber: 2 }, undefined);
     vi.advanceTimersByTime(10_000);
     stop();
     vi.advanceTimersByTime(60_000);
     expect(lines).toEqual([
       "tetrafront: reading part.step, 10 s so far\n",
       "tetrafront: remeshing the surface, 43 %, 20 s so far\n",
-      "tetrafront: filling the volume, 50 %, 30 s so far\n",
+      "tetrafront: mesh 2: filling the volume, 50 %, 30 s so far\n",
     ]);
   });
 

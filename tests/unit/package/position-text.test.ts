@@ -6,7 +6,7 @@ import { positionText } from "../../../wasm/src/base/position-text.js";
 test.each([
   [[1.03e-16, 1 / 3, -6e-17], "(0, 0.333333, 0)"],
   [[1e-16, 2e-16, 0], "(1e-16, 2e-16, 0)"],
-  [[1234567, 0.5, -1e-3], "(1234570, 0.5, -0.001)"],
+  [[1234567.12345, 0.5, -1e-3], "(1234567.123, 0.5, -0.001)"],
   [[0, 0, 0], "(0, 0, 0)"],
 ])("%j is %s", (position, text) => {
   expect(positionText(position)).toBe(text);

@@ -225,7 +225,7 @@ describe("the command line", () => {
       // The mesh welds them by itself.
       expect(code).toBe(0);
       expect(stdout).toMatch(
-        /warning: noisy\.stl: \d+ pairs of nodes nearly coincide, at most [\d.e-]+ apart: surface node \d+ and surface node \d+ \([\d.e-]+ apart\), .* and \d+ more\./,
+        /note: noisy\.stl: \d+ pairs of nodes nearly coincide, at most [\d.e-]+ apart: surface node \d+ and surface node \d+ \([\d.e-]+ apart\), .* and \d+ more\./,
       );
       const [, distance = ""] = /use --weld ([\d.e-]+),/.exec(stdout) ?? [];
       // The corners of a cube of this side are at most √3 of it apart.

@@ -209,7 +209,7 @@ it.each([
   ["shortcuts", "help"],
   ["iso", "view-isometric"],
   ["top", "view-top"],
-  ["step", "import-surface"],
+  ["step", "open"],
   ["import", "import-surface"],
   ["second order", "export"],
   ["log", "log"],
@@ -274,7 +274,7 @@ it.each([
   ["stop", ["cancel"]],
   ["reset", ["fit", "view-isometric"]],
   ["share", ["share", "share-step-link", "share-step-embed", "share-step-drawing", "share-step-animation"]],
-  ["medit", ["export"]],
+  ["medit", ["export", "open"]],
 ])("finds nothing by %s but what it means", (query, ids) => {
   const opened = {
     id: "pipe-and-flow",

@@ -71,9 +71,8 @@ it("a preview of a split of a body in one colour draws each piece in a colour of
   ]);
   const after = await split(oneColor, 0, true);
   const { patches } = after.body;
-  const preview = { drawn: after.loaded.drawn, patches };
   const drawn = ["patch", [0, 1, 2, 3, 4, 5]];
-  expect(drawnValues({ patches, given: given.loaded, split: preview })).toEqual(drawn);
+  expect(drawnValues({ patches, given: given.loaded, split: after })).toEqual(drawn);
 
   const applied = await split(oneColor, 0, false);
   expect(applied.body.patches.map(({ color }) => color)).toEqual(patches.map(() => undefined));
@@ -83,8 +82,7 @@ it("a preview of a split of a body in one colour draws each piece in a colour of
 it("patches keep their colour beside one that is split, whose pieces differ", async () => {
   const preview = await split(twoColors, 1, true);
   const { patches } = preview.body;
-  const drawn = { drawn: preview.loaded.drawn, patches };
-  expect(drawnValues({ patches, given: null, split: drawn })).toEqual(["patch", [0, 1, 2, 3, 4, 5]]);
+  expect(drawnValues({ patches, given: null, split: preview })).toEqual(["patch", [0, 1, 2, 3, 4, 5]]);
 
   const { body, loaded } = await split(twoColors, 1, false);
   expect(body.patches.flatMap(({ color }) => (color ? [color] : []))).toEqual([blue]);

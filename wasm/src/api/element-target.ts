@@ -191,6 +191,7 @@ class SharedProgress {
   readonly #control: RunControl;
   readonly #began = performance.now();
   #done = 0;
+  #runs = 0;
   #last: CallProgress | undefined;
 
   constructor(control: RunControl) {
@@ -205,9 +206,10 @@ class SharedProgress {
   async during<T>(share: number, run: (control: RunControl) => Promise<T>): Promise<T> {
     const part = (1 - this.#done) * share;
     const before = this.#done;
+    const meshNumber = ++this.#runs;
     const onProgress = (progress: CallProgress): void => {
       const fraction = Math.max(this.#last?.fraction ?? 0, before + part * progress.fraction);
-      this.#tell({ ...progress, fraction, elapsedSeconds: this.seconds });
+      this.#tell({ ...progress, fraction, elapsedSeconds: this.seconds, meshNumber });
     };
     const isWatched = this.#control.onProgress !== undefined;
     const made = await run({ ...this.#control, ...(isWatched && { onProgress }) });

@@ -37,10 +37,8 @@ export function* describedInspection(
   surface: SurfaceInput,
   name: EntityNamer,
 ): Steps<SurfaceInspection> {
-  const warnings = [
-    ...(found.isFillable ? yield* needleWarnings(surface) : []),
-    ...(yield* resolutionWarnings(surface)),
-  ];
+  const coarse = yield* resolutionWarnings(surface);
+  const warnings = [...(found.isFillable ? yield* needleWarnings(surface) : []), ...coarse];
   const near = found.openEdges > 0 ? yield* nearNodeWarnings(surface, name) : [];
   const { low, high, shortestEdge, meanEdge, longestEdge, diagnostics, ...rest } = found;
   return {
@@ -48,7 +46,10 @@ export function* describedInspection(
     cavities: rest.shells.filter(({ isCavity }) => isCavity).length,
     box: rest.nodes === 0 ? null : { low, high },
     edgeLengths: { shortest: shortestEdge, mean: meanEdge, longest: longestEdge },
-    diagnostics: [...(yield* describeInSteps(diagnostics, name)), ...near, ...warnings],
+    // Where nothing is left of the shape, this is the cause of everything else.
+    diagnostics: coarse.some(({ severity }) => severity === "error")
+      ? coarse
+      : [...(yield* describeInSteps(diagnostics, name)), ...near, ...warnings],
   };
 }
 

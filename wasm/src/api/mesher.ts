@@ -356,7 +356,8 @@ class WorkerMesher implements Mesher {
     // The run takes its place in the queue at once.
     const running = this.#run(request, control, { surface }, () => name);
     const [result, coarse] = await Promise.all([running, inSteps(resolutionWarnings(surface))]);
-    const diagnostics = [...result.report.diagnostics, ...coarse];
+    const isLost = coarse.some(({ severity }) => severity === "error");
+    const diagnostics = isLost ? coarse : [...result.report.diagnostics, ...coarse];
     return coarse.length === 0 ? result : { ...result, report: { ...result.report, diagnostics } };
   }
 

@@ -5,7 +5,7 @@ import { inSteps } from "../calls/yielder.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { diagonalOf } from "../formats/near-points.js";
-import type { InnerShells } from "../generated/constants.js";
+import { type InnerShells, MAX_LENGTH } from "../generated/constants.js";
 import type { RepairChange, SurfaceInspection, SurfaceRepair } from "../mesh/inspection.js";
 import { withoutFilledPatch } from "./filled-holes.js";
 import { hasRegionVolumes } from "./input-checks.js";
@@ -194,7 +194,9 @@ export async function madeFillable(
     hasSolids(given) && before.diagnostics.some(({ code }) => code === "inconsistent-regions");
   if (areNested && (await mesher.inspectSurface(withoutRegions(given), { innerShells })).isFillable)
     return (await ofSolids()).withSolidRegions(mesher, given, given);
-  const weldIntersections = isRemeshed && !isExact ? STEP_HEIGHT * diagonalOf(given.points) : 0;
+  const step = STEP_HEIGHT * diagonalOf(given.points);
+  // The inspection says what is wrong with coordinates that are too large.
+  const weldIntersections = isRemeshed && !isExact && step <= MAX_LENGTH ? step : 0;
   const wanted = { innerShells, weldIntersections };
   const repair = (await weldedCracks(mesher, given, wanted)) ?? (await withinLimit(mesher, given, wanted));
   const { changes, deviation: repairDeviation, diagnostics } = repair;

@@ -1,5 +1,6 @@
 /** Sentences about what was done to a surface before it was filled. */
 import { plural } from "../base/plural.js";
+import { positionText } from "../base/position-text.js";
 import { short } from "../base/short.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
@@ -23,13 +24,12 @@ export function refinementText({ given, triangles, splitEdges }: RefinementCount
 
 /** Number of significant digits of lengths. */
 const DIGITS = 3;
-const POSITION_DIGITS = 5;
 const LISTED_DETAILS = 5;
 
 function mergedText(merged: RemeshReport["mergedDetails"], whole: string): string {
-  const at = (position: readonly number[]) =>
-    `(${position.map((coordinate) => short(coordinate, POSITION_DIGITS)).join(", ")})`;
-  const moves = merged.slice(0, LISTED_DETAILS).map(({ from, onto }) => `${at(from)} onto ${at(onto)}`);
+  const moves = merged
+    .slice(0, LISTED_DETAILS)
+    .map(({ from, onto }) => `${positionText(from)} onto ${positionText(onto)}`);
   const left = merged.length - LISTED_DETAILS;
   const more = left > 0 ? `, and ${left} more (${whole} lists all ${merged.length})` : "";
   return `${plural(merged.length, "detail")} dropped: ${moves.join(", ")}${more}`;

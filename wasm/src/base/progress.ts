@@ -23,4 +23,6 @@ export interface CallProgress {
   /** Estimated progress of the exact fill, 0 to 1; 0 while it is not running. */
   readonly exactFillFraction: number;
   readonly elapsedSeconds: number;
+  /** While a number of elements is sought: which mesh is being made, counted from 1. */
+  readonly meshNumber?: number | undefined;
 }

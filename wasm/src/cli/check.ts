@@ -267,7 +267,7 @@ async function inspectedSurface(
 /** Makes a warning about nodes that nearly coincide a note: a repair has welded them. Leaves out others. */
 function asWelded(found: Diagnostic): Diagnostic[] {
   if (found.code !== "near-nodes") return [];
-  const remedy = `The repair welded such nodes. To weld no others, use \`weld: ${found.data.distance}\`.`;
+  const remedy = `The repair welded such nodes. To weld no others, use \`weld: ${found.data.distance}\`, which suffices.`;
   return [{ ...found, severity: "information", remedy }];
 }
 

@@ -26,7 +26,7 @@ export async function withRun<T>(
     signal: interruption.signal,
     onProgress: (progress) => {
       interruption.hear();
-      enterPhase(progress.phase, step, progress.fraction);
+      enterPhase(progress, step);
       bar?.update(progress, step);
     },
   });

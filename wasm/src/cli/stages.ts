@@ -1,5 +1,5 @@
 /** What a command is doing, and a line about it every ten seconds: a log shows no progress bar. */
-import type { ProgressPhase } from "../base/progress.js";
+import type { CallProgress, ProgressPhase } from "../base/progress.js";
 import { print } from "./messages.js";
 
 /** Time between two lines, in milliseconds. */
@@ -36,8 +36,12 @@ export function enterStage(words: string, fraction?: number): void {
 }
 
 /** Says how far a run or another call is. `step`: word for a call that is not a run. */
-export function enterPhase(phase: ProgressPhase, step: string | undefined, fraction: number): void {
-  enterStage(WORDS[isKnown(step) ? step : phase], fraction);
+export function enterPhase(
+  { phase, fraction, meshNumber = 1 }: Pick<CallProgress, "phase" | "fraction" | "meshNumber">,
+  step: string | undefined,
+): void {
+  const words = WORDS[isKnown(step) ? step : phase];
+  enterStage(meshNumber > 1 ? `mesh ${meshNumber}: ${words}` : words, fraction);
 }
 
 function isKnown(step: string | undefined): step is keyof typeof WORDS {

@@ -21,8 +21,8 @@ const DOUBLE_BITS = 52;
 const DIGITS = 2;
 
 /**
- * Returns a warning if the coordinates of a surface far from the origin are so coarse that they change the shape of the surface. The
- * coordinates of a file in single precision have about 7 digits, others about 16. O(n).
+ * Returns a warning if the coordinates of a surface far from the origin are so coarse that they change the shape of the surface, and
+ * an error if nothing is left of it. The coordinates of a file in single precision have about 7 digits, others about 16. O(n).
  */
 export function* resolutionWarnings({ points }: SurfaceInput): Steps<Diagnostic[]> {
   const low = [Infinity, Infinity, Infinity];
@@ -51,7 +51,12 @@ export function* resolutionWarnings({ points }: SurfaceInput): Steps<Diagnostic[
   const digits = isSingle
     ? "single precision, with about 7 digits"
     : "double precision, with about 16 digits";
-  const message = `the surface is ${text(size)} large and ${text(largest)} away from the origin, where coordinates in ${digits}, are multiples of ${text(resolution)}: its triangles ${isCertain ? "are" : "may be"} rounded to them`;
+  const rounded = `where coordinates in ${digits}, are multiples of ${text(resolution)}`;
   const remedy = `Export it nearer to the origin${isSingle ? ", or with more digits" : ""}.`;
+  if (size === 0) {
+    const message = `all nodes of the surface are at one position, ${text(largest)} away from the origin, ${rounded}: its shape is lost`;
+    return [packageDiagnostic("coarse-coordinates", message, remedy)];
+  }
+  const message = `the surface is ${text(size)} large and ${text(largest)} away from the origin, ${rounded}: its triangles ${isCertain ? "are" : "may be"} rounded to them`;
   return [packageDiagnostic("coarse-coordinates", message, remedy, "warning")];
 }

@@ -49,9 +49,11 @@ function outcomeText(run: RunState, stale: boolean, hasErrors: boolean, front: s
   }
 }
 
-function phaseText(task: RunState["task"], { phase, exactFillFraction: exactFill }: CallProgress): string {
+function phaseText(task: RunState["task"], progress: CallProgress): string {
   if (task === "improve") return strings.status.improving;
-  return exactFill > 0 ? strings.status.filling : phaseNames[phase];
+  const { phase, exactFillFraction: exactFill, meshNumber = 1 } = progress;
+  const name = exactFill > 0 ? strings.status.filling : phaseNames[phase];
+  return meshNumber > 1 ? strings.status.ofMesh(name, meshNumber) : name;
 }
 
 /** The progress of a run, or the state of the mesh; and the statistics of the shown mesh. */
