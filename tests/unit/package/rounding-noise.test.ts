@@ -28,6 +28,37 @@ function soupOf(
   };
 }
 
+describe("closed parts with a common face", () => {
+  /** Two boxes side by side, of which the second one is moved by `gap`. */
+  const boxes = (gap: number, at = 2): SurfaceInput =>
+    joined(boxSurface(2, [0, 0, 0], [at, 1, 1]), boxSurface(2, [at + gap, 0, 0], [2 * at, 1, 1]));
+
+  test.each([1e-7, -1e-7, 4e-16])(
+    "are welded there if they are %d apart, and become two regions",
+    async (gap) => {
+      const read = await surfaceIn(stlText(soupOf(boxes(gap), (x) => x)), "boxes.stl");
+      expect(read.points.length / 3).toBe(2 * 26 - 9);
+      expect(read.notes).toEqual([expect.stringMatching(/^9 nodes were welded/)]);
+      const mesher = await createMesher();
+      const { report, mesh } = await mesher.meshSurface(read);
+      expect(report.status).toBe("done");
+      expect(report.regions.map(({ volume }) => volume)).toEqual([
+        expect.closeTo(2, 6),
+        expect.closeTo(2, 6),
+      ]);
+      expect(mesh.points.length / 3).toBe(report.nodes);
+      mesher.dispose();
+    },
+  );
+
+  test("stay apart if the space between them is more than rounding, or they have no face in common", async () => {
+    for (const surface of [boxes(1e-4), joined(boxSurface(2), boxSurface(3, [1 + 1e-7, 0, 0], [2, 1, 1]))]) {
+      const read = await surfaceIn(stlText(soupOf(surface, (x) => x)), "boxes.stl");
+      expect(read.points).toHaveLength(surface.points.length);
+    }
+  });
+});
+
 /** The number of single precision that is `steps` after x. */
 function stepped(x: number, steps: number): number {
   const float = Float32Array.of(x);

@@ -30,7 +30,7 @@ import type { SolidPart, TreatedPart } from "./solid-parts.js";
 import type { WholeNumbers } from "./whole-numbers.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withSmallRepair } from "./surface-preparation.js";
-import { touchingPairs, touchingShells, withTouchingSolids } from "./touching-solids.js";
+import { touchingPairs, touchingShells, withSolidsOfPatches, withTouchingSolids } from "./touching-solids.js";
 import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
@@ -152,8 +152,15 @@ async function readyWhole(
     changes,
     repairDeviation,
     split: split && { before: whole.patches.length, after: divided.patches.length },
-    diagnostics: [...warnings, ...diagnostics],
+    diagnostics: [...warnings, ...(repair === undefined ? await nearSolids(stated) : []), ...diagnostics],
   };
+}
+
+/** Returns warnings about solids that are patches closed by themselves and almost touch; of stated solids, others warn. */
+async function nearSolids(surface: Mesh): Promise<readonly Diagnostic[]> {
+  if (hasSolids(surface) || surface.patches.length < 2) return [];
+  const solids = await withSolidsOfPatches(surface);
+  return solids === surface ? [] : (await import("./near-solids.js")).almostTouching(solids, []);
 }
 
 /** Returns the treatment; solids whose triangles do not fit together are remeshed too, which gives both the same face. */

@@ -2,12 +2,13 @@
  * Welds the nodes of a surface without topology that differ by rounding: programs that compute each triangle by itself
  * write a common corner as 0 in one triangle and as -3e-16 in the next. Exact welding has left open edges there. Nodes
  * of open edges are welded to others within a few units in the last place of single precision, if an edge is closed by
- * it and no triangle is lost: closed surfaces stay as they are, however small their features. Which nodes are welded
- * depends on their positions alone, not on their order.
+ * it and no triangle is lost: a closed surface stays as it is, however small its features. Of several, those are welded that have
+ * a face in common. Which nodes are welded depends on their positions alone, not on their order.
  */
 import { type Steps, stepwise } from "../base/steps.js";
 import { NearGrid } from "./near-grid.js";
 import { openEdges } from "./open-edges.js";
+import { contactGroups } from "./rounding-contacts.js";
 import { groupNoise, incidenceOf } from "./rounding-groups.js";
 import { AXES, comparePositions, type Rounding, roundingOf, squareBetween } from "./rounding-tolerance.js";
 
@@ -31,7 +32,7 @@ export function* weldRounding(soup: Soup): Steps<WeldedByRounding> {
   const { points, triangles } = soup;
   const nothing = { points, triangles, welded: 0, distance: 0 };
   const open = yield* openEdges(triangles, points.length / 3);
-  if (open.length === 0) return nothing;
+  if (open.length === 0) return (yield* weldContacts(soup)) ?? nothing;
   const rounding = yield* roundingOf(points, open);
   if (rounding === undefined) return nothing;
   const groupOf = yield* noiseGroups(soup, open, rounding);
@@ -42,6 +43,12 @@ export function* weldRounding(soup: Soup): Steps<WeldedByRounding> {
   if (stillOpen.length === 0) return all;
   dissolveUseless(groupOf, open, { indices: all.indices, stillOpen });
   return yield* rebuilt(soup, groupOf);
+}
+
+/** Welds the faces that closed parts have in common up to rounding. */
+function* weldContacts(soup: Soup): Steps<WeldedByRounding | undefined> {
+  const groupOf = yield* contactGroups(soup.points, soup.triangles);
+  return groupOf && (yield* rebuilt(soup, groupOf));
 }
 
 /** Returns per node the smallest node of its group; undefined if each is on its own. */

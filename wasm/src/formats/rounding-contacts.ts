@@ -1,0 +1,63 @@
+/**
+ * Finds the faces that closed parts of a surface have in common up to rounding: programs that place a part compute the same
+ * corner anew. The parts touch there, and the space between them is none.
+ */
+import { type Steps, stepwise } from "../base/steps.js";
+import { componentsOf } from "./components.js";
+import { NearGrid } from "./near-grid.js";
+import { type Rounding, roundingOf } from "./rounding-tolerance.js";
+
+const NONE = 0xffffffff;
+
+/**
+ * Returns per node the smaller one of it and its partner in another part: the corners of triangles that are the same up to
+ * rounding. Undefined if there are none. O(n).
+ */
+export function* contactGroups(points: Float64Array, triangles: Uint32Array): Steps<Uint32Array | undefined> {
+  const parts = componentsOf(triangles, points.length / 3);
+  if (parts.every((part) => part === parts[0])) return undefined;
+  const rounding = yield* roundingOf(points, triangles);
+  if (rounding === undefined) return undefined;
+  const partners = yield* partnersOf(points, partOfNodes(triangles, parts, points.length / 3), rounding);
+  const candidates: number[] = [];
+  yield* stepwise(triangles.length / 3, (t) => {
+    if (cornersOf(triangles, t).every((node) => partners[node] !== NONE)) candidates.push(t);
+  });
+  const known = new Set(candidates.map((t) => keyOf(cornersOf(triangles, t))));
+  const groupOf = Uint32Array.from({ length: points.length / 3 }, (_, node) => node);
+  let isAny = false;
+  for (const t of candidates) {
+    const corners = cornersOf(triangles, t);
+    if (!known.has(keyOf(corners.map((node) => partners[node] ?? NONE)))) continue;
+    isAny = true;
+    for (const node of corners) groupOf[node] = Math.min(node, partners[node] ?? NONE);
+  }
+  return isAny ? groupOf : undefined;
+}
+
+/** Returns per node the only one of another part within rounding, if it is the only one for that, too. */
+function* partnersOf(points: Float64Array, parts: Uint32Array, rounding: Rounding): Steps<Uint32Array> {
+  const grid = yield* NearGrid.of(points, rounding.largest);
+  const nearest = new Uint32Array(parts.length).fill(NONE);
+  yield* stepwise(parts.length, (node) => {
+    grid.near(node, rounding.largest, (other) => {
+      if (parts[other] === parts[node] || !rounding.isWithin(node, other)) return true;
+      const isFirst = nearest[node] === NONE;
+      nearest[node] = isFirst ? other : NONE;
+      return isFirst;
+    });
+  });
+  return nearest.map((other, node) => (other !== NONE && nearest[other] === node ? other : NONE));
+}
+
+function partOfNodes(triangles: Uint32Array, parts: Uint32Array, nodes: number): Uint32Array {
+  const found = new Uint32Array(nodes).fill(NONE);
+  triangles.forEach((node, corner) => (found[node] = parts[Math.floor(corner / 3)] ?? NONE));
+  return found;
+}
+
+const cornersOf = (triangles: Uint32Array, t: number): readonly number[] => [
+  ...triangles.subarray(3 * t, 3 * t + 3),
+];
+
+const keyOf = (nodes: readonly number[]): string => nodes.toSorted((a, b) => a - b).join(" ");
