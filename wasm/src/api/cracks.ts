@@ -4,6 +4,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { roundedUp } from "../base/rounded-up.js";
 import { withoutPause } from "../base/steps.js";
+import { nodeComponentsOf } from "../formats/components.js";
 import { openEdges } from "../formats/open-edges.js";
 import { diagonalOf, distanceAlong } from "../formats/near-points.js";
 import type { InnerShells } from "../generated/constants.js";
@@ -65,7 +66,7 @@ function largestGap({ points, triangles }: SurfaceInput): number | undefined {
     .sort((a, b) => a.along - b.along);
   const along = Float64Array.from(sorted, (one) => one.along);
   const order = Uint32Array.from(sorted, ({ node }) => node);
-  const parts = partsOf(triangles, points.length / 3);
+  const parts = nodeComponentsOf(triangles, points.length / 3);
   const partOf = order.map((node) => parts[node] ?? 0);
   let width = 0;
   for (const [i, node] of order.entries()) {
@@ -93,24 +94,4 @@ function squaredDistance(points: Float64Array, one: number, other: number): numb
   const y = (points[3 * one + 1] ?? 0) - (points[3 * other + 1] ?? 0);
   const z = (points[3 * one + 2] ?? 0) - (points[3 * other + 2] ?? 0);
   return x * x + y * y + z * z;
-}
-
-/** Returns per node which connected part it belongs to. O(triangles). */
-function partsOf(triangles: Uint32Array, count: number): Uint32Array {
-  const parent = Uint32Array.from({ length: count }, (_, node) => node);
-  const partOf = (given: number): number => {
-    let node = given;
-    for (let above = parent[node] ?? node; above !== node; above = parent[node] ?? node) {
-      const next = parent[above] ?? above;
-      parent[node] = next;
-      node = next;
-    }
-    return node;
-  };
-  triangles.forEach((from, corner) => {
-    const to = triangles[corner % 3 === 2 ? corner - 2 : corner + 1] ?? 0;
-    const [one, other] = [partOf(from), partOf(to)];
-    parent[Math.max(one, other)] = Math.min(one, other);
-  });
-  return parent.map((_, node) => partOf(node));
 }

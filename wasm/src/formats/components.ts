@@ -26,11 +26,17 @@ export function disjointSets(count: number): DisjointSets {
   return { rootOf, join };
 }
 
-/** Returns per triangle the least node of the triangles that are connected to it over nodes. */
-export function componentsOf(triangles: Uint32Array, nodes: number): Uint32Array {
+/** Returns per node the least node that triangles connect it to. */
+export function nodeComponentsOf(triangles: Uint32Array, nodes: number): Uint32Array {
   const sets = disjointSets(nodes);
   for (let t = 0; t < triangles.length; t += 3) {
     for (const corner of [t + 1, t + 2]) sets.join(triangles[t] ?? 0, triangles[corner] ?? 0);
   }
-  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => sets.rootOf(triangles[3 * t] ?? 0));
+  return Uint32Array.from({ length: nodes }, (_, node) => sets.rootOf(node));
+}
+
+/** Returns per triangle the least node of the triangles that are connected to it over nodes. */
+export function componentsOf(triangles: Uint32Array, nodes: number): Uint32Array {
+  const parts = nodeComponentsOf(triangles, nodes);
+  return Uint32Array.from({ length: triangles.length / 3 }, (_, t) => parts[triangles[3 * t] ?? 0] ?? 0);
 }

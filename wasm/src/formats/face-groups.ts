@@ -1,6 +1,7 @@
 /** Finds faces of several shapes that lie on one surface, and face each other. */
 import { PAUSE, type Steps } from "../base/steps.js";
 import { centroidOf, cornersOf, dot, normalOf, pointOf } from "../base/vectors.js";
+import { disjointSets } from "./components.js";
 import type { FittedSurface } from "./fitted-surface.js";
 import type { JoinedShapes } from "./joined-shapes.js";
 import type { FacesAndRims, ShapeRange } from "./rims.js";
@@ -14,12 +15,7 @@ export function* faceGroups(
   { faces, rims }: FacesAndRims,
   tolerance: number,
 ): Steps<FaceGroup[]> {
-  const groupOf = faces.map((_, f) => f);
-  const rootOf = (f: number): number => {
-    let root = f;
-    while (groupOf[root] !== root) root = groupOf[root] ?? root;
-    return root;
-  };
+  const sets = disjointSets(faces.length);
   const nodes = faces.map(({ rims: own }) => [...new Set(own.flatMap((r) => rims[r]?.nodes ?? []))]);
   const isOn = (f: number, surface: FittedSurface) =>
     (nodes[f] ?? []).every((node) => surface.distance(pointOf(joined.points, node)) <= 2 * tolerance);
@@ -37,14 +33,13 @@ export function* faceGroups(
       if (other?.surface === undefined || one.shape === other.shape) continue;
       if (one.surface.kind !== other.surface.kind || !areBoxesNear(one, other, tolerance)) continue;
       if (!isOn(g, one.surface) || !isOn(f, other.surface) || !faceEachOther(joined, one, other)) continue;
-      const [a, b] = [rootOf(f), rootOf(g)];
-      groupOf[Math.max(a, b)] = Math.min(a, b);
+      sets.join(f, g);
     }
     yield PAUSE;
   }
   const groups = new Map<number, number[]>();
   for (const f of faces.keys()) {
-    const root = rootOf(f);
+    const root = sets.rootOf(f);
     groups.set(root, [...(groups.get(root) ?? []), f]);
   }
   return [...groups.values()].filter(({ length }) => length > 1);

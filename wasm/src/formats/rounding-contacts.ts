@@ -3,7 +3,7 @@
  * corner anew. The parts touch there, and the space between them is none.
  */
 import { type Steps, stepwise } from "../base/steps.js";
-import { componentsOf } from "./components.js";
+import { nodeComponentsOf } from "./components.js";
 import { NearGrid } from "./near-grid.js";
 import { type Rounding, roundingOf } from "./rounding-tolerance.js";
 
@@ -14,11 +14,11 @@ const NONE = 0xffffffff;
  * rounding. Undefined if there are none. O(n).
  */
 export function* contactGroups(points: Float64Array, triangles: Uint32Array): Steps<Uint32Array | undefined> {
-  const parts = componentsOf(triangles, points.length / 3);
-  if (parts.every((part) => part === parts[0])) return undefined;
+  const parts = nodeComponentsOf(triangles, points.length / 3);
+  if (triangles.every((node) => parts[node] === parts[triangles[0] ?? 0])) return undefined;
   const rounding = yield* roundingOf(points, triangles);
   if (rounding === undefined) return undefined;
-  const partners = yield* partnersOf(points, partOfNodes(triangles, parts, points.length / 3), rounding);
+  const partners = yield* partnersOf(points, parts, rounding);
   const candidates: number[] = [];
   yield* stepwise(triangles.length / 3, (t) => {
     if (cornersOf(triangles, t).every((node) => partners[node] !== NONE)) candidates.push(t);
@@ -48,12 +48,6 @@ function* partnersOf(points: Float64Array, parts: Uint32Array, rounding: Roundin
     });
   });
   return nearest.map((other, node) => (other !== NONE && nearest[other] === node ? other : NONE));
-}
-
-function partOfNodes(triangles: Uint32Array, parts: Uint32Array, nodes: number): Uint32Array {
-  const found = new Uint32Array(nodes).fill(NONE);
-  triangles.forEach((node, corner) => (found[node] = parts[Math.floor(corner / 3)] ?? NONE));
-  return found;
 }
 
 const cornersOf = (triangles: Uint32Array, t: number): readonly number[] => [

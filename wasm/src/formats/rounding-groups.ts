@@ -1,5 +1,6 @@
 /** Groups nodes that differ by rounding, independently of the order of the nodes. */
 import { PAUSE, type Steps, stepwise } from "../base/steps.js";
+import { type DisjointSets, disjointSets } from "./components.js";
 import type { NearGrid } from "./near-grid.js";
 import { comparePositions, type Rounding, squareBetween } from "./rounding-tolerance.js";
 
@@ -42,7 +43,8 @@ export function* incidenceOf(triangles: Uint32Array, nodes: number): Steps<Incid
  */
 export function* groupNoise(soup: NoisySoup, nodes: Uint32Array): Steps<Uint32Array | undefined> {
   const { points, rounding, grid } = soup;
-  const parent = Uint32Array.from({ length: points.length / 3 }, (_, p) => p);
+  const count = points.length / 3;
+  const sets = disjointSets(count);
   let pairs = 0;
   yield* stepwise(nodes.length, (i) => {
     const one = nodes[i] ?? 0;
@@ -50,17 +52,17 @@ export function* groupNoise(soup: NoisySoup, nodes: Uint32Array): Steps<Uint32Ar
     grid.near(one, rounding.largest, (other) => {
       if (!rounding.isWithin(one, other)) return true;
       found++;
-      connect(parent, one, other);
+      sets.join(one, other);
       // With more, it is part of a dense mesh, all of whose other pairs would take long.
       return found < MAX_CONNECTED;
     });
     pairs += found;
   });
   if (pairs === 0) return undefined;
-  const groupOf = Uint32Array.from(parent.keys());
-  const isOpen = new Uint8Array(points.length / 3);
+  const groupOf = Uint32Array.from({ length: count }, (_, p) => p);
+  const isOpen = new Uint8Array(count);
   for (const node of nodes) isOpen[node] = 1;
-  for (const members of yield* componentsOf(parent)) {
+  for (const members of yield* membersOf(sets, count)) {
     if (members.length > MAX_CONNECTED) continue;
     for (const group of groupsOf(soup, members, isOpen)) {
       for (const node of group) groupOf[node] = group[0] ?? node;
@@ -70,26 +72,11 @@ export function* groupNoise(soup: NoisySoup, nodes: Uint32Array): Steps<Uint32Ar
   return groupOf;
 }
 
-function rootOf(parent: Uint32Array, given: number): number {
-  let node = given;
-  for (let above = parent[node] ?? node; above !== node; above = parent[node] ?? node) {
-    const next = parent[above] ?? above;
-    parent[node] = next;
-    node = next;
-  }
-  return node;
-}
-
-function connect(parent: Uint32Array, one: number, other: number): void {
-  const [a, b] = [rootOf(parent, one), rootOf(parent, other)];
-  parent[Math.max(a, b)] = Math.min(a, b);
-}
-
 /** Returns the connected nodes that are not alone, each list in ascending order. */
-function* componentsOf(parent: Uint32Array): Steps<Iterable<number[]>> {
+function* membersOf(sets: DisjointSets, count: number): Steps<Iterable<number[]>> {
   const components = new Map<number, number[]>();
-  yield* stepwise(parent.length, (p) => {
-    const root = rootOf(parent, p);
+  yield* stepwise(count, (p) => {
+    const root = sets.rootOf(p);
     if (root === p) return;
     const known = components.get(root);
     if (known === undefined) components.set(root, [root, p]);
