@@ -11,7 +11,7 @@ const NONE = 0xffffffff;
 
 /**
  * Returns per node the smaller one of it and its partner in another part: the corners of triangles that are the same up to
- * rounding. Undefined if there are none. O(n).
+ * rounding, and face each other. Undefined if there are none. O(n).
  */
 export function* contactGroups(points: Float64Array, triangles: Uint32Array): Steps<Uint32Array | undefined> {
   const parts = nodeComponentsOf(triangles, points.length / 3);
@@ -28,7 +28,8 @@ export function* contactGroups(points: Float64Array, triangles: Uint32Array): St
   let isAny = false;
   for (const t of candidates) {
     const corners = cornersOf(triangles, t);
-    if (!known.has(keyOf(corners.map((node) => partners[node] ?? NONE)))) continue;
+    // Seen from the other part, the corners are in the opposite order.
+    if (!known.has(keyOf(corners.map((node) => partners[node] ?? NONE).reverse()))) continue;
     isAny = true;
     for (const node of corners) groupOf[node] = Math.min(node, partners[node] ?? NONE);
   }
@@ -54,4 +55,8 @@ const cornersOf = (triangles: Uint32Array, t: number): readonly number[] => [
   ...triangles.subarray(3 * t, 3 * t + 3),
 ];
 
-const keyOf = (nodes: readonly number[]): string => nodes.toSorted((a, b) => a - b).join(" ");
+/** Returns the same text for the same nodes in the same cyclic order. */
+function keyOf(nodes: readonly number[]): string {
+  const first = nodes.indexOf(Math.min(...nodes));
+  return [...nodes.slice(first), ...nodes.slice(0, first)].join(" ");
+}
