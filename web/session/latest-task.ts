@@ -1,4 +1,4 @@
-/** Work of which only the last answer counts: whoever runs it again ends what was asked before. */
+/** Work of which only the last answer counts. A new run ends the one before. */
 export class LatestTask {
   #abort: AbortController | null = null;
 

@@ -125,8 +125,8 @@ bool ElementImprover<Space>::insertBeside(TetId tet, const Target& target,
   for (const ElementFace across : complex_.element(tet).across) {
     if (!across.isNone()) seeds[count++] = across.tet();
   }
-  constexpr std::size_t kMostNeighbours = 2;
-  if (count > 1 + kMostNeighbours) return false;
+  constexpr std::size_t kMaxNeighbours = 2;
+  if (count > 1 + kMaxNeighbours) return false;
   Vec3 middle(0.0);
   for (std::size_t i = 0; i < count; ++i) {
     for (const NodeId node : complex_.element(seeds[i]).nodes) middle += complex_.position(node);

@@ -13,13 +13,13 @@ namespace tetrafront {
 namespace {
 
 constexpr int kSamplesPerAxis = 12;
-/// Elements / triangles of the boundary in a mesh without interior nodes: of one triangle after the other, and in one layer of many.
+/// Elements / triangles of the boundary in a mesh without interior nodes: at least, and in a layer one element thick.
 constexpr double kTetrahedraPerTriangle = 0.5;
 constexpr double kTetrahedraPerLayerTriangle = 1.48;
-/// A body of fewer triangles than the square of this is no layer.
+/// Square root of the number of triangles up to which a body is no layer.
 constexpr double kLayerSides = 2.0;
 
-/// Returns about how many elements the least interior has: none in a layer one element thick.
+/// Returns about how many elements a boundary of this many triangles has at least.
 double leastTetrahedra(double triangles) {
   const double inLayer = 1.0 - kLayerSides / std::sqrt(std::max(1.0, triangles));
   return triangles * std::max(kTetrahedraPerTriangle, kTetrahedraPerLayerTriangle * inLayer);

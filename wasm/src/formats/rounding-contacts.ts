@@ -1,6 +1,6 @@
 /**
  * Finds the faces that closed parts of a surface have in common up to rounding: programs that place a part compute the same
- * corner anew. The parts touch there, and the space between them is none.
+ * corner anew.
  */
 import { type Steps, stepwise } from "../base/steps.js";
 import { nodeComponentsOf } from "./components.js";
