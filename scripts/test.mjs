@@ -106,7 +106,9 @@ await main(async () => {
   const prepare = builder(tools);
   // A download, beside everything else.
   if (selection.has("unit")) void prepare(["oracles"]);
-  const running = lanes.map((lane) => runLane(lane, selection, tools, prepare));
+  const used = lanes.filter((lane) => lane.some((name) => selection.has(name)));
+  const sharing = { ...tools, lanesInUse: used.length };
+  const running = used.map((lane) => runLane(lane, selection, sharing, prepare));
   const rows = (await Promise.all(running)).flat();
   const all = sum(rows.map((row) => row.counts));
   print(rows, all);

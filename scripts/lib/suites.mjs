@@ -9,6 +9,7 @@ import { untestedOracles } from "./oracles.mjs";
 import { buildFolders, inRoot, reports } from "./paths.mjs";
 import { inParallel, jobs, run } from "./run.mjs";
 import { sourcesThatNeedOthers } from "./single-sources.mjs";
+import { slowness } from "./slowness.mjs";
 import { tidy } from "./tidy.mjs";
 import { findFuzzer, typescriptCompiler } from "./tools.mjs";
 
@@ -60,8 +61,8 @@ function freePort() {
 
 /**
  * All suites. `needs` lists the parts that must be built first. `run(tools, only)` returns
- * `{ passed, failed, failures }`; `only` restricts a suite to some tests or files. `untested` lists, one line each,
- * what this machine cannot test.
+ * `{ passed, failed, failures }`; `tools.lanesInUse` lanes share the processors, and `only` restricts a suite to some
+ * tests or files. `untested` lists, one line each, what this machine cannot test.
  */
 export const suites = {
   format: {
@@ -164,9 +165,10 @@ export const suites = {
   e2e: {
     title: "end-to-end tests",
     needs: ["wasm", "package", "site"],
-    async run({ chromium }, only = []) {
+    async run({ chromium, lanesInUse }, only = []) {
       const env = {
         CHROMIUM: chromium,
+        TETRAFRONT_SLOWNESS: `${lanesInUse * slowness()}`,
         TETRAFRONT_E2E_PORT: `${await freePort()}`,
         PLAYWRIGHT_JSON_OUTPUT_NAME: report("e2e"),
       };
