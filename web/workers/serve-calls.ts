@@ -1,5 +1,5 @@
+import { live } from "tetrafront/internal";
 import type { Call, Message, Protocol, Reply } from "./worker-client";
-import { live } from "./worker-life";
 
 /** An answer and the buffers in it that move to the page instead of being copied. */
 export interface Answer<T> {

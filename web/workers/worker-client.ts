@@ -3,7 +3,7 @@
  * each answer to its call by id. Workers answer in the order of the calls unless their handlers are asynchronous.
  */
 
-import { LifeWatch, type LifeReply, type LifeRequest } from "./worker-life";
+import { type LifeReply, type LifeRequest, type LifeWatch, watchLife } from "tetrafront/internal";
 
 /** The calls of a worker: argument and answer of each, by name. */
 export type Protocol<P> = {
@@ -53,7 +53,7 @@ export class WorkerClient<P extends Protocol<P>> {
   readonly #startWorker: () => WorkerPort;
   readonly #onLost: () => void;
   #worker: WorkerPort | null = null;
-  #life: LifeWatch | null = null;
+  #life: LifeWatch | undefined;
   #lastId = 0;
   readonly #pending = new Map<number, PendingCall>();
 
@@ -100,7 +100,7 @@ export class WorkerClient<P extends Protocol<P>> {
       lose(failureOf(event));
     };
     this.#worker = worker;
-    this.#life = LifeWatch.of(() => lose(killed));
+    this.#life = watchLife(() => lose(killed));
     if (this.#life) worker.postMessage(this.#life.request);
     return worker;
   }
@@ -116,7 +116,7 @@ export class WorkerClient<P extends Protocol<P>> {
   #end(reason: string): void {
     if (!this.#worker) return;
     this.#life?.stop();
-    this.#life = null;
+    this.#life = undefined;
     this.#worker.terminate();
     this.#worker = null;
     const calls = [...this.#pending.values()];

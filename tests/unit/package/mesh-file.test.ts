@@ -80,6 +80,21 @@ function rod(n: number, length: number): SurfaceInput {
   return { points: Float64Array.from(points), triangles: Uint32Array.from(triangles) };
 }
 
+/** A disc of n sides with radius 1, its faces fans around their centres. */
+function disc(n: number, thickness: number): SurfaceInput {
+  const rim = Array.from({ length: n }, (_, i) => (2 * Math.PI * i) / n);
+  const points = [0, thickness].flatMap((z) => [
+    ...rim.flatMap((angle) => [Math.cos(angle), Math.sin(angle), z]),
+    ...[0, 0, z],
+  ]);
+  const triangles = rim.flatMap((_, i) => {
+    const j = (i + 1) % n;
+    const [a, b, c, d] = [i, j, n + 1 + i, n + 1 + j];
+    return [...[n, b, a], ...[2 * n + 1, c, d], ...[a, b, d], ...[a, d, c]];
+  });
+  return { points: Float64Array.from(points), triangles: Uint32Array.from(triangles) };
+}
+
 /** A surface with its axes in another order, moved along the first. */
 function turnedUp({ points, triangles }: SurfaceInput): SurfaceInput {
   const moved = points.map(
@@ -126,6 +141,31 @@ describe("fit triangles", () => {
     expect(auto.report.fingerprint).toBe(kept.report.fingerprint);
     expect(auto.report.triangles).toBe(surface.triangles.length / 3);
     expect(auto.report.remesh).toBeUndefined();
+  });
+
+  test("are kept if some face the wrong way, and the report lists those that were flipped", async () => {
+    const { points, triangles } = sphereSurface(8);
+    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0, ...others] = triangles;
+    const { report } = made(await meshed({ points, triangles: Uint32Array.of(a, c, b, d, e, f, ...others) }));
+    expect(report.repair?.map(({ kind }) => kind)).toEqual(["flipped-triangle"]);
+    expect(report.triangles).toBe(triangles.length / 3);
+    expect(report.volume).toBeCloseTo(enclosed({ points, triangles }), 12);
+  });
+
+  test.each([
+    ["a disc of 14 sides", disc(14, 0.1)],
+    ["a disc of 24 sides", disc(24, 0.05)],
+  ])("are replaced if the body is thin for them, unless a size or keep is given: %s", async (_, surface) => {
+    const given = surface.triangles.length / 3;
+    const kept = made(await meshed(surface, { surface: "keep" }));
+    const { report, notes } = made(await meshed(surface));
+    expect(report.remesh?.given).toBe(given);
+    expect(report.dihedral.min).toBeGreaterThan(20);
+    expect(report.radiusRatio.mean).toBeGreaterThan(kept.report.radiusRatio.mean + 0.2);
+    expect(report.volume).toBeCloseTo(kept.report.volume, 2);
+    expect(notes.filter((note) => note.includes('surface: "keep"'))).toHaveLength(1);
+    const sized = made(await meshed(surface, { size: 4 }));
+    expect(sized.report.triangles).toBe(given);
   });
 
   test("of a remeshing are kept", async () => {

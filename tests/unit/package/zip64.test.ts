@@ -61,3 +61,16 @@ test("a damaged zip file gives an error, wherever it ends", async () => {
     expect(read.success).toBe(false);
   }
 });
+
+test("a file with a damaged byte gives an error, or the same surface", async () => {
+  const read = async (file: Uint8Array) => readSurface(file, { fileName: "cube.3mf" });
+  const whole = await read(cube);
+  let refused = 0;
+  for (let at = 0; at < cube.length; at++) {
+    const file = Uint8Array.from(cube, (byte, i) => (i === at ? byte ^ 4 : byte));
+    const found = await read(file);
+    if (found.success) expect(found.value).toEqual(whole.success ? whole.value : undefined);
+    else if (found.errors[0].message.includes("damaged")) refused++;
+  }
+  expect(refused).toBeGreaterThan(cube.length / 4);
+});

@@ -239,7 +239,8 @@ export interface SurfaceMeshOptions extends MeshOptions, RemeshSettings {
    * What becomes of the triangles. Default `auto`, for CAD files `remesh`.
    *
    * - `auto`: fit triangles are kept, and split if they are far larger than the sizes, or than small ones near them permit; fine cracks between them are welded. If
-   *   too many are needles, closed shells touch or intersect, or an option of the remeshing is given, all are replaced, and
+   *   too many are needles, closed shells touch or intersect, an option of the remeshing is given, or elements beside them
+   *   are poor because they are large for the thickness of the body, all are replaced, and
    *   the surface is repaired before if that changes nothing visible.
    * - `keep`: all are kept.
    * - `refine`: those larger than the target size are split; without sizes, those larger than small ones near them permit.

@@ -9,7 +9,7 @@ import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
-import { filledBest, hasWelded, remeshedBest } from "./best-repair.js";
+import { filledBest, hasWelded, remeshedBest, unlessFailed } from "./best-repair.js";
 import { checkControl, checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
 import type { ChangedSurface, MeshedSurface } from "./meshed-surface.js";
@@ -31,7 +31,14 @@ import type { WholeNumbers } from "./whole-numbers.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withSmallRepair } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withSolidsOfPatches, withTouchingSolids } from "./touching-solids.js";
-import { type ControlOf, type TreatedSurface, treatedSurface, type Treatment } from "./surface-treatment.js";
+import { helpedByOthers, isBetter } from "./poor-kept.js";
+import {
+  type ControlOf,
+  hasSizes,
+  type TreatedSurface,
+  treatedSurface,
+  type Treatment,
+} from "./surface-treatment.js";
 import { isVisiblyChanged } from "./visible-change.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { completeSurface } from "./carried-mesh.js";
@@ -223,6 +230,7 @@ export async function filledSurface(
 ): Promise<MeshedSurface> {
   const { surface, treatment } = ready;
   const { elements } = filling.options;
+  if (treatment.kind === "smaller" && isFree(filling)) return filledBetter(mesher, given, ready, filling);
   // The call that fills a kept surface reaches the number itself.
   if (elements === undefined || treatment.kind === "keep") return filledOnce(mesher, given, ready, filling);
   const parts = ready.parts?.map((part) => part.ready.surface) ?? [surface];
@@ -235,6 +243,32 @@ export async function filledSurface(
   } catch (failure) {
     return cancelled(failure, ready);
   }
+}
+
+/** Returns whether triangles that are kept may be replaced: nobody asked for them, for a size or for the record of a front. */
+const isFree = ({ options, isRecorded }: FillingOptions): boolean =>
+  (options.surface ?? "auto") === "auto" && !hasSizes(options) && isRecorded !== true;
+
+/** As `filledOnce`, for triangles that are kept. If elements beside them are poor, replaces them, and keeps the better mesh. */
+async function filledBetter(
+  mesher: Mesher,
+  given: Mesh,
+  ready: ReadySurface,
+  filling: FillingOptions,
+): Promise<MeshedSurface> {
+  const kept = await filledOnce(mesher, given, ready, filling);
+  const poor = helpedByOthers(kept);
+  if (poor === undefined) return kept;
+  const treatment: Treatment = { kind: "remesh", poor };
+  const replaced = ({ parts, ...one }: ReadySurface): ReadySurface => ({
+    ...one,
+    treatment,
+    parts: parts?.map((part) => ({ ...part, ready: replaced(part.ready) })),
+  });
+  const options = { ...filling.options, surface: "remesh" } as const;
+  const made = await unlessFailed(filledOnce(mesher, given, replaced(ready), { ...filling, options }));
+  if (made?.report.status === "cancelled") return made;
+  return made !== undefined && isBetter(made, poor) ? made : kept;
 }
 
 /**

@@ -110,14 +110,24 @@ async function weldedCracks(
   return isFillable ? repair : undefined;
 }
 
-/** Removes triangles that are there twice. Returns undefined if there are none, or if this alone does not make the surface valid. */
-async function withoutDuplicates(
+/**
+ * Whether a repair can mend this fault of a closed surface and keep every triangle: some are there twice, or face the wrong way. One
+ * between two regions may be meant so.
+ */
+const isSmallFault = ({ code, data }: Diagnostic): boolean =>
+  code === "duplicate-triangle" || (code === "flipped-triangle" && !data.isBetweenRegions);
+
+/**
+ * Removes triangles that are there twice and flips those that face the wrong way. Returns undefined if there are none, or if this
+ * alone does not make the surface valid.
+ */
+async function withTrianglesMended(
   mesher: SurfaceMesher,
   given: Mesh,
   innerShells: InnerShells | undefined,
 ): Promise<SurfaceRepair | undefined> {
   const { openEdges, diagnostics } = await mesher.inspectSurface(given, { innerShells });
-  if (openEdges > 0 || !diagnostics.some(({ code }) => code === "duplicate-triangle")) return undefined;
+  if (openEdges > 0 || !diagnostics.some(isSmallFault)) return undefined;
   const repair = await mesher.repairSurface(given, { innerShells, resolveIntersections: false });
   if (!keepsTriangles(repair)) return undefined;
   const after = await mesher.inspectSurface(withoutRegions(repair.mesh), { innerShells });
@@ -234,8 +244,8 @@ export async function madeFillable(
 }
 
 /**
- * Returns a surface after a repair that keeps its triangles: cracks are welded, or triangles that were there twice removed, as where
- * two shells have a face in common. Undefined if nothing is to be done, if this does not make it valid, or if one would see it.
+ * Returns a surface after a repair that keeps its triangles: cracks are welded, triangles that were there twice are removed, as where
+ * two shells have a face in common, and those that face the wrong way are flipped. Undefined if nothing is to be done, if this does not make it valid, or if one would see it.
  */
 export async function withSmallRepair(
   mesher: SurfaceMesher,
@@ -244,7 +254,7 @@ export async function withSmallRepair(
 ): Promise<PreparedSurface | undefined> {
   const repair =
     (await weldedCracks(mesher, given, { innerShells })) ??
-    (await withoutDuplicates(mesher, given, innerShells));
+    (await withTrianglesMended(mesher, given, innerShells));
   if (repair === undefined) return undefined;
   const { mesh: welded, changes, deviation: repairDeviation } = repair;
   const solids = hasSolids(given)

@@ -18,6 +18,7 @@ import type {
 import { inSteps } from "../calls/yielder.js";
 import { harmfulNeedles } from "../mesh/quality-warnings.js";
 import type { Mesh } from "../mesh/mesh.js";
+import { type ElementShapes, poorNote } from "./poor-kept.js";
 
 /** What was decided for a surface: never `auto`. */
 export interface Treatment {
@@ -26,6 +27,8 @@ export interface Treatment {
   readonly needles?: TriangleShapes | undefined;
   /** Number of pairs of solids that touch or overlap and whose triangles do not fit together, if they are the reason. */
   readonly touching?: number | undefined;
+  /** Shapes of the elements with the given triangles, if they are the reason. */
+  readonly poor?: ElementShapes | undefined;
 }
 
 export interface TreatedSurface {
@@ -75,7 +78,7 @@ export async function treatedSurface(
 async function replaced(
   mesher: Mesher,
   given: Mesh,
-  { treatment: { needles, touching }, remeshing, options, sizeFactor, controlOf }: TreatmentOptions,
+  { treatment: { needles, touching, poor }, remeshing, options, sizeFactor, controlOf }: TreatmentOptions,
 ): Promise<TreatedSurface> {
   const { size, growth, maxVolume, innerShells, background } = options;
   const settings = needles && !hasSizes(options) ? withStatedSize(remeshing, needles) : remeshing;
@@ -84,6 +87,7 @@ async function replaced(
   const notes = [
     ...(needles === undefined ? [] : [needlesNote(needles)]),
     ...(touching === undefined ? [] : [touchingNote(touching)]),
+    ...(poor === undefined ? [] : [poorNote(poor, KEEP)]),
   ];
   return { ...made, diagnostics: [...notes, ...made.diagnostics] };
 }
@@ -92,7 +96,7 @@ async function replaced(
 const withStatedSize = (remeshing: RemeshSettings, { statedSize }: TriangleShapes): RemeshSettings =>
   statedSize === undefined ? remeshing : { ...remeshing, maxSize: remeshing.maxSize ?? statedSize };
 
-function hasSizes({ size, background, maxVolume }: MeshOptions): boolean {
+export function hasSizes({ size, background, maxVolume }: MeshOptions): boolean {
   const sources = background?.sources ?? [];
   return (
     size !== undefined || maxVolume !== undefined || (background?.sizes.length ?? 0) > 0 || sources.length > 0

@@ -187,7 +187,7 @@ function withFront(command: Command): Command {
     .addOption(
       new Option(
         "--surface <treatment>",
-        "keep the triangles of a surface, split those larger than the target size, or replace all; auto keeps fit triangles and replaces needles (default auto; remesh for CAD files)",
+        "keep the triangles of a surface, split those larger than the target size, or replace all; auto keeps fit triangles, and replaces needles and those too large for a thin body (default auto; remesh for CAD files)",
       ).choices(SURFACE_TREATMENTS),
     )
     .option(

@@ -22,6 +22,7 @@ import {
 } from "./threemf-model.js";
 import { indexOf } from "./text-bytes.js";
 import { xmlInUtf8 } from "./xml-encoding.js";
+import { hasStatedChecksum } from "./zip-directory.js";
 import { withShortSizes } from "./zip64.js";
 
 /** Limit of the model's size, per byte of the file and in addition: text of a mesh is packed to about a tenth. */
@@ -58,6 +59,7 @@ function* meshIn(file: Uint8Array): Steps<Mesh> {
 /** Returns the bytes of the model. Throws a ReadFailure if the file is not a zip with a model. */
 function modelIn(file: Uint8Array): Uint8Array {
   const tooLarge: string[] = [];
+  let damaged: string | undefined;
   const wanted = /^\/?3D\/[^/]*\.model$/i;
   try {
     const found = unzipSync(withShortSizes(file), {
@@ -68,13 +70,17 @@ function modelIn(file: Uint8Array): Uint8Array {
         return false;
       },
     });
-    const [model] = Object.keys(found).sort();
-    const bytes = found[model ?? ""];
-    if (bytes !== undefined) return xmlInUtf8(bytes);
+    const [model = ""] = Object.keys(found).sort();
+    const bytes = found[model];
+    if (bytes !== undefined) {
+      if (hasStatedChecksum(file, model, bytes)) return xmlInUtf8(bytes);
+      damaged = "the model in the file is damaged: its checksum is not the one that the file states";
+    }
   } catch {
     if (isCutZip(file)) throw truncatedAt({ offset: file.length }, "without the list of files of a zip file");
-    throw failureAt({ offset: 0 }, "the file is not a zip file, or it is damaged", THREE_MF_REMEDY);
+    damaged = "the file is not a zip file, or it is damaged";
   }
+  if (damaged !== undefined) throw failureAt({ offset: 0 }, damaged, THREE_MF_REMEDY);
   const message =
     tooLarge.length > 0
       ? "the model unpacks to far more than the size of the file"

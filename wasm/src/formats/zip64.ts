@@ -3,12 +3,8 @@
  * not know the size of an entry beforehand use ZIP64 for the entry alone, as the specification permits (PKWARE, APPNOTE
  * 4.5.3).
  */
+import { ENTRY_BYTES, entriesOf } from "./zip-directory.js";
 
-const ENTRY = 0x02014b50;
-const END = 0x06054b50;
-const END_BYTES = 22;
-const ENTRY_BYTES = 46;
-const MAX_COMMENT = 0xffff;
 /** Value of a 32-bit field whose number is in the ZIP64 extra field. */
 const ELSEWHERE = 0xffffffff;
 /** Identifier of the ZIP64 extra field. */
@@ -27,21 +23,6 @@ export function withShortSizes(file: Uint8Array): Uint8Array {
   const view = new DataView(copy.buffer);
   for (const at of entries) shorten(view, at);
   return copy;
-}
-
-/** Returns where the entries of the central directory begin. */
-function entriesOf(view: DataView): number[] {
-  let end = view.byteLength - END_BYTES;
-  const first = Math.max(0, end - MAX_COMMENT);
-  while (end >= first && view.getUint32(end, true) !== END) end--;
-  if (end < first) return [];
-  const entries: number[] = [];
-  let at = view.getUint32(end + 16, true);
-  while (at + ENTRY_BYTES <= end && view.getUint32(at, true) === ENTRY) {
-    entries.push(at);
-    at += ENTRY_BYTES + [28, 30, 32].reduce((sum, field) => sum + view.getUint16(at + field, true), 0);
-  }
-  return entries;
 }
 
 /** Copies the numbers of the ZIP64 extra field of an entry to its fields, if they fit. */
