@@ -1,8 +1,9 @@
-/// @file Binds what needs the code of a run, for the module "engine": the runs, which fill models and surfaces, the check of what
-/// they are given, and the improvement of meshes.
+/// @file Binds what a first mesh needs, for the module "engine": the preview of a model, the check of what a run is given, the runs,
+/// which fill models and surfaces, and the improvement of meshes, which has their code.
 
 #include "run_bindings.h"
 #include "tetrafront/mesh_improvement.h"
+#include "tetrafront/preview.h"
 #include "tetrafront/run_check.h"
 
 EMSCRIPTEN_BINDINGS(engine) {
@@ -10,7 +11,8 @@ EMSCRIPTEN_BINDINGS(engine) {
   using namespace tetrafront::border;
 
   registerRuns<leaveAsIs>();
-  registerTypes<MeshImprovement, ImproveOptions, RunCheck>();
+  registerTypes<bool, ImproveOptions, MeshImprovement, ModelPreview, RunCheck>();
+  registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions, bool>("Preview", "previewModel");
   registerTool<MeshImprover, Doubles, Indices, Indices, Indices, ImproveOptions>("Improvement",
                                                                                  "improveMesh");
   registerTool<RunChecker, Model, BodySurfaces, BackgroundGrid, MeshOptions>("RunCheck",

@@ -4,7 +4,6 @@
 #include "tetrafront/covering_grid.h"
 #include "tetrafront/grid_from_mesh.h"
 #include "tetrafront/mesh_inspection.h"
-#include "tetrafront/preview.h"
 #include "tetrafront/region_location.h"
 #include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
@@ -20,8 +19,7 @@ EMSCRIPTEN_BINDINGS(tools) {
                 MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions,
                 BodySurfaces, GivenRegions>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
-                PatchSplit, ModelPreview, SizeProposal, RegionLocation, SurfaceSizeProposal,
-                SizeSamples>();
+                PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -36,7 +34,6 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
   registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions,
                GivenRegions>("Remesh", "remeshSurface");
-  registerTool<ModelPreviewer, Model, BackgroundGrid, MeshOptions, bool>("Preview", "previewModel");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

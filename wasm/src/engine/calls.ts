@@ -7,7 +7,7 @@ import type { Engine, EngineTool, Tools } from "./loader.js";
 
 /** Per function: the module that has it. Of some, the second argument is an array of triangles. */
 export const CALLS = {
-  previewModel: { module: "tools" },
+  previewModel: { module: "engine" },
   cover: { module: "tools" },
   propose: { module: "tools" },
   sampleSizes: { module: "tools" },

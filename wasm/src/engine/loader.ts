@@ -1,11 +1,12 @@
 /**
- * Loads the compiled engine: the module "engine", which fills models and surfaces and improves meshes, the module
+ * Loads the compiled engine: the module "engine", which previews and fills models, fills surfaces and improves meshes, the module
  * "trace", whose runs record the steps of the front, and the module "tools", for everything else. The only file that names
  * the compiled modules.
  */
 import createEngine, {
   type Improvement,
   type MainModule as Engine,
+  type Preview,
   type Run,
   type RunCheck,
 } from "./engine.js";
@@ -16,7 +17,6 @@ import type {
   Location,
   MainModule as Tools,
   PatchSplitting,
-  Preview,
   Proposal,
   Refinement,
   Remesh,
@@ -43,7 +43,7 @@ export type EngineRemesh = ResultOf<"remeshSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 export type EngineImprovement = ReturnType<Improvement["result"]>;
 export type EngineImproveOptions = Readonly<Parameters<Engine["improveMesh"]>[4]>;
-export type EnginePreview = ResultOf<"previewModel">;
+export type EnginePreview = ReturnType<Preview["result"]>;
 export type EngineLocation = ResultOf<"locateRegions">;
 
 /** Options of the engine: 0 for a size that is not given, and enumerators by their numbers. */
