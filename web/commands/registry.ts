@@ -88,6 +88,9 @@ export function runCommand(app: App, command: Command): void {
   command.run(app);
 }
 
+/** Runs the command with an id if it is enabled. */
+export const runNamed = (app: App, id: string): void => runCommand(app, commandNamed(id));
+
 /** Returns the hotkeys of a command on all keyboards. */
 export function hotkeysOf({ keys }: Command): readonly string[] {
   return keys.flatMap((key) => (sign.test(key) ? [key, `shift+${key}`] : [key]));

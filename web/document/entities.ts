@@ -82,6 +82,12 @@ export function bodyOfPatch(project: Project, patch: number): ProjectBody | unde
   return bodiesOf(project).find(({ patches }) => patches.some(({ id }) => id === patch));
 }
 
+/** Returns the body of an entity that is a patch of one; any other entity as it is. */
+export function bodyForPatch(project: Project, entity: Entity): Entity {
+  const body = entity.kind === "body-patch" ? bodyOfPatch(project, entity.id) : undefined;
+  return body ? { kind: "body", id: body.id } : entity;
+}
+
 /** Returns a drawn patch or a patch of a body by its id: all patches have ids of their own. */
 export function patchEntity(project: Project, id: number): Entity {
   return { kind: bodyOfPatch(project, id) ? "body-patch" : "patch", id };

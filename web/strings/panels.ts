@@ -25,7 +25,6 @@ export const panelStrings = {
     closed: "Closed",
     more: (count: number) => `and ${count} more`,
     createFrom: "Create from selection",
-    deleteAll: "Delete selection",
     delete: "Delete",
     deletesAlso: (count: number) =>
       count === 1 ? "Deletes 1 dependent too" : `Deletes ${count} dependents too`,
@@ -65,7 +64,6 @@ export const panelStrings = {
   groups: {
     title: "Groups",
     one: "Group",
-    make: "Group selection",
     add: (name: string) => `Add selection to ${name}`,
     takeOut: (name: string) => `Take selection out of ${name}`,
     name: (name: string) => `Name of group ${name}`,

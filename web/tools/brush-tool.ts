@@ -5,7 +5,7 @@ import type { DocumentStore, Gesture } from "../session/document-store";
 import { BrushLayer } from "../viewer/layers/brush-layer";
 import type { Hit, Layer } from "../viewer/layers/layer";
 import type { Viewer } from "../viewer/viewer";
-import type { Tool, ToolPointer } from "./tool";
+import type { Interaction, ToolPointer } from "./interaction";
 
 /** Distance between the positions of a stroke, as a share of the radius. */
 const spacing = 0.5;
@@ -14,8 +14,7 @@ const spacing = 0.5;
  * Paints an element size on surfaces: a stroke of the left button becomes sources along it, one step of undo. Escape
  * cancels the stroke; without one, it puts the brush away. Circles at the pointer show how far the size applies.
  */
-export class BrushTool implements Tool {
-  readonly id = "brush";
+export class BrushTool implements Interaction {
   readonly #documents: DocumentStore;
   readonly #view: ViewStore;
   readonly #viewer: Pick<Viewer, "requestFrame">;
@@ -37,21 +36,23 @@ export class BrushTool implements Tool {
     return true;
   }
 
-  move(pointer: ToolPointer | null): void {
+  move(pointer: ToolPointer | null): boolean {
     const brush = this.#brush;
-    if (!brush) return;
+    if (!brush) return false;
     const hit = pointer?.hit();
     this.#layer?.show(hit?.position ?? null, brush.radius);
     this.#viewer.requestFrame();
-    if (!hit || !this.#gesture) return;
+    if (!hit || !this.#gesture) return hit !== undefined && hit !== null;
     const last = this.#stroke.at(-1)?.position;
     const distance = last ? Math.hypot(...hit.position.map((x, k) => x - (last[k] ?? 0))) : Infinity;
     if (distance >= spacing * brush.radius) this.#paint(hit, brush);
+    return true;
   }
 
-  up(): void {
+  up(): boolean {
     this.#gesture?.commit();
     this.#end();
+    return true;
   }
 
   cancel(): void {

@@ -1,16 +1,15 @@
 import type { Project } from "tetrafront/project";
-import { bodyOfPatch, findRecord, sameEntity, type Entity } from "../document/entities";
+import { bodyForPatch, findRecord, sameEntity, type Entity } from "../document/entities";
 import { linePaths } from "../document/line-paths";
 import type { Position } from "../document/position";
-import type { ViewStore } from "../document/selection";
+import type { ViewState, ViewStore } from "../document/selection";
 import { translation } from "../document/transforms/affine";
 import { selectedParts } from "../document/transforms/selected-parts";
-import { offerTransform, transformStep } from "../document/transforms/transform";
+import { offerTransform } from "../document/transforms/transform";
 import {
   axisDirections,
   dot,
   fromFrame,
-  scale,
   subtract,
   toFrame,
   unit,
@@ -21,11 +20,10 @@ import { onLine, onPlane, roundStep, roundTo } from "../document/work-plane";
 import type { DocumentStore } from "../session/document-store";
 import { strings } from "../strings";
 import { formatPosition } from "../ui/format";
-import type { Hit, Layer } from "../viewer/layers/layer";
 import type { Viewer } from "../viewer/viewer";
 import { snapToModel, type SnapTargets } from "./drawing/snapping";
+import type { Interaction, ToolPointer } from "./interaction";
 import type { Motion } from "./motion";
-import type { Tool, ToolPointer } from "./tool";
 
 export interface DragStores {
   readonly documents: DocumentStore;
@@ -36,6 +34,11 @@ export interface DragStores {
 
 /** Smallest step of a drag and of an arrow key, in CSS pixels. */
 const stepPixels = 10;
+
+/** Returns the step of a drag and of an arrow key, in the unit of the project. */
+export const gridStep = ({ pixelLength }: Pick<Viewer, "pixelLength">): number =>
+  roundStep(stepPixels * pixelLength);
+
 /** A smaller offset, relative to the coordinates, is their rounding error: a drag in a plane does not leave it. */
 const roundingShare = 1e-13;
 /** Below this sine of the angle between the line of sight and the work plane, a drag moves parallel to the view. */
@@ -54,169 +57,116 @@ interface Drag {
   readonly targets: SnapTargets | null;
 }
 
-/** Moves per arrow key, in the axes of the work plane. */
-const directions: Readonly<Record<string, Position>> = {
-  ArrowLeft: [-1, 0, 0],
-  ArrowRight: [1, 0, 0],
-  ArrowDown: [0, -1, 0],
-  ArrowUp: [0, 1, 0],
-  PageDown: [0, 0, -1],
-  PageUp: [0, 0, 1],
+/** What a press takes hold of. */
+export interface Hold {
+  /** Returns what a drag of an entity moves; null for nothing. */
+  readonly moved: (target: Entity, view: ViewState, project: Project) => readonly Entity[] | null;
+  /** Whether a press on an entity that is not selected selects it. */
+  readonly selects: boolean;
+}
+
+const isSelected = ({ selection }: ViewState, target: Entity): boolean =>
+  selection.some((entity) => sameEntity(entity, target));
+
+/** Whatever lies under the pointer, with the selection if it is selected. */
+export const holdAll: Hold = {
+  moved: (target, view) => (isSelected(view, target) ? view.selection : [target]),
+  selects: true,
 };
 
-/** What a drag takes: whatever lies under the pointer, or only points that are selected or belong to a selected line. */
-export type Draggable = "all" | "held-points";
+/** Only points that are selected, or belong to a selected line. */
+export const holdPoints: Hold = {
+  moved(target, view, project) {
+    if (target.kind !== "point" || view.several) return null;
+    if (isSelected(view, target)) return view.selection;
+    const isOfLine = view.selection.some(
+      ({ kind, id }) => kind === "line" && findRecord(project, "line", id)?.points.includes(target.id),
+    );
+    return isOfLine ? [target] : null;
+  },
+  selects: false,
+};
 
 /**
- * Drags the selection in the work plane, or parallel to the view if that plane is seen from its edge; a press on anything
- * else selects it first. With `held-points`, only selected points and the points of selected lines are dragged, and all else
- * is left to the other tool. Shift keeps to one axis, Ctrl turns snapping off. Numbers may be typed. What coincides after the drag is joined. Arrow
- * keys move by a step of the grid.
+ * Drags what a press takes hold of in the work plane, or parallel to the view if that plane is seen from its edge. Shift
+ * keeps to one axis, Ctrl turns snapping off. Numbers may be typed. What coincides after the drag is joined. A press that
+ * does not become a drag is a click for the interactions that follow.
  */
-export class DragTool implements Tool {
-  readonly id: string;
+export class DragTool implements Interaction {
   readonly #stores: DragStores;
-  /** Receives the presses beside the model. */
-  readonly #otherwise: Tool;
-  readonly #draggable: Draggable;
+  readonly #hold: Hold;
   #drag: Drag | null = null;
 
-  constructor(stores: DragStores, otherwise: Tool, draggable: Draggable = "all") {
-    this.id = draggable === "all" ? "move" : otherwise.id;
+  constructor(stores: DragStores, hold: Hold) {
     this.#stores = stores;
-    this.#otherwise = otherwise;
-    this.#draggable = draggable;
+    this.#hold = hold;
   }
 
   down(pointer: ToolPointer): boolean {
     this.#drag = pointer.button === "left" && !pointer.mod && !pointer.shift ? this.#begin(pointer) : null;
-    return this.#drag !== null || this.#otherwise.down(this.#passed(pointer));
+    return this.#drag !== null;
   }
 
-  move(pointer: ToolPointer | null): void {
-    if (!pointer || !this.#drag) return this.#otherwise.move(pointer);
-    if (!pointer.isDrag) return;
-    const offset = this.#offsetAt(pointer, this.#drag);
-    if (!offset) return;
+  move(pointer: ToolPointer | null): boolean {
+    const offset = this.#drag && pointer?.isDrag === true ? this.#offsetAt(pointer, this.#drag) : null;
+    if (!pointer || !offset) return false;
     const amount = strings.drawing.amounts.translate(formatPosition(offset));
     this.#stores.motion.drag(translation(offset), amount, pointer.at);
+    return true;
   }
 
-  up(pointer: ToolPointer): void {
+  up(pointer: ToolPointer): boolean {
     const { motion } = this.#stores;
     const drag = this.#drag;
     this.#drag = null;
+    if (!drag) return false;
     // Enter may have ended the motion before.
-    if (drag && (pointer.isDrag || motion.isTyping || !motion.isRunning)) return motion.release();
-    if (drag) motion.cancel();
-    this.#otherwise.up(this.#passed(pointer));
+    const isUsed = pointer.isDrag || motion.isTyping || !motion.isRunning;
+    if (isUsed) motion.release();
+    else motion.cancel();
+    return isUsed;
   }
 
   cancel(): void {
     if (this.#drag) this.#stores.motion.cancel();
     this.#drag = null;
-    this.#otherwise.cancel();
   }
 
   key(event: KeyboardEvent): boolean {
     const { motion } = this.#stores;
-    if (motion.isRunning && motion.key(event, () => null)) return true;
-    if (this.#draggable !== "all") return this.#otherwise.key(event);
-    if (event.key === "Escape") {
-      this.#stores.view.setTool("select");
-      return true;
-    }
-    const direction = event.ctrlKey || event.metaKey ? undefined : directions[event.key];
-    return direction !== undefined && this.#nudge(direction, event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-  }
-
-  overlay(): Layer | null {
-    return this.#draggable === "all" ? null : this.#otherwise.overlay();
-  }
-
-  /** Returns the pointer for the other tool: where all can be dragged, a body is taken in place of its patch. */
-  #passed(pointer: ToolPointer): ToolPointer {
-    if (this.#draggable !== "all") return pointer;
-    const { project } = this.#stores.documents;
-    const hit = (): Hit | null => {
-      const found = pointer.hit();
-      if (found?.target.kind !== "body-patch") return found;
-      return { ...found, target: movedBy(project, found.target) };
-    };
-    return { ...pointer, hit };
+    return motion.isRunning && motion.key(event, () => null);
   }
 
   get #step(): number {
-    return roundStep(stepPixels * this.#stores.viewer.pixelLength);
+    return gridStep(this.#stores.viewer);
   }
 
   get #frame(): Frame {
     return this.#stores.view.state.getState().workPlane.frame;
   }
 
-  /** Returns an offset that is given in the axes of the work plane. */
-  #fromPlane(offset: Position): Position {
-    return fromFrame({ ...this.#frame, origin: zero }, offset);
-  }
-
-  /** Returns false if nothing is selected: the keys then move the camera. */
-  #nudge(direction: Position, steps: number): boolean {
-    const { documents, view } = this.#stores;
-    const map = translation(this.#fromPlane(scale(direction, steps * this.#step)));
-    const { selection } = view.state.getState();
-    const offer = offerTransform(documents.project, selection, map, {
-      label: transformStep("move", selection),
-      join: false,
-    });
-    if (offer.possible) documents.edit({ ...offer.creation.edit, mergeKey: "nudge" });
-    return offer.possible;
-  }
-
   #begin(pointer: ToolPointer): Drag | null {
-    const { documents, viewer, motion } = this.#stores;
+    const { documents, view, viewer, motion } = this.#stores;
     // A press must not end the preview of an operation.
     if (documents.state.getState().gestureStart !== null) return null;
     const hit = pointer.hit();
     if (!hit || hit.target.kind === "element") return null;
     const { project } = documents;
-    const target = movedBy(project, hit.target);
-    const moved = this.#movedWith(project, target);
+    const target = bodyForPatch(project, hit.target);
+    const moved = this.#hold.moved(target, view.state.getState(), project);
     const none = { label: "", join: false };
     if (!moved || !offerTransform(project, moved, translation(zero), none).possible) return null;
-    const selection = this.#draggable === "all" ? this.#selected(target) : moved;
+    if (this.#hold.selects && !isSelected(view.state.getState(), target)) view.select(target);
     const held = target.kind === "point" ? findRecord(project, "point", target.id)?.position : undefined;
     const start = held ?? hit.position;
     const { ray } = viewer.seenFrom(pointer.at);
     const sight = unit(ray.direction) ?? ray.direction;
     const isFlat = Math.abs(dot(sight, this.#frame.z)) < flattest;
     const plane = { ...this.#frame, origin: start, ...(isFlat && { z: sight }) };
-    motion.start({ mode: "translate", selection, base: start, axis: null, isHeld: true });
+    motion.start({ mode: "translate", selection: moved, base: start, axis: null, isHeld: true });
     const isPoint = held !== undefined;
-    const targets = isPoint ? targetsBeside(project, selection) : null;
+    const targets = isPoint ? targetsBeside(project, moved) : null;
     return { start, plane, targets };
-  }
-
-  /** Returns what a drag of an entity moves; null if it moves nothing. */
-  #movedWith(project: Project, target: Entity): readonly Entity[] | null {
-    const { view } = this.#stores;
-    const { selection, several } = view.state.getState();
-    const isSelected = selection.some((entity) => sameEntity(entity, target));
-    if (this.#draggable === "held-points") {
-      if (target.kind !== "point" || several) return null;
-      if (isSelected) return selection;
-      const isOfLine = selection.some(
-        ({ kind, id }) => kind === "line" && findRecord(project, "line", id)?.points.includes(target.id),
-      );
-      return isOfLine ? [target] : null;
-    }
-    return isSelected ? selection : [target];
-  }
-
-  /** Selects an entity that is not selected. Returns the selection. */
-  #selected(target: Entity): readonly Entity[] {
-    const { view } = this.#stores;
-    if (!view.state.getState().selection.some((entity) => sameEntity(entity, target))) view.select(target);
-    return view.state.getState().selection;
   }
 
   #offsetAt(pointer: ToolPointer, { start, plane, targets }: Drag): Position | null {
@@ -241,14 +191,8 @@ export class DragTool implements Tool {
       const moved = steppedFrom(x, from[k] ?? 0);
       return Math.abs(moved) <= noise ? 0 : moved;
     }) as [number, number, number];
-    return this.#fromPlane(pointer.shift ? alongOneAxis(offset) : offset);
+    return fromFrame({ ...this.#frame, origin: zero }, pointer.shift ? alongOneAxis(offset) : offset);
   }
-}
-
-/** Returns what a drag of an entity moves: a patch of a body moves with its body. */
-function movedBy(project: Project, entity: Entity): Entity {
-  const body = entity.kind === "body-patch" ? bodyOfPatch(project, entity.id) : undefined;
-  return body ? { kind: "body", id: body.id } : entity;
 }
 
 /** Returns how far a coordinate moves: to a multiple of the step, unless it stays within half a step. */

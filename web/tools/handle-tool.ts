@@ -1,4 +1,3 @@
-import { Group } from "three";
 import type { Position } from "../document/position";
 import type { ViewStore } from "../document/selection";
 import { unit } from "../document/vectors";
@@ -7,13 +6,13 @@ import type { DocumentStore } from "../session/document-store";
 import type { Operations } from "../session/operations";
 import type { Layer } from "../viewer/layers/layer";
 import { SizeGlyphLayer } from "../viewer/layers/size-glyph-layer";
-import type { SceneChanges } from "../viewer/scene-state";
 import type { Viewer } from "../viewer/viewer";
 import type { Drawing } from "./drawing/drawing";
 import type { Grip, GripDrag, Grips } from "./handles/grips";
 import { operationGrips } from "./handles/operation-grips";
 import { sizeGrips } from "./handles/size-handles";
-import type { Tool, ToolPointer } from "./tool";
+import type { Interaction, ToolPointer } from "./interaction";
+import { Overlay } from "./overlay";
 
 export interface HandleStores {
   readonly documents: DocumentStore;
@@ -38,12 +37,10 @@ interface Drag extends GripDrag {
 /**
  * Shows the size of a selected node or source as a glyph, with handles for size, stretching, direction and distance, or the
  * handles of the open operation. One drag of a handle is one step of undo, or changes a value of the operation; Escape
- * cancels it. Passes everything else to another tool.
+ * cancels it.
  */
-export class HandleTool implements Tool {
-  readonly id: string;
+export class HandleTool implements Interaction {
   readonly #stores: HandleStores;
-  readonly #otherwise: Tool;
   #layer: SizeGlyphLayer | null = null;
   #drag: Drag | null = null;
   #hovered: number | null = null;
@@ -53,42 +50,36 @@ export class HandleTool implements Tool {
   /** Length of a pixel when they were placed. */
   #pixel = 0;
 
-  constructor(stores: HandleStores, otherwise: Tool) {
-    this.id = otherwise.id;
+  constructor(stores: HandleStores) {
     this.#stores = stores;
-    this.#otherwise = otherwise;
   }
 
   down(pointer: ToolPointer): boolean {
     const isPlain = pointer.button === "left" && !pointer.shift && !pointer.mod;
     this.#drag = isPlain ? this.#begin(pointer) : null;
-    if (!this.#drag) return this.#otherwise.down(pointer);
+    if (!this.#drag) return false;
     // A finger presses without having been over the handle before.
     this.#hover(this.#indexAt(pointer));
     this.#describe(pointer);
     return true;
   }
 
-  move(pointer: ToolPointer | null): void {
-    if (pointer && this.#drag) {
-      if (pointer.isDrag) this.#dragTo(pointer, this.#drag);
-      this.#describe(pointer);
-      return;
-    }
-    // During another drag, the handles do not react.
-    this.#hover(pointer?.button === null ? this.#indexAt(pointer) : null);
+  move(pointer: ToolPointer | null): boolean {
+    if (!this.#drag) this.#hover(pointer && this.#indexAt(pointer));
+    else if (pointer?.isDrag === true) this.#dragTo(pointer, this.#drag);
     this.#describe(pointer);
-    this.#otherwise.move(this.#hovered === null ? pointer : null);
+    return this.#hovered !== null;
   }
 
-  up(pointer: ToolPointer): void {
+  up(pointer: ToolPointer): boolean {
     const drag = this.#drag;
     this.#drag = null;
-    if (!drag) return this.#otherwise.up(pointer);
+    if (!drag) return false;
     if (pointer.isDrag) drag.commit();
     else drag.cancel();
     this.#hover(pointer.touch ? null : this.#indexAt(pointer));
     this.#describe(pointer);
+    return true;
   }
 
   cancel(): void {
@@ -96,11 +87,6 @@ export class HandleTool implements Tool {
     this.#drag = null;
     this.#hover(null);
     this.#describe(null);
-    this.#otherwise.cancel();
-  }
-
-  key(event: KeyboardEvent): boolean {
-    return this.#otherwise.key(event);
   }
 
   overlay(): Layer {
@@ -114,7 +100,14 @@ export class HandleTool implements Tool {
         viewer.requestFrame();
       }),
     ];
-    return new HandleOverlay(layer, this.#otherwise.overlay(), () => this.#show(), stops);
+    return new Overlay([layer], {
+      onUpdate: (changes) => {
+        if (changes.has("project", "selection", "origin", "viewport")) this.#show();
+      },
+      onDispose: () => {
+        for (const stop of stops) stop();
+      },
+    });
   }
 
   #indexAt(pointer: ToolPointer): number | null {
@@ -194,36 +187,5 @@ export class HandleTool implements Tool {
         hovered: this.#hovered,
       },
     );
-  }
-}
-
-/** The glyphs, with what the other tool draws. Each change of the scene may concern them. */
-class HandleOverlay implements Layer {
-  /** The layer hides its own root while nothing has a glyph. */
-  readonly root = new Group();
-  readonly #layer: SizeGlyphLayer;
-  readonly #other: Layer | null;
-  readonly #show: () => void;
-  readonly #stops: readonly (() => void)[];
-
-  constructor(layer: SizeGlyphLayer, other: Layer | null, show: () => void, stops: readonly (() => void)[]) {
-    this.root.add(layer.root);
-    this.#layer = layer;
-    this.#other = other;
-    this.#show = show;
-    this.#stops = stops;
-    if (other) this.root.add(other.root);
-  }
-
-  update(changes: SceneChanges): void {
-    this.#layer.update(changes);
-    this.#other?.update(changes);
-    if (changes.has("project", "selection", "origin", "viewport")) this.#show();
-  }
-
-  dispose(): void {
-    for (const stop of this.#stops) stop();
-    this.#layer.dispose();
-    this.#other?.dispose();
   }
 }

@@ -3,14 +3,13 @@ import { linePaths } from "../document/line-paths";
 import type { SelectMode, ViewStore } from "../document/selection";
 import type { DocumentStore } from "../session/document-store";
 import type { PreviewFeed } from "../session/preview";
-import type { Layer } from "../viewer/layers/layer";
 import type { Target } from "../viewer/layers/layer";
 import type { ScreenPoint } from "../viewer/screen";
 import type { ShownBody } from "../viewer/shown-bodies";
 import type { Viewer } from "../viewer/viewer";
 import type { Drawing } from "./drawing/drawing";
+import type { Interaction, ToolPointer } from "./interaction";
 import { entitiesWithin, outlinedBodies, outlineOf, shownEntities } from "./outline-selection";
-import type { Tool, ToolPointer } from "./tool";
 
 /** What selecting asks of the view. */
 export interface SelectViewer extends Pick<Viewer, "seenFrom" | "entitiesAt"> {
@@ -24,6 +23,8 @@ export interface SelectStores {
   readonly drawing: Pick<Drawing, "state">;
   /** Returns the bodies of the project. */
   readonly bodies: () => readonly ShownBody[];
+  /** Returns what a click on an entity means; without it, the entity itself. */
+  readonly meant?: (entity: Entity) => Entity;
 }
 
 /** An entity under the pointer. */
@@ -58,8 +59,7 @@ const hoverDelay = 80;
  * lies within a box or, with Alt, a lasso. A resting pointer highlights the entity under it. After a click, Tab goes through
  * all that lies under the pointer: the click then means the next entity, and what else is selected stays.
  */
-export class SelectTool implements Tool {
-  readonly id = "select";
+export class SelectTool implements Interaction {
   readonly #viewer: SelectViewer;
   readonly #stores: SelectStores;
   readonly #events: SelectEvents;
@@ -84,29 +84,24 @@ export class SelectTool implements Tool {
     return isClaimed;
   }
 
-  move(pointer: ToolPointer | null): void {
+  move(pointer: ToolPointer | null): boolean {
     clearTimeout(this.#restTimer);
     if (!pointer || (this.#clicked && isFar(pointer.at, this.#clicked.at))) this.#clicked = null;
     if (pointer && this.#outline) {
       if (pointer.isDrag) this.#draw(pointer, this.#outline);
     } else if (pointer) this.#restTimer = setTimeout(() => this.#rest(pointer), hoverDelay);
     else this.#setHover(null);
+    return pointer !== null;
   }
 
-  up(pointer: ToolPointer): void {
+  up(pointer: ToolPointer): boolean {
     const outline = this.#outline;
     this.cancel();
     if (pointer.button === "right") this.#openMenu(pointer);
-    if (pointer.button !== "left") return;
-    if (pointer.isDrag && outline) return this.#selectWithin(outline, pointer);
-    const { selection: before } = this.#view.state.getState();
-    const target = pointer.hit()?.target ?? null;
-    // With a key, each click adds or toggles, however fast they follow each other.
-    if (pointer.clicks === 2 && modeOf(pointer) === "replace") this.#doubleClick(pointer, target);
-    else if (target?.kind === "element") this.#view.selectElement(target.index);
-    else this.#view.select(target, modeOf(pointer));
-    const entity = target?.kind === "element" ? null : target;
-    this.#clicked = this.#click(pointer.at, modeOf(pointer), entity, before);
+    if (pointer.button !== "left") return true;
+    if (pointer.isDrag && outline) this.#selectWithin(outline, pointer);
+    else this.#selectAt(pointer);
+    return true;
   }
 
   cancel(): void {
@@ -121,12 +116,24 @@ export class SelectTool implements Tool {
     return this.#clicked !== null && this.#selectNext(this.#clicked, event.shiftKey ? -1 : 1);
   }
 
-  overlay(): Layer | null {
-    return null;
-  }
-
   get #view(): ViewStore {
     return this.#stores.view;
+  }
+
+  #selectAt(pointer: ToolPointer): void {
+    const { selection: before } = this.#view.state.getState();
+    const target = this.#targetAt(pointer);
+    // With a key, each click adds or toggles, however fast they follow each other.
+    if (pointer.clicks === 2 && modeOf(pointer) === "replace") this.#doubleClick(pointer, target);
+    else if (target?.kind === "element") this.#view.selectElement(target.index);
+    else this.#view.select(target, modeOf(pointer));
+    const entity = target?.kind === "element" ? null : target;
+    this.#clicked = this.#click(pointer.at, modeOf(pointer), entity, before);
+  }
+
+  #targetAt(pointer: ToolPointer): Target | null {
+    const target = pointer.hit()?.target ?? null;
+    return target && target.kind !== "element" ? (this.#stores.meant?.(target) ?? target) : target;
   }
 
   #doubleClick(pointer: ToolPointer, target: Target | null): void {
@@ -172,16 +179,15 @@ export class SelectTool implements Tool {
 
   /** The menu is about the entity under the pointer, and the selection if the entity belongs to it. */
   #openMenu(pointer: ToolPointer): void {
-    const hit = pointer.hit();
-    const target = hit?.target ?? null;
+    const target = this.#targetAt(pointer);
     const { selection } = this.#view.state.getState();
     const isSelected = target?.kind !== "element" && selection.some((entity) => sameEntity(entity, target));
     if (target && target.kind !== "element" && !isSelected) this.#view.select(target);
-    this.#stores.drawing.state.setState({ menu: pointer.at, menuPosition: hit?.position ?? null });
+    this.#stores.drawing.state.setState({ menu: pointer.at, menuPosition: pointer.hit()?.position ?? null });
   }
 
   #rest(pointer: ToolPointer): void {
-    const target = pointer.hit()?.target;
+    const target = this.#targetAt(pointer);
     this.#setHover(target && target.kind !== "element" ? { entity: target, at: pointer.at } : null);
   }
 

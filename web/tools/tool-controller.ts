@@ -1,8 +1,23 @@
+/**
+ * A tool is an ordered list of interactions, and one tool is active. The rules:
+ *
+ * - Press: the interactions are asked in their order, and the first that claims the press owns it. Its moves and its release
+ *   go to the owner, also outside the view, and the camera sees nothing of it. A press that none claims is a click, or
+ *   becomes a drag of the camera.
+ * - Release: the owner is asked, then those after it; for a click, all are. The first that returns true has used it.
+ * - Hover: without a press, all are asked in their order. Those after the first that has something under the pointer see
+ *   no pointer (null). While a press has an owner, the others see none either.
+ * - Keys: an owner alone receives them, and Escape cancels its press. Otherwise the first that uses a key has it, and the
+ *   hotkeys and the camera receive only keys that none has used. Keys in fields and dialogs are left alone.
+ * - Overlays add up: while a tool is active, what each of its interactions draws is in the view.
+ * - Cancel: Escape, a drag of the camera, a second finger without an owner, a lost pointer, a window that loses the focus,
+ *   and another tool. All interactions are told.
+ */
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Viewer } from "../viewer/viewer";
 import type { ScreenPoint } from "../viewer/screen";
 import { inputMode } from "./input-mode";
-import type { PointerButton, Tool, ToolPointer } from "./tool";
+import type { Interaction, PointerButton, ToolPointer } from "./interaction";
 
 /** A press that moves farther than this, in CSS pixels, is a drag. */
 const dragThreshold = 4;
@@ -17,7 +32,8 @@ interface Press {
   readonly button: PointerButton | null;
   readonly start: ScreenPoint;
   readonly clicks: number;
-  readonly isClaimed: boolean;
+  /** The interaction that has claimed the press; null if none has. */
+  readonly owner: Interaction | null;
   isDrag: boolean;
 }
 
@@ -29,32 +45,28 @@ interface Click {
 }
 
 export interface ToolState {
-  readonly tool: string;
-  /** True while the active tool has claimed a button. */
+  /** True while an interaction has claimed a press. */
   readonly hasGesture: boolean;
 }
 
 /**
- * Passes pointer and key events to the active tool before the camera and the hotkeys receive them, by
- * listening in the capture phase. While a tool has claimed a button, only the tool receives keys, and Escape
- * cancels the press.
+ * Passes pointer and key events to the interactions of the active tool before the camera and the hotkeys receive them, by
+ * listening in the capture phase.
  */
 export class ToolController {
   readonly state: StoreApi<ToolState>;
   readonly #canvas: HTMLElement;
   readonly #viewer: Pick<Viewer, "addLayer" | "hit">;
   readonly #listening = new AbortController();
-  #tool: Tool;
-  #removeOverlay: (() => void) | null;
+  #tool: readonly Interaction[] = [];
+  #removeOverlays: readonly (() => void)[] = [];
   #press: Press | null = null;
   #lastClick: Click = { at: { x: 0, y: 0 }, time: -Infinity, count: 0 };
 
-  constructor(canvas: HTMLElement, viewer: Pick<Viewer, "addLayer" | "hit">, tool: Tool) {
+  constructor(canvas: HTMLElement, viewer: Pick<Viewer, "addLayer" | "hit">) {
     this.#canvas = canvas;
     this.#viewer = viewer;
-    this.#tool = tool;
-    this.#removeOverlay = this.#addOverlay();
-    this.state = createStore<ToolState>(() => ({ tool: tool.id, hasGesture: false }));
+    this.state = createStore<ToolState>(() => ({ hasGesture: false }));
     const options = { capture: true, signal: this.#listening.signal };
     canvas.addEventListener("pointerdown", (event) => this.#down(event), options);
     canvas.addEventListener("pointermove", (event) => this.#move(event), options);
@@ -69,38 +81,33 @@ export class ToolController {
     window.addEventListener("keydown", (event) => this.#key(event), options);
   }
 
-  /** Makes another tool the active one. */
-  use(tool: Tool): void {
+  /** Makes other interactions the active tool. */
+  use(tool: readonly Interaction[]): void {
     this.cancel();
-    this.#tool.move(null);
-    this.#removeOverlay?.();
+    this.#hover(null);
+    for (const remove of this.#removeOverlays) remove();
     this.#tool = tool;
-    this.#removeOverlay = this.#addOverlay();
-    this.state.setState({ tool: tool.id });
+    this.#removeOverlays = tool.flatMap((interaction) => {
+      const overlay = interaction.overlay?.();
+      return overlay ? [this.#viewer.addLayer(overlay)] : [];
+    });
   }
 
   /** Cancels a press. */
   cancel(): void {
     if (!this.#press) return;
     this.#endPress();
-    this.#tool.cancel();
+    for (const interaction of this.#tool) interaction.cancel?.();
   }
 
   dispose(): void {
-    this.cancel();
-    this.#tool.move(null);
-    this.#removeOverlay?.();
+    this.use([]);
     this.#listening.abort();
-  }
-
-  #addOverlay(): (() => void) | null {
-    const overlay = this.#tool.overlay();
-    return overlay && this.#viewer.addLayer(overlay);
   }
 
   #down(event: PointerEvent): void {
     const isSecondPointer = this.#press !== null && this.#press.pointerId !== event.pointerId;
-    if (isSecondPointer && this.#press?.isClaimed === true) return event.stopImmediatePropagation();
+    if (isSecondPointer && this.#press?.owner) return event.stopImmediatePropagation();
     // Two fingers move the camera. A mouse whose release was missed begins a new press.
     this.cancel();
     if (isSecondPointer || !event.isPrimary) return;
@@ -112,9 +119,11 @@ export class ToolController {
       clicks: this.#countClicks(event, start),
       isDrag: false,
     };
-    const isClaimed = this.#tool.down(this.#pointer(event, press));
-    this.#press = { ...press, isClaimed };
-    if (!isClaimed) return;
+    const pointer = this.#pointer(event, press);
+    const owner = this.#tool.find((interaction) => interaction.down?.(pointer)) ?? null;
+    this.#press = { ...press, owner };
+    if (!owner) return;
+    for (const other of this.#tool) if (other !== owner) other.move?.(null);
     event.stopImmediatePropagation();
     this.#canvas.setPointerCapture(event.pointerId);
     this.state.setState({ hasGesture: true });
@@ -123,14 +132,14 @@ export class ToolController {
   #move(event: PointerEvent): void {
     const press = this.#press;
     if (!press) {
-      if (event.buttons === 0 && event.pointerType !== "touch") this.#tool.move(this.#pointer(event, null));
+      if (event.buttons === 0 && event.pointerType !== "touch") this.#hover(this.#pointer(event, null));
       return;
     }
     if (event.pointerId !== press.pointerId) return;
     press.isDrag ||= distance(this.#pointOf(event), press.start) > dragThreshold;
-    if (press.isClaimed) {
+    if (press.owner) {
       event.stopImmediatePropagation();
-      this.#tool.move(this.#pointer(event, press));
+      press.owner.move?.(this.#pointer(event, press));
     } else if (press.isDrag) {
       this.cancel();
     }
@@ -139,17 +148,24 @@ export class ToolController {
   #up(event: PointerEvent): void {
     const press = this.#press;
     if (event.pointerId !== press?.pointerId) return;
-    if (press.isClaimed) event.stopImmediatePropagation();
+    if (press.owner) event.stopImmediatePropagation();
     this.#endPress();
     if (!press.isDrag) this.#lastClick = { at: press.start, time: event.timeStamp, count: press.clicks };
-    this.#tool.up(this.#pointer(event, press));
+    const pointer = this.#pointer(event, press);
+    const asked = press.owner ? this.#tool.slice(this.#tool.indexOf(press.owner)) : this.#tool;
+    asked.some((interaction) => interaction.up?.(pointer));
   }
 
   #leave(): void {
     // A captured pointer never leaves the view.
-    if (this.#press?.isClaimed === true) return;
+    if (this.#press?.owner) return;
     this.cancel();
-    this.#tool.move(null);
+    this.#hover(null);
+  }
+
+  #hover(pointer: ToolPointer | null): void {
+    let seen = pointer;
+    for (const interaction of this.#tool) if (interaction.move?.(seen) === true) seen = null;
   }
 
   #lose(event: PointerEvent): void {
@@ -157,23 +173,19 @@ export class ToolController {
   }
 
   #key(event: KeyboardEvent): void {
-    const hasGesture = this.#press?.isClaimed === true;
-    const isMeant = inputMode(event.target) === "view";
-    if (!hasGesture && !isMeant) return;
-    const isUsed = hasGesture && event.key === "Escape" ? this.#cancelByKey() : this.#tool.key(event);
+    const owner = this.#press?.owner;
+    if (!owner && inputMode(event.target) !== "view") return;
+    const isCancel = owner !== undefined && owner !== null && event.key === "Escape";
+    if (isCancel) this.cancel();
+    const isUsed = isCancel || (owner ? [owner] : this.#tool).some((asked) => asked.key?.(event));
     if (isUsed) event.preventDefault();
-    if (isUsed || hasGesture) event.stopImmediatePropagation();
-  }
-
-  #cancelByKey(): true {
-    this.cancel();
-    return true;
+    if (isUsed || owner) event.stopImmediatePropagation();
   }
 
   #endPress(): void {
     const press = this.#press;
     this.#press = null;
-    if (press?.isClaimed !== true) return;
+    if (!press?.owner) return;
     if (this.#canvas.hasPointerCapture(press.pointerId)) this.#canvas.releasePointerCapture(press.pointerId);
     this.state.setState({ hasGesture: false });
   }
@@ -184,7 +196,7 @@ export class ToolController {
     return isRepeated ? count + 1 : 1;
   }
 
-  #pointer(event: PointerEvent, press: Omit<Press, "isClaimed"> | null): ToolPointer {
+  #pointer(event: PointerEvent, press: Omit<Press, "owner"> | null): ToolPointer {
     const at = this.#pointOf(event);
     let hit: ReturnType<Viewer["hit"]> | undefined;
     return {

@@ -1,5 +1,5 @@
 import type { Project, ProjectBody } from "tetrafront/project";
-import { Group } from "three";
+import type { Group } from "three";
 import { findRecord, type Entity } from "../document/entities";
 import type { Moving, ViewState, ViewStore } from "../document/selection";
 import type { Position } from "../document/position";
@@ -12,7 +12,7 @@ import type { DocumentStore } from "../session/document-store";
 import { strings } from "../strings";
 import { formatPosition } from "../ui/format";
 import type { Layer } from "../viewer/layers/layer";
-import type { SceneChanges, SceneState } from "../viewer/scene-state";
+import type { SceneState } from "../viewer/scene-state";
 import type { ScreenPoint } from "../viewer/screen";
 import type { Viewer } from "../viewer/viewer";
 import type {
@@ -21,8 +21,9 @@ import type {
   NormalizedPointer,
   TransformHandles,
 } from "./handles/transform-handles";
+import type { Interaction, ToolPointer } from "./interaction";
 import type { Motion, MotionStart } from "./motion";
-import type { Tool, ToolPointer } from "./tool";
+import { Overlay } from "./overlay";
 
 export interface TransformStores {
   readonly documents: DocumentStore;
@@ -45,14 +46,12 @@ type Subject = Pick<ViewState, "selection" | "handleMode">;
 
 /**
  * Shows handles at the middle of the selection that move, rotate or scale it, with steps unless Ctrl is held. One drag is
- * one step of undo; Escape cancels it. Numbers may be typed instead. What coincides after the drag is joined. Passes
- * everything else to another tool. The code of the handles is loaded when they are first shown. If `moving` is given, the
+ * one step of undo; Escape cancels it. Numbers may be typed instead. What coincides after the drag is joined.
+ * The code of the handles is loaded when they are first shown. If `moving` is given, the
  * handles are those of its body, whatever is selected; Escape hides them.
  */
-export class TransformTool implements Tool {
-  readonly id: string;
+export class TransformTool implements Interaction {
   readonly #stores: TransformStores;
-  readonly #otherwise: Tool;
   readonly #moving: Moving | null;
   #handles: TransformHandles | null = null;
   /** What the handles are placed by. */
@@ -60,11 +59,9 @@ export class TransformTool implements Tool {
   /** Where a handle was pressed, and the middle of the selection then; null if none is. */
   #pressed: { readonly at: ScreenPoint; readonly middle: Position } | null = null;
 
-  constructor(stores: TransformStores, otherwise: Tool, moving: Moving | null = null) {
-    this.id = moving ? "move" : otherwise.id;
+  constructor(stores: TransformStores, moving: Moving | null = null) {
     this.#moving = moving;
     this.#stores = stores;
-    this.#otherwise = otherwise;
   }
 
   down(pointer: ToolPointer): boolean {
@@ -74,33 +71,33 @@ export class TransformTool implements Tool {
     // A press must not end the preview of an operation.
     const isFree = this.#stores.documents.state.getState().gestureStart === null;
     const start = isHandle && isFree ? this.#motion(true) : null;
-    if (!start) return this.#otherwise.down(pointer);
+    if (!start) return false;
     this.#pressed = { at: pointer.at, middle: start.base };
     this.#stores.motion.start({ ...start, axis: handles?.axis ?? null });
     handles?.press(at);
     return true;
   }
 
-  move(pointer: ToolPointer | null): void {
-    if (pointer && this.#pressed) {
-      if (pointer.isDrag) this.#dragTo(pointer);
-    } else {
-      this.#otherwise.move(pointer && this.#isOverHandle(pointer) ? null : pointer);
-    }
-    if (this.#handles) this.#stores.viewer.requestFrame();
+  move(pointer: ToolPointer | null): boolean {
+    const handles = this.#handles;
+    if (!pointer || !handles) return false;
+    if (this.#pressed && pointer.isDrag) this.#dragTo(pointer);
+    this.#stores.viewer.requestFrame();
+    return this.#pressed !== null || (this.#isShown && handles.hover(this.#normalized(pointer.at)));
   }
 
-  up(pointer: ToolPointer): void {
-    if (!this.#pressed) return this.#otherwise.up(pointer);
+  up(pointer: ToolPointer): boolean {
+    if (!this.#pressed) return false;
     this.#pressed = null;
     this.#handles?.release(this.#normalized(pointer.at));
     // What was typed during the drag differs from where the pointer has left the handles.
     if (this.#placed) this.#place(this.#placed);
     this.#stores.motion.release();
+    return true;
   }
 
   cancel(): void {
-    if (!this.#pressed) return this.#otherwise.cancel();
+    if (!this.#pressed) return;
     this.#pressed = null;
     this.#handles?.release({ x: 0, y: 0 });
     this.#stores.motion.cancel();
@@ -109,35 +106,35 @@ export class TransformTool implements Tool {
   /** Numbers and axes that are typed move the selection, also without a drag. */
   key(event: KeyboardEvent): boolean {
     if (this.#stores.motion.key(event, () => this.#motion(false))) return true;
-    if (!this.#moving) return this.#otherwise.key(event);
-    if (event.key !== "Escape") return false;
+    if (!this.#moving || event.key !== "Escape") return false;
     this.#stores.view.setMoving(null);
     return true;
   }
 
   overlay(): Layer {
-    return new TransformOverlay(this.#otherwise.overlay(), (root, isOver) => void this.#load(root, isOver), {
-      place: (state) => this.#place(state),
-      dispose: () => {
+    const ended = new AbortController();
+    const overlay = new Overlay([], {
+      onUpdate: (changes) => {
+        if (changes.has("project", "selection", "origin", "handleMode", "bodies")) this.#place(changes.state);
+      },
+      onDispose: () => {
+        ended.abort();
         this.#stores.motion.cancel();
         this.#handles?.dispose();
         this.#handles = null;
       },
     });
+    void this.#load(overlay.root, ended.signal);
+    return overlay;
   }
 
   get #isShown(): boolean {
     return this.#handles?.root.visible === true;
   }
 
-  /** Highlights the handle under a pointer without a pressed button: during another drag there are no handles. */
-  #isOverHandle({ button, at }: ToolPointer): boolean {
-    return button === null && this.#isShown && this.#handles?.hover(this.#normalized(at)) === true;
-  }
-
-  async #load(root: Group, isOver: () => boolean): Promise<void> {
+  async #load(root: Group, ended: AbortSignal): Promise<void> {
     const { TransformHandles } = await import("./handles/transform-handles");
-    if (isOver()) return;
+    if (ended.aborted) return;
     this.#handles = new TransformHandles(this.#stores.viewer.camera);
     this.#handles.root.visible = false;
     root.add(this.#handles.root);
@@ -215,34 +212,3 @@ export class TransformTool implements Tool {
 }
 
 type Placed = Pick<SceneState, "project" | "selection" | "origin" | "handleMode">;
-
-/** The handles, with what the other tool draws. */
-class TransformOverlay implements Layer {
-  readonly root = new Group();
-  readonly #other: Layer | null;
-  readonly #events: { readonly place: (state: Placed) => void; readonly dispose: () => void };
-  #isOver = false;
-
-  constructor(
-    other: Layer | null,
-    load: (root: Group, isOver: () => boolean) => void,
-    events: { readonly place: (state: Placed) => void; readonly dispose: () => void },
-  ) {
-    this.#other = other;
-    this.#events = events;
-    if (other) this.root.add(other.root);
-    load(this.root, () => this.#isOver);
-  }
-
-  update(changes: SceneChanges): void {
-    this.#other?.update(changes);
-    if (changes.has("project", "selection", "origin", "handleMode", "bodies"))
-      this.#events.place(changes.state);
-  }
-
-  dispose(): void {
-    this.#isOver = true;
-    this.#other?.dispose();
-    this.#events.dispose();
-  }
-}

@@ -11,7 +11,7 @@ import { entryBytes, maxHistoryBytes } from "../../../web/session/history";
 import { maxKeptHistoryBytes, openKept } from "../../../web/session/kept-document";
 import { BrushTool } from "../../../web/tools/brush-tool";
 import { ViewStore } from "../../../web/document/selection";
-import type { ToolPointer } from "../../../web/tools/tool";
+import type { ToolPointer } from "../../../web/tools/interaction";
 import { TreeRows } from "../../../web/panels/model/tree-rows";
 import { cubeProject } from "../../support/projects";
 import { boxSurface, sphereSurface } from "../../support/surfaces";

@@ -4,21 +4,11 @@ import { DocumentStore } from "../../../web/session/document-store";
 import { Operations } from "../../../web/session/operations";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import { HandleTool } from "../../../web/tools/handle-tool";
-import type { Tool, ToolPointer } from "../../../web/tools/tool";
+import type { ToolPointer } from "../../../web/tools/interaction";
 import { SceneChanges } from "../../../web/viewer/scene-state";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { cubeProject } from "../../support/projects";
 import { sceneState } from "./scene";
-
-const otherwise: Tool = {
-  id: "other",
-  down: () => false,
-  move: () => undefined,
-  up: () => undefined,
-  cancel: () => undefined,
-  key: () => false,
-  overlay: () => null,
-};
 
 /** From above, without perspective: 100 pixels per unit. */
 const seenFrom: Viewer["seenFrom"] = (at) => ({
@@ -54,7 +44,7 @@ it("takes hold of the handles of a node, unless an operation has a preview", () 
   };
   const drawing = new Drawing();
   const operations = new Operations(documents, view);
-  const tool = new HandleTool({ documents, operations, view, drawing, viewer }, otherwise);
+  const tool = new HandleTool({ documents, operations, view, drawing, viewer });
   const state = sceneState({ ...view.state.getState(), project });
   tool.overlay().update(new SceneChanges(state, null));
   const [x, y] = [100 * node.position[0], 100 * node.position[1]];
@@ -70,9 +60,9 @@ it("takes hold of the handles of a node, unless an operation has a preview", () 
   tool.cancel();
 
   // What a handle changes is shown beside the pointer, until it leaves.
-  tool.move({ ...held, button: null });
+  expect(tool.move({ ...held, button: null })).toBe(true);
   expect(drawing.state.getState().amount).toMatch(/^(Size|Stretching) \d/);
-  tool.move({ ...pointer(-9000, 0), button: null });
+  expect(tool.move({ ...pointer(-9000, 0), button: null })).toBe(false);
   expect(drawing.state.getState().amount).toBeNull();
 
   const preview = documents.begin("Preview of an operation");

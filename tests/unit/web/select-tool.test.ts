@@ -4,7 +4,7 @@ import type { Entity } from "../../../web/document/entities";
 import { ViewStore } from "../../../web/document/selection";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import { SelectTool, type Hover, type SelectStores } from "../../../web/tools/select-tool";
-import type { ToolPointer } from "../../../web/tools/tool";
+import type { ToolPointer } from "../../../web/tools/interaction";
 import type { Target } from "../../../web/viewer/layers/layer";
 import type { Viewer } from "../../../web/viewer/viewer";
 import { drawnSurface } from "../../../web/document/drawn-surface";
@@ -19,6 +19,7 @@ let tool: SelectTool;
 let fitted: (Target | null)[];
 let hovers: (Hover | null)[];
 let bodies: readonly ShownBody[];
+let meant: (entity: Entity) => Entity;
 /** Ids of what was to be edited. */
 let edited: number[];
 /** What lies under the pointer. */
@@ -33,6 +34,7 @@ beforeEach(() => {
   under = [];
   drawing = new Drawing();
   bodies = [];
+  meant = (entity) => entity;
   const project = cubeProject();
   const previews = { state: createStore(() => ({ preview: null, project: null })) };
   tool = new SelectTool(
@@ -47,6 +49,7 @@ beforeEach(() => {
       view,
       drawing,
       bodies: () => bodies,
+      meant: (entity) => meant(entity),
     },
     { onHover: (hover) => hovers.push(hover), onEdit: () => edited.push(...selected()) },
   );
@@ -285,4 +288,19 @@ it("Tab moves the focus if the selection has changed since the click", () => {
   tool.up(pointer(line(1), { mod: true }));
   view.selectAll([1, 2, 3].map(line) as Entity[]);
   expect([tab(), selected()]).toEqual([false, [1, 2, 3]]);
+});
+
+it("hovers, selects and opens the menu of the entity that is meant by the one under the pointer", () => {
+  meant = ({ kind, id }) => (kind === "body-patch" ? { kind: "body", id: 7 } : { kind, id });
+  const patch: Target = { kind: "body-patch", id: 70 };
+  tool.move(pointer(patch, { button: null }));
+  vi.runAllTimers();
+  expect(hovers.at(-1)?.entity).toEqual({ kind: "body", id: 7 });
+  for (const button of ["left", "right"] as const) {
+    view.select(null);
+    expect(tool.up(pointer(patch, { button }))).toBe(true);
+    expect(view.state.getState().selection).toEqual([{ kind: "body", id: 7 }]);
+  }
+  tool.up(pointer(line(10)));
+  expect(view.state.getState().selection).toEqual([line(10)]);
 });

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { ToolController } from "../../../web/tools/tool-controller";
-import type { Tool, ToolPointer } from "../../../web/tools/tool";
+import type { Interaction, ToolPointer } from "../../../web/tools/interaction";
 import type { Layer } from "../../../web/viewer/layers/layer";
 
 /** A canvas at (100, 50) of the page, with only those members of an element that the controller uses. */
@@ -12,26 +12,25 @@ class Canvas extends EventTarget {
   releasePointerCapture = (id: number) => void this.captured.delete(id);
 }
 
-class RecordingTool implements Tool {
-  readonly id: string;
+class Recording implements Interaction {
   readonly calls: string[] = [];
   readonly pointers: (ToolPointer | null)[] = [];
   claims = false;
+  /** Whether something of it lies under the pointer, and whether it uses a release and keys. */
+  isUnder = false;
+  usesRelease = true;
   usesKeys = false;
-  layer: Layer | null = null;
-
-  constructor(id = "test") {
-    this.id = id;
-  }
   down(pointer: ToolPointer): boolean {
     this.#note("down", pointer);
     return this.claims;
   }
-  move(pointer: ToolPointer | null): void {
+  move(pointer: ToolPointer | null): boolean {
     this.#note(pointer ? "move" : "leave", pointer);
+    return pointer !== null && this.isUnder;
   }
-  up(pointer: ToolPointer): void {
+  up(pointer: ToolPointer): boolean {
     this.#note("up", pointer);
+    return this.usesRelease;
   }
   cancel(): void {
     this.calls.push("cancel");
@@ -39,9 +38,6 @@ class RecordingTool implements Tool {
   key({ key }: KeyboardEvent): boolean {
     this.calls.push(`key ${key}`);
     return this.usesKeys;
-  }
-  overlay(): Layer | null {
-    return this.layer;
   }
   #note(call: string, pointer: ToolPointer | null): void {
     this.calls.push(call);
@@ -62,7 +58,7 @@ interface PointerInit {
 
 let canvas: Canvas;
 let page: EventTarget;
-let tool: RecordingTool;
+let tool: Recording;
 let controller: ToolController;
 let seenByCamera: string[];
 const layers = { added: 0, removed: 0 };
@@ -78,9 +74,11 @@ beforeEach(() => {
   canvas = new Canvas();
   page = new EventTarget();
   vi.stubGlobal("window", page);
-  tool = new RecordingTool();
+  tool = new Recording();
   viewer.hit.mockClear();
-  controller = new ToolController(canvas as unknown as HTMLElement, viewer, tool);
+  controller = new ToolController(canvas as unknown as HTMLElement, viewer);
+  controller.use([tool]);
+  tool.calls.length = 0;
   seenByCamera = [];
   for (const type of ["pointerdown", "pointermove", "pointerup"]) {
     canvas.addEventListener(type, () => seenByCamera.push(type));
@@ -227,13 +225,13 @@ describe("a press that the tool claims", () => {
 
   it("is cancelled when another tool takes over, which then gets the pointer", () => {
     fire("pointerdown");
-    const next = new RecordingTool("next");
-    controller.use(next);
+    const next = new Recording();
+    controller.use([next]);
     fire("pointerup");
     fire("pointermove");
     expect(tool.calls).toEqual(["down", "cancel", "leave"]);
     expect(next.calls).toEqual(["move"]);
-    expect(controller.state.getState()).toEqual({ tool: "next", hasGesture: false });
+    expect(controller.state.getState()).toEqual({ hasGesture: false });
   });
 });
 
@@ -272,19 +270,18 @@ describe("without a press", () => {
     expect(tool.calls).toEqual([]);
   });
 
-  it("the overlay of a tool is in the view while the tool is active", () => {
+  it("the overlays of all its interactions are in the view while a tool is active", () => {
     Object.assign(layers, { added: 0, removed: 0 });
-    const drawing = new RecordingTool("drawing");
-    drawing.layer = {} as Layer;
-    controller.use(drawing);
-    expect(layers).toEqual({ added: 1, removed: 0 });
-    controller.use(tool);
-    expect(layers).toEqual({ added: 1, removed: 1 });
+    const drawing = (): Interaction => ({ overlay: () => ({}) as Layer });
+    controller.use([drawing(), tool, drawing()]);
+    expect(layers).toEqual({ added: 2, removed: 0 });
+    controller.use([tool]);
+    expect(layers).toEqual({ added: 2, removed: 2 });
   });
 
   it("nothing reaches the tool after disposal, and two controllers share nothing", () => {
-    const other = { canvas: new Canvas(), tool: new RecordingTool() };
-    new ToolController(other.canvas as unknown as HTMLElement, viewer, other.tool);
+    const other = { canvas: new Canvas(), tool: new Recording() };
+    new ToolController(other.canvas as unknown as HTMLElement, viewer).use([other.tool]);
     tool.claims = true;
     fire("pointerdown");
     expect(other.tool.calls).toEqual([]);
@@ -293,5 +290,86 @@ describe("without a press", () => {
     fire("pointermove");
     press("a");
     expect(tool.calls).toHaveLength(3);
+  });
+});
+
+describe("a tool of several interactions", () => {
+  let list: readonly [Recording, Recording, Recording];
+  const calls = (): string[][] => list.map((interaction) => interaction.calls.splice(0));
+
+  beforeEach(() => {
+    list = [new Recording(), new Recording(), new Recording()];
+    controller.use(list);
+    calls();
+  });
+
+  it("the first that claims a press owns it until the release, and the others lose the pointer", () => {
+    list[1].claims = list[2].claims = true;
+    fire("pointerdown");
+    expect(calls()).toEqual([["down", "leave"], ["down"], ["leave"]]);
+    fire("pointermove", { x: 40, buttons: 1 });
+    fire("pointerup", { x: 40 });
+    expect(calls()).toEqual([[], ["move", "up"], []]);
+    fire("pointermove", { x: 41 });
+    expect(calls()).toEqual([["move"], ["move"], ["move"]]);
+  });
+
+  it("a release that its owner does not use goes to those after it", () => {
+    list[1].claims = true;
+    list[1].usesRelease = false;
+    fire("pointerdown");
+    calls();
+    fire("pointerup");
+    expect(calls()).toEqual([[], ["up"], ["up"]]);
+  });
+
+  it("a click goes to all in their order, until one uses it", () => {
+    list[0].usesRelease = false;
+    fire("pointerdown");
+    fire("pointerup");
+    expect(calls()).toEqual([["down", "up"], ["down", "up"], ["down"]]);
+  });
+
+  it("the first with something under the pointer hides it from those after it", () => {
+    list[1].isUnder = list[2].isUnder = true;
+    fire("pointermove");
+    expect(calls()).toEqual([["move"], ["move"], ["leave"]]);
+    list[1].isUnder = false;
+    fire("pointermove");
+    fire("pointerleave");
+    expect(calls()).toEqual([
+      ["move", "leave"],
+      ["move", "leave"],
+      ["move", "leave"],
+    ]);
+  });
+
+  it("the first that uses a key has it; during a press only the owner is asked", () => {
+    list[0].usesKeys = true;
+    list[1].claims = true;
+    press("a");
+    expect(calls()).toEqual([["key a"], [], []]);
+    fire("pointerdown");
+    calls();
+    expect(press("b")).toEqual({ used: false, reachedHotkeys: false });
+    expect(calls()).toEqual([[], ["key b"], []]);
+  });
+
+  it("all are told that a press is cancelled, by whomever it is owned", () => {
+    list[1].claims = true;
+    fire("pointerdown");
+    calls();
+    press("Escape");
+    expect(calls()).toEqual([["cancel"], ["cancel"], ["cancel"]]);
+  });
+
+  it("an interaction need not answer everything", () => {
+    controller.use([{}, { key: () => true }, list[2]]);
+    calls();
+    fire("pointermove");
+    fire("pointerdown");
+    fire("pointerup");
+    expect(press("a").used).toBe(true);
+    expect(list[2].calls).toEqual(["move", "down", "up"]);
   });
 });

@@ -8,7 +8,7 @@ import { DocumentStore, newDocument } from "../../../web/session/document-store"
 import type { PreviewFeed } from "../../../web/session/preview";
 import { Drawing } from "../../../web/tools/drawing/drawing";
 import { LineTool } from "../../../web/tools/drawing/line-tool";
-import type { ToolPointer } from "../../../web/tools/tool";
+import type { ToolPointer } from "../../../web/tools/interaction";
 import { NodeTool } from "../../../web/tools/drawing/node-tool";
 import { DrawingLayer } from "../../../web/viewer/layers/drawing-layer";
 

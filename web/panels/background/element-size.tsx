@@ -1,7 +1,6 @@
 import { LIMITS } from "tetrafront";
-import { Button, Group, SegmentedControl, Switch, Text } from "@mantine/core";
+import { Group, SegmentedControl, Switch, Text } from "@mantine/core";
 import { setUniform } from "../../commands/background-actions";
-import { commandNamed, runCommand } from "../../commands/registry";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
 import { uniformSizePath } from "../../document/number-paths";
 import { setMeshing } from "../../document/size-edits";
@@ -10,6 +9,7 @@ import { formatCount } from "../../ui/format";
 import { NumberField } from "../../ui/fields/number-field";
 import { strings } from "../../strings";
 import { useApp, useProject, useView } from "../shared/app-context";
+import { TextCommandButton } from "../shared/command-button";
 import { useEditedSetting } from "../shared/use-edited-setting";
 import { aboveZero, sizeStep, unitsOf, upTo } from "../shared/size-fields";
 import { ElementCount } from "../shared/element-count";
@@ -43,7 +43,7 @@ export function ElementSize() {
       <ElementCount />
       <Group gap={5}>
         {["cover", "propose"].map((id) => (
-          <SizeCommand key={id} id={id} />
+          <TextCommandButton size="compact-sm" key={id} command={id} />
         ))}
       </Group>
       <ShowSizes />
@@ -101,15 +101,5 @@ function UniformSize({ size }: { readonly size: number }) {
         {texts.uniformHint}
       </Text>
     </>
-  );
-}
-
-function SizeCommand({ id }: { readonly id: string }) {
-  const app = useApp();
-  const command = commandNamed(id);
-  return (
-    <Button size="compact-sm" variant="default" onClick={() => runCommand(app, command)}>
-      {command.label(app)}
-    </Button>
   );
 }

@@ -2,7 +2,7 @@ import { Button, Text } from "@mantine/core";
 import { IconPlayerPlayFilled } from "@tabler/icons-react";
 import type { SurfaceInspection } from "tetrafront";
 import type { ProjectBody } from "tetrafront/project";
-import { commandNamed, runCommand } from "../../commands/registry";
+import { runNamed } from "../../commands/registry";
 import { withTreatmentAfter } from "../../document/body-repair";
 import { entityKey } from "../../document/entities";
 import { touchingCode } from "../../document/validate";
@@ -156,7 +156,7 @@ function GenerateButton({ isPossible }: { readonly isPossible: boolean }) {
       disabled={busy || !isPossible}
       leftSection={<IconPlayerPlayFilled size={13} aria-hidden />}
       data-testid="body-generate"
-      onClick={() => runCommand(app, commandNamed("generate"))}
+      onClick={() => runNamed(app, "generate")}
     >
       {texts.generate}
     </Button>

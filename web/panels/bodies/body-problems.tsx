@@ -19,6 +19,7 @@ import { formatShort } from "../../ui/format";
 import { remedyInApp, strings } from "../../strings";
 import { ProblemCard } from "../problems/problem-card";
 import { useApp, useProblems } from "../shared/app-context";
+import { TextCommandButton } from "../shared/command-button";
 import { PositionList } from "../shared/position-list";
 import { notNegative, upTo } from "../shared/size-fields";
 import styles from "./bodies.module.css";
@@ -36,7 +37,6 @@ interface BodyProblemsProps {
 
 /** The problems of a given surface, and the repair that would change them. */
 export function BodyProblems({ body, inspection }: BodyProblemsProps) {
-  const app = useApp();
   const problems = useProblems((state) => state.byEntity.get(entityKey({ kind: "body", id: body.id })));
   const repair = useBody(body.id)?.repair;
   if (!problems && inspection.isFillable) return null;
@@ -49,13 +49,9 @@ export function BodyProblems({ body, inspection }: BodyProblemsProps) {
         <ProblemCard key={problem.key} problem={problem} />
       ))}
       {problems && problems.length > listed.length && (
-        <Button
-          size="compact-xs"
-          variant="subtle"
-          onClick={() => app.shell.setState({ bottomTab: "problems", drawer: "bottom" })}
-        >
+        <TextCommandButton command="problems" variant="subtle">
           {texts.allProblems(problems.length)}
-        </Button>
+        </TextCommandButton>
       )}
       {repair && !inspection.isFillable && <RepairSection body={body} repair={repair} />}
     </section>

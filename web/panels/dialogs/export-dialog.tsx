@@ -1,7 +1,7 @@
 import { Button, Group, Radio, SegmentedControl, Select, Text } from "@mantine/core";
 import { useState } from "react";
 import { LENGTH_UNITS, type ElementOrder, type LengthUnit } from "tetrafront";
-import { downloadMesh, downloadReport } from "../../commands/download-actions";
+import { downloadMesh } from "../../commands/download-actions";
 import {
   encodingsOf,
   exportFormats,
@@ -18,6 +18,7 @@ import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { FieldRow } from "../../ui/fields/field-row";
 import { useApp, useProject, useShell } from "../shared/app-context";
+import { TextCommandButton } from "../shared/command-button";
 import styles from "./export-dialog.module.css";
 
 const texts = strings.export;
@@ -64,9 +65,9 @@ export function ExportDialog() {
           </div>
         </div>
         <Group justify="flex-end" gap="xs" mt="md" className={styles["actions"]}>
-          <Button size="xs" variant="subtle" mr="auto" onClick={() => void downloadReport(app)}>
+          <TextCommandButton command="download-report" size="xs" variant="subtle" mr="auto">
             {texts.report}
-          </Button>
+          </TextCommandButton>
           <Button size="xs" variant="default" onClick={onClose}>
             {texts.cancel}
           </Button>

@@ -1,11 +1,10 @@
-import { Button, Text } from "@mantine/core";
+import { Text } from "@mantine/core";
 import { useMemo } from "react";
 import type { Project } from "tetrafront/project";
-import { deleteSelection } from "../../commands/selection-actions";
 import { withDependents } from "../../document/edits";
 import { entityKey, type Entity } from "../../document/entities";
 import { strings } from "../../strings";
-import { useApp } from "../shared/app-context";
+import { TextCommandButton } from "../shared/command-button";
 import { EntityChips } from "../shared/entity-chips";
 
 interface DeleteSectionProps {
@@ -15,22 +14,15 @@ interface DeleteSectionProps {
 
 /** Deletes the selection; shows beforehand what depends on it and goes with it. */
 export function DeleteSection({ entities, project }: DeleteSectionProps) {
-  const app = useApp();
   const others = useMemo(() => {
     const chosen = new Set(entities.map(entityKey));
     return withDependents(project, entities).filter((entity) => !chosen.has(entityKey(entity)));
   }, [entities, project]);
   return (
     <>
-      <Button
-        mt={10}
-        size="compact-xs"
-        variant="default"
-        data-testid="delete-selection"
-        onClick={() => deleteSelection(app)}
-      >
-        {entities.length === 1 ? strings.inspector.delete : strings.inspector.deleteAll}
-      </Button>
+      <TextCommandButton command="delete" mt={10} testId="delete-selection">
+        {entities.length === 1 ? strings.inspector.delete : null}
+      </TextCommandButton>
       {others.length > 0 && (
         <div data-testid="deletes-also">
           <Text size="xs" c="dimmed" mt={6}>

@@ -1,7 +1,6 @@
 import { Button } from "@mantine/core";
 import { IconEye, IconEyeOff, IconFocusCentered, IconPointer, IconTrash } from "@tabler/icons-react";
 import type { ProjectGroup } from "tetrafront/project";
-import { groupSelection } from "../../commands/group-actions";
 import { isolate } from "../../commands/selection-actions";
 import { entityKey, type Entity } from "../../document/entities";
 import {
@@ -22,6 +21,7 @@ import { SectionTitle } from "../../ui/frames/section-title";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
 import { useApp, useProject, useView } from "../shared/app-context";
+import { TextCommandButton } from "../shared/command-button";
 import styles from "./group-list.module.css";
 
 const texts = strings.groups;
@@ -97,8 +97,7 @@ function GroupRow({ group }: { readonly group: ProjectGroup }) {
 
 /** Buttons that make a group of the selection, add it to the groups that there are, or take it out of them. */
 export function GroupButtons({ selection }: { readonly selection: readonly Entity[] }) {
-  const app = useApp();
-  const { documents } = app;
+  const { documents } = useApp();
   const project = useProject();
   if (!selection.some(isGroupable)) return null;
   const { groups = [] } = project;
@@ -118,14 +117,7 @@ export function GroupButtons({ selection }: { readonly selection: readonly Entit
     }));
   return (
     <div className={styles["buttons"]}>
-      <Button
-        size="compact-xs"
-        variant="default"
-        data-testid="group-selection"
-        onClick={() => groupSelection(app)}
-      >
-        {texts.make}
-      </Button>
+      <TextCommandButton command="group" testId="group-selection" />
       {[...additions, ...removals].map(({ key, label, edit }) => (
         <Button
           key={key}

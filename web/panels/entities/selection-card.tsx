@@ -1,6 +1,6 @@
 import { Button, Text } from "@mantine/core";
 import { createFrom, makers, sourceMakers } from "../../commands/create-menu";
-import { mergeableBody, mergeSelectedPatches } from "../../commands/surface-actions";
+import { mergeableBody } from "../../commands/surface-actions";
 import type { Entity } from "../../document/entities";
 import { groupOfSelection, renameGroup } from "../../document/groups";
 import { isClosedChain } from "../../document/selection";
@@ -9,6 +9,7 @@ import { NameField } from "../../ui/fields/name-field";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
+import { TextCommandButton } from "../shared/command-button";
 import { EntityChips } from "../shared/entity-chips";
 import { CommonFields } from "./common-fields";
 import { DeleteSection } from "./delete-section";
@@ -49,16 +50,9 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
       <CommonFields entities={unique} project={project} />
       <CreateFromSelection selection={selection} explain />
       {mergeableBody(project, selection) && (
-        <Button
-          mt={10}
-          mr={8}
-          size="compact-xs"
-          variant="default"
-          data-testid="merge-patches"
-          onClick={() => void mergeSelectedPatches(app)}
-        >
+        <TextCommandButton command="merge-patches" mt={10} mr={8} testId="merge-patches">
           {strings.bodies.split.merge}
-        </Button>
+        </TextCommandButton>
       )}
       <GroupButtons selection={selection} />
       <DeleteSection entities={selection} project={project} />

@@ -1,7 +1,8 @@
-import { Anchor, Button, Checkbox, CloseButton, UnstyledButton } from "@mantine/core";
+import { Anchor, Checkbox, CloseButton, UnstyledButton } from "@mantine/core";
 import { IconFileUpload, IconPencilPlus, IconSchool, IconTemplate } from "@tabler/icons-react";
 import { useCallback, useEffect, useRef, useState, type Ref } from "react";
-import { newProject, openExample, openFromDialog, openRecent } from "../../commands/project-actions";
+import { openExample, openRecent } from "../../commands/project-actions";
+import { runNamed } from "../../commands/registry";
 import { thumbnailOf } from "../../session/gallery";
 import { startPage } from "../../session/start-page";
 import { startStrings as texts } from "../../strings/passing";
@@ -11,6 +12,7 @@ import { formatTime } from "../../ui/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { useFocusReturn } from "../../ui/use-focus-return";
 import { useApp } from "../shared/app-context";
+import { TextCommandButton } from "../shared/command-button";
 import { isPaletteOpen } from "../shared/palette";
 import { DocumentPicture } from "./document-picture";
 import { useRecentDocuments } from "./use-recent";
@@ -79,37 +81,22 @@ function Beginnings() {
       <UnstyledButton
         className={styles["drop"]}
         data-testid="start-drop"
-        onClick={() => void openFromDialog(app)}
+        onClick={() => runNamed(app, "open")}
       >
         <IconFileUpload size={26} stroke={1.4} aria-hidden />
         <b>{window.matchMedia("(hover: none)").matches ? texts.choose : texts.drop}</b>
         <span>{texts.dropHint}</span>
       </UnstyledButton>
       <div className={styles["row"]}>
-        <Button
-          size="compact-sm"
-          variant="default"
-          leftSection={<IconPencilPlus {...icon} />}
-          onClick={() => newProject(app)}
-        >
+        <TextCommandButton command="new" size="compact-sm" leftSection={<IconPencilPlus {...icon} />}>
           {texts.empty}
-        </Button>
-        <Button
-          size="compact-sm"
-          variant="default"
-          leftSection={<IconTemplate {...icon} />}
-          onClick={() => app.shell.setState({ dialog: "templates" })}
-        >
+        </TextCommandButton>
+        <TextCommandButton command="new-template" size="compact-sm" leftSection={<IconTemplate {...icon} />}>
           {texts.templates}
-        </Button>
-        <Button
-          size="compact-sm"
-          variant="default"
-          leftSection={<IconSchool {...icon} />}
-          onClick={() => app.shell.setState({ rightTab: "lessons", drawer: "right", startPage: false })}
-        >
+        </TextCommandButton>
+        <TextCommandButton command="lessons" size="compact-sm" leftSection={<IconSchool {...icon} />}>
           {texts.lessons}
-        </Button>
+        </TextCommandButton>
       </div>
     </>
   );
@@ -124,12 +111,7 @@ function Recent() {
       <div className={styles["title"]}>
         <SectionTitle>{texts.recent}</SectionTitle>
         {documents.length > recentCount && (
-          <Anchor
-            component="button"
-            type="button"
-            size="xs"
-            onClick={() => app.shell.setState({ dialog: "recent" })}
-          >
+          <Anchor component="button" type="button" size="xs" onClick={() => runNamed(app, "recent")}>
             {texts.all}
           </Anchor>
         )}
@@ -161,12 +143,11 @@ function Examples() {
   const { models, opening } = app.gallery;
   // The opening model is open already.
   const shown = models.filter(({ id }) => id !== opening).slice(0, exampleCount);
-  const all = (): void => app.shell.setState({ leftTab: "examples", drawer: "left" });
   return (
     <div>
       <div className={styles["title"]}>
         <SectionTitle>{texts.examples}</SectionTitle>
-        <Anchor component="button" type="button" size="xs" onClick={all}>
+        <Anchor component="button" type="button" size="xs" onClick={() => runNamed(app, "examples")}>
           {texts.all}
         </Anchor>
       </div>

@@ -4,7 +4,7 @@ import type { MouseEvent, ReactNode } from "react";
 import type { App } from "../../app/app";
 import { createOrHint, lineMakers, patchMakers } from "../../commands/create-menu";
 import { isolate } from "../../commands/selection-actions";
-import { commandNamed, runCommand } from "../../commands/registry";
+import { runNamed } from "../../commands/registry";
 import { entityKey, type DrawnKind, type Entity } from "../../document/entities";
 import { layersOfKinds } from "../../document/select-related";
 import { commandLabels, entityWords, strings } from "../../strings";
@@ -62,7 +62,7 @@ export function IsolateButton({
 export function ShowAllButton() {
   const app = useApp();
   return (
-    <RowAction label={commandLabels.showAll} testId="groups-show-all" onRun={() => app.view.showAll()}>
+    <RowAction label={commandLabels.showAll} testId="groups-show-all" onRun={() => runNamed(app, "show-all")}>
       <IconEye size={14} aria-hidden />
     </RowAction>
   );
@@ -117,13 +117,13 @@ export function GroupEye({ kind }: { readonly kind: DrawnKind }) {
 }
 
 const addEntity: { readonly [K in DrawnKind]: (app: App) => void } = {
-  point: (app) => app.shell.setState({ dialog: "new-point" }),
+  point: (app) => runNamed(app, "new-point"),
   line: (app) => createOrHint(app, lineMakers, strings.create.line, strings.create.lineHint),
   patch: (app) => createOrHint(app, patchMakers, strings.create.patch, strings.create.patchHint),
-  body: (app) => runCommand(app, commandNamed("import-surface")),
-  "body-patch": (app) => runCommand(app, commandNamed("import-surface")),
-  "background-node": (app) => app.shell.setState({ dialog: "new-node" }),
-  source: (app) => runCommand(app, commandNamed("source-point")),
+  body: (app) => runNamed(app, "import-surface"),
+  "body-patch": (app) => runNamed(app, "import-surface"),
+  "background-node": (app) => runNamed(app, "new-node"),
+  source: (app) => runNamed(app, "source-point"),
 };
 
 /** Adds an entity of a kind. */

@@ -28,7 +28,7 @@ import { Fragment, useState } from "react";
 import { useStore } from "zustand";
 import type { MenuName } from "../../commands/command";
 import { hasTetrahedra } from "../../commands/conditions";
-import { commandNamed, runCommand } from "../../commands/registry";
+import { runNamed } from "../../commands/registry";
 import { IconButton } from "../../ui/icon-button";
 import { Logo } from "../../ui/logo";
 import { strings } from "../../strings";
@@ -195,7 +195,7 @@ function GenerateButton({ compact }: { readonly compact: boolean }) {
         data-testid="cancel-run"
         disabled={cancelling}
         // The second press of a double click was meant for the other button.
-        onClick={({ detail }) => detail < 2 && runCommand(app, commandNamed("cancel"))}
+        onClick={({ detail }) => detail < 2 && runNamed(app, "cancel")}
       >
         {cancelling ? strings.status.cancelling[task] : strings.header.cancel[task]}
       </Button>
@@ -207,7 +207,7 @@ function GenerateButton({ compact }: { readonly compact: boolean }) {
       key="generate"
       leftSection={<IconPlayerPlayFilled size={13} aria-hidden />}
       data-testid="generate"
-      onClick={() => runCommand(app, commandNamed("generate"))}
+      onClick={() => runNamed(app, "generate")}
     >
       {compact ? strings.header.generateShort : strings.header.generate}
     </Button>

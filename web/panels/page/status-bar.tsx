@@ -3,7 +3,7 @@ import { IconX } from "@tabler/icons-react";
 import type { MeshReport, CallProgress } from "tetrafront";
 import { useStore } from "zustand";
 import { useMemo } from "react";
-import { commandNamed, runCommand } from "../../commands/registry";
+import { runNamed } from "../../commands/registry";
 import { unitOf } from "../../document/length-units";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
@@ -177,7 +177,7 @@ function RunProgress() {
         size={24}
         data-testid="cancel"
         disabled={cancelling}
-        onClick={() => runCommand(app, commandNamed("cancel"))}
+        onClick={() => runNamed(app, "cancel")}
       >
         <IconX size={14} aria-hidden />
       </IconButton>

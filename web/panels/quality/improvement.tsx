@@ -1,7 +1,7 @@
 import { Button, Text } from "@mantine/core";
 import { IconSparkles } from "@tabler/icons-react";
 import type { MeshShapes } from "tetrafront/internal";
-import { commandNamed, runCommand } from "../../commands/registry";
+import { runNamed } from "../../commands/registry";
 import { canImprove } from "../../session/run";
 import { formatAngle, formatCount } from "../../ui/format";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -31,7 +31,7 @@ export function ImproveButton() {
       title={hint}
       disabled={!isPossible}
       data-testid="improve"
-      onClick={() => runCommand(app, commandNamed("improve"))}
+      onClick={() => runNamed(app, "improve")}
     >
       {texts.improve}
     </Button>

@@ -1,4 +1,4 @@
-import { ActionIcon } from "@mantine/core";
+import { ActionIcon, Button, type ButtonProps } from "@mantine/core";
 import type { ReactNode } from "react";
 import { commandNamed, keyNames, runCommand } from "../../commands/registry";
 import { ButtonTooltip } from "../../ui/button-tooltip";
@@ -37,5 +37,30 @@ export function CommandButton({ command: id, disabled, pressed, testId, children
         {children}
       </ActionIcon>
     </ButtonTooltip>
+  );
+}
+
+export interface TextCommandButtonProps extends Omit<ButtonProps, "onClick"> {
+  /** Id of the command. */
+  readonly command: string;
+  readonly testId?: string;
+  /** The label of the command, if it is missing. */
+  readonly children?: ReactNode;
+}
+
+/** A small button with a text that runs a command. */
+export function TextCommandButton({ command: id, testId, children, ...props }: TextCommandButtonProps) {
+  const app = useApp();
+  const command = commandNamed(id);
+  return (
+    <Button
+      size="compact-xs"
+      variant="default"
+      {...props}
+      data-testid={testId}
+      onClick={() => runCommand(app, command)}
+    >
+      {children ?? command.label(app)}
+    </Button>
   );
 }

@@ -10,7 +10,7 @@ import {
 } from "@tabler/icons-react";
 import { useStore } from "zustand";
 import type { LineType, SourceType } from "tetrafront/project";
-import { commandNamed, runCommand } from "../../commands/registry";
+import { runNamed } from "../../commands/registry";
 import { lineTypes } from "../../document/line-types";
 import {
   circleWays,
@@ -174,7 +174,7 @@ function PlaneChoice() {
         label={words.planeOfSelection}
         size={26}
         data-testid="plane-selection"
-        onClick={() => runCommand(app, commandNamed("plane-selection"))}
+        onClick={() => runNamed(app, "plane-selection")}
       >
         <IconPlaneDeparture size={16} aria-hidden />
       </IconButton>

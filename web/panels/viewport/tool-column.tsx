@@ -13,7 +13,7 @@ import {
   IconTriangle,
   type Icon,
 } from "@tabler/icons-react";
-import { commandNamed, hasCommand, keyNames, runCommand } from "../../commands/registry";
+import { commandNamed, hasCommand, keyNames, runNamed } from "../../commands/registry";
 import type { Command } from "../../commands/command";
 import { toolNames, type ToolName } from "../../document/tools";
 import { strings } from "../../strings";
@@ -57,12 +57,7 @@ export function ToolColumn() {
       ))}
       {defined.length > 0 && <hr className={styles["divider"]} aria-hidden />}
       {defined.map(([id, Icon]) => (
-        <ToolButton
-          key={id}
-          command={commandNamed(id)}
-          Icon={Icon}
-          onClick={() => runCommand(app, commandNamed(id))}
-        />
+        <ToolButton key={id} command={commandNamed(id)} Icon={Icon} onClick={() => runNamed(app, id)} />
       ))}
     </Toolbar>
   );

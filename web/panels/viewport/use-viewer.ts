@@ -5,10 +5,11 @@ import type { ViewState } from "../../document/selection";
 import { showNote } from "../../commands/messages";
 import { commandOfKey, runCommand } from "../../commands/registry";
 import { editSelected } from "../../commands/selection-actions";
+import { bodyForPatch, type Entity } from "../../document/entities";
 import { isDrawingTool, type ToolName } from "../../document/tools";
 import { projectNumbers } from "../../document/length-units";
 import { BrushTool } from "../../tools/brush-tool";
-import { DragTool } from "../../tools/drag-tool";
+import { DragTool, holdAll, holdPoints } from "../../tools/drag-tool";
 import { LineTool } from "../../tools/drawing/line-tool";
 import { MeasureTool } from "../../tools/drawing/measure-tool";
 import { NodeTool } from "../../tools/drawing/node-tool";
@@ -18,10 +19,11 @@ import { SourceTool } from "../../tools/drawing/source-tool";
 import { TypedKeys } from "../../tools/drawing/typed-keys";
 import { followPointer } from "../../tools/follow-pointer";
 import { HandleTool } from "../../tools/handle-tool";
+import type { Interaction } from "../../tools/interaction";
+import { MoveKeys } from "../../tools/move-keys";
 import { Motion } from "../../tools/motion";
 import { TransformTool } from "../../tools/transform-tool";
 import { SelectTool, type Hover } from "../../tools/select-tool";
-import type { Tool } from "../../tools/tool";
 import { ToolController } from "../../tools/tool-controller";
 import { viewerColors } from "../../ui/theme/theme";
 import type { ProjectBody } from "tetrafront/project";
@@ -140,12 +142,7 @@ function connect(
 ): () => void {
   const stop = followSession(app, viewer);
   const { documents, operations, previews, view, drawing } = app;
-  const select = new SelectTool(
-    viewer,
-    { documents, previews, view, drawing, bodies: () => shownBodies(documents.project, app.bodies) },
-    { onHover, onEdit: () => editSelected(app, "values") },
-  );
-  const tools = new ToolController(canvas, viewer, select);
+  const tools = new ToolController(canvas, viewer);
   const brush = new BrushTool(app.documents, app.view, viewer);
   const keys = typedKeys(app);
   const inform = (text: string): void => showNote(app, text);
@@ -162,19 +159,31 @@ function connect(
     inform,
     centreOf: bodyCentres(app),
   };
-  const byName: Readonly<Record<ToolName, Tool>> = {
-    select: new HandleTool(stores, new DragTool(stores, select, "held-points")),
-    move: new HandleTool(stores, new TransformTool(stores, new DragTool(stores, select))),
-    point: new PointTool(stores),
-    line: new LineTool(stores),
-    patch: new PatchTool(stores),
-    node: new NodeTool(stores),
-    source: new SourceTool(stores),
-    measure: new MeasureTool(stores),
+  const selecting = { ...stores, bodies: () => shownBodies(documents.project, app.bodies) };
+  const selectEvents = { onHover, onEdit: () => editSelected(app, "values") };
+  const select = new SelectTool(viewer, selecting, selectEvents);
+  const meant = (entity: Entity): Entity => bodyForPatch(documents.project, entity);
+  const selectMovable = new SelectTool(viewer, { ...selecting, meant }, selectEvents);
+  const handles = new HandleTool(stores);
+  const byName: Readonly<Record<ToolName, readonly Interaction[]>> = {
+    select: [handles, new DragTool(stores, holdPoints), select],
+    move: [
+      handles,
+      new TransformTool(stores),
+      new DragTool(stores, holdAll),
+      new MoveKeys(stores),
+      selectMovable,
+    ],
+    point: [new PointTool(stores)],
+    line: [new LineTool(stores)],
+    patch: [new PatchTool(stores)],
+    node: [new NodeTool(stores)],
+    source: [new SourceTool(stores)],
+    measure: [new MeasureTool(stores)],
   };
   const show = ({ brush: hasBrush, moving, tool }: ViewState): void => {
-    if (moving) tools.use(new TransformTool(stores, select, moving));
-    else tools.use(hasBrush ? brush : byName[tool]);
+    if (moving) tools.use([new TransformTool(stores, moving), select]);
+    else tools.use(hasBrush ? [brush] : byName[tool]);
     canvas.style.cursor = hasBrush || isDrawingTool(tool) ? "crosshair" : "";
   };
   show(app.view.state.getState());

@@ -2,7 +2,7 @@ import { Button, Kbd, Switch, Text } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
 import { useStore } from "zustand";
-import { commandNamed, runCommand } from "../../commands/registry";
+import { runNamed } from "../../commands/registry";
 import { cancelledText } from "../../session/run";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
@@ -93,7 +93,7 @@ export function MeshBadge() {
         size="compact-xs"
         variant="default"
         {...(isToolActive && { title: hint })}
-        onClick={() => runCommand(app, commandNamed("generate"))}
+        onClick={() => runNamed(app, "generate")}
       >
         {strings.viewport.update}
       </Button>
@@ -113,11 +113,16 @@ export function CornerNotes() {
 
 /** The number of hidden entities. A click shows them. */
 function HiddenEntities() {
-  const { view } = useApp();
+  const app = useApp();
   const count = useView(({ hidden }) => hidden.size);
   if (count === 0) return null;
   return (
-    <button type="button" className={styles["note"]} data-testid="show-hidden" onClick={() => view.showAll()}>
+    <button
+      type="button"
+      className={styles["note"]}
+      data-testid="show-hidden"
+      onClick={() => runNamed(app, "show-all")}
+    >
       {strings.viewport.showHidden(count)}
     </button>
   );
@@ -125,7 +130,7 @@ function HiddenEntities() {
 
 /** The number of open edges. A click lists them. */
 function OpenEdges() {
-  const { shell } = useApp();
+  const app = useApp();
   const isMeshed = useIsMeshed();
   const count = useProblems(({ problems }) => problems.filter(({ code }) => code === "open-edge").length);
   if (isMeshed || count === 0) return null;
@@ -134,7 +139,7 @@ function OpenEdges() {
       type="button"
       className={styles["note"]}
       data-testid="open-edges"
-      onClick={() => shell.setState({ bottomTab: "problems", drawer: "bottom" })}
+      onClick={() => runNamed(app, "problems")}
     >
       {strings.viewport.openEdges(count)}
     </button>

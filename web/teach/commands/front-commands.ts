@@ -20,7 +20,8 @@ function recordFront(app: App): void {
 }
 
 /** Opens the list of the lessons, or the lesson that is open. */
-const openLessons = (app: App): void => app.shell.setState({ rightTab: "lessons", drawer: "right" });
+const openLessons = (app: App): void =>
+  app.shell.setState({ rightTab: "lessons", drawer: "right", startPage: false });
 
 /** The command of the lessons, in the menu of the help. */
 export const lessonCommands: readonly Command[] = [

@@ -1,4 +1,3 @@
-import { Group } from "three";
 import type { Creation } from "../../document/create";
 import { placeAt, placeOnLines, type Place } from "../../document/draw";
 import { entityKey } from "../../document/entities";
@@ -19,9 +18,9 @@ import { DrawingLayer, type Sketch } from "../../viewer/layers/drawing-layer";
 import type { Layer } from "../../viewer/layers/layer";
 import { PlaneGridLayer } from "../../viewer/layers/plane-grid-layer";
 import type { ScreenPoint } from "../../viewer/screen";
-import type { SceneChanges } from "../../viewer/scene-state";
 import type { Viewer } from "../../viewer/viewer";
-import type { Tool, ToolPointer } from "../tool";
+import type { Interaction, ToolPointer } from "../interaction";
+import { Overlay } from "../overlay";
 import { readCoordinates } from "./coordinates";
 import type { Drawing, DrawingState, TypedInput } from "./drawing";
 import { snapToModel, type Snap, type SnapTargets } from "./snapping";
@@ -44,8 +43,7 @@ export interface DrawingStores {
 const gridPixels = 20;
 
 /** What the drawing tools have in common: places under the pointer, typed coordinates, the sketch and the grid. */
-export abstract class DrawingTool implements Tool, TypedInput {
-  abstract readonly id: string;
+export abstract class DrawingTool implements Interaction, TypedInput {
   protected readonly stores: DrawingStores;
   protected snap: Snap | null = null;
   /** The last place under the pointer, which may have left the view since. */
@@ -91,8 +89,8 @@ export abstract class DrawingTool implements Tool, TypedInput {
     return false;
   }
 
-  move(pointer: ToolPointer | null): void {
-    if (pointer && this.#keys.flushAt(pointer.at)) return;
+  move(pointer: ToolPointer | null): boolean {
+    if (pointer && this.#keys.flushAt(pointer.at)) return true;
     const pointed = pointer && this.snapAt(pointer);
     this.seen = pointed?.position ?? this.seen;
     if (isTyped(this.snap)) {
@@ -101,9 +99,10 @@ export abstract class DrawingTool implements Tool, TypedInput {
       this.snap = this.#typedSnap(this.stores.drawing.state.getState().typed ?? "") ?? pointed;
     } else this.snap = pointed;
     this.refresh(pointer);
+    return pointed !== null;
   }
 
-  up(pointer: ToolPointer): void {
+  up(pointer: ToolPointer): boolean {
     this.stores.drawing.state.setState({ refused: null });
     this.stores.drawing.letters = "";
     if (pointer.button === "right") this.finish();
@@ -114,6 +113,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
       else if (this.snap) this.pick(this.placeOf(this.snap), pointer);
     }
     this.refresh(pointer);
+    return true;
   }
 
   cancel(): void {
@@ -187,7 +187,7 @@ export abstract class DrawingTool implements Tool, TypedInput {
     this.#stopListening = this.stores.documents.onProject(() => this.refresh(null));
     this.#layer = new DrawingLayer();
     const grid = new PlaneGridLayer(() => this.gridStep);
-    return new DrawingOverlay([grid, this.#layer], () => this.end());
+    return new Overlay([grid, this.#layer], { onDispose: () => this.end() });
   }
 
   /** Uses a typed number. Returns why it cannot be used; null if it was; undefined if it has no meaning. */
@@ -342,26 +342,4 @@ function isNearer({ origin }: Ray, a: Position, b: Position | null): boolean {
   if (!b) return true;
   const square = (p: Position): number => p.reduce((sum, x, k) => sum + (x - (origin[k] ?? 0)) ** 2, 0);
   return square(a) < square(b) * (1 - 1e-6);
-}
-
-/** Several layers as one. */
-class DrawingOverlay implements Layer {
-  readonly root = new Group();
-  readonly #layers: readonly Layer[];
-  readonly #onDispose: () => void;
-
-  constructor(layers: readonly Layer[], onDispose: () => void) {
-    this.#layers = layers;
-    this.#onDispose = onDispose;
-    for (const layer of layers) this.root.add(layer.root);
-  }
-
-  update(changes: SceneChanges): void {
-    for (const layer of this.#layers) layer.update(changes);
-  }
-
-  dispose(): void {
-    for (const layer of this.#layers) layer.dispose();
-    this.#onDispose();
-  }
 }

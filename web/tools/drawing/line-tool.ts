@@ -22,7 +22,7 @@ import type { Layer } from "../../viewer/layers/layer";
 import type { HistoryEntry } from "../../session/history";
 import { operationStrings, strings } from "../../strings";
 import type { DrawingState } from "./drawing";
-import type { ToolPointer } from "../tool";
+import type { ToolPointer } from "../interaction";
 import { DrawingTool } from "./drawing-tool";
 import type { Snap } from "./snapping";
 
@@ -67,7 +67,6 @@ interface Link {
  * added when they have all their places; splines when Enter, a double click or the first place ends them.
  */
 export class LineTool extends DrawingTool {
-  readonly id = "line";
   /** Places of the line that is being drawn. */
   #places: readonly Place[] = [];
   /** The lines of the chain, with those at its end that undo has taken back: redo may bring them again. */

@@ -5,7 +5,6 @@ import { DrawingTool } from "./drawing-tool";
 
 /** Measures the distance of two places, and with a third one the angle at the second. The next place begins again. */
 export class MeasureTool extends DrawingTool {
-  readonly id = "measure";
   #places: readonly Position[] = [];
 
   get picked(): number {

@@ -5,7 +5,7 @@ import { likelySize } from "../../document/extent";
 import type { Position } from "../../document/position";
 import { distance } from "../../document/vectors";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
-import type { ToolPointer } from "../tool";
+import type { ToolPointer } from "../interaction";
 import { DrawingTool, type DrawingStores } from "./drawing-tool";
 import { snapToModel, type Snap } from "./snapping";
 
@@ -16,7 +16,6 @@ const nodeOf = (id: number): Entity => ({ kind: "background-node", id });
  * A second click on a picked node leaves it out.
  */
 export class NodeTool extends DrawingTool {
-  readonly id = "node";
   readonly #all: DrawingStores;
   /** Ids of the picked nodes. */
   #picked: readonly number[] = [];

@@ -8,7 +8,7 @@ import type { Position } from "../../document/position";
 import { frameAlong, fromFrame, toFrame } from "../../document/vectors";
 import { emptySketch, type Sketch } from "../../viewer/layers/drawing-layer";
 import { triangulated } from "../../viewer/triangulated";
-import type { ToolPointer } from "../tool";
+import type { ToolPointer } from "../interaction";
 import { DrawingTool } from "./drawing-tool";
 import type { Snap } from "./snapping";
 
@@ -17,7 +17,6 @@ import type { Snap } from "./snapping";
  * loop inside a planar patch becomes a hole of it; a second click fills the hole.
  */
 export class PatchTool extends DrawingTool {
-  readonly id = "patch";
   override readonly takesCoordinates = false;
   #loops: { readonly paths: readonly LinePath[]; readonly loops: FillableLoops } | null = null;
   #hovered: LoopUse | null = null;
@@ -27,7 +26,7 @@ export class PatchTool extends DrawingTool {
     return this.#lines.length;
   }
 
-  override up(pointer: ToolPointer): void {
+  override up(pointer: ToolPointer): boolean {
     this.stores.drawing.state.setState({ refused: null });
     if (pointer.button === "right") this.finish();
     else if (pointer.button === "left") {
@@ -37,6 +36,7 @@ export class PatchTool extends DrawingTool {
       this.snap = this.snapAt(pointer);
     }
     this.refresh(pointer);
+    return true;
   }
 
   /** The pointer snaps to lines, and finds the loop around it. */

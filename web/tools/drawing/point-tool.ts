@@ -6,7 +6,6 @@ import { DrawingTool } from "./drawing-tool";
 
 /** Each click adds a point, or selects the point that is there. */
 export class PointTool extends DrawingTool {
-  readonly id = "point";
   readonly picked = 0;
   #last: QuantityPosition | null = null;
 

@@ -11,7 +11,6 @@ const typeWith: Readonly<Record<number, SourceType>> = { 1: "point", 2: "segment
 
 /** Draws sources of sizes by their corners. Enter makes a smaller source of the corners picked so far. */
 export class SourceTool extends DrawingTool {
-  readonly id = "source";
   #places: readonly Position[] = [];
 
   get picked(): number {
