@@ -59,9 +59,9 @@ bool isSinglePrecision(const SurfaceMesh& mesh, const Vec3& centre) {
 
 }  // namespace
 
-ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, std::span<const std::uint32_t> groups,
-                                   const FeatureRules& rules, const Vec3& centre)
-    : mesh_(mesh), groups_(groups), rules_(rules), centre_(centre) {
+ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, const FeatureRules& rules,
+                                   const Vec3& centre)
+    : mesh_(mesh), rules_(rules), centre_(centre) {
   const Bounds bounds = boundsOf(mesh);
   diagonal_ = glm::length(bounds.high - bounds.low);
   for (int k = 0; k < 3; ++k) {
@@ -84,8 +84,8 @@ Task<> ReferenceSurface::prepare(Work& work) {
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh_))) {
     frames_.emplace_back(cornersOf(mesh_, t));
   }
-  SmoothTriangles smooth =
-      findSmoothTriangles(mesh_, edges, groups_, rules_.creaseCosine, largestCoordinate_);
+  SmoothTriangles smooth = findSmoothTriangles(mesh_, edges, mesh_.trianglePatch,
+                                               rules_.creaseCosine, largestCoordinate_);
   normals_ = std::move(smooth.normals);
   neighbours_ = std::move(smooth.neighbours);
   isFeatureEdge_ = std::move(smooth.isSharp);
@@ -128,7 +128,7 @@ SmoothPatch ReferenceSurface::describePatch(std::span<const TriangleId> members)
     sum += glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   }
   patch.normal = unitOf(sum);
-  patch.group = groups_.empty() ? 0 : groups_[members[0].index()];
+  patch.group = mesh_.trianglePatch.empty() ? 0 : mesh_.trianglePatch[members[0].index()];
   const double tolerance = planarTolerance();
   const Vec3 origin = cornersOf(mesh_, members[0])[0];
   patch.isPlanar = glm::length(patch.normal) > 0.5;
