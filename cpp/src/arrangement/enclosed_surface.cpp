@@ -275,12 +275,7 @@ class Enclosing {
     isInterface_ = inherited(isInterface_, left.parents);
   }
 
-  void removeTrianglesWithRepeatedNodes() {
-    removeIf([](const NodeTriple& nodes) {
-      const auto [a, b, c] = nodes;
-      return a == b || b == c || c == a;
-    });
-  }
+  void removeTrianglesWithRepeatedNodes() { removeIf(hasRepeatedNode<NodeId>); }
 
   /// A closed surface stays closed, as a set of points: corners on one line enclose nothing.
   void removeDegenerateTriangles() {

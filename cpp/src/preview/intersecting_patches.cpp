@@ -144,8 +144,7 @@ class SampledPatches {
 
   [[nodiscard]] bool isDegenerate(std::uint32_t t) const {
     const NumberedTriangle triangle = numbered(t);
-    const auto& [a, b, c] = triangle.nodes;
-    return a == b || b == c || c == a ||
+    return hasRepeatedNode(triangle.nodes) ||
            collinear(triangle.corners[0], triangle.corners[1], triangle.corners[2]);
   }
 

@@ -15,6 +15,7 @@
 #include "field/size_octree_builder.h"
 #include "geom/angles.h"
 #include "geom/coordinates.h"
+#include "geom/measure.h"
 #include "remesh/centred.h"
 #include "remesh/deviation.h"
 #include "remesh/reference_surface.h"
@@ -84,7 +85,7 @@ double meanThickness(const SurfaceMesh& mesh, std::span<const std::uint32_t> reg
   };
   for (std::size_t t = 0; t < countTriangles(mesh); ++t) {
     const auto [a, b, c] = cornersOf(mesh, TriangleId(t));
-    const double sixfold = glm::dot(a, glm::cross(b, c));
+    const double sixfold = sixVolumesBelow(Vec3(0.0), a, b, c);
     const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
     add(regions[2 * t], sixfold, area);
     add(regions[2 * t + 1], -sixfold, area);

@@ -34,8 +34,7 @@ std::vector<Diagnostic> checkSurface(const SurfaceMesh& mesh) {
   BoundaryReport report(mesh, BoundarySource::kGivenSurface);
   checkNumbers(mesh, report);
   for (std::uint32_t t = 0; t < countTriangles(mesh) && !report.hasErrors(); ++t) {
-    const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
-    if (a == b || b == c || c == a) {
+    if (hasRepeatedNode(nodesOf(mesh, TriangleId(t)))) {
       report.addTriangle(diagnoseCounted<DiagnosticCode::kDegenerateTriangle>(), TriangleId(t));
     }
   }

@@ -183,10 +183,8 @@ void RepairedSurface::removeIf(const Condition& condition) {
 }
 
 void RepairedSurface::removeTrianglesWithRepeatedNodes() {
-  removeIf([this](TriangleId triangle) {
-    const auto [a, b, c] = nodesOf(surface_.mesh, triangle);
-    return a == b || b == c || c == a;
-  });
+  removeIf(
+      [this](TriangleId triangle) { return hasRepeatedNode(nodesOf(surface_.mesh, triangle)); });
 }
 
 /// Splits triangles next to slivers, which does not change the shape.
@@ -409,6 +407,7 @@ SurfaceRepair RepairedSurface::take() {
   }
   for (std::uint32_t& node : surface_.mesh.triangles) node = newNode[node].value;
   surface_.mesh.points = std::move(points);
+  static_assert(kNoIndex == kNoOrigin);
   moveTo(surface_, result);
   result.deviation = deviation_;
   result.diagnostics = std::move(warnings_);
