@@ -13,6 +13,7 @@
 #include "geom/predicates.h"
 #include "model/resolved_model.h"
 #include "search/box_tree.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {
