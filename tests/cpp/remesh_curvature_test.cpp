@@ -28,7 +28,7 @@ struct PieceCurvature {
 
 /// Returns the mean curvature in cells of a width, at each piece of the surface.
 std::vector<PieceCurvature> curvaturesOf(const SurfaceMesh& mesh, double width) {
-  ReferenceSurface reference(mesh, {}, {});
+  ReferenceSurface reference(mesh, {});
   Job<> preparing([&reference](Work& work) { return reference.prepare(work); });
   preparing.finish();
   const PieceCells cells(reference, width);
@@ -95,7 +95,7 @@ FeatureLine unevenCircle(int count, double share) {
 
 TEST(Curvature, OfALineIsTheMeanOverUnevenPoints) {
   const SurfaceMesh cube = gridCube(1);
-  const ReferenceSurface reference(cube, {}, {});
+  const ReferenceSurface reference(cube, {});
   const PieceCells cells(reference, 0.02);
   for (const double share : {0.5, 0.1, 1e-3}) {
     const FeatureLine line = unevenCircle(240, share);

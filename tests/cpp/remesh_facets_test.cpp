@@ -43,7 +43,7 @@ TEST(RemeshFacets, ManyNeedlesHaveFewLongPieces) {
   // Pieces of the usual length would be 2 to 3 million.
   constexpr std::uint32_t kStrips = 20'000;
   const SurfaceMesh given = needleDrum(kStrips, 0);
-  ReferenceSurface reference(given, {}, FeatureRules{});
+  ReferenceSurface reference(given, FeatureRules{});
   Job<> job([&reference](Work& work) { return reference.prepare(work); });
   job.finish();
   EXPECT_LE(reference.pieces().size(), 1'000'000 + countTriangles(given));
@@ -67,7 +67,7 @@ TEST(RemeshFacets, ManyNeedlesHaveFewLongPieces) {
 
 TEST(RemeshFacets, TrianglesOverAFacetStayOverIt) {
   const SurfaceMesh given = turnedL();
-  ReferenceSurface reference(given, {}, {.creaseCosine = -1.0, .cornerCosine = -1.0});
+  ReferenceSurface reference(given, {.creaseCosine = -1.0, .cornerCosine = -1.0});
   Job<> job([&reference](Work& work) { return reference.prepare(work); });
   job.finish();
   SurfaceLimits limits;
@@ -116,7 +116,7 @@ TEST(RemeshFacets, TrianglesOverAFacetStayOverIt) {
 
 TEST(RemeshFacets, ATriangleBeyondTheEdgeOfAFacetDoesNotLieOverIt) {
   const SurfaceMesh given = turnedL();
-  ReferenceSurface reference(given, {}, {.creaseCosine = -1.0, .cornerCosine = -1.0});
+  ReferenceSurface reference(given, {.creaseCosine = -1.0, .cornerCosine = -1.0});
   Job<> job([&reference](Work& work) { return reference.prepare(work); });
   job.finish();
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(given))) {

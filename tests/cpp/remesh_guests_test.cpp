@@ -15,7 +15,7 @@ namespace {
 /// Without features, all 6000 sharp edges are bends; 1000 guests on each would be 6 million.
 TEST(Guests, AreLimitedInTotalAtATinyTolerance) {
   const SurfaceMesh given = prism({gear(1000, {{0.0, 0.85}, {0.05, 1.0}}), {}}, 0.2);
-  ReferenceSurface reference(given, {}, {.creaseCosine = -1.0, .cornerCosine = -1.0});
+  ReferenceSurface reference(given, {.creaseCosine = -1.0, .cornerCosine = -1.0});
   Job<> job([&reference](Work& work) { return reference.prepare(work); });
   job.finish();
   const SurfaceComplex complex(reference);

@@ -38,7 +38,7 @@ class EditedSurface {
  public:
   EditedSurface(const SurfaceMesh& mesh, double tolerance, double size,
                 const std::vector<std::uint8_t>& isSettled = {})
-      : mesh_(mesh), reference_(mesh_, {}, FeatureRules{}), sizes_(SizeField::uniform(size)) {
+      : mesh_(mesh), reference_(mesh_, FeatureRules{}), sizes_(SizeField::uniform(size)) {
     Job<> job([this](Work& work) { return reference_.prepare(work); });
     job.finish();
     SurfaceLimits limits;
@@ -287,7 +287,7 @@ INSTANTIATE_TEST_SUITE_P(Remesh, RemeshOperations,
 TEST(RemeshEnvelope, AcceptsOnlyTrianglesThatAreNearEverywhere) {
   // A cylinder of 24 facets. Random triangles near it: if one is accepted, every point of it is near.
   const SurfaceMesh given = coarseTube(24, 0.6, 2.0);
-  ReferenceSurface reference(given, {}, FeatureRules{});
+  ReferenceSurface reference(given, FeatureRules{});
   Job<> job([&reference](Work& work) { return reference.prepare(work); });
   job.finish();
   const double tolerance = 0.02;

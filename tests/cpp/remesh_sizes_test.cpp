@@ -117,7 +117,7 @@ TEST(Remesh, WavesHaveTheCurvatureOfTheirCrests) {
 
 TEST(Remesh, ThicknessIsTheDistanceThroughTheRegion) {
   const SurfaceMesh cube = gridCube(3);
-  ReferenceSurface reference(cube, {}, {});
+  ReferenceSurface reference(cube, {});
   Job<> job([&reference](Work& work) { return reference.prepare(work); });
   job.finish();
   const Vec3 onFace(0.31, 0.47, 0.0);

@@ -208,10 +208,10 @@ struct Progress {
 
 /// Counts of the steps that closed a stalled front.
 struct RecoverySummary {
-  std::uint32_t relaxed = 0;        ///< elements accepted by a relaxed rule class (L1)
-  std::uint32_t starred = 0;        ///< pockets filled from one interior point (L3)
-  std::uint32_t remeshed = 0;       ///< pockets filled by local remeshing (L2)
-  std::uint32_t filled = 0;         ///< pockets filled by the exact fill (L6), which comes last
+  std::uint32_t relaxed = 0;        ///< elements accepted by a relaxed rule class
+  std::uint32_t starred = 0;        ///< pockets filled from one interior point
+  std::uint32_t remeshed = 0;       ///< pockets filled by local remeshing
+  std::uint32_t filled = 0;         ///< pockets filled by the exact fill, which comes last
   std::uint32_t steinerPoints = 0;  ///< interior points added by the exact fill
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -203,8 +204,7 @@ class Enclosing {
 
   /// Begins with the given surface. In later attempts, the points of triangles that intersect are welded first.
   void begin() {
-    result_.mesh.points = given_.points;
-    result_.mesh.triangles = given_.triangles;
+    static_cast<TrackedSurface&>(result_) = trackedFrom(given_);
     result_.isResolved = false;
     areRegionsInconsistent_ = false;
     result_.deviation = 0.0;
@@ -212,9 +212,6 @@ class Enclosing {
     result_.reason = Unresolved::kNone;
     result_.where = {};
     result_.limit = 0;
-    result_.origin.clear();
-    for (std::uint32_t t = 0; t < countTriangles(given_); ++t) result_.origin.emplace_back(t);
-    result_.mesh.triangleRegions = given_.triangleRegions;
     isInterface_.assign(countTriangles(given_), 0);
     isWeldable_.assign(countNodes(given_), 0);
     for (std::uint32_t t = 0; t < countTriangles(given_); ++t) {
@@ -274,15 +271,11 @@ class Enclosing {
     removeTrianglesWithRepeatedNodes();
     const LowTriangles left = co_await removeLowTriangles(work, mesh, weldDistance, isWeldable_);
     result_.deviation += left.deviation;
-    keepAttributes(left.parents);
+    inherit(result_, left.parents);
+    isInterface_ = inherited(isInterface_, left.parents);
   }
 
-  void removeTrianglesWithRepeatedNodes() {
-    removeIf([](const NodeTriple& nodes) {
-      const auto [a, b, c] = nodes;
-      return a == b || b == c || c == a;
-    });
-  }
+  void removeTrianglesWithRepeatedNodes() { removeIf(hasRepeatedNode<NodeId>); }
 
   /// A closed surface stays closed, as a set of points: corners on one line enclose nothing.
   void removeDegenerateTriangles() {
@@ -296,34 +289,10 @@ class Enclosing {
 
   /// Removes the triangles for whose nodes the condition holds.
   template <class Condition>
-  void removeIf(Condition condition) {
-    SurfaceMesh& mesh = result_.mesh;
-    std::vector<TriangleId> kept;
-    for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
-      const NodeTriple nodes = nodesOf(mesh, t);
-      if (condition(nodes)) continue;
-      for (std::size_t k = 0; k < 3; ++k) mesh.triangles[3 * kept.size() + k] = nodes[k].value;
-      kept.push_back(t);
-    }
-    mesh.triangles.resize(3 * kept.size());
-    keepAttributes(kept);
-  }
-
-  /// Keeps what is known about triangles. `parents`: per triangle, the one before.
-  void keepAttributes(const std::vector<TriangleId>& parents) {
-    std::vector<std::uint32_t> regions;
-    std::vector<std::uint8_t> isInterface;
-    std::vector<TriangleId> origin;
-    for (const TriangleId t : parents) {
-      origin.push_back(result_.origin[t.index()]);
-      isInterface.push_back(isInterface_[t.index()]);
-      if (!hasRegions()) continue;
-      regions.push_back(result_.mesh.triangleRegions[2 * t.index()]);
-      regions.push_back(result_.mesh.triangleRegions[2 * t.index() + 1]);
-    }
-    result_.mesh.triangleRegions = std::move(regions);
-    result_.origin = std::move(origin);
-    isInterface_ = std::move(isInterface);
+  void removeIf(const Condition& condition) {
+    const std::vector<TriangleId> kept =
+        removeTriangles(result_, [&](TriangleId t) { return condition(nodesOf(result_.mesh, t)); });
+    isInterface_ = inherited(isInterface_, kept);
   }
 
   void markGiven(const Arrangement& arrangement) {
@@ -341,25 +310,26 @@ class Enclosing {
     result_.sheetShare = std::max(result_.sheetShare, inside.sheetArea / inside.area);
     givenTriangleOf_ = result_.origin;
     std::vector<std::uint32_t> nodeOf(points.size(), kNoIndex);
-    std::vector<std::uint32_t> triangles;
-    std::vector<TriangleId> origin;
-    std::vector<std::uint32_t> regions;
+    std::vector<TriangleId> parents;
+    mesh.triangles.clear();
+    mesh.triangleRegions.clear();
     isInterface_.clear();
     for (const BoundaryPart& part : inside.parts) {
-      if (hasRegions()) regions.insert(regions.end(), part.regions.begin(), part.regions.end());
       const bool isCut = arrangement.isCut(part.origin);
       for (const CutPointId point : part.points) {
         std::uint32_t& node = nodeOf[point.index()];
         if (node == kNoIndex) node = points.isNode(point) ? point.value : addNode(points, point);
-        triangles.push_back(node);
+        mesh.triangles.push_back(node);
         if (isCut) isWeldable_[node] = 1;
       }
-      origin.push_back(result_.origin[part.origin.index()]);
+      parents.push_back(part.origin);
       isInterface_.push_back(part.isInterface ? 1 : 0);
     }
-    mesh.triangles = std::move(triangles);
-    mesh.triangleRegions = std::move(regions);
-    result_.origin = std::move(origin);
+    inherit(result_, parents);
+    if (!hasRegions()) return;
+    for (const auto& [a, b] : std::views::transform(inside.parts, &BoundaryPart::regions)) {
+      mesh.triangleRegions.insert(mesh.triangleRegions.end(), {a, b});
+    }
   }
 
   [[nodiscard]] bool hasRegions() const { return !given_.triangleRegions.empty(); }

@@ -14,6 +14,7 @@
 #include "base/ids.h"
 #include "base/task.h"
 #include "tetrafront/mesh.h"
+#include "topology/tracked_surface.h"
 
 namespace tetrafront {
 
@@ -28,9 +29,8 @@ enum class Unresolved : std::uint8_t {
   kNotAccepted = 6  ///< decided by the caller
 };
 
-struct EnclosedSurface {
-  SurfaceMesh mesh;  ///< points: the given ones, then the new ones; some may be unused
-  std::vector<TriangleId> origin;   ///< per triangle: the given triangle
+/// Its points are the given ones, then the new ones; some may be unused. Every triangle has a given one.
+struct EnclosedSurface : TrackedSurface {
   std::vector<std::uint8_t> isCut;  ///< per given triangle: whether others intersect it
   /// Largest distance by which a point was moved, in model units.
   double deviation = 0.0;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file The two relative tolerances of the engine. Exact signs decide topology, without a tolerance
+/// @file The relative tolerances of the engine. Exact signs decide topology, without a tolerance
 /// (geom/predicates.h). A tolerance decides what drawn geometry means where coordinates are rounded: in files and
 /// dialogs, or by the evaluation of a curve.
 ///
@@ -19,6 +19,15 @@ class Tolerance {
   /// Geometry closer than this counts as coincident: far above the rounding of coordinates, far
   /// below the size of any element.
   static constexpr double kCoincidence = 1e-9;
+
+  /// Rounding of coordinates to single precision / the coordinates, and what counts as equal beside it / the diagonal.
+  static constexpr double kSinglePerCoordinate = 2e-7;
+  static constexpr double kSinglePerDiagonal = 1e-6;
+  /// Returns the distance within which positions count as equal in a surface that was rounded to single precision. `diagonal`
+  /// of the surface, and its largest `coordinate`.
+  static constexpr double ofSingle(double diagonal, double coordinate) {
+    return kSinglePerDiagonal * diagonal + kSinglePerCoordinate * coordinate;
+  }
 
   /// `extent`: length of a line, or diagonal of the box around what is compared.
   constexpr explicit Tolerance(double extent) : extent_(extent) {}

@@ -42,6 +42,12 @@ namespace tetrafront {
                   std::min(squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)));
 }
 
+/// Returns v / |v|; zero if v is zero.
+[[nodiscard]] inline Vec3 unitOf(const Vec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : Vec3(0.0);
+}
+
 /// Returns the cosine of the angle between two vectors; 1 if one of them is zero.
 [[nodiscard]] inline double cosineBetween(const Vec3& a, const Vec3& b) {
   const double lengths = glm::length(a) * glm::length(b);

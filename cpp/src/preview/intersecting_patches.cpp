@@ -13,6 +13,7 @@
 #include "geom/predicates.h"
 #include "model/resolved_model.h"
 #include "search/box_tree.h"
+#include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {
@@ -144,8 +145,7 @@ class SampledPatches {
 
   [[nodiscard]] bool isDegenerate(std::uint32_t t) const {
     const NumberedTriangle triangle = numbered(t);
-    const auto& [a, b, c] = triangle.nodes;
-    return a == b || b == c || c == a ||
+    return hasRepeatedNode(triangle.nodes) ||
            collinear(triangle.corners[0], triangle.corners[1], triangle.corners[2]);
   }
 

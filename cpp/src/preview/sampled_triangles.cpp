@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geom/measure.h"
+
 namespace tetrafront {
 namespace {
 

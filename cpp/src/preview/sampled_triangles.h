@@ -12,12 +12,6 @@
 
 namespace tetrafront {
 
-/// Returns v / |v|; zero if v is zero.
-[[nodiscard]] inline Vec3 unitOf(const Vec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v * (1.0 / length) : Vec3(0.0);
-}
-
 struct SampledTriangle {
   std::array<Vec3, 3> corners;
   Vec3 centroid;

@@ -22,6 +22,7 @@
 #include "base/sort.h"
 #include "base/task.h"
 #include "base/tool_job.h"
+#include "geom/measure.h"
 #include "preview/model_sampler.h"
 #include "preview/sampled_triangles.h"
 #include "preview/source_selection.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "base/tolerance.h"
 #include "geom/measure.h"
 #include "topology/mesh_access.h"
 #include "topology/smooth_triangles.h"
@@ -14,10 +15,6 @@
 namespace tetrafront {
 namespace {
 
-/// Distance from its plane up to which a patch counts as planar, relative to the diagonal and to
-/// the coordinates: an allowance for rounding.
-constexpr double kPlanarPerDiagonal = 1e-6;
-constexpr double kPlanarPerCoordinate = 2e-7;
 /// Rounding of double precision / rounding of single precision.
 constexpr double kDoublePerSingle = 0x1p-29;
 /// Largest rounding / diagonal that counts as such. A surface that is rounded more has no planar patches to recognize.
@@ -34,11 +31,6 @@ constexpr int kMaxHalvings = 8;
 constexpr std::size_t kMaxPieces = 1'000'000;
 /// Steps of a walk between neighbouring triangles, after which the tree is faster.
 constexpr int kMaxSteps = 24;
-
-Vec3 unitOf(const Vec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : Vec3(0.0);
-}
 
 /// Returns the weight of a triangle in the normal at its corner k; it grows with the angle there
 /// and does not depend on the area.
@@ -59,9 +51,9 @@ bool isSinglePrecision(const SurfaceMesh& mesh, const Vec3& centre) {
 
 }  // namespace
 
-ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, std::span<const std::uint32_t> groups,
-                                   const FeatureRules& rules, const Vec3& centre)
-    : mesh_(mesh), groups_(groups), rules_(rules), centre_(centre) {
+ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, const FeatureRules& rules,
+                                   const Vec3& centre)
+    : mesh_(mesh), rules_(rules), centre_(centre) {
   const Bounds bounds = boundsOf(mesh);
   diagonal_ = glm::length(bounds.high - bounds.low);
   for (int k = 0; k < 3; ++k) {
@@ -71,9 +63,10 @@ ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, std::span<const std:
   if (centre == Vec3(0.0)) return;
   // Nodes are rounded to the digits that they have in the user's coordinates.
   const double far = magnitudeOf(centre);
-  const double rounded = isSinglePrecision(mesh, centre)
-                             ? std::min(far, kLargestNoise * diagonal_ / kPlanarPerCoordinate)
-                             : kDoublePerSingle * far;
+  const double rounded =
+      isSinglePrecision(mesh, centre)
+          ? std::min(far, kLargestNoise * diagonal_ / Tolerance::kSinglePerCoordinate)
+          : kDoublePerSingle * far;
   largestCoordinate_ = std::max(largestCoordinate_, rounded);
 }
 
@@ -84,8 +77,8 @@ Task<> ReferenceSurface::prepare(Work& work) {
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh_))) {
     frames_.emplace_back(cornersOf(mesh_, t));
   }
-  SmoothTriangles smooth =
-      findSmoothTriangles(mesh_, edges, groups_, rules_.creaseCosine, largestCoordinate_);
+  SmoothTriangles smooth = findSmoothTriangles(mesh_, edges, mesh_.trianglePatch,
+                                               rules_.creaseCosine, largestCoordinate_);
   normals_ = std::move(smooth.normals);
   neighbours_ = std::move(smooth.neighbours);
   isFeatureEdge_ = std::move(smooth.isSharp);
@@ -117,7 +110,7 @@ void ReferenceSurface::findPatches() {
 }
 
 double ReferenceSurface::planarTolerance() const {
-  return kPlanarPerDiagonal * diagonal_ + kPlanarPerCoordinate * largestCoordinate_;
+  return Tolerance::ofSingle(diagonal_, largestCoordinate_);
 }
 
 SmoothPatch ReferenceSurface::describePatch(std::span<const TriangleId> members) const {
@@ -128,7 +121,7 @@ SmoothPatch ReferenceSurface::describePatch(std::span<const TriangleId> members)
     sum += glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   }
   patch.normal = unitOf(sum);
-  patch.group = groups_.empty() ? 0 : groups_[members[0].index()];
+  patch.group = mesh_.trianglePatch.empty() ? 0 : mesh_.trianglePatch[members[0].index()];
   const double tolerance = planarTolerance();
   const Vec3 origin = cornersOf(mesh_, members[0])[0];
   patch.isPlanar = glm::length(patch.normal) > 0.5;

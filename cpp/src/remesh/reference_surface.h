@@ -63,10 +63,14 @@ struct Facet {
 
 class ReferenceSurface {
  public:
-  /// `mesh`: a valid boundary, which must outlive this. `groups`: the given patch of each triangle;
-  /// empty if there is only one. `centre`: the nodes are relative to it.
-  ReferenceSurface(const SurfaceMesh& mesh, std::span<const std::uint32_t> groups,
-                   const FeatureRules& rules, const Vec3& centre = Vec3(0.0));
+  /// `mesh`: a valid boundary, which must outlive this; its trianglePatch may be empty. `centre`: the nodes are relative to it.
+  ReferenceSurface(const SurfaceMesh& mesh, const FeatureRules& rules,
+                   const Vec3& centre = Vec3(0.0));
+
+  /// Returns another surface in the same coordinates by the same rules, not yet prepared. `mesh` must outlive it.
+  [[nodiscard]] ReferenceSurface of(const SurfaceMesh& mesh) const {
+    return {mesh, rules_, centre_};
+  }
 
   /// Finds features and patches, and builds the search tree. O(n log n).
   Task<> prepare(Work& work);
@@ -153,7 +157,6 @@ class ReferenceSurface {
   [[nodiscard]] double planarTolerance() const;
 
   const SurfaceMesh& mesh_;
-  std::span<const std::uint32_t> groups_;
   FeatureRules rules_;
   Vec3 centre_;
   double diagonal_ = 0.0;

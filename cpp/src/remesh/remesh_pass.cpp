@@ -44,6 +44,7 @@ constexpr double kCoarseningShare = 0.1;
 /// What one remeshing works on; all must outlive it.
 struct PassInput {
   const TrackedSurface& surface;
+  std::span<const std::uint8_t> isSettled;  ///< as PassRules::isSettled
   const GivenSizes& sizes;
   const bool& isStopped;
 };
@@ -51,8 +52,7 @@ struct PassInput {
 /// Copies the triangles out of the complex, without unused nodes.
 void copyTriangles(const GuardedSurface& surface, const TrackedSurface& given, RemeshPass& pass) {
   const SurfaceComplex& complex = surface.complex();
-  auto& [mesh, groups, origin, isSettled, centre] = pass.surface;
-  centre = given.centre;
+  auto& [mesh, origin] = pass.surface;
   std::vector<std::uint32_t> number(complex.nodeCount(), kNoIndex);
   for (const NodeId node : IdRange<NodeId>(complex.nodeCount())) {
     if (!complex.isUsed(node)) continue;
@@ -63,10 +63,11 @@ void copyTriangles(const GuardedSurface& surface, const TrackedSurface& given, R
   for (const TriangleId t : IdRange<TriangleId>(complex.triangleSlots())) {
     if (!complex.isAlive(t)) continue;
     for (const NodeId node : complex.nodesOf(t)) mesh.triangles.push_back(number[node.index()]);
-    pass.beneath.push_back(surface.beneath(t).value);
-    origin.push_back(given.origin[surface.beneath(t).index()]);
-    groups.push_back(complex.patchOf(t).value);
+    pass.beneath.push_back(surface.beneath(t));
+    mesh.trianglePatch.push_back(complex.patchOf(t).value);
   }
+  origin = inherited(given.origin, pass.beneath);
+  mesh.triangleRegions = inherited(given.mesh.triangleRegions, pass.beneath, 2);
 }
 
 /// Samples the distance of the triangles in the order in which copyTriangles() copies them.
@@ -174,7 +175,7 @@ Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const Reme
   limits.tolerance = step.tested;
   GuardedSurface guarded(reference, limits, result.size);
   co_await work.yield();
-  SurfaceEditor editor(guarded, sizes, input.surface.isSettled);
+  SurfaceEditor editor(guarded, sizes, input.isSettled);
   co_await work.yield();
   RemeshSchedule schedule(editor);
   VolumeCorrection correction(guarded);
@@ -206,7 +207,7 @@ Task<> remeshCoarse(Work& work, const ReferenceSurface& reference, const RemeshL
   const RemeshPass coarse = std::move(pass);
   const TrackedSurface& surface = coarse.surface;
   work.beginPart(0.1);
-  ReferenceSurface next(surface.mesh, surface.groups, reference.rules(), surface.centre);
+  ReferenceSurface next = reference.of(surface.mesh);
   co_await next.prepare(work);
   setRegions(sizes, next, surface.origin, input.sizes.ofRegions);
   pass = RemeshPass{};
@@ -215,9 +216,9 @@ Task<> remeshCoarse(Work& work, const ReferenceSurface& reference, const RemeshL
   result.tolerance = share * lengths.tolerance;
   work.beginPart(0.9);
   const Step step{Changes::kAll, share * lengths.testedTolerance, false};
-  const PassInput nextInput{surface, input.sizes, input.isStopped};
+  const PassInput nextInput{surface, {}, input.sizes, input.isStopped};
   co_await changeTriangles(work, next, sizes, step, nextInput, pass);
-  for (std::uint32_t& triangle : pass.beneath) triangle = coarse.beneath[triangle];
+  pass.beneath = inherited(coarse.beneath, pass.beneath);
   result.tolerance += coarse.remesh.tolerance;
   result.deviation += coarse.remesh.deviation;
   work.beginPart(1.0);
@@ -233,18 +234,14 @@ FeatureRules featureRulesOf(const RemeshOptions& options) {
   return {cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};
 }
 
-ReferenceSurface referenceOf(const TrackedSurface& surface, const RemeshOptions& options) {
-  return {surface.mesh, surface.groups, featureRulesOf(options), surface.centre};
-}
-
 Task<> sampleDeviation(Work& work, const ReferenceSurface& reference, const SurfaceMesh& made,
-                       std::span<const std::uint32_t> beneath, const bool& isStopped,
+                       std::span<const TriangleId> beneath, const bool& isStopped,
                        SurfaceRemesh& result) {
   result.triangleDeviation.resize(beneath.size());
   co_await work.forEachBlock(beneath.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last && !isStopped; ++t) {
-      result.triangleDeviation[t] = sampledDeviation(reference, cornersOf(made, TriangleId(t)),
-                                                     TriangleId(beneath[t]), result.tolerance);
+      result.triangleDeviation[t] =
+          sampledDeviation(reference, cornersOf(made, TriangleId(t)), beneath[t], result.tolerance);
     }
   });
   if (!isStopped) co_return;
@@ -257,7 +254,7 @@ Task<RemeshPass> remeshOnce(Work& work, const ReferenceSurface& reference,
                             const RemeshOptions& options, const PassRules& rules,
                             const bool& isStopped) {
   const double toleranceShare = rules.toleranceShare;
-  const PassInput input{surface, sizes, isStopped};
+  const PassInput input{surface, rules.isSettled, sizes, isStopped};
   RemeshPass pass;
   SurfaceRemesh& result = pass.remesh;
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));

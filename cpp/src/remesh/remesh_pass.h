@@ -10,44 +10,32 @@
 #include "base/task.h"
 #include "remesh/reference_surface.h"
 #include "remesh/remesh_targets.h"
-#include "tetrafront/mesh.h"
 #include "tetrafront/remesh.h"
+#include "topology/tracked_surface.h"
 
 namespace tetrafront {
-
-/// A valid boundary on the way from the given surface to the result.
-struct TrackedSurface {
-  SurfaceMesh mesh;                   ///< points and triangles only
-  std::vector<std::uint32_t> groups;  ///< per triangle: its patch; empty if there is only one
-  std::vector<std::uint32_t> origin;  ///< per triangle: the given one
-  /// Per node: 1 if all its triangles come from a remeshing and need no other one; empty if none do.
-  std::vector<std::uint8_t> isSettled;
-  Vec3 centre{0.0};  ///< the nodes are relative to it
-};
 
 /// What one remeshing may do.
 struct PassRules {
   double toleranceShare = 1.0;
   double plannedShare = 1.0;  ///< of the tolerance, for which sizes are small enough
   bool samples = true;        ///< whether the distance of the triangles is sampled
+  /// Per node: 1 if all its triangles come from a remeshing and need no other one; empty if none do.
+  std::vector<std::uint8_t> isSettled{};
 };
 
 struct RemeshPass {
-  TrackedSurface surface;              ///< its groups are its smooth patches
-  std::vector<std::uint32_t> beneath;  ///< per triangle: as `origin`, in the surface of this pass
-  SurfaceRemesh remesh;                ///< what is known about the surface, without its arrays
+  TrackedSurface surface;           ///< its patches are the smooth ones
+  std::vector<TriangleId> beneath;  ///< per triangle: as `origin`, in the surface of this pass
+  SurfaceRemesh remesh;             ///< what is known about the surface, without its arrays
 };
 
 [[nodiscard]] FeatureRules featureRulesOf(const RemeshOptions& options);
 
-/// Returns what the triangles are compared with, not yet prepared. `surface` must outlive it.
-[[nodiscard]] ReferenceSurface referenceOf(const TrackedSurface& surface,
-                                           const RemeshOptions& options);
-
 /// Samples the distance of the triangles from a surface, until it is stopped. `beneath`: per triangle, one of that surface
 /// near it.
 Task<> sampleDeviation(Work& work, const ReferenceSurface& reference, const SurfaceMesh& made,
-                       std::span<const std::uint32_t> beneath, const bool& isStopped,
+                       std::span<const TriangleId> beneath, const bool& isStopped,
                        SurfaceRemesh& result);
 
 /// Remeshes a surface, with all details. If its triangles are far smaller than the target size, coarsens it first. The

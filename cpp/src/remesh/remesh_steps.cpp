@@ -21,18 +21,6 @@
 namespace tetrafront {
 namespace {
 
-/// Returns what is beside the triangles; nothing if that is not given.
-std::vector<std::uint32_t> regionsOf(const TrackedSurface& surface,
-                                     std::span<const std::uint32_t> given) {
-  std::vector<std::uint32_t> regions;
-  if (given.empty()) return regions;
-  for (const std::size_t triangle : surface.origin) {
-    regions.push_back(given[2 * triangle]);
-    regions.push_back(given[2 * triangle + 1]);
-  }
-  return regions;
-}
-
 /// Returns true if the smallest angle is larger, without much poorer triangles on average.
 bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
   return isComplete(one) && one.smallestAngle > other.smallestAngle &&
@@ -95,7 +83,7 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurf
   const RemeshOptions& options = remeshing.options;
   std::optional<ReferenceSurface> ofRemeshed;
   if (rule.isRemeshed) {
-    ofRemeshed.emplace(referenceOf(surface, options));
+    ofRemeshed.emplace(remeshing.reference.of(surface.mesh));
     co_await ofRemeshed->prepare(work);
   }
   const ReferenceSurface& reference = rule.isRemeshed ? *ofRemeshed : remeshing.reference;
@@ -108,17 +96,13 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurf
   const bool isUseless = count == 0.0 && !rule.isRemeshed;
   if (isUseless) co_return Dropped::kNone;
   if (count > largest) co_return Dropped::kTooMany;
-  TrackedSurface made;
-  made.centre = surface.centre;
+  TrackedSurface made = surface;
   std::vector<TriangleId> parents;
   merger.copyTo(made.mesh, parents);
-  for (const TriangleId parent : parents) {
-    made.origin.push_back(surface.origin[parent.index()]);
-    if (!surface.groups.empty()) made.groups.push_back(surface.groups[parent.index()]);
-  }
-  if (rule.isRemeshed) made.isSettled = settledNodes(made.mesh, surface.mesh, parents);
+  inherit(made, parents);
+  PassRules rules = rule.remeshing;
+  if (rule.isRemeshed) rules.isSettled = settledNodes(made.mesh, surface.mesh, parents);
   SurfaceMesh checked = made.mesh;
-  checked.triangleRegions = regionsOf(made, remeshing.regions);
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
   boundary.setEmbedded();
   co_await work.finish(boundary);
@@ -126,11 +110,11 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurf
   simplified.deviation += merger.deviation();
   simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
   work.beginPart(0.24);
-  ReferenceSurface next = referenceOf(made, options);
+  ReferenceSurface next = remeshing.reference.of(made.mesh);
   co_await next.prepare(work);
   work.beginPart(1.0);
-  simplified.pass = co_await remeshOnce(work, next, made, remeshing.sizes, options, rule.remeshing,
-                                        remeshing.isStopped);
+  simplified.pass =
+      co_await remeshOnce(work, next, made, remeshing.sizes, options, rules, remeshing.isStopped);
   // Between the surface of this step and the result, not between the given one and it.
   simplified.pass.remesh.triangleDeviation.clear();
   simplified.deviation += simplified.pass.remesh.deviation;

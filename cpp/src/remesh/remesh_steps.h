@@ -3,8 +3,6 @@
 /// @file The steps of a remeshing: remeshing a surface, dropping details across which triangles would be poor, and choosing the
 /// best surface.
 
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "base/task.h"
@@ -17,8 +15,7 @@ namespace tetrafront {
 /// What all steps of a remeshing share; it must outlive them.
 struct Remeshing {
   const TrackedSurface& given;
-  const ReferenceSurface& reference;       ///< of the given surface
-  std::span<const std::uint32_t> regions;  ///< beside the given triangles, or nothing
+  const ReferenceSurface& reference;  ///< of the given surface
   GivenSizes sizes;
   const RemeshOptions& options;
   RemeshLengths lengths;

@@ -255,18 +255,18 @@ MeshOptions targetOptions(const RemeshOptions& options) {
 double trianglesOn(double area, double size) { return area / (kTriangleArea * size * size); }
 
 void setRegions(RemeshSizes& sizes, const ReferenceSurface& reference,
-                std::span<const std::uint32_t> origin, const RegionSizes& ofRegions) {
+                std::span<const TriangleId> origin, const RegionSizes& ofRegions) {
   if (!ofRegions.areGiven()) return;
   // All triangles of a patch have the same regions beside them: more than two triangles meet where others begin.
   std::vector<std::uint32_t> regions(reference.patchCount(), FieldHint::kAnyRegion);
   for (std::size_t t = 0; t < origin.size(); ++t) {
-    regions[reference.patchOf(TriangleId(t)).index()] = ofRegions.regionOf(origin[t]);
+    regions[reference.patchOf(TriangleId(t)).index()] = ofRegions.regionOf(origin[t].index());
   }
   sizes.setRegions(std::move(regions));
 }
 
 Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
-                                  std::span<const std::uint32_t> origin, const GivenSizes& sizes,
+                                  std::span<const TriangleId> origin, const GivenSizes& sizes,
                                   const RemeshOptions& options, const RemeshLengths& lengths) {
   MeshOptions targets = targetOptions(options);
   if (!usesGrid(sizes.grid, targets)) targets.size = lengths.maxSize;

@@ -64,12 +64,12 @@ struct TargetField {
 /// are known: work on the shape takes longer if they are small. `origin`: per triangle of the reference surface, the given
 /// one. Everything must outlive the task.
 Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
-                                  std::span<const std::uint32_t> origin, const GivenSizes& sizes,
+                                  std::span<const TriangleId> origin, const GivenSizes& sizes,
                                   const RemeshOptions& options, const RemeshLengths& lengths);
 
 /// Names the region whose size applies to each smooth patch of a surface, if regions have sizes. `origin`: as for
 /// findTargetField(). O(n).
 void setRegions(RemeshSizes& sizes, const ReferenceSurface& reference,
-                std::span<const std::uint32_t> origin, const RegionSizes& ofRegions);
+                std::span<const TriangleId> origin, const RegionSizes& ofRegions);
 
 }  // namespace tetrafront

@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-14;
 
 void SeparationProof::begin(std::span<const NumberedTriangle> triangles) {
   triangles_ = triangles;
-  for (const Node& node : nodes_) placeOf_[node.index] = kNoIndex;
+  for (const Node& node : nodes_) indexOf_[node.index] = kNoIndex;
   nodes_.clear();
   normal_ = Vec3(0.0);
   Vec3 sum(0.0);
@@ -25,9 +25,9 @@ void SeparationProof::begin(std::span<const NumberedTriangle> triangles) {
     normal_ += crossOf(triangle.corners);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t index = triangle.nodes[k];
-      if (index >= placeOf_.size()) placeOf_.resize(index + 1, kNoIndex);
-      if (placeOf_[index] != kNoIndex) continue;
-      placeOf_[index] = static_cast<std::uint32_t>(nodes_.size());
+      if (index >= indexOf_.size()) indexOf_.resize(index + 1, kNoIndex);
+      if (indexOf_[index] != kNoIndex) continue;
+      indexOf_[index] = static_cast<std::uint32_t>(nodes_.size());
       nodes_.push_back({index, triangle.corners[k]});
       sum += triangle.corners[k];
     }
@@ -110,17 +110,17 @@ bool SeparationProof::coversOnce() const {
 
 /// Returns true if all nodes of `other` that are not shared are in front of the plane, and all nodes of the new triangles
 /// behind it. Shared nodes are on the plane. `margin`: per distance from the origin.
-bool SeparationProof::isBeyond(const NumberedTriangle& other, const Places& places,
+bool SeparationProof::isBeyond(const NumberedTriangle& other, const NodeIndices& indices,
                                const Vec3& origin, const Vec3& normal, double margin) const {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (places[k] != kNoIndex) continue;
+    if (indices[k] != kNoIndex) continue;
     const Vec3 offset = other.corners[k] - origin;
     const double height = glm::dot(normal, offset);
     if (!(height > 0.0 && height * height > margin * margin * glm::dot(offset, offset)))
       return false;
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (i == places[0] || i == places[1] || i == places[2]) continue;
+    if (i == indices[0] || i == indices[1] || i == indices[2]) continue;
     const Vec3 offset = nodes_[i].position - origin;
     const double height = glm::dot(normal, offset);
     if (!(height < 0.0 && height * height > margin * margin * glm::dot(offset, offset)))
@@ -163,23 +163,23 @@ bool SeparationProof::isFarFrom(const NumberedTriangle& other) const {
          isApartAlong(glm::cross(cross, a - c), other.corners);
 }
 
-SeparationProof::Places SeparationProof::placesOf(const NumberedTriangle& other) const {
-  Places places;
+SeparationProof::NodeIndices SeparationProof::indicesOf(const NumberedTriangle& other) const {
+  NodeIndices indices;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t index = other.nodes[k];
-    places[k] = index < placeOf_.size() ? placeOf_[index] : kNoIndex;
+    indices[k] = index < indexOf_.size() ? indexOf_[index] : kNoIndex;
   }
-  return places;
+  return indices;
 }
 
 bool SeparationProof::isApart(const NumberedTriangle& other) const {
-  const Places places = placesOf(other);
-  const auto shared = 3 - std::ranges::count(places, kNoIndex);
+  const NodeIndices indices = indicesOf(other);
+  const auto shared = 3 - std::ranges::count(indices, kNoIndex);
   if (shared == 0) return isFarFrom(other);
   if (shared == 3) return false;
   // If one corner is shared, this one; if two are shared, the one that is not.
   std::size_t odd = 0;
-  while ((places[odd] != kNoIndex) != (shared == 1)) ++odd;
+  while ((indices[odd] != kNoIndex) != (shared == 1)) ++odd;
   const Vec3& next = other.corners[(odd + 1) % 3];
   const Vec3& last = other.corners[(odd + 2) % 3];
   if (shared == 1) {
@@ -187,7 +187,7 @@ bool SeparationProof::isApart(const NumberedTriangle& other) const {
     const Vec3 away = origin - centre_;
     const Vec3 along = 0.5 * (next + last) - origin;
     const Vec3 normal = away / glm::length(away) + along / glm::length(along);
-    return isBeyond(other, places, origin, normal, kRounding * glm::length(normal));
+    return isBeyond(other, indices, origin, normal, kRounding * glm::length(normal));
   }
   // The plane through the shared edge halves the angle between the triangle and the mean of the new ones.
   const Vec3 edge = last - next;
@@ -195,7 +195,7 @@ bool SeparationProof::isApart(const NumberedTriangle& other) const {
   const Vec3 between = normal_ / glm::length(normal_) + cross / glm::length(cross);
   // `other` is on the left of its edge from next to last.
   const Vec3 normal = glm::cross(between, edge);
-  return isBeyond(other, places, next, normal,
+  return isBeyond(other, indices, next, normal,
                   kRounding * glm::length(between) * glm::length(edge));
 }
 

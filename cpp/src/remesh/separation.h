@@ -46,11 +46,11 @@ class SeparationProof {
   [[nodiscard]] bool collectSpreads(std::uint32_t centre);
   [[nodiscard]] bool areTurning() const;
   [[nodiscard]] bool coversOnce() const;
-  /// For each corner of a triangle: its place in nodes_, or kNoIndex.
-  using Places = std::array<std::uint32_t, 3>;
+  /// For each corner of a triangle: its index in nodes_, or kNoIndex.
+  using NodeIndices = std::array<std::uint32_t, 3>;
 
-  [[nodiscard]] Places placesOf(const NumberedTriangle& other) const;
-  [[nodiscard]] bool isBeyond(const NumberedTriangle& other, const Places& places,
+  [[nodiscard]] NodeIndices indicesOf(const NumberedTriangle& other) const;
+  [[nodiscard]] bool isBeyond(const NumberedTriangle& other, const NodeIndices& indices,
                               const Vec3& origin, const Vec3& normal, double margin) const;
   [[nodiscard]] bool isApartAlong(const Vec3& direction, const std::array<Vec3, 3>& corners) const;
   [[nodiscard]] bool isFarFrom(const NumberedTriangle& other) const;
@@ -58,7 +58,7 @@ class SeparationProof {
   std::span<const NumberedTriangle> triangles_;
   std::vector<Node> nodes_;  ///< of the new triangles, each once
   std::vector<std::uint32_t>
-      placeOf_;         ///< per node of the surface: its place in nodes_, or kNoIndex
+      indexOf_;         ///< per node of the surface: its index in nodes_, or kNoIndex
   Vec3 centre_{0.0};    ///< mean of the nodes
   double reach_ = 0.0;  ///< largest distance of a node from the centre
   Vec3 normal_{0.0};    ///< sum of the normals

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "field/size_octree_builder.h"
 #include "geom/angles.h"
 #include "geom/coordinates.h"
+#include "geom/measure.h"
 #include "remesh/centred.h"
 #include "remesh/deviation.h"
 #include "remesh/reference_surface.h"
@@ -85,7 +85,7 @@ double meanThickness(const SurfaceMesh& mesh, std::span<const std::uint32_t> reg
   };
   for (std::size_t t = 0; t < countTriangles(mesh); ++t) {
     const auto [a, b, c] = cornersOf(mesh, TriangleId(t));
-    const double sixfold = glm::dot(a, glm::cross(b, c));
+    const double sixfold = sixVolumesBelow(Vec3(0.0), a, b, c);
     const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
     add(regions[2 * t], sixfold, area);
     add(regions[2 * t + 1], -sixfold, area);
@@ -180,9 +180,7 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
     result.featureLines = static_cast<std::uint32_t>(reference.lines().size());
     co_await sampleDeviation(work, reference, made.mesh, made.origin, remeshing.isStopped, result);
   }
-  result.points = std::move(made.mesh.points);
-  result.triangles = std::move(made.mesh.triangles);
-  result.origin = std::move(made.origin);
+  moveTo(made, result);
   if (remeshing.isStopped) {
     result.isPartial = true;
     result.triangleDeviation.clear();
@@ -196,19 +194,18 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
                                   GivenSizes sizes, const RemeshOptions& options,
                                   const bool& isStopped) {
   work.beginPart(0.05);
-  const std::vector<std::uint32_t> regions = mesh.triangleRegions;
+  std::vector<std::uint32_t> regions = mesh.triangleRegions;
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, sizes.grid, options);
   if (anyError(problems)) co_return refused(std::move(problems));
   work.beginPart(1.0);
   const double givenVolume = enclosedVolume(mesh);
-  const std::vector<std::uint32_t> found = std::exchange(mesh.triangleRegions, {});
-  TrackedSurface given{std::move(mesh), std::move(groups), {}, {}, Vec3(0.0)};
-  given.origin.resize(countTriangles(given.mesh));
-  std::iota(given.origin.begin(), given.origin.end(), 0U);
-  given.centre = moveToCentre(given.mesh);
-  const BackgroundGrid movedGrid = relativeTo(given.centre, sizes.grid);
+  const std::vector<std::uint32_t> found = std::exchange(mesh.triangleRegions, std::move(regions));
+  mesh.trianglePatch = std::move(groups);
+  TrackedSurface given = trackedFrom(std::move(mesh));
+  const Vec3 centre = moveToCentre(given.mesh);
+  const BackgroundGrid movedGrid = relativeTo(centre, sizes.grid);
   const GivenSizes movedSizes{movedGrid, sizes.ofRegions};
-  ReferenceSurface reference = referenceOf(given, options);
+  ReferenceSurface reference(given.mesh, featureRulesOf(options), centre);
   const double diagonal = reference.diagonal();
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));
   RemeshOptions settled = options;
@@ -223,20 +220,20 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   const RemeshLengths lengths = remeshLengthsOf(settled, hasTargets, diagonal);
   work.beginPart(0.1);
   co_await reference.prepare(work);
-  const Remeshing remeshing{given, reference, regions, movedSizes, settled, lengths, isStopped};
+  const Remeshing remeshing{given, reference, movedSizes, settled, lengths, isStopped};
   work.beginPart(0.95);
   SimplifiedSurface surface = co_await remeshAndDrop(work, remeshing);
   work.beginPart(1.0);
   SurfaceRemesh result = co_await finish(work, remeshing, surface);
   result.givenVolume = givenVolume;
   result.volume = volumeOf(result, found);
-  moveBack(given.centre, result);
+  moveBack(centre, result);
   if (result.diagnostics.empty()) result.diagnostics = std::move(problems);
   co_return result;
 }
 
 Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
-                                              std::span<const std::uint32_t> groups,
+                                              std::vector<std::uint32_t>& groups,
                                               const RemeshOptions& options) {
   const BackgroundGrid noGrid;
   const RegionSizes noRegions;
@@ -246,8 +243,9 @@ Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
   result.diagnostics = co_await checkInput(work, mesh, noGrid, options);
   if (!result.diagnostics.empty()) co_return result;
   work.beginPart(0.2);
+  mesh.trianglePatch = std::move(groups);
   const Vec3 centre = moveToCentre(mesh);
-  ReferenceSurface reference(mesh, groups, featureRulesOf(options), centre);
+  ReferenceSurface reference(mesh, featureRulesOf(options), centre);
   co_await reference.prepare(work);
   const RemeshLengths lengths = remeshLengthsOf(options, options.size > 0.0, reference.diagonal());
   work.beginPart(0.6);

@@ -4,7 +4,6 @@
 /// bounds the distance between the two surfaces.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "base/task.h"
@@ -14,15 +13,16 @@
 
 namespace tetrafront {
 
-/// Everything must outlive the task. May reorient triangles of `mesh`, and changes `mesh` and `groups` if details are
-/// dropped. Once `isStopped` is true, the surface is returned as it is.
+/// Everything must outlive the task, which moves `mesh` and `groups` away. Once `isStopped` is true, the surface is returned as
+/// it is.
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
                                   GivenSizes sizes, const RemeshOptions& options,
                                   const bool& isStopped);
 
-/// Proposes sizes for the surface. May reorient triangles of `mesh`. Everything must outlive the task.
+/// Proposes sizes for the surface. Everything must outlive the task, which may reorient triangles of `mesh` and moves `groups`
+/// into it.
 Task<SurfaceSizeProposal> proposeSurfaceSizes(Work& work, SurfaceMesh& mesh,
-                                              std::span<const std::uint32_t> groups,
+                                              std::vector<std::uint32_t>& groups,
                                               const RemeshOptions& options);
 
 }  // namespace tetrafront

@@ -23,10 +23,8 @@ struct OpenEdges {
 OpenEdges openEdgesOf(std::span<const std::uint32_t> triangles, std::uint32_t nodeCount) {
   std::vector<std::uint8_t> isIgnored(triangles.size() / 3, 0);
   for (std::size_t t = 0; t < isIgnored.size(); ++t) {
-    const std::uint32_t a = triangles[3 * t];
-    const std::uint32_t b = triangles[3 * t + 1];
-    const std::uint32_t c = triangles[3 * t + 2];
-    isIgnored[t] = a == b || b == c || c == a ? 1 : 0;
+    const std::array nodes{triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]};
+    isIgnored[t] = hasRepeatedNode(nodes) ? 1 : 0;
   }
   const EdgeTable edges(triangles, nodeCount, isIgnored);
   std::vector<std::uint8_t> isOpen(nodeCount, 0);

@@ -8,16 +8,15 @@
 
 namespace tetrafront {
 
-EdgeBisection::EdgeBisection(SurfaceMesh& mesh, const SizeField& field, const RegionSizes& regions,
-                             FieldHint& hint)
-    : mesh_(mesh), field_(field), regions_(regions), hint_(hint) {
-  for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) origin_.push_back(t);
-  const EdgeTable edges(mesh.triangles, countNodes(mesh), {});
-  edgeOf_.resize(mesh.triangles.size());
-  nextOnEdge_.resize(mesh.triangles.size());
+EdgeBisection::EdgeBisection(TrackedSurface& surface, const SizeField& field,
+                             const RegionSizes& regions, FieldHint& hint)
+    : mesh_(surface.mesh), origin_(surface.origin), field_(field), regions_(regions), hint_(hint) {
+  const EdgeTable edges(mesh_.triangles, countNodes(mesh_), {});
+  edgeOf_.resize(mesh_.triangles.size());
+  nextOnEdge_.resize(mesh_.triangles.size());
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
     const std::span<const HalfEdgeId> halfEdges = edges.halfEdgesOf(EdgeId(e));
-    const HalfEdgeNodes nodes = nodesOf(mesh.triangles, halfEdges.front());
+    const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, halfEdges.front());
     std::uint32_t region = FieldHint::kAnyRegion;
     for (const HalfEdgeId h : halfEdges) {
       region = field.tighterOf(region, regions.regionOf(triangleOf(h).index()));
@@ -94,7 +93,7 @@ EdgeId EdgeBisection::longestAround(EdgeId edge) const {
 /// Returns the length of the edge in target lengths at the centroid of the triangle.
 double EdgeBisection::lengthInside(TriangleId triangle, EdgeId edge) {
   const Edge& measured = edges_[edge.index()];
-  hint_.region = regions_.regionOf(origin_[triangle.index()]);
+  hint_.region = regions_.regionOf(origin_[triangle.index()].index());
   const Vec3 along = pointOf(mesh_, measured.to) - pointOf(mesh_, measured.from);
   return metricLengthAt(field_, centroidOf(cornersOf(mesh_, triangle)), along, hint_);
 }
@@ -200,7 +199,7 @@ void EdgeBisection::bisectTriangle(HalfEdgeId halfEdge, EdgeId firstHalf, EdgeId
   const bool isAlong = tail == edges_[firstHalf.index()].from;
   link(isAlong ? firstHalf : secondHalf, halfEdge);
   link(isAlong ? secondHalf : firstHalf, addedHalfEdge);
-  const EdgeId across = addEdge(m, apex, regions_.regionOf(origin_[added.index()]));
+  const EdgeId across = addEdge(m, apex, regions_.regionOf(origin_[added.index()].index()));
   link(across, after);
   link(across, addedLast);
   measureEdge(across);

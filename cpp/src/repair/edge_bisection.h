@@ -12,6 +12,7 @@
 #include "sizing/region_sizes.h"
 #include "tetrafront/mesh.h"
 #include "topology/edge_table.h"
+#include "topology/tracked_surface.h"
 
 namespace tetrafront {
 
@@ -21,9 +22,10 @@ inline constexpr double kMaxEdgeLength = 1.4142135623730951;
 /// Call measureEdges() for all edges, then measureTriangles() for all triangles, then advance().
 class EdgeBisection {
  public:
-  /// Everything must outlive this object, which changes `mesh`: it appends midpoints and triangles.
+  /// Everything must outlive this object, which appends midpoints and triangles to the given
+  /// surface.
   /// `regions`: those whose sizes apply to the given triangles; an edge has the smallest size of its triangles.
-  EdgeBisection(SurfaceMesh& mesh, const SizeField& field, const RegionSizes& regions,
+  EdgeBisection(TrackedSurface& surface, const SizeField& field, const RegionSizes& regions,
                 FieldHint& hint);
 
   [[nodiscard]] std::size_t edgeCount() const { return edges_.size(); }
@@ -41,8 +43,6 @@ class EdgeBisection {
   /// Returns whether no edge is too long.
   [[nodiscard]] bool isFinished() const { return waiting_.empty(); }
 
-  /// Per triangle: the given triangle that it is a part of.
-  [[nodiscard]] std::vector<std::uint32_t> takeOrigin() { return std::move(origin_); }
   [[nodiscard]] std::uint32_t bisectedEdges() const { return bisectedEdges_; }
 
  private:
@@ -72,10 +72,10 @@ class EdgeBisection {
   void relink(EdgeId edge, HalfEdgeId halfEdge, HalfEdgeId replacement);
 
   SurfaceMesh& mesh_;
+  std::vector<TriangleId>& origin_;
   const SizeField& field_;
   const RegionSizes& regions_;
   FieldHint& hint_;
-  std::vector<std::uint32_t> origin_;
   std::vector<Edge> edges_;
   std::vector<EdgeId> edgeOf_;          ///< per half-edge
   std::vector<HalfEdgeId> nextOnEdge_;  ///< per half-edge: the next in the list of its edge

@@ -72,8 +72,8 @@ bool spreadRegions(SurfaceMesh& mesh, std::vector<std::uint8_t> isKnown) {
 
 }  // namespace
 
-bool assignRegions(SurfaceMesh& mesh, std::span<const TriangleId> origin,
-                   std::span<const std::uint32_t> given) {
+bool assignRegions(TrackedSurface& surface, std::span<const std::uint32_t> given) {
+  auto& [mesh, origin] = surface;
   mesh.triangleRegions.assign(2 * origin.size(), SurfaceMesh::kNoRegion);
   std::vector<std::uint8_t> isKnown(origin.size(), 0);
   for (std::size_t t = 0; t < origin.size(); ++t) {

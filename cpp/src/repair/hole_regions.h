@@ -5,15 +5,13 @@
 #include <cstdint>
 #include <span>
 
-#include "base/ids.h"
-#include "tetrafront/mesh.h"
+#include "topology/tracked_surface.h"
 
 namespace tetrafront {
 
-/// Sets SurfaceMesh::triangleRegions. `origin`: per triangle, the given one whose regions it has, two in `given`; none if it
-/// closes a hole: it then gets those of its neighbours across edges of two triangles. Returns false if neighbours contradict each
-/// other, or if a triangle gets none. O(n) per layer of triangles between the rim of a hole and its middle.
-bool assignRegions(SurfaceMesh& mesh, std::span<const TriangleId> origin,
-                   std::span<const std::uint32_t> given);
+/// Sets SurfaceMesh::triangleRegions. `given`: two per given triangle. Triangles that close a hole get the regions of their
+/// neighbours across edges of two triangles. Returns false if neighbours contradict each other, or if a triangle gets none.
+/// O(n) per layer of triangles between the rim of a hole and its middle.
+bool assignRegions(TrackedSurface& surface, std::span<const std::uint32_t> given);
 
 }  // namespace tetrafront

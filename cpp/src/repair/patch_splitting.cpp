@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/sort.h"
+#include "base/tolerance.h"
 #include "boundary/boundary_report.h"
 #include "boundary/surface_checks.h"
 #include "geom/angles.h"
@@ -19,11 +20,6 @@
 
 namespace tetrafront {
 namespace {
-
-/// Positions of patches that differ by less are equal: rounding of coordinates to single precision, relative to the
-/// diagonal and to the coordinates.
-constexpr double kEqualPerDiagonal = 1e-6;
-constexpr double kEqualPerCoordinate = 2e-7;
 
 /// What places a patch among others, in the order of importance; all of them are lengths. They belong to the shape: neither
 /// the triangles nor their order change them by more than rounding.
@@ -168,8 +164,7 @@ Task<PatchSplit> splitPatches(Work& work, const SurfaceMesh& mesh,
   co_await work.yield();
 
   work.beginPart(1.0);
-  const double tolerance =
-      kEqualPerDiagonal * glm::length(bounds.high - bounds.low) + kEqualPerCoordinate * coordinate;
+  const double tolerance = Tolerance::ofSingle(glm::length(bounds.high - bounds.low), coordinate);
   const std::vector<std::uint32_t> order = PatchOrder(keys, tolerance).sorted();
   std::vector<std::uint32_t> rankOf(order.size());
   for (std::uint32_t rank = 0; rank < order.size(); ++rank) {

@@ -11,9 +11,9 @@
 
 namespace tetrafront {
 
-std::vector<RepairChange> resolvedChanges(const SurfaceMesh& mesh,
-                                          std::span<const TriangleId> origin,
+std::vector<RepairChange> resolvedChanges(const TrackedSurface& surface,
                                           const EnclosedSurface& enclosed) {
+  const auto& [mesh, origin] = surface;
   std::vector<RepairChange> changes;
   const auto add = [&](RepairKind kind, std::uint32_t t, TriangleId second) {
     const Vec3 position = centroidOf(cornersOf(mesh, TriangleId(t)));

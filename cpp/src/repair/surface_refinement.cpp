@@ -34,8 +34,7 @@ std::vector<Diagnostic> checkSurface(const SurfaceMesh& mesh) {
   BoundaryReport report(mesh, BoundarySource::kGivenSurface);
   checkNumbers(mesh, report);
   for (std::uint32_t t = 0; t < countTriangles(mesh) && !report.hasErrors(); ++t) {
-    const auto [a, b, c] = nodesOf(mesh, TriangleId(t));
-    if (a == b || b == c || c == a) {
+    if (hasRepeatedNode(nodesOf(mesh, TriangleId(t)))) {
       report.addTriangle(diagnoseCounted<DiagnosticCode::kDegenerateTriangle>(), TriangleId(t));
     }
   }
@@ -136,30 +135,30 @@ Task<SurfaceRefinement> refineSurface(Work& work, SurfaceMesh& mesh, const Backg
   }
   co_await work.yield();
 
-  EdgeBisection bisection(mesh, field, regions, hint);
+  TrackedSurface surface = trackedFrom(std::move(mesh));
+  EdgeBisection bisection(surface, field, regions, hint);
   co_await work.yield();
   work.beginPart(0.25);
   co_await work.forEachBlock(bisection.edgeCount(), [&](std::size_t first, std::size_t last) {
     bisection.measureEdges(first, last);
   });
   work.beginPart(0.35);
-  co_await work.forEachBlock(countTriangles(mesh), [&](std::size_t first, std::size_t last) {
-    bisection.measureTriangles(first, last);
-  });
+  co_await work.forEachBlock(
+      countTriangles(surface.mesh),
+      [&](std::size_t first, std::size_t last) { bisection.measureTriangles(first, last); });
   const double lengthRatio = bisection.longest();
   work.beginPart(1.0);
   while (!bisection.advance(work.remaining(), maxTriangles)) {
-    work.setFraction(std::min(1.0, countTriangles(mesh) / estimate.total));
+    work.setFraction(std::min(1.0, countTriangles(surface.mesh) / estimate.total));
     co_await work.yield();
   }
   if (!bisection.isFinished()) {
-    co_return refused({tooManyElements(countTriangles(mesh), maxTriangles).about({demanding})});
+    co_return refused(
+        {tooManyElements(countTriangles(surface.mesh), maxTriangles).about({demanding})});
   }
 
   SurfaceRefinement result;
-  result.points = std::move(mesh.points);
-  result.triangles = std::move(mesh.triangles);
-  result.origin = bisection.takeOrigin();
+  moveTo(surface, result);
   result.splitEdges = bisection.bisectedEdges();
   result.lengthRatio = lengthRatio;
   co_return result;

@@ -22,6 +22,7 @@
 #include "topology/edge_table.h"
 #include "topology/half_faces.h"
 #include "topology/surface_access.h"
+#include "topology/tracked_surface.h"
 
 namespace tetrafront {
 namespace {
@@ -30,25 +31,14 @@ namespace {
 /// of it encloses nothing, the enclosed volumes are no body.
 constexpr double kMaxSheetShare = 0.5;
 
-/// Returns the values of the ids; none becomes kNoOrigin.
-std::vector<std::uint32_t> valuesOf(const std::vector<TriangleId>& ids) {
-  static_assert(kNoIndex == kNoOrigin);
-  std::vector<std::uint32_t> values;
-  values.reserve(ids.size());
-  for (const TriangleId id : ids) values.push_back(id.value);
-  return values;
-}
-
 /// A surface under repair. Its nodes keep their given indices until take().
 class RepairedSurface {
  public:
   RepairedSurface(SurfaceMesh& mesh, const RepairOptions& options)
-      : mesh_(mesh),
-        options_(options),
+      : options_(options),
         givenRegions_(std::exchange(mesh.triangleRegions, {})),
-        isWelded_(countNodes(mesh), 0) {
-    for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) origin_.emplace_back(t);
-  }
+        surface_(trackedFrom(std::move(mesh))),
+        isWelded_(countNodes(surface_.mesh), 0) {}
 
   Task<> run(Work& work) {
     if (options_.weldDistance >= 0.0) {
@@ -89,13 +79,13 @@ class RepairedSurface {
   Task<bool> check(Work& work);
   Task<bool> closeCracks(Work& work);
   Task<bool> resolve(Work& work);
-  Task<bool> resolveRegions(Work& work, const SurfaceMesh& closed,
+  Task<bool> resolveRegions(Work& work, const TrackedSurface& closed,
                             const std::vector<FilledHole>& closedHoles);
-  void reportUnresolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed);
-  Task<bool> takeAny(Work& work, const SurfaceMesh& closed,
+  void reportUnresolved(const TrackedSurface& closed, const EnclosedSurface& enclosed);
+  Task<bool> takeAny(Work& work, const TrackedSurface& closed,
                      const std::vector<FilledHole>& closedHoles,
                      std::vector<EnclosedSurface>& results);
-  Task<bool> takeEnclosed(Work& work, const SurfaceMesh& closed,
+  Task<bool> takeEnclosed(Work& work, const TrackedSurface& closed,
                           const std::vector<FilledHole>& closedHoles, EnclosedSurface& enclosed);
 
   void applyWeld(const std::vector<NodeId>& target);
@@ -104,20 +94,19 @@ class RepairedSurface {
   void keepDuplicate(TriangleId triangle);
   void splitSlivers();
   void removeSlivers();
-  void remove(const std::vector<std::uint8_t>& isRemoved);
   template <class Condition>
-  void removeIf(Condition condition);
+  void removeIf(const Condition& condition);
   void orient(bool isValid);
   void orientIfManifold(SurfaceMesh& oriented) const;
   void keepHoles(const SurfaceMesh& mesh, const std::vector<FilledHole>& holes);
-  void takeResolved(const SurfaceMesh& closed, EnclosedSurface& enclosed);
+  void takeResolved(const TrackedSurface& closed, EnclosedSurface& enclosed);
 
   void add(RepairKind kind, std::uint32_t first, std::uint32_t second, const Vec3& position) {
     changes_.push_back({kind, first, second, position});
   }
   void addAt(RepairKind kind, TriangleId triangle, TriangleId second = {}) {
-    add(kind, origin_[triangle.index()].value, second.value,
-        centroidOf(cornersOf(mesh_, triangle)));
+    add(kind, surface_.origin[triangle.index()].value, second.value,
+        centroidOf(cornersOf(surface_.mesh, triangle)));
   }
 
   struct Hole {
@@ -125,16 +114,15 @@ class RepairedSurface {
     Vec3 position{0.0};
   };
 
-  SurfaceMesh& mesh_;
   const RepairOptions& options_;
   std::vector<std::uint32_t> givenRegions_;  ///< two per given triangle, or empty
-  /// Triangles that were removed because others have the same nodes, if regions are given: they may bound another region.
-  std::vector<std::uint32_t> duplicates_;
-  std::vector<TriangleId> duplicateOrigin_;     ///< per triangle of duplicates_
+  TrackedSurface surface_;
+  /// Triangles that were removed because others have the same nodes, if regions are given: they may bound another region. Their
+  /// nodes are those of the surface.
+  TrackedSurface duplicates_;
   std::vector<std::uint32_t> triangleRegions_;  ///< of the result
   std::vector<SharedVolume> sharedVolumes_;
   SurfaceMesh oriented_;                ///< the surface as the boundary check leaves it
-  std::vector<TriangleId> origin_;      ///< per triangle: its index in the given surface, or none
   std::vector<std::uint8_t> isWelded_;  ///< per node: whether it is replaced by another, or new
   std::vector<Hole> holes_;             ///< in the order of their triangles
   std::vector<RepairChange> changes_;
@@ -144,7 +132,7 @@ class RepairedSurface {
 
 Task<> RepairedSurface::weld(Work& work) {
   const std::vector<NodeId> target =
-      co_await findWeldTargets(work, mesh_.points, options_.weldDistance);
+      co_await findWeldTargets(work, surface_.mesh.points, options_.weldDistance);
   applyWeld(target);
 }
 
@@ -152,17 +140,18 @@ void RepairedSurface::applyWeld(const std::vector<NodeId>& target) {
   for (std::uint32_t i = 0; i < target.size(); ++i) {
     if (target[i] == NodeId(i)) continue;
     isWelded_[i] = 1;
-    add(RepairKind::kWeldedNode, i, target[i].value, pointOf(mesh_, NodeId(i)));
-    const double distance = glm::length(pointOf(mesh_, target[i]) - pointOf(mesh_, NodeId(i)));
+    add(RepairKind::kWeldedNode, i, target[i].value, pointOf(surface_.mesh, NodeId(i)));
+    const double distance =
+        glm::length(pointOf(surface_.mesh, target[i]) - pointOf(surface_.mesh, NodeId(i)));
     deviation_ = std::max(deviation_, distance);
   }
-  for (std::uint32_t& node : mesh_.triangles) node = target[node].value;
-  for (std::uint32_t& node : duplicates_) node = target[node].value;
+  for (std::uint32_t& node : surface_.mesh.triangles) node = target[node].value;
+  for (std::uint32_t& node : duplicates_.mesh.triangles) node = target[node].value;
 }
 
 /// Welds nodes of cracks. Returns whether there were any.
 Task<bool> RepairedSurface::closeCracks(Work& work) {
-  const std::vector<NodeId> target = co_await weldCracks(work, mesh_);
+  const std::vector<NodeId> target = co_await weldCracks(work, surface_.mesh);
   if (target.empty()) co_return false;
   applyWeld(target);
   if (options_.removeTriangles) co_await removeInvalidTriangles(work);
@@ -183,73 +172,59 @@ Task<> RepairedSurface::removeInvalidTriangles(Work& work) {
   co_await work.yield();
 }
 
-void RepairedSurface::remove(const std::vector<std::uint8_t>& isRemoved) {
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < isRemoved.size(); ++t) {
-    if (isRemoved[t] != 0) continue;
-    for (std::size_t k = 0; k < 3; ++k) mesh_.triangles[3 * kept + k] = mesh_.triangles[3 * t + k];
-    origin_[kept++] = origin_[t];
-  }
-  mesh_.triangles.resize(3 * kept);
-  origin_.resize(kept);
-}
-
 /// Removes the triangles for which the condition holds, and lists them.
 template <class Condition>
-void RepairedSurface::removeIf(Condition condition) {
-  std::vector<std::uint8_t> isRemoved(countTriangles(mesh_), 0);
-  for (const TriangleId t : IdRange<TriangleId>(isRemoved.size())) {
-    if (!condition(t)) continue;
-    isRemoved[t.index()] = 1;
+void RepairedSurface::removeIf(const Condition& condition) {
+  removeTriangles(surface_, [&](TriangleId t) {
+    if (!condition(t)) return false;
     addAt(RepairKind::kRemovedTriangle, t);
-  }
-  remove(isRemoved);
+    return true;
+  });
 }
 
 void RepairedSurface::removeTrianglesWithRepeatedNodes() {
-  removeIf([this](TriangleId triangle) {
-    const auto [a, b, c] = nodesOf(mesh_, triangle);
-    return a == b || b == c || c == a;
-  });
+  removeIf(
+      [this](TriangleId triangle) { return hasRepeatedNode(nodesOf(surface_.mesh, triangle)); });
 }
 
 /// Splits triangles next to slivers, which does not change the shape.
 void RepairedSurface::splitSlivers() {
-  for (const auto& [sliver, other, middle] : splitBesideSlivers(mesh_)) {
-    const TriangleId origin = origin_[other.index()];
-    add(RepairKind::kSplitTriangle, origin_[sliver.index()].value, origin.value,
-        pointOf(mesh_, middle));
-    origin_[sliver.index()] = origin;
+  for (const auto& [sliver, other, middle] : splitBesideSlivers(surface_.mesh)) {
+    const TriangleId origin = surface_.origin[other.index()];
+    add(RepairKind::kSplitTriangle, surface_.origin[sliver.index()].value, origin.value,
+        pointOf(surface_.mesh, middle));
+    surface_.origin[sliver.index()] = origin;
   }
 }
 
 void RepairedSurface::removeSlivers() {
-  removeIf([this](TriangleId triangle) { return isSliver(mesh_, triangle); });
+  removeIf([this](TriangleId triangle) { return isSliver(surface_.mesh, triangle); });
 }
 
 void RepairedSurface::removeDuplicates() {
-  const std::vector<TriangleId> firstOf = findDuplicateTriangles(mesh_);
-  std::vector<std::uint8_t> isRemoved(countTriangles(mesh_), 0);
-  for (std::uint32_t t = 0; t < isRemoved.size(); ++t) {
-    if (firstOf[t].isNone()) continue;
-    isRemoved[t] = 1;
-    addAt(RepairKind::kRemovedDuplicate, TriangleId(t), origin_[firstOf[t].index()]);
-    keepDuplicate(TriangleId(t));
-  }
-  remove(isRemoved);
+  const std::vector<TriangleId> firstOf = findDuplicateTriangles(surface_.mesh);
+  removeTriangles(surface_, [&](TriangleId t) {
+    const TriangleId first = firstOf[t.index()];
+    if (first.isNone()) return false;
+    addAt(RepairKind::kRemovedDuplicate, t, surface_.origin[first.index()]);
+    keepDuplicate(t);
+    return true;
+  });
 }
 
 void RepairedSurface::keepDuplicate(TriangleId triangle) {
   if (givenRegions_.empty()) return;
-  for (const NodeId node : nodesOf(mesh_, triangle)) duplicates_.push_back(node.value);
-  duplicateOrigin_.push_back(origin_[triangle.index()]);
+  for (const NodeId node : nodesOf(surface_.mesh, triangle)) {
+    duplicates_.mesh.triangles.push_back(node.value);
+  }
+  duplicates_.origin.push_back(surface_.origin[triangle.index()]);
 }
 
 Task<> RepairedSurface::fill(Work& work) {
   const std::uint32_t maxEdges = std::min(options_.maxHoleEdges, kMaxHoleEdges);
-  const std::vector<FilledHole> filled = co_await fillHoles(work, mesh_, maxEdges);
-  keepHoles(mesh_, filled);
-  origin_.resize(countTriangles(mesh_));
+  const std::vector<FilledHole> filled = co_await fillHoles(work, surface_.mesh, maxEdges);
+  keepHoles(surface_.mesh, filled);
+  surface_.origin.resize(countTriangles(surface_.mesh));
 }
 
 void RepairedSurface::keepHoles(const SurfaceMesh& mesh, const std::vector<FilledHole>& holes) {
@@ -266,8 +241,8 @@ void RepairedSurface::keepHoles(const SurfaceMesh& mesh, const std::vector<Fille
 
 /// Returns whether the boundary check accepts the surface.
 Task<bool> RepairedSurface::check(Work& work) {
-  oriented_.points = mesh_.points;
-  oriented_.triangles = mesh_.triangles;
+  oriented_.points = surface_.mesh.points;
+  oriented_.triangles = surface_.mesh.triangles;
   BoundaryCheck boundary(oriented_, BoundarySource::kGivenSurface, options_.innerShells);
   co_await work.finish(boundary);
   co_return boundary.result().isValid;
@@ -276,10 +251,9 @@ Task<bool> RepairedSurface::check(Work& work) {
 /// Replaces the surface by the boundary of what it encloses. Returns false, without a change, if the boundary check
 /// does not accept this boundary.
 Task<bool> RepairedSurface::resolve(Work& work) {
-  SurfaceMesh closed;
-  closed.points = mesh_.points;
-  closed.triangles = mesh_.triangles;
-  const std::vector<FilledHole> closedHoles = closeSurface(closed);
+  TrackedSurface closed = surface_;
+  const std::vector<FilledHole> closedHoles = closeSurface(closed.mesh);
+  closed.origin.resize(countTriangles(closed.mesh));
   co_await work.yield();
   if (!givenRegions_.empty()) {
     work.beginPart(0.4);
@@ -288,7 +262,7 @@ Task<bool> RepairedSurface::resolve(Work& work) {
   }
   work.beginPart(0.8);
   std::vector<EnclosedSurface> results =
-      co_await encloseSurface(work, closed, options_.weldIntersections);
+      co_await encloseSurface(work, closed.mesh, options_.weldIntersections);
   work.beginPart(1.0);
   const bool isTaken = co_await takeAny(work, closed, closedHoles, results);
   if (!isTaken) reportUnresolved(closed, results.back());
@@ -296,7 +270,7 @@ Task<bool> RepairedSurface::resolve(Work& work) {
 }
 
 /// Replaces the surface by the first result that is accepted. Returns false, without a change, if none is.
-Task<bool> RepairedSurface::takeAny(Work& work, const SurfaceMesh& closed,
+Task<bool> RepairedSurface::takeAny(Work& work, const TrackedSurface& closed,
                                     const std::vector<FilledHole>& closedHoles,
                                     std::vector<EnclosedSurface>& results) {
   for (EnclosedSurface& enclosed : results) {
@@ -308,52 +282,44 @@ Task<bool> RepairedSurface::takeAny(Work& work, const SurfaceMesh& closed,
 
 /// Replaces the surface by the boundaries of its regions, if some of them share volumes. Returns false, without a change, if none
 /// do, if a hole is between different regions, or if the result is not accepted.
-Task<bool> RepairedSurface::resolveRegions(Work& work, const SurfaceMesh& closed,
+Task<bool> RepairedSurface::resolveRegions(Work& work, const TrackedSurface& closed,
                                            const std::vector<FilledHole>& closedHoles) {
-  const std::vector<TriangleId> known = origin_;
-  origin_.resize(countTriangles(closed));
-  origin_.insert(origin_.end(), duplicateOrigin_.begin(), duplicateOrigin_.end());
-  SurfaceMesh whole;
-  whole.points = closed.points;
-  whole.triangles = closed.triangles;
-  whole.triangles.insert(whole.triangles.end(), duplicates_.begin(), duplicates_.end());
-  if (!assignRegions(whole, origin_, givenRegions_)) {
-    origin_ = known;
-    co_return false;
-  }
+  TrackedSurface whole = closed;
+  std::vector<std::uint32_t>& triangles = whole.mesh.triangles;
+  triangles.insert(triangles.end(), duplicates_.mesh.triangles.begin(),
+                   duplicates_.mesh.triangles.end());
+  whole.origin.insert(whole.origin.end(), duplicates_.origin.begin(), duplicates_.origin.end());
+  if (!assignRegions(whole, givenRegions_)) co_return false;
   work.beginPart(0.8);
   std::vector<EnclosedSurface> results =
-      co_await encloseSurface(work, whole, options_.weldIntersections);
+      co_await encloseSurface(work, whole.mesh, options_.weldIntersections);
   work.beginPart(1.0);
   const bool isTaken = co_await takeAny(work, whole, closedHoles, results);
-  if (!isTaken) origin_ = known;
   co_return isTaken;
 }
 
 /// Says why the surface stays as it is, and where.
-void RepairedSurface::reportUnresolved(const SurfaceMesh& closed, const EnclosedSurface& enclosed) {
+void RepairedSurface::reportUnresolved(const TrackedSurface& closed,
+                                       const EnclosedSurface& enclosed) {
   Diagnostic warning =
       diagnose<DiagnosticCode::kUnresolvedSurface>(enclosed.reason, enclosed.pairs, enclosed.limit)
           .withSeverity(Severity::kWarning);
   if (!enclosed.where.isNone()) {
-    warning = std::move(warning).at(centroidOf(cornersOf(closed, enclosed.where)));
-    // A triangle that closes a hole is not one of the given surface.
-    const bool isGiven =
-        enclosed.where.index() < countTriangles(mesh_) && !origin_[enclosed.where.index()].isNone();
-    if (isGiven)
-      warning.entities = {{EntityKind::kTriangle, origin_[enclosed.where.index()].value}};
+    warning = std::move(warning).at(centroidOf(cornersOf(closed.mesh, enclosed.where)));
+    const TriangleId given = closed.origin[enclosed.where.index()];
+    if (!given.isNone()) warning.entities = {entityOf(given)};
   }
   warnings_.push_back(std::move(warning));
 }
 
 /// Takes one result, if the boundary check accepts it. Otherwise notes why not.
-Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
+Task<bool> RepairedSurface::takeEnclosed(Work& work, const TrackedSurface& closed,
                                          const std::vector<FilledHole>& closedHoles,
                                          EnclosedSurface& enclosed) {
   if (!enclosed.isResolved) co_return false;
   if (enclosed.sheetShare > kMaxSheetShare) {
     enclosed.reason = Unresolved::kMostlySheets;
-    enclosed.where = firstLeftOut(countTriangles(closed), enclosed);
+    enclosed.where = firstLeftOut(countTriangles(closed.mesh), enclosed);
     co_return false;
   }
   // The check numbers the regions anew.
@@ -372,16 +338,16 @@ Task<bool> RepairedSurface::takeEnclosed(Work& work, const SurfaceMesh& closed,
     }
     co_return false;
   }
-  keepHoles(closed, closedHoles);
+  keepHoles(closed.mesh, closedHoles);
   triangleRegions_ = std::move(regions);
   sharedVolumes_ = findSharedVolumes(enclosed.shared);
-  const std::vector<RepairChange> resolved = resolvedChanges(mesh_, origin_, enclosed);
+  const std::vector<RepairChange> resolved = resolvedChanges(surface_, enclosed);
   changes_.insert(changes_.end(), resolved.begin(), resolved.end());
   takeResolved(closed, enclosed);
   co_return true;
 }
 
-void RepairedSurface::takeResolved(const SurfaceMesh& closed, EnclosedSurface& enclosed) {
+void RepairedSurface::takeResolved(const TrackedSurface& closed, EnclosedSurface& enclosed) {
   for (Hole& hole : holes_) {
     FilledHole& range = hole.triangles;
     const TriangleId end(range.firstTriangle.value + range.triangleCount);
@@ -391,31 +357,28 @@ void RepairedSurface::takeResolved(const SurfaceMesh& closed, EnclosedSurface& e
              static_cast<std::uint32_t>(last - first)};
   }
   std::erase_if(holes_, [](const Hole& hole) { return hole.triangles.triangleCount == 0; });
-  origin_.resize(countTriangles(closed));
-  std::vector<TriangleId> origin;
-  origin.reserve(enclosed.origin.size());
-  for (const TriangleId from : enclosed.origin) origin.push_back(origin_[from.index()]);
-  origin_ = std::move(origin);
+  surface_.origin = inherited(closed.origin, enclosed.origin);
   deviation_ += enclosed.deviation;
-  mesh_ = {};
-  mesh_.points = std::move(enclosed.mesh.points);
-  mesh_.triangles = std::move(enclosed.mesh.triangles);
-  isWelded_.resize(countNodes(mesh_), 1);
+  surface_.mesh = {};
+  surface_.mesh.points = std::move(enclosed.mesh.points);
+  surface_.mesh.triangles = std::move(enclosed.mesh.triangles);
+  isWelded_.resize(countNodes(surface_.mesh), 1);
 }
 
 /// Orients the triangles as the boundary check does. If the check refuses the surface, makes the triangles of each
 /// component agree with each other.
 void RepairedSurface::orient(bool isValid) {
   if (!isValid) {
-    oriented_.triangles = mesh_.triangles;
+    oriented_.triangles = surface_.mesh.triangles;
     orientIfManifold(oriented_);
   }
-  for (std::uint32_t t = 0; t < countTriangles(mesh_); ++t) {
+  for (std::uint32_t t = 0; t < countTriangles(surface_.mesh); ++t) {
     const std::size_t second = 3 * std::size_t{t} + 1;
-    const bool isFlipped = mesh_.triangles[second] != oriented_.triangles[second];
-    if (isFlipped && !origin_[t].isNone()) addAt(RepairKind::kFlippedTriangle, TriangleId(t));
+    const bool isFlipped = surface_.mesh.triangles[second] != oriented_.triangles[second];
+    if (isFlipped && !surface_.origin[t].isNone())
+      addAt(RepairKind::kFlippedTriangle, TriangleId(t));
   }
-  mesh_.triangles = std::move(oriented_.triangles);
+  surface_.mesh.triangles = std::move(oriented_.triangles);
 }
 
 /// At a non-manifold edge it is unknown which triangles should agree, so one such edge prevents any change.
@@ -429,22 +392,23 @@ void RepairedSurface::orientIfManifold(SurfaceMesh& oriented) const {
 
 SurfaceRepair RepairedSurface::take() {
   SurfaceRepair result;
-  std::vector<std::uint8_t> isUsed(countNodes(mesh_), 0);
-  for (const std::uint32_t node : mesh_.triangles) isUsed[node] = 1;
+  std::vector<std::uint8_t> isUsed(countNodes(surface_.mesh), 0);
+  for (const std::uint32_t node : surface_.mesh.triangles) isUsed[node] = 1;
+  std::vector<double> points;
   std::vector<NodeId> newNode(isUsed.size());
   for (std::uint32_t i = 0; i < isUsed.size(); ++i) {
-    const Vec3 p = pointOf(mesh_, NodeId(i));
+    const Vec3 p = pointOf(surface_.mesh, NodeId(i));
     if (isUsed[i] == 0) {
       if (isWelded_[i] == 0) add(RepairKind::kRemovedNode, i, kNoIndex, p);
       continue;
     }
-    newNode[i] = NodeId(result.points.size() / 3);
-    result.points.insert(result.points.end(), {p.x, p.y, p.z});
+    newNode[i] = NodeId(points.size() / 3);
+    points.insert(points.end(), {p.x, p.y, p.z});
   }
-  for (std::uint32_t& node : mesh_.triangles) node = newNode[node].value;
-  mesh_.points = {};
-  result.triangles = std::move(mesh_.triangles);
-  result.origin = valuesOf(origin_);
+  for (std::uint32_t& node : surface_.mesh.triangles) node = newNode[node].value;
+  surface_.mesh.points = std::move(points);
+  static_assert(kNoIndex == kNoOrigin);
+  moveTo(surface_, result);
   result.deviation = deviation_;
   result.diagnostics = std::move(warnings_);
   for (const auto& [hole, position] : holes_) {
@@ -460,9 +424,8 @@ SurfaceRepair RepairedSurface::take() {
 
 SurfaceRepair unrepaired(SurfaceMesh& mesh, std::vector<Diagnostic> diagnostics) {
   SurfaceRepair result;
-  for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) result.origin.push_back(t);
-  result.points = std::move(mesh.points);
-  result.triangles = std::move(mesh.triangles);
+  TrackedSurface given = trackedFrom(std::move(mesh));
+  moveTo(given, result);
   result.diagnostics = std::move(diagnostics);
   return result;
 }

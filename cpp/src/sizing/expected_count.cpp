@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geom/measure.h"
 #include "sizing/column_samples.h"
 #include "topology/surface_access.h"
 
@@ -31,8 +32,8 @@ void forEachCone(const SurfaceMesh& surface, Visit visit) {
   // The first node may be unused and far away: take a node of a triangle.
   const Vec3 origin = pointOf(surface, NodeId(surface.triangles.front()));
   for (std::uint32_t t = 0; 3 * std::size_t{t} + 2 < surface.triangles.size(); ++t) {
-    const std::array<Vec3, 3> corners = cornersOf(surface, TriangleId(t));
-    visit(t, glm::dot(corners[0] - origin, glm::cross(corners[1] - origin, corners[2] - origin)));
+    const auto [a, b, c] = cornersOf(surface, TriangleId(t));
+    visit(t, sixVolumesBelow(origin, a, b, c));
   }
 }
 

@@ -81,21 +81,19 @@ template <class Trace>
 const LineDivision& LineDivider::divide(LineId line, const SizeField& field, Trace trace) {
   LineDivision& division = lines_.divisions[line.index()];
   const Curve& curve = model_->curve(line);
-  if constexpr (Trace::kOn) trace.recorder->line(line, curve.position(0.0));
+  trace->line(line, curve);
   division = divideLine(curve, field, minSides_[line.index()], trace);
-  if constexpr (Trace::kOn) trace.recorder->divided(division);
+  trace->divided(division);
   return division;
 }
 
 template <class Trace>
-void LineDivider::halveSides(const std::set<LineSide>& sides, [[maybe_unused]] Trace trace) {
+void LineDivider::halveSides(const std::set<LineSide>& sides, Trace trace) {
   // In descending order, so that the indices of the other sides stay valid.
   for (auto entry = sides.rbegin(); entry != sides.rend(); ++entry) {
     const auto& [line, side] = *entry;
     halveSide(model_->curve(line), side, lines_.divisions[line.index()]);
-    if constexpr (Trace::kOn) {
-      trace.recorder->halved(line, side, lines_.divisions[line.index()]);
-    }
+    trace->halved(line, side, lines_.divisions[line.index()]);
   }
   numberNodes();
 }

@@ -123,8 +123,7 @@ double minSidesFrom(LineWalker& walker, double t) {
 /// Tabulates the metric length over the steps of the walk. Returns false if there are too many steps, or if one is too
 /// short to change the parameter.
 template <class Trace>
-bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& table,
-              [[maybe_unused]] Trace trace) {
+bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& table, Trace trace) {
   table.push_back({0.0, 0.0, walker.rateAt(0.0)});
   std::size_t nextKnot = 1;
   bool hasSampledAhead = false;
@@ -144,9 +143,7 @@ bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& tabl
     }
     if (!(to > table.back().t)) return false;
     integrate(walker, to, walker.rateAt(to), 0, table);
-    if constexpr (Trace::kOn) {
-      trace.recorder->station(step, to, table.back().lambda, curve.position(to));
-    }
+    trace->station(step, to, table.back().lambda, curve);
     if (!(table.back().lambda <= kMaxSidesPerLine)) return false;
   }
   return true;

@@ -35,13 +35,11 @@ template <class Trace>
 void BasicPatchMesher<Trace>::step(std::uint32_t budget) {
   if (isCovered_) {
     isImproved_ = optimizer_.advance(budget);
-    if constexpr (Trace::kOn) {
-      if (isImproved_) trace_.recorder->improved(mesh_);
-    }
+    if (isImproved_) trace_->improved(mesh_);
   } else if (front_.advance(budget)) {
     hasStalled_ = front_.hasStalled();
     isCovered_ = !hasStalled_;
-    if constexpr (Trace::kOn) trace_.recorder->ended(mesh_, hasStalled_);
+    trace_->ended(mesh_, hasStalled_);
   }
 }
 

@@ -68,9 +68,7 @@ bool BasicPlanarFront<Trace>::advance(std::uint32_t budget) {
     if (completeEdge(id)) continue;
     Edge& edge = edges_[id];
     const bool comesAgain = edge.pass < kLastPass;
-    if constexpr (Trace::kOn) {
-      trace_.recorder->postponed(comesAgain ? edge.pass + 1U : SurfaceRecorder::kNoNextPass);
-    }
+    trace_->postponed(comesAgain ? edge.pass + 1U : SurfaceRecorder::kNoNextPass);
     if (!comesAgain) {
       hasStalled_ = true;
       tree_.remove(id);
@@ -205,11 +203,11 @@ bool BasicPlanarFront<Trace>::tryCandidates(const Base& base) {
     }
     const PlanarNodeId node = candidate.node;
     if (mesh_->orientation(base.edge.from, base.edge.to, node) <= 0) {
-      refuse(node, PlanarRefusal::kBehind);
+      trace_->refused(node, PlanarRefusal::kBehind, kNoIndex);
     } else if (mesh_->isSameNode(node, base.edge.from) || mesh_->isSameNode(node, base.edge.to)) {
-      refuse(node, PlanarRefusal::kSameNode);
+      trace_->refused(node, PlanarRefusal::kSameNode, kNoIndex);
     } else if (const std::uint32_t crossed = firstCrossed(base, node); crossed != kNoIndex) {
-      refuse(node, PlanarRefusal::kCrosses, crossed);
+      trace_->refused(node, PlanarRefusal::kCrosses, crossed);
     } else {
       accept(base, node, false);
       return true;
@@ -224,18 +222,18 @@ bool BasicPlanarFront<Trace>::tryNewNode(const Base& base) {
   for (const double height : {1.0, kLowerHeight}) {
     lowered.ideal = base.middle + height * (base.ideal - base.middle);
     if (!region_.holds(lowered.ideal)) {
-      refuse({}, PlanarRefusal::kOutside);
+      trace_->refused({}, PlanarRefusal::kOutside, kNoIndex);
       continue;
     }
     if (const std::uint32_t near = firstTooClose(lowered); near != kNoIndex) {
-      refuse({}, PlanarRefusal::kTooClose, near);
+      trace_->refused({}, PlanarRefusal::kTooClose, near);
       continue;
     }
     const PlanarNodeId node = mesh_->addNode(lowered.ideal, base.sample.position, base.sample.size);
     if (mesh_->orientation(base.edge.from, base.edge.to, node) <= 0) {
-      refuse({}, PlanarRefusal::kBehind);
+      trace_->refused({}, PlanarRefusal::kBehind, kNoIndex);
     } else if (const std::uint32_t crossed = firstCrossed(lowered, node); crossed != kNoIndex) {
-      refuse({}, PlanarRefusal::kCrosses, crossed);
+      trace_->refused({}, PlanarRefusal::kCrosses, crossed);
     } else {
       const PlaneSample sample = metric_->sample(lowered.ideal, hint_);
       mesh_->positions[node.index()] = sample.position;
@@ -268,22 +266,12 @@ std::uint32_t BasicPlanarFront<Trace>::firstTooClose(const Base& base) const {
 // ---- what is recorded --------------------------------------------------------------------------
 
 template <class Trace>
-void BasicPlanarFront<Trace>::recordBase([[maybe_unused]] const Base& base) {
-  if constexpr (Trace::kOn) {
-    const Edge& edge = base.edge;
-    trace_.recorder->base({base.id, edge.from, mesh_->planeOf(edge.from), edge.pass,
-                           static_cast<std::uint32_t>(sizeClassOf(edge)), edge.layer, base.ideal,
-                           nearEdges_.size(), candidates_.size()},
-                          base.sample);
-  }
-}
-
-/// `node`: none for a new one.
-template <class Trace>
-void BasicPlanarFront<Trace>::refuse([[maybe_unused]] PlanarNodeId node,
-                                     [[maybe_unused]] PlanarRefusal why,
-                                     [[maybe_unused]] std::uint32_t culprit) {
-  if constexpr (Trace::kOn) trace_.recorder->refused(node, why, culprit);
+void BasicPlanarFront<Trace>::recordBase(const Base& base) {
+  const Edge& edge = base.edge;
+  trace_->base({base.id, edge.from, mesh_->planeOf(edge.from), edge.pass,
+                static_cast<std::uint32_t>(sizeClassOf(edge)), edge.layer, base.ideal,
+                nearEdges_.size(), candidates_.size()},
+               base.sample);
 }
 
 // ---- F5.3: the crossing test -------------------------------------------------------------------
@@ -337,24 +325,18 @@ bool BasicPlanarFront<Trace>::isBlockedBy(const Edge& edge, PlanarNodeId a, Plan
 // ---- F6-F8: update the front -------------------------------------------------------------------
 
 template <class Trace>
-void BasicPlanarFront<Trace>::accept(const Base& base, PlanarNodeId apex,
-                                     [[maybe_unused]] bool isNew) {
+void BasicPlanarFront<Trace>::accept(const Base& base, PlanarNodeId apex, bool isNew) {
   mesh_->triangles.push_back({base.edge.from, base.edge.to, apex});
   const auto layer =
       static_cast<std::uint16_t>(std::min<std::uint32_t>(base.edge.layer + 1U, 0xffffU));
   removeEdge(base.id);
-  if constexpr (Trace::kOn) {
-    const auto change = [&](PlanarNodeId from, PlanarNodeId to) {
-      const std::uint32_t id = closeOrAdd(from, to, layer);
-      return SurfaceRecorder::EdgeChange{id, edges_[id].from != from};
-    };
-    const SurfaceRecorder::EdgeChange first = change(base.edge.from, apex);
-    const SurfaceRecorder::EdgeChange second = change(apex, base.edge.to);
-    trace_.recorder->accepted(*mesh_, apex, isNew, {first, second});
-  } else {
-    closeOrAdd(base.edge.from, apex, layer);
-    closeOrAdd(apex, base.edge.to, layer);
-  }
+  const auto change = [&](PlanarNodeId from, PlanarNodeId to) {
+    const std::uint32_t id = closeOrAdd(from, to, layer);
+    return SurfaceRecorder::EdgeChange{id, edges_[id].from != from};
+  };
+  const SurfaceRecorder::EdgeChange first = change(base.edge.from, apex);
+  const SurfaceRecorder::EdgeChange second = change(apex, base.edge.to);
+  trace_->accepted(*mesh_, apex, isNew, {first, second});
 }
 
 /// Closes the edge with the opposite direction if it is in the front, else adds the edge. Returns which it was.

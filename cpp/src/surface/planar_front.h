@@ -77,7 +77,6 @@ class BasicPlanarFront {
   [[nodiscard]] double distance(const Base& base, const Vec2& a, const Vec2& b) const;
   [[nodiscard]] double shape(const Base& base, const Vec2& apex) const;
   void recordBase(const Base& base);
-  void refuse(PlanarNodeId node, PlanarRefusal why, std::uint32_t culprit = kNoIndex);
 
   const PatchMetric* metric_;
   PlanarMesh* mesh_;

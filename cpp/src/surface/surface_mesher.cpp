@@ -70,7 +70,7 @@ Task<> BasicSurfaceMesher<Trace>::meshSurface(Work& work) {
   if (!diagnostics_.empty()) co_return;
   phase_ = Phase::kSurface;
   lines_.writeTo(mesh_);
-  if constexpr (Trace::kOn) trace_.recorder->numbered(lines_.lines());
+  trace_->numbered(lines_.lines());
   work.beginPart(kPatchesEnd);
   co_await meshPatches(work);
   if (!diagnostics_.empty()) co_return;
@@ -209,13 +209,10 @@ Task<> BasicSurfaceMesher<Trace>::meshPatches(Work& work) {
 }
 
 template <class Trace>
-Task<> BasicSurfaceMesher<Trace>::meshPatch(Work& work, PatchId patch,
-                                            [[maybe_unused]] bool isRepeated) {
+Task<> BasicSurfaceMesher<Trace>::meshPatch(Work& work, PatchId patch, bool isRepeated) {
   PatchBoundary boundary = layOut(patch);
-  if constexpr (Trace::kOn) {
-    const bool isCurved = surfaces_[patch.index()].mapped() != nullptr;
-    trace_.recorder->patch(patch, boundary, isCurved, isRepeated);
-  }
+  const bool isCurved = surfaces_[patch.index()].mapped() != nullptr;
+  trace_->patch(patch, boundary, isCurved, isRepeated);
   const std::vector<Vec3> seam = boundary.seam;
   markSeparated(separated_[patch.index()], boundary.mesh);
   co_await work.spend(boundary.origins.size() / kSidesPerUnit + 1);

@@ -45,21 +45,21 @@ bool isSameSample(const PlaneSample& a, const PlaneSample& b) {
 
 // ---- sides -------------------------------------------------------------------------------------
 
-void SurfaceRecorder::line(LineId line, const Vec3& begin) {
-  lineBegin_ = begin;
+void SurfaceRecorder::line(LineId line, const Curve& curve) {
+  lineBegin_ = curve.position(0.0);
   bytes_.byte(head(SurfaceEvent::kLine, 0));
   bytes_.varint(line.value);
-  bytes_.position(begin);
+  bytes_.position(lineBegin_);
 }
 
-void SurfaceRecorder::station(const SideStep& step, double t, double lambda, const Vec3& position) {
+void SurfaceRecorder::station(const SideStep& step, double t, double lambda, const Curve& curve) {
   bytes_.byte(head(SurfaceEvent::kStation, static_cast<std::uint32_t>(step.end)));
   bytes_.shortNumber(t);
   bytes_.shortNumber(step.start);
   bytes_.shortNumber(step.length);
   bytes_.varint(static_cast<std::uint64_t>(step.rounds));
   bytes_.shortNumber(lambda);
-  bytes_.offset(lineBegin_, position);
+  bytes_.offset(lineBegin_, curve.position(t));
 }
 
 void SurfaceRecorder::divided(const LineDivision& division) {

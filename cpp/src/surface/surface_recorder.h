@@ -33,9 +33,9 @@ class SurfaceRecorder {
   explicit SurfaceRecorder(TraceBytes& bytes) : bytes_(bytes) {}
 
   /// The division of a line begins, at its first end.
-  void line(LineId line, const Vec3& begin);
-  /// A walk of S1-S4 to a station, at `position` and the metric length `lambda` of the line up to it.
-  void station(const SideStep& step, double t, double lambda, const Vec3& position);
+  void line(LineId line, const Curve& curve);
+  /// A walk of S1-S4 to a station, at the parameter `t` and the metric length `lambda` of the line up to it.
+  void station(const SideStep& step, double t, double lambda, const Curve& curve);
   /// The line is divided, or cannot be.
   void divided(const LineDivision& division);
   void halved(LineId line, std::uint32_t side, const LineDivision& division);

@@ -1,26 +1,47 @@
 #pragma once
 
-/// @file Records the steps of the surface mesher for teaching, as a compile-time hook, as volume/trace.h does for the
-/// front. With NullSurfaceTrace every call vanishes; the normal build has no branch for it.
+/// @file What the surface mesher says of each of its steps, for teaching: compile-time hooks, all of them empty and inline in a
+/// normal build, as in volume/trace.h.
+
+#include <array>
+#include <cstdint>
 
 #include "surface/surface_recorder.h"
 
 namespace tetrafront {
 
+/// Records nothing.
 struct NullSurfaceTrace {
-  static constexpr bool kOn = false;
   struct Recorder {
     explicit Recorder(TraceBytes& /*bytes*/) {}
   };
   NullSurfaceTrace() = default;
   explicit NullSurfaceTrace(Recorder* /*recorder*/) {}
+  const NullSurfaceTrace* operator->() const { return this; }
+
+  // Events, as SurfaceRecorder writes them.
+  void line(LineId /*line*/, const Curve& /*curve*/) const {}
+  void station(const SideStep& /*step*/, double /*t*/, double /*lambda*/,
+               const Curve& /*curve*/) const {}
+  void divided(const LineDivision& /*division*/) const {}
+  void halved(LineId /*line*/, std::uint32_t /*side*/, const LineDivision& /*division*/) const {}
+  void numbered(const DividedLines& /*lines*/) const {}
+  void patch(PatchId /*patch*/, const PatchBoundary& /*boundary*/, bool /*isCurved*/,
+             bool /*isRepeated*/) const {}
+  void base(const SurfaceRecorder::BaseEdge& /*edge*/, const PlaneSample& /*sample*/) const {}
+  void refused(PlanarNodeId /*node*/, PlanarRefusal /*why*/, std::uint32_t /*culprit*/) const {}
+  void accepted(const PlanarMesh& /*mesh*/, PlanarNodeId /*apex*/, bool /*isNew*/,
+                const std::array<SurfaceRecorder::EdgeChange, 2>& /*changes*/) const {}
+  void postponed(std::uint32_t /*next*/) const {}
+  void ended(const PlanarMesh& /*mesh*/, bool /*hasStalled*/) const {}
+  void improved(const PlanarMesh& /*mesh*/) const {}
 };
 
 /// Passes every step to a recorder, which must outlive the mesher.
 struct RecordingSurfaceTrace {
-  static constexpr bool kOn = true;
   using Recorder = SurfaceRecorder;
   Recorder* recorder = nullptr;
+  Recorder* operator->() const { return recorder; }
 };
 
 }  // namespace tetrafront

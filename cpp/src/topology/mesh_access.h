@@ -57,6 +57,11 @@ inline NodeTriple nodesOf(const SurfaceMesh& mesh, TriangleId triangle) {
   return {NodeId(mesh.triangles[i]), NodeId(mesh.triangles[i + 1]), NodeId(mesh.triangles[i + 2])};
 }
 
+template <class Node>
+bool hasRepeatedNode(const std::array<Node, 3>& nodes) {
+  return nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0];
+}
+
 inline std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, TriangleId triangle) {
   const auto [a, b, c] = nodesOf(mesh, triangle);
   return {pointOf(mesh, a), pointOf(mesh, b), pointOf(mesh, c)};

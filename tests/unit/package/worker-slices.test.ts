@@ -2,14 +2,13 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
 
 import { emptyGrid } from "../../../wasm/dist/project/grid-arrays.js";
+import { engineProposalOptions } from "../../../wasm/dist/api/grid-options.js";
+import { engineOptions, engineImproveOptions } from "../../../wasm/dist/api/mesh-options.js";
 import {
   engineInspectionOptions,
-  engineOptions,
-  engineProposalOptions,
-  engineImproveOptions,
   engineRemeshOptions,
   engineRepairOptions,
-} from "../../../wasm/dist/api/options.js";
+} from "../../../wasm/dist/api/surface-options.js";
 import { projectArrays } from "../../../wasm/dist/project/arrays.js";
 import type { ArgumentsOf, CallName } from "../../../wasm/src/engine/calls.js";
 import type { Question, Reply, Request } from "../../../wasm/src/engine/protocol.js";

@@ -19,7 +19,7 @@ import type { BodyId, Project, ProjectBody } from "../project/project-types.js";
 import type { SizedSurface } from "./counted-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { InspectionOptions, MeshOptions, RemeshOptions } from "./option-types.js";
-import { checkRemeshOptions } from "./options.js";
+import { checkRemeshOptions } from "./surface-options.js";
 import { areTooLarge } from "./surface-treatment.js";
 
 type Named<Call extends (...given: never[]) => unknown> = (

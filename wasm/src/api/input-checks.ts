@@ -15,7 +15,7 @@ import {
 import type { InnerShells } from "../generated/constants.js";
 import type { SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import { groupSchema, regionsOnSides } from "../mesh/mesh-checks.js";
-import { checkGradation } from "./options.js";
+import { checkGradation } from "./mesh-options.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
 import type { Project } from "../project/project-types.js";

@@ -21,7 +21,7 @@ import { type ReadFileOptions, readSurface } from "./mesh-files.js";
 import type { Mesher } from "./mesher-interface.js";
 import { createMesher } from "./mesher.js";
 import type { SurfaceMeshOptions } from "./option-types.js";
-import { checkOptions } from "./options.js";
+import { checkOptions } from "./mesh-options.js";
 import { readingNotes, unmeshedNotes } from "./reading-notes.js";
 import { emptyReport } from "./report.js";
 import { checkSurfaceMeshOptions, meshPart, surfaceOption } from "./surface-mesh-options.js";

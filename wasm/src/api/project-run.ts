@@ -13,7 +13,13 @@ import type { Project } from "../project/project-types.js";
 import { checkProject } from "./input-checks.js";
 import type { ProjectCheck } from "./mesher-interface.js";
 import type { MeshOptions, ProjectMeshOptions } from "./option-types.js";
-import { checkOptions, checkProjectOptions, engineOptions, wantedElements, withSettings } from "./options.js";
+import {
+  checkOptions,
+  checkProjectOptions,
+  engineOptions,
+  wantedElements,
+  withSettings,
+} from "./mesh-options.js";
 import { withoutBodyNotes } from "./report.js";
 
 /** Options of a run of a project, with the project's settings. */

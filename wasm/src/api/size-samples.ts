@@ -9,7 +9,7 @@ import { joinedBodies } from "./body-preparation.js";
 import { checkPositions, checkProject } from "./input-checks.js";
 import type { SizeSamples } from "./mesher-interface.js";
 import type { ProjectMeshOptions } from "./option-types.js";
-import { checkOptions, checkProjectOptions, engineOptions, withSettings } from "./options.js";
+import { checkOptions, checkProjectOptions, engineOptions, withSettings } from "./mesh-options.js";
 
 /** Implements `Mesher.sampleSizes`. */
 export async function sampleSizes(

@@ -3,13 +3,8 @@ import { shown } from "../base/values.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { SURFACE_TREATMENTS } from "./option-types.js";
-import {
-  checkOptions,
-  excludedSize,
-  checkRemeshOptions,
-  checkRepairOptions,
-  checkSplitOptions,
-} from "./options.js";
+import { checkOptions, excludedSize } from "./mesh-options.js";
+import { checkRemeshOptions, checkRepairOptions, checkSplitOptions } from "./surface-options.js";
 import type {
   MeshOptions,
   RemeshSettings,

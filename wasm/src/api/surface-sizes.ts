@@ -7,7 +7,7 @@ import { checkLocatedSurface, checkSurface, withInnerShells } from "./input-chec
 import { changeDiagnostics } from "./inspection.js";
 import type { SurfaceSizeProposal } from "./mesher-interface.js";
 import type { SurfaceProposalOptions } from "./option-types.js";
-import { checkSurfaceProposalOptions, engineRemeshOptions } from "./options.js";
+import { checkSurfaceProposalOptions, engineRemeshOptions } from "./surface-options.js";
 import { surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
 
 /** Implements `Mesher.proposeSurfaceSizes`. */

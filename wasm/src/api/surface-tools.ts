@@ -33,18 +33,17 @@ import type {
   RepairOptions,
   SplitOptions,
 } from "./option-types.js";
+import { checkRefineOptions, engineOptions } from "./mesh-options.js";
 import {
   angleOfSplit,
   checkInspectionOptions,
-  checkRefineOptions,
   checkRemeshOptions,
   checkRepairOptions,
   checkSplitOptions,
   engineInspectionOptions,
-  engineOptions,
   engineRemeshOptions,
   engineRepairOptions,
-} from "./options.js";
+} from "./surface-options.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import { completeSurface } from "./carried-mesh.js";
 import { splitSurface } from "./patch-names.js";

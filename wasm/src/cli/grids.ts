@@ -2,7 +2,7 @@
 import type { Mesher } from "../api/mesher-interface.js";
 import { createMesher } from "../api/mesher.js";
 import type { CoverOptions, ProposalOptions } from "../api/option-types.js";
-import { checkCoverOptions, checkProposalOptions } from "../api/options.js";
+import { checkCoverOptions, checkProposalOptions } from "../api/grid-options.js";
 import { plural } from "../base/plural.js";
 import { extensionOf } from "../formats/file-formats.js";
 import type { CoverShape } from "../generated/constants.js";

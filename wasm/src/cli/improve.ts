@@ -1,7 +1,7 @@
 /** `tetrafront improve`: improves the elements of a volume mesh, and compares their shapes before and after. */
 import { readingNotes } from "../api/reading-notes.js";
 import type { ImproveOptions } from "../api/option-types.js";
-import { checkImproveOptions } from "../api/options.js";
+import { checkImproveOptions } from "../api/mesh-options.js";
 import { writeMesh } from "../api/mesh-files.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";

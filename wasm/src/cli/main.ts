@@ -11,7 +11,7 @@ import {
   REMESH_DEFAULTS,
 } from "../generated/constants.js";
 import { SURFACE_TREATMENTS } from "../api/option-types.js";
-import { IMPROVEMENT_LEVELS } from "../api/options.js";
+import { IMPROVEMENT_LEVELS } from "../api/mesh-options.js";
 import { type CheckCommandOptions, checkFile } from "./check.js";
 import { type ConvertCommandOptions, convertFile } from "./convert.js";
 import { elementOrderOption } from "./element-order.js";

@@ -2,7 +2,7 @@
 import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
 import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
-import { checkGradation, growthOf } from "../api/options.js";
+import { checkGradation, growthOf } from "../api/mesh-options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { checkSurfaceMeshOptions, meshPart, repairPart, splitPart } from "../api/surface-mesh-options.js";
 import { withControl } from "../api/surface-mesher.js";

@@ -1,7 +1,7 @@
 /** `tetrafront propose`: writes sizes into a project, or prints the sizes of a surface. */
 import type { SurfaceSizeProposal } from "../api/mesher-interface.js";
 import type { SurfaceProposalOptions } from "../api/option-types.js";
-import { checkSurfaceProposalOptions } from "../api/options.js";
+import { checkSurfaceProposalOptions } from "../api/surface-options.js";
 import { located } from "../api/located-surface.js";
 import { madeFillable } from "../api/surface-preparation.js";
 import { plural } from "../base/plural.js";

@@ -1,6 +1,6 @@
 /** Options of a remeshing on the command line, and what is printed about its result. */
 import type { MeshOptions, RemeshOptions, RemeshSettings } from "../api/option-types.js";
-import { checkRemeshOptions } from "../api/options.js";
+import { checkRemeshOptions } from "../api/surface-options.js";
 import { givenRemeshSetting } from "../api/surface-mesh-options.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { numberIn, refuseOptions } from "./input.js";

@@ -1,7 +1,7 @@
 /** Repairs requested on the command line, and the list of their changes. */
 import { positionText } from "../base/position-text.js";
 import type { RepairOptions } from "../api/option-types.js";
-import { checkRepairOptions } from "../api/options.js";
+import { checkRepairOptions } from "../api/surface-options.js";
 import type { PreparedSurface } from "../api/surface-preparation.js";
 import { repairText } from "../api/treatment-texts.js";
 import { plural } from "../base/plural.js";

@@ -1,6 +1,6 @@
 /** Options that several commands have. */
 import { type Command, Option } from "commander";
-import { DEFAULT_COVER_SHAPE } from "../api/options.js";
+import { DEFAULT_COVER_SHAPE } from "../api/grid-options.js";
 import { COVER_SHAPES, INNER_SHELLS, MESH_DEFAULTS, REMESH_DEFAULTS } from "../generated/constants.js";
 
 export const withJobs = (command: Command): Command =>

@@ -1,7 +1,7 @@
 /** `--split-patches`: patches by the sharp edges of a surface. */
 import type { Mesher } from "../api/mesher-interface.js";
 import type { SplitOptions } from "../api/option-types.js";
-import { checkSplitOptions } from "../api/options.js";
+import { checkSplitOptions } from "../api/surface-options.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { numberIn, refuseOptions } from "./input.js";
 import type { Mesh } from "../mesh/mesh.js";

@@ -3,35 +3,17 @@
  * "trace", whose runs record the steps of the front, and the module "tools", for everything else. The only file that names
  * the compiled modules.
  */
-import createEngine, {
-  type Improvement,
-  type MainModule as Engine,
-  type Preview,
-  type Run,
-  type RunCheck,
-} from "./engine.js";
-import type {
-  BackgroundFromMesh,
-  Cover,
-  Inspection,
-  Location,
-  MainModule as Tools,
-  PatchSplitting,
-  Proposal,
-  Refinement,
-  Remesh,
-  Repair,
-  SizeSampling,
-  SurfaceProposal,
-  VolumeInspection,
-} from "./tools.js";
+import createEngine, { type MainModule as Engine, type Run } from "./engine.js";
+import type { MainModule as Tools } from "./tools.js";
 import type { MainModule as TraceEngine, Run as TracedRun } from "./trace.js";
 
-type ResultOf<Tool extends keyof Tools> = Tools[Tool] extends (...given: never[]) => infer Made
-  ? NonNullable<Made> extends { result(): infer Result }
-    ? Result
-    : never
+/** What the functions of a module return that make a tool: an object that works in slices and has one result. */
+type ToolOf<Module, Name extends keyof Module> = Module[Name] extends (...given: never[]) => infer Made
+  ? Extract<NonNullable<Made>, { fraction(): number; result(): unknown }>
   : never;
+type ToolsOf<Module> = { [Name in keyof Module]: ToolOf<Module, Name> }[keyof Module];
+type ResultOf<Name extends keyof Tools> = ReturnType<ToolOf<Tools, Name>["result"]>;
+type EngineResultOf<Name extends keyof Engine> = ReturnType<ToolOf<Engine, Name>["result"]>;
 /** Results of the engine, as the types of its modules state them. */
 export type EngineDiagnostics = ReturnType<Run["diagnostics"]>;
 export type EngineStatistics = ReturnType<Run["statistics"]>;
@@ -41,9 +23,9 @@ export type EngineRefinement = ResultOf<"refineSurface">;
 export type EnginePatchSplit = ResultOf<"splitPatches">;
 export type EngineRemesh = ResultOf<"remeshSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
-export type EngineImprovement = ReturnType<Improvement["result"]>;
+export type EngineImprovement = EngineResultOf<"improveMesh">;
 export type EngineImproveOptions = Readonly<Parameters<Engine["improveMesh"]>[4]>;
-export type EnginePreview = ReturnType<Preview["result"]>;
+export type EnginePreview = EngineResultOf<"previewModel">;
 export type EngineLocation = ResultOf<"locateRegions">;
 
 /** Options of the engine: 0 for a size that is not given, and enumerators by their numbers. */
@@ -57,23 +39,8 @@ export type { Engine, Tools, TraceEngine };
 /** A run; those of the module "trace" record the steps of the front. */
 export type EngineRun = Run &
   Partial<Pick<TracedRun, "takeTrace" | "frontFingerprint" | "recordedSteps" | "experiment">>;
-/** A tool of the engine that works in slices and has one result. */
-export type EngineTool =
-  | Cover
-  | Improvement
-  | RunCheck
-  | Inspection
-  | BackgroundFromMesh
-  | Location
-  | PatchSplitting
-  | Preview
-  | Proposal
-  | Refinement
-  | Remesh
-  | Repair
-  | SizeSampling
-  | SurfaceProposal
-  | VolumeInspection;
+/** A tool of the engine. */
+export type EngineTool = ToolsOf<Tools> | ToolsOf<Engine>;
 
 /** Fetches and compiles the file; the reason of a failure names the file. */
 export type CompileModule = (address: URL) => Promise<CompiledModule>;

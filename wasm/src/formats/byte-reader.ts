@@ -1,27 +1,18 @@
 /**
- * Reads numbers, words and lines from a file while it arrives. It keeps a window of the file in memory. `fill`
- * extends the window to at least LOOKAHEAD bytes ahead, or to the end of the file. All other methods work on the
- * window synchronously, so that reading a number needs no promise. A reader calls `fill` when `isLow` is true, once
- * per entry (a point, a face).
+ * Reads numbers, words and lines of a text, and the bytes that may follow it, from the window of a file.
  *
  * A line ends with a line feed, a carriage return, or both. A UTF-8 byte-order mark before a word or a line counts
  * as white space: files begin with it, and concatenated files contain it.
  */
-import { Yielder } from "../calls/yielder.js";
-import { type ByteSource, piecesOf } from "./byte-source.js";
-import { joined } from "./bytes.js";
+import type { ByteSource } from "./byte-source.js";
+import { ByteWindow, type ByteWindowOptions } from "./byte-window.js";
 import { decimalIn, otherNumber } from "./decimal.js";
-import { failureAt, type FileLocation, ReadFailure, truncatedAt } from "./read-result.js";
-import { inUtf8 } from "./utf16.js";
+import { type FileLocation, ReadFailure, truncatedAt } from "./read-result.js";
 import { indexOf, MARK_BYTES, startsWithMark, textOf } from "./text-bytes.js";
 
 const LINE_FEED = 10;
 const CARRIAGE_RETURN = 13;
 const SPACE = 32;
-/** Longest entry of a file, in bytes; a face of ten thousand corners fits. */
-const LOOKAHEAD = 1 << 18;
-/** Bytes requested at once, so that the rest of the window is rarely copied. */
-const WINDOW = 1 << 19;
 /** Digits, signs and the decimal point. */
 const NUMBER_BEGINS = new TextEncoder().encode("0123456789+-.");
 /** Smallest byte that is part of a multi-byte UTF-8 character. */
@@ -31,26 +22,16 @@ const MAX_COMMENT_BYTES = 1 << 12;
 /** Largest number of characters of a word quoted in a message. */
 const SHOWN = 24;
 
-export interface ByteReaderOptions {
-  /** Advice given with every failure. */
-  readonly remedy: string;
+export interface ByteReaderOptions extends ByteWindowOptions {
   /** Character that starts a comment, which ends with its line. */
   readonly comment?: string;
   /** Character that, at the end of a line, continues the line on the next one. It has no effect in comments. */
   readonly continuation?: string;
   /** Called with the text of each comment below MAX_COMMENT_BYTES, without the comment character. */
   readonly onComment?: (comment: string) => void;
-  /** Aborting it cancels reading after an entry that took long (`requestYield`). */
-  readonly signal?: AbortSignal | undefined;
 }
 
-export class ByteReader {
-  isLittleEndian = true;
-  #bytes: Uint8Array<ArrayBuffer> = new Uint8Array();
-  #view = new DataView(new ArrayBuffer(0));
-  #at = 0;
-  /** Number of bytes of the file before the window. */
-  #before = 0;
+export class ByteReader extends ByteWindow {
   #line = 1;
   /** Line of the item read last. */
   #lastLine = 1;
@@ -60,23 +41,15 @@ export class ByteReader {
   #isText = true;
   /** Whether a line read so far ended with a lone carriage return. */
   #hasLoneReturns = false;
-  #isWhole = false;
-  /** Whether to yield before the next entry. */
-  #mustYield = false;
-  readonly #yielder: Yielder;
-  readonly #pieces: AsyncIterator<Uint8Array>;
   readonly #comment: number;
   readonly #continuation: number;
-  readonly #remedy: string;
   readonly #onComment: ByteReaderOptions["onComment"];
 
   private constructor(source: ByteSource, options: ByteReaderOptions) {
-    const { remedy, comment, continuation, onComment, signal } = options;
-    this.#yielder = new Yielder(signal);
-    this.#pieces = inUtf8(piecesOf(source));
+    super(source, options);
+    const { comment, continuation, onComment } = options;
     this.#comment = comment?.charCodeAt(0) ?? NaN;
     this.#continuation = continuation?.charCodeAt(0) ?? NaN;
-    this.#remedy = remedy;
     this.#onComment = onComment;
   }
 
@@ -95,89 +68,8 @@ export class ByteReader {
       }
       return await read(reader);
     } finally {
-      await reader.#pieces.return?.();
+      await reader.close();
     }
-  }
-
-  get isLow(): boolean {
-    return this.#mustYield || this.#isShort;
-  }
-
-  get #isShort(): boolean {
-    return !this.#isWhole && this.#bytes.length - this.#at < LOOKAHEAD;
-  }
-
-  /** Requests a pause after an entry that took long: the next `fill` yields, and rejects if reading was cancelled. */
-  readonly requestYield = (): void => {
-    this.#mustYield = true;
-  };
-
-  /** Whether every byte has been read. */
-  get isAtEnd(): boolean {
-    return this.#isWhole && this.#at === this.#bytes.length;
-  }
-
-  /** Number of bytes from the beginning of the file. */
-  get offset(): number {
-    return this.#before + this.#at;
-  }
-
-  /** Number of unread bytes in the window. */
-  get ahead(): number {
-    return this.#bytes.length - this.#at;
-  }
-
-  /** Skips the given number of bytes. */
-  skip(bytes: number): void {
-    this.#advance(bytes);
-  }
-
-  /** Extends the window far enough for the next entry. */
-  async fill(): Promise<void> {
-    if (this.#mustYield) {
-      this.#mustYield = false;
-      await this.#yielder.yield();
-    }
-    if (!this.#isShort) return;
-    const parts: Uint8Array[] = [this.#bytes.subarray(this.#at)];
-    let length = this.#bytes.length - this.#at;
-    while (length < WINDOW) {
-      const next = await this.#pieces.next();
-      if (next.done === true) {
-        this.#isWhole = true;
-        break;
-      }
-      parts.push(next.value);
-      length += next.value.length;
-    }
-    this.#before += this.#at;
-    this.#at = 0;
-    this.#bytes = joined(parts);
-    this.#view = new DataView(this.#bytes.buffer, this.#bytes.byteOffset, length);
-  }
-
-  /**
-   * Reads the next `count` bytes, or fewer at the end of the file. Memory use grows with the file, not with
-   * `count`.
-   */
-  async bytes(count: number): Promise<Uint8Array<ArrayBuffer>> {
-    this.#leaveText();
-    const parts: Uint8Array[] = [];
-    let length = 0;
-    while (length < count) {
-      await this.fill();
-      const part = this.#bytes.subarray(this.#at, this.#at + count - length);
-      if (part.length === 0) break;
-      this.#at += part.length;
-      length += part.length;
-      parts.push(part);
-    }
-    return joined(parts);
-  }
-
-  /** Returns up to `count` unread bytes of the window without consuming them. */
-  peek(count: number): Uint8Array {
-    return this.#bytes.subarray(this.#at, this.#at + count);
   }
 
   /** Reads the next word of this line or a later one; empty at the end of the file. */
@@ -195,7 +87,7 @@ export class ByteReader {
   /** Returns whether the next word, in this line or a later one, begins like a number. */
   startsNumber(): boolean {
     this.#skipBlanks(true);
-    return NUMBER_BEGINS.includes(this.#bytes[this.#at] ?? 0);
+    return NUMBER_BEGINS.includes(this.buffer[this.at] ?? 0);
   }
 
   /**
@@ -205,13 +97,13 @@ export class ByteReader {
   accepts(word: string): boolean {
     this.#skipBlanks(true);
     const end = this.#wordEnd();
-    if (end - this.#at !== word.length) return false;
+    if (end - this.at !== word.length) return false;
     for (let i = 0; i < word.length; i++) {
-      const byte = this.#bytes[this.#at + i] ?? 0;
+      const byte = this.buffer[this.at + i] ?? 0;
       const isCapital = byte >= 65 && byte <= 90;
       if ((isCapital ? byte + 32 : byte) !== word.charCodeAt(i)) return false;
     }
-    this.#at = end;
+    this.at = end;
     return true;
   }
 
@@ -223,7 +115,7 @@ export class ByteReader {
 
   /** Fails at the next word; `words`: what could be there, of which a part may be left at the end of the file. */
   failAtWord(expected: string, words: readonly string[] = []): never {
-    if (this.#wordEnd() === this.#at || this.#isCutFrom(words)) this.failAtEnd(expected);
+    if (this.#wordEnd() === this.at || this.#isCutFrom(words)) this.failAtEnd(expected);
     return this.fail(`expected ${expected}, found ${this.#shown()}`);
   }
 
@@ -242,13 +134,13 @@ export class ByteReader {
   #isCutFrom(words: readonly string[]): boolean {
     const end = this.#wordEnd();
     if (!this.#isCutAt(end)) return false;
-    const found = textOf(this.#bytes.subarray(this.#at, end)).toLowerCase();
+    const found = textOf(this.buffer.subarray(this.at, end)).toLowerCase();
     return words.some((word) => word.startsWith(found));
   }
 
   /** Returns whether the file ends with a word that ends at `end`. */
   #isCutAt(end: number): boolean {
-    return this.#isWhole && end === this.#bytes.length && end > this.#at;
+    return this.isWhole && end === this.buffer.length && end > this.at;
   }
 
   /**
@@ -259,11 +151,11 @@ export class ByteReader {
     const before = this.#lastLine;
     this.#skipBlanks(true);
     const end = this.#wordEnd();
-    if (end === this.#at) this.failAtEnd(what);
-    let value: number | undefined = decimalIn(this.#bytes, this.#at, end);
-    if (!Number.isFinite(value)) value = mayBeNone ? otherNumber(this.#bytes, this.#at, end) : undefined;
+    if (end === this.at) this.failAtEnd(what);
+    let value: number | undefined = decimalIn(this.buffer, this.at, end);
+    if (!Number.isFinite(value)) value = mayBeNone ? otherNumber(this.buffer, this.at, end) : undefined;
     if (value === undefined) return this.#failAtNumber(what, end, before);
-    this.#at = end;
+    this.at = end;
     this.#numberLine = this.#line;
     return value;
   }
@@ -271,7 +163,7 @@ export class ByteReader {
   /** `before`: line of the item before the number. */
   #failAtNumber(what: string, end: number, before: number): never {
     const expected = `expected ${what}, found ${this.#shown()}`;
-    const found = textOf(this.#bytes.subarray(this.#at, end));
+    const found = textOf(this.buffer.subarray(this.at, end));
     if (this.#isCutAt(end) && /^[-+]?\d*\.?\d*(e[-+]?\d*)?$/i.test(found))
       this.failAtEnd(`the rest of ${what}`);
     if (/^[a-z_]/i.test(found) && !/^(nan|inf)/i.test(found)) {
@@ -299,7 +191,7 @@ export class ByteReader {
   /** Returns whether this line has another word. */
   hasWordInLine(): boolean {
     this.#skipBlanks(false);
-    return this.#wordEnd() > this.#at;
+    return this.#wordEnd() > this.at;
   }
 
   /**
@@ -313,10 +205,10 @@ export class ByteReader {
   /** Skips the rest of this line and the lines that continue it. */
   skipLine(): void {
     for (;;) {
-      const begin = this.#at;
+      const begin = this.at;
       const end = this.#lineEnd();
-      this.#at = end;
-      const last = this.#bytes[end - 1] === CARRIAGE_RETURN ? end - 2 : end - 1;
+      this.at = end;
+      const last = this.buffer[end - 1] === CARRIAGE_RETURN ? end - 2 : end - 1;
       if (last < begin || !this.#isContinued(last)) return;
       this.#passLineEnd();
       this.#line++;
@@ -326,9 +218,9 @@ export class ByteReader {
   /** Reads the rest of this line and moves to the next one. Removes white space and byte-order marks from both ends. */
   line(): string {
     const end = this.#lineEnd();
-    const text = textOf(this.#bytes.subarray(this.#at, end));
-    this.#at = end;
-    if (end < this.#bytes.length) this.#passLineEnd();
+    const text = textOf(this.buffer.subarray(this.at, end));
+    this.at = end;
+    if (end < this.buffer.length) this.#passLineEnd();
     this.#lastLine = this.#line++;
     return text.trim();
   }
@@ -336,7 +228,7 @@ export class ByteReader {
   /** Consumes the line end between a text header and binary numbers. */
   endLine(): void {
     this.#skipBlanks(false);
-    if (!this.#isLineEnd(this.#at)) this.failAtWord("the end of the line");
+    if (!this.#isLineEnd(this.at)) this.failAtWord("the end of the line");
     this.#passLineEnd();
     this.#lastLine = this.#line++;
   }
@@ -346,7 +238,7 @@ export class ByteReader {
     const encoded = new TextEncoder().encode(text);
     for (;;) {
       await this.fill();
-      const found = indexOf(this.#bytes, encoded, this.#at);
+      const found = indexOf(this.buffer, encoded, this.at);
       if (found >= 0) {
         this.#moveTo(found + encoded.length);
         await this.fill();
@@ -354,32 +246,9 @@ export class ByteReader {
         return;
       }
       // Keep the bytes at the end of the window that may be the beginning of `text`.
-      this.#moveTo(Math.max(this.#at, this.#bytes.length - encoded.length + 1));
-      if (this.#isWhole) this.failAtEnd(`"${text}"`);
+      this.#moveTo(Math.max(this.at, this.buffer.length - encoded.length + 1));
+      if (this.isWhole) this.failAtEnd(`"${text}"`);
     }
-  }
-
-  /** Reads a whole number of 1, 2, 4 or 8 bytes. Numbers of 8 bytes are exact up to 2^53. */
-  integer(bytes: 1 | 2 | 4 | 8, isSigned: boolean): number {
-    const at = this.#advance(bytes);
-    const little = this.isLittleEndian;
-    switch (bytes) {
-      case 1:
-        return isSigned ? this.#view.getInt8(at) : this.#view.getUint8(at);
-      case 2:
-        return isSigned ? this.#view.getInt16(at, little) : this.#view.getUint16(at, little);
-      case 4:
-        return isSigned ? this.#view.getInt32(at, little) : this.#view.getUint32(at, little);
-      case 8:
-        return Number(isSigned ? this.#view.getBigInt64(at, little) : this.#view.getBigUint64(at, little));
-    }
-  }
-
-  float(bytes: 4 | 8): number {
-    const at = this.#advance(bytes);
-    return bytes === 4
-      ? this.#view.getFloat32(at, this.isLittleEndian)
-      : this.#view.getFloat64(at, this.isLittleEndian);
   }
 
   /**
@@ -393,42 +262,37 @@ export class ByteReader {
       : this.fail(`expected the number of ${what}, found ${count}`);
   }
 
-  /** Current location, for problems that are detected later. */
-  get location(): FileLocation {
-    return this.#isText ? { line: this.#lastLine } : { offset: this.offset };
-  }
-
-  fail(message: string, location = this.location, remedy = this.#remedy): never {
-    throw failureAt(location, message, remedy);
+  override get location(): FileLocation {
+    return this.#isText ? { line: this.#lastLine } : super.location;
   }
 
   /** Moves within the window over lines that are not parsed. */
   #moveTo(at: number): void {
     if (this.#isText) {
-      for (let end = this.#at; end < at; end++) if (this.#isLineEnd(end)) this.#line++;
+      for (let end = this.at; end < at; end++) if (this.#isLineEnd(end)) this.#line++;
     }
-    this.#at = at;
+    this.at = at;
     this.#lastLine = this.#line;
   }
 
   /** A carriage return before a line feed counts as a blank. */
   #isLineEnd(at: number): boolean {
-    const byte = this.#bytes[at];
-    return byte === LINE_FEED || (byte === CARRIAGE_RETURN && this.#bytes[at + 1] !== LINE_FEED);
+    const byte = this.buffer[at];
+    return byte === LINE_FEED || (byte === CARRIAGE_RETURN && this.buffer[at + 1] !== LINE_FEED);
   }
 
   /** Returns whether the byte at `at` continues its line on the next one. */
   #isContinued(at: number): boolean {
-    const after = this.#bytes[at + 1];
-    return this.#bytes[at] === this.#continuation && (after === LINE_FEED || after === CARRIAGE_RETURN);
+    const after = this.buffer[at + 1];
+    return this.buffer[at] === this.#continuation && (after === LINE_FEED || after === CARRIAGE_RETURN);
   }
 
   #passLineEnd(): void {
-    if (this.#bytes[this.#at++] === CARRIAGE_RETURN) this.#hasLoneReturns = true;
+    if (this.buffer[this.at++] === CARRIAGE_RETURN) this.#hasLoneReturns = true;
   }
 
   /** Marks the following numbers as binary. */
-  #leaveText(): void {
+  protected override leaveText(): void {
     if (!this.#isText) return;
     if (this.#hasLoneReturns) {
       // The first byte of a number may be a line feed, and would then be taken for the second half of a line end.
@@ -437,79 +301,64 @@ export class ByteReader {
     this.#isText = false;
   }
 
-  #advance(bytes: number): number {
-    this.#leaveText();
-    if (this.#bytes.length - this.#at < bytes) {
-      this.#checkEdge();
-      throw truncatedAt(this.location, "in the middle of a number");
-    }
-    this.#at += bytes;
-    return this.#at - bytes;
-  }
-
   #skipBlanks(alsoLineEnds: boolean, mayPause = false): void {
-    const bytes = this.#bytes;
-    for (; this.#at < bytes.length; this.#at++) {
-      const byte = bytes[this.#at] ?? 0;
+    const bytes = this.buffer;
+    for (; this.at < bytes.length; this.at++) {
+      const byte = bytes[this.at] ?? 0;
       if (byte > SPACE) {
-        if (startsWithMark(bytes, this.#at)) {
-          this.#at += MARK_BYTES - 1;
+        if (startsWithMark(bytes, this.at)) {
+          this.at += MARK_BYTES - 1;
           continue;
         }
-        if (byte === this.#continuation && this.#isContinued(this.#at)) {
-          const isPair = bytes[this.#at + 1] === CARRIAGE_RETURN && bytes[this.#at + 2] === LINE_FEED;
-          this.#at += isPair ? 2 : 1;
+        if (byte === this.#continuation && this.#isContinued(this.at)) {
+          const isPair = bytes[this.at + 1] === CARRIAGE_RETURN && bytes[this.at + 2] === LINE_FEED;
+          this.at += isPair ? 2 : 1;
           this.#line++;
           continue;
         }
         if (byte !== this.#comment) break;
-        const begin = this.#at + 1;
-        this.#at = this.#lineEnd();
-        if (this.#at - begin < MAX_COMMENT_BYTES) this.#onComment?.(textOf(bytes.subarray(begin, this.#at)));
+        const begin = this.at + 1;
+        this.at = this.#lineEnd();
+        if (this.at - begin < MAX_COMMENT_BYTES) this.#onComment?.(textOf(bytes.subarray(begin, this.at)));
         if (mayPause && this.isLow) break;
-        this.#at--;
-      } else if ((byte === LINE_FEED || byte === CARRIAGE_RETURN) && this.#isLineEnd(this.#at)) {
+        this.at--;
+      } else if ((byte === LINE_FEED || byte === CARRIAGE_RETURN) && this.#isLineEnd(this.at)) {
         if (!alsoLineEnds) break;
         if (byte === CARRIAGE_RETURN) this.#hasLoneReturns = true;
         this.#line++;
       }
     }
     this.#lastLine = this.#line;
-    if (this.#at === bytes.length) this.#checkEdge();
+    if (this.at === bytes.length) this.checkEdge();
   }
 
   #wordEnd(): number {
-    const bytes = this.#bytes;
-    let end = this.#at;
+    const bytes = this.buffer;
+    let end = this.at;
     for (; end < bytes.length; end++) {
       const byte = bytes[end] ?? 0;
       if (byte <= SPACE || byte === this.#comment) return end;
       if (byte === this.#continuation && this.#isContinued(end)) return end;
     }
-    this.#checkEdge();
+    this.checkEdge();
     return end;
   }
 
   #lineEnd(): number {
-    let end = this.#at;
-    while (end < this.#bytes.length && !this.#isLineEnd(end)) end++;
+    let end = this.at;
+    while (end < this.buffer.length && !this.#isLineEnd(end)) end++;
     // A carriage return as the last byte of the window may be followed by a line feed.
-    if (end + 1 >= this.#bytes.length && this.#bytes[end] !== LINE_FEED) this.#checkEdge();
+    if (end + 1 >= this.buffer.length && this.buffer[end] !== LINE_FEED) this.checkEdge();
     return end;
   }
 
-  /** Throws a ReadFailure if an entry reaches the end of the window before the end of the file. */
-  #checkEdge(): void {
-    if (!this.#isWhole) this.fail(`a line or an entry is longer than ${LOOKAHEAD} bytes`);
-  }
-
   #text(end: number): string {
-    const begin = this.#at;
-    this.#at = end;
+    const begin = this.at;
+    this.at = end;
     let text = "";
     for (let i = begin; i < end; i++) {
-      const byte = this.#bytes[i] ?? 0;
-      if (byte >= FIRST_OF_SEVERAL) return textOf(this.#bytes.subarray(begin, end));
+      const byte = this.buffer[i] ?? 0;
+      if (byte >= FIRST_OF_SEVERAL) return textOf(this.buffer.subarray(begin, end));
       text += String.fromCharCode(byte);
     }
     return text;
@@ -518,8 +367,8 @@ export class ByteReader {
   /** Returns the current word in quotes, shortened for a message. */
   #shown(): string {
     const end = this.#wordEnd();
-    const text = String.fromCharCode(...this.#bytes.subarray(this.#at, Math.min(end, this.#at + SHOWN)));
-    return end - this.#at > SHOWN ? `"${text}…"` : `"${text}"`;
+    const text = String.fromCharCode(...this.buffer.subarray(this.at, Math.min(end, this.at + SHOWN)));
+    return end - this.at > SHOWN ? `"${text}…"` : `"${text}"`;
   }
 }
 
