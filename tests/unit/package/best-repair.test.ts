@@ -1,7 +1,7 @@
 /** An exact repair replaces one that welded nodes, if the triangles of the remeshing are poor after the latter only. */
 import { expect, test } from "vitest";
 
-import { filledBest, hasWelded, remeshedBest } from "../../../wasm/src/api/best-repair.js";
+import { filledBest, hasWelded, meshedBest, remeshedBest } from "../../../wasm/src/api/best-repair.js";
 import type { RemeshReport } from "../../../wasm/src/api/meshed-surface.js";
 import { emptyReport } from "../../../wasm/src/api/report.js";
 import { MesherError } from "../../../wasm/src/diagnostics/mesher-error.js";
@@ -135,6 +135,60 @@ test.each([
   expect([found.prepared, found.isExact]).toEqual([taken, taken === "exact"]);
   expect(found.result.report.status).toBe(status[taken]);
 });
+
+/** A report of a mesh with this smallest dihedral angle; of a stalled one without. */
+function meshWith(angle: number | undefined) {
+  const { report: made } = report(angle === undefined ? "stalled" : "done");
+  return { report: { ...made, dihedral: { ...made.dihedral, min: angle ?? made.dihedral.min } } };
+}
+
+test.each([
+  ["fit, so nothing else is made", { welded: 2, exact: 9 }, { welded: 16, exact: 20 }, "welded", ["welded"]],
+  ["unfit", { welded: 2, exact: 9 }, { welded: 3, exact: 20 }, "exact", ["welded", "exact"]],
+  [
+    "unfit, and those of the exact one are worse",
+    { welded: 2, exact: 9 },
+    { welded: 3, exact: 1 },
+    "welded",
+    ["welded", "exact"],
+  ],
+  ["missing", { welded: 2, exact: 9 }, { welded: undefined, exact: 20 }, "exact", ["welded", "exact"]],
+  [
+    "unfit, but its triangles are the better ones",
+    { welded: 2, exact: 1 },
+    { welded: 3, exact: 20 },
+    "welded",
+    ["welded"],
+  ],
+  [
+    "unfit, but its triangles are not poor",
+    { welded: 12, exact: 30 },
+    { welded: 3, exact: 20 },
+    "welded",
+    ["welded"],
+  ],
+] as const)(
+  "elements after the repair that welds are %s",
+  async (_, triangles, elements, taken, expected) => {
+    const filled: Way[] = [];
+    const found = await meshedBest<
+      Way,
+      ReturnType<typeof made> & { readonly way: Way },
+      ReturnType<typeof meshWith>
+    >(
+      "welded",
+      () => Promise.resolve<Way>("exact"),
+      (way) => Promise.resolve({ ...made(triangles[way]), way }),
+      ({ way }) => {
+        filled.push(way);
+        return Promise.resolve(meshWith(elements[way]));
+      },
+    );
+    expect(filled).toEqual(expected);
+    expect([found.prepared, found.made.way, found.isExact]).toEqual([taken, taken, taken === "exact"]);
+    expect(found.result).toEqual(meshWith(elements[taken]));
+  },
+);
 
 test("a surface without another way is filled once, and a cancelled one is not filled again", async () => {
   const filled: string[] = [];

@@ -117,11 +117,54 @@ export interface FilledRepair<Prepared, Made, Result> extends BestRepair<Prepare
   readonly result: Result;
 }
 
+/** Smallest dihedral angle, in degrees, from which on a mesh is kept although triangles of its surface are poor. */
+const FIT_ANGLE = 15;
+
+/** The part of a result by which two meshes are compared. */
+type ComparedResult = Pick<MeshResult, "report">;
+
+/**
+ * Remeshes and fills a repaired surface. Poor triangles need not make poor elements: only if these are unfit, or if the engine
+ * refuses the surface, fails or stalls, does the same after the exact repair, if there is one, and returns the better mesh.
+ */
+export async function meshedBest<
+  Prepared,
+  Made extends { readonly remesh?: RemeshShapes },
+  Result extends ComparedResult,
+>(
+  prepared: Prepared,
+  exact: (() => Promise<Prepared>) | undefined,
+  remesh: (prepared: Prepared) => Promise<Made>,
+  fill: (made: Made) => Promise<Result>,
+): Promise<FilledRepair<Prepared, Made, Result>> {
+  const made = await remesh(prepared);
+  const first = { prepared, made, isExact: false };
+  const filling = fill(made);
+  if (exact === undefined || made.remesh === undefined || !isPoor(made.remesh))
+    return { ...first, result: await filling };
+  const result = await unlessFailed(filling);
+  if (result !== undefined && (isFit(result) || result.report.status === "cancelled"))
+    return { ...first, result };
+  const best = await remeshedBest(prepared, exact, (one) =>
+    one === prepared ? Promise.resolve(made) : remesh(one),
+  );
+  const filled = await filledBest(best, (one) => (one === made ? filling : fill(one)));
+  const isWorse = result !== undefined && smallestAngleOf(filled.result) < smallestAngleOf(result);
+  return isWorse && filled.result.report.status === "done" ? { ...first, result } : filled;
+}
+
+/** Returns the smallest dihedral angle of a mesh; less than any if there is none. */
+function smallestAngleOf({ report }: ComparedResult): number {
+  return report.status === "done" ? report.dihedral.min : -1;
+}
+
+const isFit = (result: ComparedResult): boolean => smallestAngleOf(result) >= FIT_ANGLE;
+
 /**
  * Fills the better surface. If the engine refuses it, fails or stalls on it, fills that of the other way, and returns its
  * result if it is complete. Rejects if it is cancelled.
  */
-export async function filledBest<Prepared, Made, Result extends Pick<MeshResult, "report">>(
+export async function filledBest<Prepared, Made, Result extends ComparedResult>(
   best: BestRepair<Prepared, Made>,
   fill: (made: Made) => Promise<Result>,
 ): Promise<FilledRepair<Prepared, Made, Result>> {

@@ -9,7 +9,7 @@ import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
-import { filledBest, hasWelded, remeshedBest, unlessFailed } from "./best-repair.js";
+import { hasWelded, meshedBest, unlessFailed } from "./best-repair.js";
 import { checkControl, checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
 import type { ChangedSurface, MeshedSurface } from "./meshed-surface.js";
@@ -272,8 +272,8 @@ async function filledBetter(
 }
 
 /**
- * Treats and fills a surface. If its triangles are poor after a repair that welded nodes and a remeshing, tries an exact repair
- * too, and keeps the better. Cancelled, the result has this status.
+ * Treats and fills a surface. If triangles and elements are poor after a repair that welded nodes and a remeshing, tries an exact
+ * repair too, and keeps the better. Cancelled, the result has this status.
  */
 async function filledOnce(
   mesher: Mesher,
@@ -286,14 +286,18 @@ async function filledOnce(
   const mesh = meshPart(options);
   const again = () => readySurface(withControl(mesher, controlOf()), given, options, filling, true);
   const isExactPossible = repairPart(options) === undefined && ready.treatment.kind === "remesh";
-  const exact = isExactPossible && hasWelded(given, ready) ? again : undefined;
+  const isRepeatable = isExactPossible && filling.isRecorded !== true;
+  const exact = isRepeatable && hasWelded(given, ready) ? again : undefined;
   try {
-    const best = await remeshedBest(ready, exact, (one) => treated(mesher, one, filling));
-    const tried = filling.isRecorded === true ? { ...best, welded: undefined, exact: undefined } : best;
-    const filled = await filledBest(tried, (made) => {
-      filling.onTreated?.(made.diagnostics ?? []);
-      return fill(mesher, made, mesh, controlOf());
-    });
+    const filled = await meshedBest(
+      ready,
+      exact,
+      (one) => treated(mesher, one, filling),
+      (made) => {
+        filling.onTreated?.(made.diagnostics ?? []);
+        return fill(mesher, made, mesh, controlOf());
+      },
+    );
     const { made, prepared, result, isExact } = filled;
     const { treatment: _, ...done } = prepared;
     return meshed(result, done, made, { ...filling, isExact });
