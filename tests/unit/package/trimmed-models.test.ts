@@ -120,7 +120,7 @@ describe("a solid made by the kernel", () => {
     const brep = new TextEncoder().encode(kernel.BRepToolsWrapper.Write(shape));
     for (const model of [await read("step", stepOf(kernel, shape)), await read("brep", brep)]) {
       expect(kindsIn(model)).toEqual(kinds[name]);
-      expect(model.solids).toEqual([{ isSolid: true, missingFaces: 0 }]);
+      expect(model.solids).toMatchObject([{ isSolid: true, missingFaces: 0 }]);
       expect(model.notes).toEqual([]);
       expect(largestGap(model)).toBeLessThan(1e-9);
       expect(largestOpening(model)).toBeLessThan(1e-6);
@@ -129,7 +129,7 @@ describe("a solid made by the kernel", () => {
     }
   });
 
-  test("has the positions of the kernel on all its faces", async () => {
+  test("has the positions of the kernel on all its faces", () => {
     const { TopAbs_FACE, TopAbs_SHAPE } = kernel.TopAbs_ShapeEnum;
     for (const name of names) {
       const text = kernel.BRepToolsWrapper.Write(solidMakers(kernel)[name]());
@@ -160,6 +160,21 @@ describe("a solid made by the kernel", () => {
 });
 
 describe("a file", () => {
+  test("of STEP has names and colours: those of faces, else that of the solid", async () => {
+    const [red, grey] = [
+      [0.8, 0.1, 0.2],
+      [0.5, 0.5, 0.5],
+    ] as const;
+    const step = stepFile([
+      boxSolid("K\\X\\F6rper", [0, 0, 0], [1, 2, 3], { color: grey, colors: [undefined, red] }),
+    ]);
+    const { faces, solids } = await read("step", step);
+    expect(solids.map(({ name }) => name)).toEqual(["Körper"]);
+    faces.forEach(({ color }, f) => {
+      (f === 1 ? red : grey).forEach((part, i) => expect(color?.[i]).toBeCloseTo(part, 12));
+    });
+  });
+
   test("of BREP needs no kernel, also in the format's first version", async () => {
     const never = () => Promise.reject(new Error("loaded"));
     const model = await readTrimmedModel(never, { format: "brep", bytes: plate, fileName: "plate.brep" });

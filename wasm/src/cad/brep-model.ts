@@ -99,7 +99,7 @@ class ModelBuilder {
       const faces = this.#facesOf({ shape: use.shape, location, isReversed: turned });
       const solid = this.#solids.length;
       const missingFaces = faces.filter((face) => !this.#addFace(face, solid)).length;
-      this.#solids.push({ isSolid: shape.kind === "solid", missingFaces });
+      this.#solids.push({ isSolid: shape.kind === "solid", name: "", missingFaces });
     }
   }
 
@@ -161,7 +161,15 @@ class ModelBuilder {
     );
     const loops = wires.flatMap(chainedLoops);
     if (loops.length === 0) throw new Indescribable("it has no edges");
-    return { surface, reversed: placed.isReversed, loops, solid, otherSolid: undefined };
+    return {
+      surface,
+      reversed: placed.isReversed,
+      loops,
+      solid,
+      otherSolid: undefined,
+      name: "",
+      color: undefined,
+    };
   }
 
   #coedges(wire: Placed, place: Place): EndedCoedge[] {

@@ -4,6 +4,7 @@
  * ourselves; so BREP files need no kernel. docs/CAD.md says why.
  */
 import { trimmedModelOfBrep } from "./brep-model.js";
+import { withLooks } from "./step-looks.js";
 import { CadFileError, type TrimmedModel } from "./trimmed-model.js";
 
 /** An object in the kernel's memory, which must be freed. */
@@ -86,7 +87,8 @@ export async function readTrimmedModel(
     if (shape.IsNull()) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
     return loaded.BRepToolsWrapper.Write(sharesFaces ? fused(loaded, shape, fileName, hold) : shape);
   }, fileName);
-  return trimmedModelOfBrep(text, fileName);
+  const model = trimmedModelOfBrep(text, fileName);
+  return format === "step" ? withLooks(model, textOf(bytes)) : model;
 }
 
 const CANNOT_READ = "OpenCascade cannot read the file";

@@ -4,6 +4,7 @@
  * are those of OpenCascade and of STEP. Angles are in radians, lengths in millimetres; BREP files have no unit.
  */
 import type { Vector } from "../base/vectors.js";
+import type { CadColor } from "./protocol.js";
 
 export type PlaneVector = readonly [number, number];
 
@@ -114,11 +115,17 @@ export interface TrimmedFace {
   readonly solid: number;
   /** The solid before it, if two solids share the face. */
   readonly otherSolid: number | undefined;
+  /** Empty if the file has none. */
+  readonly name: string;
+  /** Its own, or that of its solid. */
+  readonly color: CadColor | undefined;
 }
 
 /** A solid, or faces that bound none. */
 export interface TrimmedSolid {
   readonly isSolid: boolean;
+  /** Empty if the file has none. */
+  readonly name: string;
   /** Number of its faces that are not among the faces of the model, because their surface cannot be described. */
   readonly missingFaces: number;
 }
