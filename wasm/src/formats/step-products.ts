@@ -4,6 +4,7 @@
  * (ISO 10303-44), in the order of the file, and then compared with the solids that OpenCascade has read.
  */
 import { PAUSE, STEP, type Steps } from "../base/steps.js";
+import { plainText } from "../cad/step-strings.js";
 import { INSTANCE } from "./step-text.js";
 import { textOf } from "./text-bytes.js";
 
@@ -134,22 +135,6 @@ function push(lists: Map<string, string[]>, key: string, value: string): void {
   if (list === undefined) lists.set(key, [value]);
   else list.push(value);
 }
-
-/** Returns a text of a STEP file without its escapes: quotes, and characters outside of ASCII (ISO 10303-21, 6.4.3). */
-function plainText(text: string): string {
-  const decoded = (hex: string, digits: number) =>
-    (hex.match(new RegExp(`.{${digits}}`, "g")) ?? []).map((code) => codePoint(parseInt(code, 16))).join("");
-  return text
-    .replaceAll("''", "'")
-    .replace(/\\X2\\([\dA-F]*)\\X0\\/gi, (_, hex: string) => decoded(hex, 4))
-    .replace(/\\X4\\([\dA-F]*)\\X0\\/gi, (_, hex: string) => decoded(hex, 8))
-    .replace(/\\X\\([\dA-F]{2})/gi, (_, hex: string) => decoded(hex, 2))
-    .replace(/\\S\\(.)/g, (_, letter: string) => codePoint(letter.charCodeAt(0) + 128))
-    .replaceAll("\\\\", "\\")
-    .trim();
-}
-
-const codePoint = (code: number) => (code <= 0x10ffff ? String.fromCodePoint(code) : "\ufffd");
 
 /**
  * Returns the product of each solid that was read; undefined where it cannot be known. `faces`: their numbers of faces. If they are

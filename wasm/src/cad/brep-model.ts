@@ -1,0 +1,335 @@
+/**
+ * Describes the shape of a BREP file as trimmed surfaces. A BREP file contains all that the kernel knows: surfaces, curves in
+ * space and in the plane, tolerances; so it is also how the kernel hands out shapes of other files.
+ */
+import { dot, minus, type Vector } from "../base/vectors.js";
+import { curveOver, placedCurve, PLANE, SPACE, surfaceOver } from "./brep-geometry.js";
+import { keyOf, type Location, NOWHERE, product } from "./brep-locations.js";
+import {
+  type BrepShape,
+  type BrepTables,
+  type CurveOnSurface,
+  type EdgeShape,
+  type FaceShape,
+  readTables,
+  type Use,
+  type VertexShape,
+} from "./brep-shape-table.js";
+import { BrepWords } from "./brep-words.js";
+import { chainedLoops, type EndedCoedge } from "./coedge-loops.js";
+import { boundsOf, endsOf, reparameterized } from "./plane-curves.js";
+import {
+  CadFileError,
+  type FaceSurface,
+  type Frame,
+  type PlaneCurve,
+  type PlaneVector,
+  type SpaceCurve,
+  type TrimmedEdge,
+  type TrimmedFace,
+  type TrimmedModel,
+  type TrimmedSolid,
+} from "./trimmed-model.js";
+
+/** Shapes within shapes; more is a damaged file. */
+const MAX_DEPTH = 100;
+
+/** Reads the text of a BREP file. Throws a CadFileError if it is damaged or has no faces. */
+export function trimmedModelOfBrep(text: string, fileName: string): TrimmedModel {
+  const tables = readTables(new BrepWords(text, fileName), text);
+  const model = new ModelBuilder(tables).model();
+  if (model.faces.length > 0) return model;
+  const reasons = model.notes.map((note) => ` (${note})`).join("");
+  throw new CadFileError(
+    fileName,
+    `the file contains no faces that can be described${reasons}`,
+    "Export the part as solids.",
+  );
+}
+
+/** A use of a shape where it is in the whole: locations and orientations of all uses above it included. */
+interface Placed {
+  readonly shape: number;
+  readonly location: Location;
+  readonly isReversed: boolean;
+}
+
+/** Thrown where a face cannot be described; its message ends a sentence. */
+class Indescribable extends Error {}
+
+class ModelBuilder {
+  readonly #tables: BrepTables;
+  readonly #vertices: number[] = [];
+  readonly #curves: SpaceCurve[] = [];
+  readonly #surfaces: FaceSurface[] = [];
+  readonly #edges: TrimmedEdge[] = [];
+  readonly #faces: TrimmedFace[] = [];
+  readonly #solids: TrimmedSolid[] = [];
+  readonly #reasons = new Map<string, number>();
+  readonly #known = new Map<string, number>();
+
+  constructor(tables: BrepTables) {
+    this.#tables = tables;
+  }
+
+  model(): TrimmedModel {
+    this.#addSolids(this.#tables.root, NOWHERE, false, 0);
+    return {
+      vertices: Float64Array.from(this.#vertices),
+      curves: this.#curves,
+      surfaces: this.#surfaces,
+      edges: this.#edges,
+      faces: this.#faces,
+      solids: this.#solids,
+      notes: Array.from(
+        this.#reasons,
+        ([reason, count]) => `${count} ${count === 1 ? "face" : "faces"}: ${reason}`,
+      ),
+    };
+  }
+
+  #addSolids(use: Use, above: Location, isReversed: boolean, depth: number): void {
+    if (depth > MAX_DEPTH) return;
+    const location = product(above, use.location);
+    const turned = isReversed !== (use.orientation === "reversed");
+    const shape = this.#shape(use.shape);
+    if (shape.kind === "group")
+      for (const one of shape.uses) this.#addSolids(one, location, turned, depth + 1);
+    else if (shape.kind === "solid" || shape.kind === "shell" || shape.kind === "face") {
+      const faces = this.#facesOf({ shape: use.shape, location, isReversed: turned });
+      const solid = this.#solids.length;
+      const missingFaces = faces.filter((face) => !this.#addFace(face, solid)).length;
+      this.#solids.push({ isSolid: shape.kind === "solid", name: "", missingFaces });
+    }
+  }
+
+  #shape(index: number): BrepShape {
+    return this.#tables.shapes[index] ?? { kind: "group", uses: [] };
+  }
+
+  /** Returns the faces of a solid, a shell or a face. Faces inside of a solid that bound nothing are left out. */
+  #facesOf(placed: Placed): Placed[] {
+    const shape = this.#shape(placed.shape);
+    if (shape.kind === "face") return [placed];
+    if (shape.kind !== "solid" && shape.kind !== "shell") return [];
+    return shape.uses.flatMap((use) => {
+      if (use.orientation === "internal" || use.orientation === "external") {
+        this.#note("it lies inside of a solid and bounds nothing");
+        return [];
+      }
+      return this.#facesOf(placedUse(placed, use));
+    });
+  }
+
+  #note(reason: string): void {
+    this.#reasons.set(reason, (this.#reasons.get(reason) ?? 0) + 1);
+  }
+
+  /** Returns whether the face could be described. */
+  #addFace(placed: Placed, solid: number): boolean {
+    const key = `face ${placed.shape} ${keyOf(placed.location)}`;
+    const known = this.#known.get(key);
+    const other = known === undefined ? undefined : this.#faces[known];
+    if (known !== undefined && other !== undefined) {
+      if (other.otherSolid === undefined && other.reversed !== placed.isReversed)
+        this.#faces[known] = { ...other, otherSolid: solid };
+      else this.#note("more than two solids, or two on the same side, share it");
+      return true;
+    }
+    try {
+      this.#faces.push(this.#face(placed, solid));
+      this.#known.set(key, this.#faces.length - 1);
+      return true;
+    } catch (failure) {
+      if (!(failure instanceof Indescribable)) throw failure;
+      this.#note(failure.message);
+      return false;
+    }
+  }
+
+  #face(placed: Placed, solid: number): TrimmedFace {
+    const shape = this.#shape(placed.shape) as FaceShape;
+    if (shape.surface === undefined) throw new Indescribable("it has triangles only");
+    const place = { surface: shape.surface, location: product(placed.location, shape.location) };
+    // The face's own orientation tells where the solid is; its loops are those of the surface.
+    const inFace = { ...placed, isReversed: false };
+    const wires = shape.uses.map((use) => this.#coedges(placedUse(inFace, use), place));
+    const coedges = wires.flat();
+    const surface = this.#surface(
+      place,
+      coedges.map(({ inPlane, range }) => boundsOf(inPlane, range)),
+    );
+    const loops = wires.flatMap(chainedLoops);
+    if (loops.length === 0) throw new Indescribable("it has no edges");
+    return {
+      surface,
+      reversed: placed.isReversed,
+      loops,
+      solid,
+      otherSolid: undefined,
+      name: "",
+      color: undefined,
+    };
+  }
+
+  #coedges(wire: Placed, place: Place): EndedCoedge[] {
+    const shape = this.#shape(wire.shape);
+    if (shape.kind !== "wire") return [];
+    const used = shape.uses.filter(
+      ({ orientation }) => orientation === "forward" || orientation === "reversed",
+    );
+    return used.flatMap((use) => {
+      const placed = placedUse(wire, use);
+      const edge = this.#shape(placed.shape);
+      return edge.kind === "edge" ? [this.#coedge(edge, placed, place)] : [];
+    });
+  }
+
+  #coedge(shape: EdgeShape, placed: Placed, place: Place): EndedCoedge {
+    const edge = this.#edge(shape, placed);
+    const { first, last, start, end } = this.#edges[edge] as TrimmedEdge;
+    const range: PlaneVector = [first, last];
+    const inPlane = this.#planeCurve(shape, placed, place, range);
+    const ends = endsOf(inPlane, range);
+    const reversed = placed.isReversed;
+    return {
+      coedge: { edge, reversed, inPlane },
+      inPlane,
+      range,
+      from: { vertex: reversed ? end : start, at: reversed ? ends[1] : ends[0] },
+      to: { vertex: reversed ? start : end, at: reversed ? ends[0] : ends[1] },
+    };
+  }
+
+  #edge(shape: EdgeShape, { shape: index, location }: Placed): number {
+    return this.#once(`edge ${index} ${keyOf(location)}`, () => {
+      const { curve, isDegenerate, onSurfaces } = shape;
+      const range = isDegenerate ? onSurfaces[0] : curve;
+      if (range === undefined) throw new Indescribable("an edge of it has no curve in space");
+      const { first, last } = range;
+      if (!(last > first)) throw new Indescribable("an edge of it has no length in its parameter");
+      const vertexAt = (orientation: Use["orientation"]) => {
+        const use = shape.uses.find((one) => one.orientation === orientation);
+        if (use === undefined) throw new Indescribable("an edge of it has no ends");
+        return this.#vertex(use, location);
+      };
+      const made = isDegenerate || curve === undefined ? undefined : this.#curve(curve, location);
+      const [start, end] = [vertexAt("forward"), vertexAt("reversed")];
+      this.#edges.push({ curve: made, first, last, start, end, tolerance: shape.tolerance });
+      return this.#edges.length - 1;
+    });
+  }
+
+  #vertex(use: Use, above: Location): number {
+    const location = product(above, use.location);
+    return this.#once(`vertex ${use.shape} ${keyOf(location)}`, () => {
+      const { position } = this.#shape(use.shape) as VertexShape;
+      this.#vertices.push(...this.#tables.locations.placing(location).point(position));
+      return this.#vertices.length / 3 - 1;
+    });
+  }
+
+  #curve({ curve, location, first, last }: NonNullable<EdgeShape["curve"]>, above: Location): number {
+    const where = product(above, location);
+    const stored = this.#tables.curves[curve];
+    if (stored === undefined) throw new Indescribable("an edge of it has no curve in space");
+    const isFixed = stored.kind === "line" || stored.kind === "circle" || stored.kind === "ellipse";
+    return this.#once(`curve ${curve} ${keyOf(where)} ${isFixed ? "" : `${first} ${last}`}`, () => {
+      const made = curveOver(stored, [first, last], SPACE);
+      if (made.kind === "other") throw new Indescribable(`an edge of it is ${made.name}`);
+      this.#curves.push(placedCurve(made, this.#tables.locations.placing(where)));
+      return this.#curves.length - 1;
+    });
+  }
+
+  /** Returns an edge in the plane of a surface; on a plane, files need not contain it. */
+  #planeCurve(shape: EdgeShape, placed: Placed, place: Place, range: PlaneVector): PlaneCurve {
+    const key = keyOf(place.location);
+    const found = shape.onSurfaces.find(
+      ({ surface, location }) =>
+        surface === place.surface && keyOf(product(placed.location, location)) === key,
+    );
+    if (found === undefined) return this.#projected(shape, placed, place, range);
+    return this.#storedPlaneCurve(found, placed.isReversed, range);
+  }
+
+  #storedPlaneCurve(found: CurveOnSurface, isReversed: boolean, range: PlaneVector): PlaneCurve {
+    const stored = this.#tables.planeCurves[isReversed ? found.backward : found.curve];
+    if (stored === undefined) throw new Indescribable("an edge of it has no curve in the plane");
+    const own: PlaneVector = [found.first, found.last];
+    const made = curveOver(stored, own, PLANE);
+    if (made.kind === "other") throw new Indescribable(`an edge of it is ${made.name} in the plane`);
+    const result = reparameterized(made, own, range);
+    if (result === undefined)
+      throw new Indescribable("an edge of it has different parameters in space and in the plane");
+    return result;
+  }
+
+  #projected(shape: EdgeShape, placed: Placed, place: Place, range: PlaneVector): PlaneCurve {
+    const surface = this.#tables.surfaces[place.surface];
+    if (surface?.kind !== "plane" || shape.curve === undefined)
+      throw new Indescribable("an edge of it has no curve in the plane");
+    const stored = this.#tables.curves[shape.curve.curve];
+    const made = stored && curveOver(stored, range, SPACE);
+    if (made === undefined || made.kind === "other")
+      throw new Indescribable("an edge of it has no curve in the plane");
+    const { locations } = this.#tables;
+    const curve = placedCurve(made, locations.placing(product(placed.location, shape.curve.location)));
+    return projectedCurve(curve, locations.placing(place.location).frame(surface.frame));
+  }
+
+  #surface(place: Place, bounds: readonly (readonly [PlaneVector, PlaneVector])[]): number {
+    const stored = this.#tables.surfaces[place.surface];
+    if (stored === undefined) throw new Indescribable("it has no surface");
+    const over = (d: 0 | 1): PlaneVector => [
+      Math.min(...bounds.map(([low]) => low[d])),
+      Math.max(...bounds.map(([, high]) => high[d])),
+    ];
+    const [u, v] = [over(0), over(1)];
+    const isFixed = !["stored", "extrusion", "revolution"].includes(stored.kind);
+    const key = `surface ${place.surface} ${keyOf(place.location)} ${isFixed ? "" : `${u.join()} ${v.join()}`}`;
+    return this.#once(key, () => {
+      const made = surfaceOver(stored, u, v, this.#tables.locations.placing(place.location));
+      if (made.kind === "other") throw new Indescribable(`its surface is ${made.name}`);
+      this.#surfaces.push(made);
+      return this.#surfaces.length - 1;
+    });
+  }
+
+  #once(key: string, make: () => number): number {
+    const known = this.#known.get(key);
+    if (known !== undefined) return known;
+    const made = make();
+    this.#known.set(key, made);
+    return made;
+  }
+}
+
+/** A surface where it is in the whole. */
+interface Place {
+  readonly surface: number;
+  readonly location: Location;
+}
+
+function placedUse(above: Placed, use: Use): Placed {
+  return {
+    shape: use.shape,
+    location: product(above.location, use.location),
+    isReversed: above.isReversed !== (use.orientation === "reversed"),
+  };
+}
+
+/** Returns a curve of a plane in the plane's coordinates, with the same parameter. */
+function projectedCurve(curve: SpaceCurve, { origin, x, y }: Frame): PlaneCurve {
+  const vector = (a: Vector): PlaneVector => [dot(a, x), dot(a, y)];
+  const point = (a: Vector): PlaneVector => vector(minus(a, origin));
+  if (curve.kind !== "spline") {
+    const { frame } = curve;
+    return { ...curve, frame: { origin: point(frame.origin), x: vector(frame.x), y: vector(frame.y) } };
+  }
+  const { poles } = curve.spline;
+  const flat = new Float64Array((poles.length / 3) * 2);
+  for (let p = 0; p < poles.length / 3; p++)
+    flat.set(point([poles[3 * p] ?? 0, poles[3 * p + 1] ?? 0, poles[3 * p + 2] ?? 0]), 2 * p);
+  return { kind: "spline", spline: { ...curve.spline, poles: flat } };
+}

@@ -1,0 +1,151 @@
+/**
+ * Reads the true shapes of STEP and BREP files. The kernel is `replicad-opencascadejs`: OpenCascade in WebAssembly with the
+ * kernel's own classes. It reads a STEP file and hands out the shape as the text of a BREP file, which we read
+ * ourselves; so BREP files need no kernel. docs/CAD.md says why.
+ */
+import { trimmedModelOfBrep } from "./brep-model.js";
+import { withLooks } from "./step-looks.js";
+import { CadFileError, type TrimmedModel } from "./trimmed-model.js";
+
+/** An object in the kernel's memory, which must be freed. */
+interface Held {
+  delete(): void;
+}
+
+/** An entry of one of the kernel's enumerations. */
+type EnumEntry = string & { readonly isEnumEntry: true };
+
+type Shape = Held & { IsNull(): boolean };
+
+interface StepReader extends Held {
+  ReadFile(path: string): EnumEntry;
+  TransferRoots(progress: Held): number;
+  OneShape(): Shape;
+}
+
+interface ShapeList extends Held {
+  Append(shape: Shape): Held | undefined;
+}
+
+interface Explorer extends Held {
+  More(): boolean;
+  Next(): void;
+  Current(): Shape;
+}
+
+interface GeneralFuse extends Held {
+  SetArguments(shapes: ShapeList): void;
+  SetNonDestructive(isOn: boolean): void;
+  SetGlue(glue: EnumEntry): void;
+  Build(progress: Held): void;
+  HasErrors(): boolean;
+  Shape(): Shape;
+}
+
+/** The part of the kernel that is used here. */
+export interface CadKernel {
+  readonly FS: {
+    writeFile(path: string, bytes: Uint8Array): void;
+    unlink(path: string): void;
+  };
+  readonly IFSelect_ReturnStatus: { readonly IFSelect_RetDone: EnumEntry };
+  readonly TopAbs_ShapeEnum: { readonly TopAbs_SOLID: EnumEntry; readonly TopAbs_SHAPE: EnumEntry };
+  readonly BOPAlgo_GlueEnum: { readonly BOPAlgo_GlueOff: EnumEntry };
+  readonly Message_ProgressRange: new () => Held;
+  readonly STEPControl_Reader: new () => StepReader;
+  readonly NCollection_List_TopoDS_Shape: new () => ShapeList;
+  readonly TopExp_Explorer: new (shape: Shape, find: EnumEntry, avoid: EnumEntry) => Explorer;
+  readonly BRepAlgoAPI_BuilderAlgo: new () => GeneralFuse;
+  readonly BRepToolsWrapper: { Write(shape: Shape): string; Read(text: string): Shape };
+}
+
+export interface ModelRequest {
+  readonly format: "step" | "brep";
+  readonly bytes: Uint8Array;
+  /** Begins the messages of errors. */
+  readonly fileName: string;
+  /** Whether faces that two solids share, or parts of faces, become one: the kernel's general fuse, which takes seconds. */
+  readonly sharesFaces?: boolean;
+}
+
+const PATH = "/part";
+
+/**
+ * Reads a file as a model of trimmed surfaces, in millimetres; BREP files have no unit. `kernel` is loaded only if it is needed.
+ * Throws a CadFileError if the file cannot be read; then the kernel must not be used again.
+ */
+export async function readTrimmedModel(
+  kernel: () => Promise<CadKernel>,
+  { format, bytes, fileName, sharesFaces = false }: ModelRequest,
+): Promise<TrimmedModel> {
+  if (format === "brep" && !sharesFaces) return trimmedModelOfBrep(textOf(bytes), fileName);
+  const loaded = await kernel();
+  const text = withHeld((hold) => {
+    const shape = hold(
+      format === "brep" ? loaded.BRepToolsWrapper.Read(textOf(bytes)) : stepShape(loaded, bytes, hold),
+    );
+    if (shape.IsNull()) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
+    return loaded.BRepToolsWrapper.Write(sharesFaces ? fused(loaded, shape, fileName, hold) : shape);
+  }, fileName);
+  const model = trimmedModelOfBrep(text, fileName);
+  return format === "step" ? withLooks(model, textOf(bytes)) : model;
+}
+
+const CANNOT_READ = "OpenCascade cannot read the file";
+const REMEDY = "Export the part again, or in another format; the file is damaged.";
+
+const textOf = (bytes: Uint8Array): string => new TextDecoder("latin1").decode(bytes);
+
+type Hold = <Kept extends Held>(object: Kept) => Kept;
+
+/** Runs a task; all objects that it holds are freed at its end. Exceptions of the kernel become errors. */
+function withHeld<Result>(task: (hold: Hold) => Result, fileName: string): Result {
+  const held: Held[] = [];
+  const hold: Hold = (object) => {
+    held.push(object);
+    return object;
+  };
+  try {
+    return task(hold);
+  } catch (failure) {
+    if (failure instanceof CadFileError) throw failure;
+    const cause = failure instanceof Error ? ` (${failure.message})` : "";
+    throw new CadFileError(fileName, `OpenCascade ended with an error in the file${cause}`, REMEDY);
+  } finally {
+    for (const object of held.toReversed()) object.delete();
+  }
+}
+
+function stepShape(kernel: CadKernel, bytes: Uint8Array, hold: Hold): Shape {
+  kernel.FS.writeFile(PATH, bytes);
+  try {
+    const reader = hold(new kernel.STEPControl_Reader());
+    if (reader.ReadFile(PATH) === kernel.IFSelect_ReturnStatus.IFSelect_RetDone)
+      reader.TransferRoots(hold(new kernel.Message_ProgressRange()));
+    return reader.OneShape();
+  } finally {
+    kernel.FS.unlink(PATH);
+  }
+}
+
+/** Returns the solids of a shape cut along each other, so that common parts of their faces are one face. */
+function fused(kernel: CadKernel, shape: Shape, fileName: string, hold: Hold): Shape {
+  const { TopAbs_SOLID, TopAbs_SHAPE } = kernel.TopAbs_ShapeEnum;
+  const explorer = hold(new kernel.TopExp_Explorer(shape, TopAbs_SOLID, TopAbs_SHAPE));
+  const solids = hold(new kernel.NCollection_List_TopoDS_Shape());
+  let count = 0;
+  for (; explorer.More(); explorer.Next(), count++) {
+    // The list has a copy of its own.
+    const added = solids.Append(hold(explorer.Current()));
+    if (added !== undefined) hold(added);
+  }
+  if (count < 2) return shape;
+  const fuse = hold(new kernel.BRepAlgoAPI_BuilderAlgo());
+  fuse.SetArguments(solids);
+  fuse.SetNonDestructive(true);
+  fuse.SetGlue(kernel.BOPAlgo_GlueEnum.BOPAlgo_GlueOff);
+  fuse.Build(hold(new kernel.Message_ProgressRange()));
+  const message = "OpenCascade cannot find the faces that its solids share";
+  if (fuse.HasErrors()) throw new CadFileError(fileName, message, "Read the file without shared faces.");
+  return hold(fuse.Shape());
+}
