@@ -70,9 +70,10 @@ enum class SurfaceKind : std::uint8_t {
   kSphere = 3,  ///< origin + radius cos v (cos u x + sin u y) + radius sin v z
   /// origin + (radius + minorRadius cos v) (cos u x + sin u y) + minorRadius sin v z
   kTorus = 4,
-  kBSpline = 5,     ///< see SplineSurface
-  kExtrusion = 6,   ///< profile(u) + v z
-  kRevolution = 7,  ///< profile(v), turned by u about the axis through the origin along z, from x to y
+  kBSpline = 5,    ///< see SplineSurface
+  kExtrusion = 6,  ///< profile(u) + v z
+  kRevolution =
+      7,  ///< profile(v), turned by u about the axis through the origin along z, from x to y
 };
 
 /// A B-spline surface, or a NURBS if it has weights. Knots are as in SplineCurve; pole (i, j), the i-th in the direction
@@ -131,10 +132,11 @@ struct TrimmedFace {
   /// True if dS/du x dS/dv points into the solid.
   bool reversed = false;
   std::vector<std::vector<Coedge>> loops;
-  std::uint32_t solid = 0;            ///< index of the solid behind the face
-  std::uint32_t otherSolid = kNone;   ///< index of the solid before it, for a face that two solids share
-  std::uint32_t name = kNone;         ///< index into names that the caller keeps
-  std::uint32_t colour = kNone;       ///< 0xRRGGBB
+  std::uint32_t solid = 0;  ///< index of the solid behind the face
+  std::uint32_t otherSolid =
+      kNone;                     ///< index of the solid before it, for a face that two solids share
+  std::uint32_t name = kNone;    ///< index into names that the caller keeps
+  std::uint32_t colour = kNone;  ///< 0xRRGGBB
 };
 
 struct TrimmedModel {
