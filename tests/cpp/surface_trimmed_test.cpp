@@ -29,7 +29,7 @@ Vec3 nodeOf(const SurfaceMesh& mesh, std::size_t node) {
 }
 
 /// Divergence theorem: positive if the triangles face outward.
-double enclosedVolume(const SurfaceMesh& mesh) {
+double volumeInside(const SurfaceMesh& mesh) {
   double sum = 0.0;
   for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
     const Vec3 a = nodeOf(mesh, mesh.triangles[t]);
@@ -59,7 +59,7 @@ TEST(TrimmedSurface, EverySolidIsWatertightOnItsSurfaces) {
       EXPECT_EQ(found.nonManifoldEdges, 0U);
       EXPECT_EQ(found.eulerCharacteristic(), solid.eulerCharacteristic);
       EXPECT_LT(distanceFromSurfaces(solid, mesh), 1e-9);
-      EXPECT_GT(enclosedVolume(mesh), 0.0);
+      EXPECT_GT(volumeInside(mesh), 0.0);
       if (size == 0.1) {
         EXPECT_GT(found.minAngle, 25.0);
         EXPECT_GT(found.meanRadiusRatio, 0.93);
@@ -81,9 +81,9 @@ TEST(TrimmedSurface, AreaAndVolumeConvergeAtSecondOrder) {
     SCOPED_TRACE(solid.name);
     EXPECT_LT(std::fabs(areaOf(fine) - solid.area),
               std::fabs(areaOf(coarse) - solid.area) / factor + 1e-11);
-    EXPECT_LT(std::fabs(enclosedVolume(fine) - solid.volume),
-              std::fabs(enclosedVolume(coarse) - solid.volume) / factor + 1e-11);
-    EXPECT_NEAR(enclosedVolume(fine), solid.volume, 4e-3 * solid.volume);
+    EXPECT_LT(std::fabs(volumeInside(fine) - solid.volume),
+              std::fabs(volumeInside(coarse) - solid.volume) / factor + 1e-11);
+    EXPECT_NEAR(volumeInside(fine), solid.volume, 4e-3 * solid.volume);
   }
 }
 

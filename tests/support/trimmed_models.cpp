@@ -13,7 +13,7 @@ constexpr Vec3 kX(1.0, 0.0, 0.0);
 constexpr Vec3 kY(0.0, 1.0, 0.0);
 constexpr Vec3 kZ(0.0, 0.0, 1.0);
 
-class ModelBuilder {
+class TrimmedBuilder {
  public:
   std::uint32_t vertex(const Vec3& position) { return add(model.vertices, position); }
   std::uint32_t edge(SpaceCurve curve, double first, double last, std::uint32_t start,
@@ -102,7 +102,7 @@ struct BoxEdges {
   std::array<std::uint32_t, 4> upright{};
 };
 
-BoxEdges addBoxSides(ModelBuilder& builder, const Vec3& low, const Vec3& high) {
+BoxEdges addBoxSides(TrimmedBuilder& builder, const Vec3& low, const Vec3& high) {
   std::array<std::uint32_t, 4> below{};
   std::array<std::uint32_t, 4> above{};
   const std::array<Vec2, 4> corners{
@@ -210,7 +210,7 @@ struct Cubic {
 }  // namespace
 
 TrimmedSolid trimmedBox(const Vec3& low, const Vec3& high) {
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const BoxEdges edges = addBoxSides(builder, low, high);
   builder.face(planeAt(low), true, {loopOf(edges.bottom)});
   builder.face(planeAt(high), false, {loopOf(edges.top)});
@@ -224,7 +224,7 @@ TrimmedSolid trimmedBox(const Vec3& low, const Vec3& high) {
 }
 
 TrimmedSolid trimmedCylinder(double radius, double height) {
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const std::uint32_t a = builder.vertex({radius, 0.0, 0.0});
   const std::uint32_t b = builder.vertex({radius, 0.0, height});
   const std::uint32_t bottom = builder.edge(circle({}, radius), 0.0, 2.0 * kPi, a, a);
@@ -244,7 +244,7 @@ TrimmedSolid trimmedCylinder(double radius, double height) {
 }
 
 TrimmedSolid trimmedCone(double bottom, double top, double height) {
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const bool hasApex = top == 0.0;
   const double slant = std::hypot(bottom - top, height);
   const std::uint32_t a = builder.vertex({bottom, 0.0, 0.0});
@@ -273,7 +273,7 @@ TrimmedSolid trimmedCone(double bottom, double top, double height) {
                       },
                       fromPlane(2, 0.0)}};
   if (!hasApex) {
-    ModelBuilder closing;
+    TrimmedBuilder closing;
     closing.model = solid.model;
     closing.face(planeAt(height * kZ), false, {{{rim, false, circleInPlane(top)}}});
     solid.model = closing.model;
@@ -283,7 +283,7 @@ TrimmedSolid trimmedCone(double bottom, double top, double height) {
 }
 
 TrimmedSolid trimmedSphere(double radius) {
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const std::uint32_t south = builder.vertex({0.0, 0.0, -radius});
   const std::uint32_t north = builder.vertex({0.0, 0.0, radius});
   const std::uint32_t seam =
@@ -301,7 +301,7 @@ TrimmedSolid trimmedSphere(double radius) {
 }
 
 TrimmedSolid trimmedTorus(double radius, double minorRadius) {
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const std::uint32_t vertex = builder.vertex({radius + minorRadius, 0.0, 0.0});
   const std::uint32_t around =
       builder.edge(circle({}, radius + minorRadius), 0.0, 2.0 * kPi, vertex, vertex);
@@ -321,7 +321,7 @@ TrimmedSolid trimmedTorus(double radius, double minorRadius) {
 }
 
 TrimmedSolid trimmedPlate(double width, double thickness, double holeRadius) {
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const Vec3 low(-0.5 * width, -0.5 * width, 0.0);
   const Vec3 high(0.5 * width, 0.5 * width, thickness);
   const BoxEdges edges = addBoxSides(builder, low, high);
@@ -351,7 +351,7 @@ TrimmedSolid trimmedPlate(double width, double thickness, double holeRadius) {
 }
 
 TrimmedSolid nurbsCylinder(double radius, double height) {
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const ArcSpline turn = arcSpline(4, 0.0);
   const std::uint32_t a = builder.vertex({radius, 0.0, 0.0});
   const std::uint32_t b = builder.vertex({radius, 0.0, height});
@@ -381,7 +381,7 @@ TrimmedSolid nurbsCylinder(double radius, double height) {
 }
 
 TrimmedSolid nurbsSphere(double radius) {
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const ArcSpline turn = arcSpline(4, 0.0);
   const ArcSpline half = arcSpline(2, -0.5 * kPi);
   const std::uint32_t south = builder.vertex({0.0, 0.0, -radius});
@@ -413,7 +413,7 @@ TrimmedSolid nurbsSphere(double radius) {
 
 TrimmedSolid extrudedProfile(double height) {
   const Cubic arch{{0.0, 0.9, 0.5, 0.0}};
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const std::uint32_t a = builder.vertex({});
   const std::uint32_t b = builder.vertex(kX);
   const std::uint32_t c = builder.vertex(height * kZ);
@@ -452,7 +452,7 @@ TrimmedSolid extrudedProfile(double height) {
 
 TrimmedSolid revolvedProfile() {
   const Cubic r{{0.5, 0.9, 0.1, 0.4}};
-  ModelBuilder builder;
+  TrimmedBuilder builder;
   const std::uint32_t a = builder.vertex({r.b[0], 0.0, 0.0});
   const std::uint32_t b = builder.vertex({r.b[3], 0.0, 1.0});
   const std::uint32_t bottom = builder.edge(circle({}, r.b[0]), 0.0, 2.0 * kPi, a, a);
