@@ -32,7 +32,7 @@ SineCosine sineCosine(double angle) {
   const double quarters = std::floor(angle / kQuarter + 0.5);
   const double rest = (angle - quarters * kQuarterHigh) - quarters * kQuarterLow;
   const auto [sine, cosine] = ofSmallAngle(rest);
-  switch (static_cast<int>(quarters) % 4) {
+  switch (static_cast<int>(quarters) & 3) {
     case 0:
       return {sine, cosine};
     case 1:

@@ -12,7 +12,8 @@ struct SineCosine {
   double cosine = 1.0;
 };
 
-/// Returns both functions of an angle in radians, 0 to 2 pi; each error is below 2e-16.
+/// Returns both functions of an angle in radians; from -2 pi to 4 pi, each error is below 2e-15, and from 0 to 2 pi
+/// below 2e-16. The magnitude of the angle must be below 1e9.
 [[nodiscard]] SineCosine sineCosine(double angle);
 
 /// Returns the angle of a direction in the plane, counter-clockwise from the x axis, in radians: 0

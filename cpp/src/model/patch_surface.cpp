@@ -90,8 +90,8 @@ PatchSurface::Surface PatchSurface::makeSurface(const ResolvedModel& model, cons
 }
 
 SurfacePoint PatchSurface::evaluate(const Vec2& plane) const {
-  const PlanarSurface* flat = planar();
-  SurfacePoint point = flat != nullptr ? flat->evaluate(plane) : mapped()->evaluate(plane);
+  SurfacePoint point =
+      std::visit([&](const auto& surface) { return surface.evaluate(plane); }, surface_);
   flat_.settle(point.position);
   flat_.settleDirection(point.alongXi);
   flat_.settleDirection(point.alongEta);
@@ -111,6 +111,7 @@ bool PatchSurface::straightInPlane(std::size_t loop, std::size_t index) const {
 }
 
 Vec2 PatchSurface::clamped(const Vec2& plane) const {
+  if (const auto* face = std::get_if<FacePlane>(&surface_)) return face->clamped(plane);
   return mapped() != nullptr ? mapped()->clamped(plane) : plane;
 }
 

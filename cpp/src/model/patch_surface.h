@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/face_plane.h"
 #include "model/planar_surface.h"
 #include "model/resolved_model.h"
 #include "model/stretched_plane.h"
@@ -45,6 +46,8 @@ class PatchSurface {
  public:
   /// `patch` must be usable (checkModel()); `model` must outlive this.
   PatchSurface(const ResolvedModel& model, const Patch& patch);
+  /// Makes the surface of a trimmed face: neither planar() nor mapped(), and without lines of a drawn model.
+  explicit PatchSurface(const FacePlane& face) : surface_(face) {}
 
   [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;
 
@@ -69,11 +72,11 @@ class PatchSurface {
   }
 
  private:
-  using Surface = std::variant<PlanarSurface, MappedSurface>;
+  using Surface = std::variant<PlanarSurface, MappedSurface, FacePlane>;
   static Surface makeSurface(const ResolvedModel& model, const Patch& patch);
 
-  const ResolvedModel* model_;
-  const Patch* patch_;
+  const ResolvedModel* model_ = nullptr;
+  const Patch* patch_ = nullptr;
   Surface surface_;
   FlatAxes flat_;
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/edge_curve.h"
 #include "surface/rules.h"
 #include "surface/surface_trace.h"
 
@@ -22,14 +23,15 @@ struct Station {
   double rate;
 };
 
+template <class Line>
 class LineWalker {
  public:
-  LineWalker(const Curve& curve, const SizeField& field) : curve_(&curve), field_(&field) {}
+  LineWalker(const Line& curve, const SizeField& field) : curve_(&curve), field_(&field) {}
 
   /// Target length of a side at t.
   [[nodiscard]] double sizeAt(double t) {
     if (!field_->isStretched()) return field_->sizeAt(curve_->position(t), hint_);
-    const Curve::Sample at = curve_->sample(t);
+    const auto at = curve_->sample(t);
     const double sides =
         glm::length(field_->tensorAt(at.position, hint_).inverse() * at.derivative);
     return sides > 0.0 ? glm::length(at.derivative) / sides : field_->sizeAt(at.position, hint_);
@@ -81,13 +83,14 @@ class LineWalker {
     return {length, round};
   }
 
-  const Curve* curve_;
+  const Line* curve_;
   const SizeField* field_;
   FieldHint hint_;
 };
 
 /// Adds stations up to `to`. Halves the interval until Simpson's rule is accurate.
-void integrate(LineWalker& walker, double to, double rateTo, int depth,
+template <class Line>
+void integrate(LineWalker<Line>& walker, double to, double rateTo, int depth,
                std::vector<Station>& table) {
   const Station from = table.back();
   const double middle = 0.5 * (from.t + to);
@@ -108,7 +111,8 @@ void integrate(LineWalker& walker, double to, double rateTo, int depth,
 
 /// Returns a lower estimate of the number of sides from t to the end. Uses the lower rate of two neighbouring samples:
 /// a single sample may lie on a source whose size occurs nowhere around it.
-double minSidesFrom(LineWalker& walker, double t) {
+template <class Line>
+double minSidesFrom(LineWalker<Line>& walker, double t) {
   const double width = (1.0 - t) / kSamplesAhead;
   double before = walker.rateAt(t);
   double sides = 0.0;
@@ -122,8 +126,9 @@ double minSidesFrom(LineWalker& walker, double t) {
 
 /// Tabulates the metric length over the steps of the walk. Returns false if there are too many steps, or if one is too
 /// short to change the parameter.
-template <class Trace>
-bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& table, Trace trace) {
+template <class Line, class Trace>
+bool tabulate(LineWalker<Line>& walker, const Line& curve, std::vector<Station>& table,
+              Trace trace) {
   table.push_back({0.0, 0.0, walker.rateAt(0.0)});
   std::size_t nextKnot = 1;
   bool hasSampledAhead = false;
@@ -158,7 +163,8 @@ double estimateSides(const Station& last) {
 
 /// Returns the first station that the background grid does not cover; null if it covers all of them. The distance
 /// between stations is at most the length of a side.
-const Station* firstOutside(LineWalker& walker, const Curve& curve,
+template <class Line>
+const Station* firstOutside(LineWalker<Line>& walker, const Line& curve,
                             const std::vector<Station>& table) {
   for (const Station& station : table)
     if (!walker.covers(curve.position(station.t))) return &station;
@@ -192,11 +198,11 @@ std::vector<double> equalIncrements(const std::vector<Station>& table, std::uint
 
 }  // namespace
 
-template <class Trace>
-LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_t minSides,
+template <class Line, class Trace>
+LineDivision divideLine(const Line& curve, const SizeField& field, std::uint32_t minSides,
                         Trace trace) {
   LineDivision division;
-  LineWalker walker(curve, field);
+  LineWalker<Line> walker(curve, field);
   std::vector<Station> table;
   if (!tabulate(walker, curve, table, trace)) {
     division.status = LineDivisionStatus::kTooManySides;
@@ -220,11 +226,15 @@ template LineDivision divideLine(const Curve&, const SizeField&, std::uint32_t, 
 template LineDivision divideLine(const Curve&, const SizeField&, std::uint32_t,
                                  RecordingSurfaceTrace);
 
+template LineDivision divideLine(const EdgeCurve&, const SizeField&, std::uint32_t,
+                                 NullSurfaceTrace);
+
 LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_t minSides) {
   return divideLine(curve, field, minSides, NullSurfaceTrace{});
 }
 
-void halveSide(const Curve& curve, std::size_t side, LineDivision& division) {
+template <class Line>
+void halveSide(const Line& curve, std::size_t side, LineDivision& division) {
   const double from = division.parameters[side];
   const double to = division.parameters[side + 1];
   const double half = 0.5 * curve.length(from, to);
@@ -240,5 +250,8 @@ void halveSide(const Curve& curve, std::size_t side, LineDivision& division) {
   division.parameters.insert(division.parameters.begin() + index, t);
   division.nodes.insert(division.nodes.begin() + index, curve.position(t));
 }
+
+template void halveSide(const Curve&, std::size_t, LineDivision&);
+template void halveSide(const EdgeCurve&, std::size_t, LineDivision&);
 
 }  // namespace tetrafront

@@ -46,17 +46,18 @@ struct SideStep {
 /// Limit of the sides of one line. More of them mean that a size was mistyped.
 inline constexpr std::uint32_t kMaxSidesPerLine = 1'000'000;
 
-/// Divides `curve` so that each side is about as long as the target size at its middle. Let l be the length of the
+/// Divides `curve`, a Curve or an EdgeCurve, so that each side is about as long as the target size at its middle. Let l be the length of the
 /// line in target sizes. The number of sides is l rounded, but at least `minSides`. If it is l rounded, the length of
 /// each side differs from the target size by at most 1/3, and by at most 1/4 if there are 2 sides or more. The walk is
 /// passed to `trace`, one of those of surface_trace.h. O(sides).
-template <class Trace>
-[[nodiscard]] LineDivision divideLine(const Curve& curve, const SizeField& field,
+template <class Line, class Trace>
+[[nodiscard]] LineDivision divideLine(const Line& curve, const SizeField& field,
                                       std::uint32_t minSides, Trace trace);
 [[nodiscard]] LineDivision divideLine(const Curve& curve, const SizeField& field,
                                       std::uint32_t minSides);
 
 /// Adds a node in the middle, by arc length, of side `side`.
-void halveSide(const Curve& curve, std::size_t side, LineDivision& division);
+template <class Line>
+void halveSide(const Line& curve, std::size_t side, LineDivision& division);
 
 }  // namespace tetrafront

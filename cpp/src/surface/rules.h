@@ -40,6 +40,13 @@ inline constexpr std::uint32_t kMinSidesOfParallelLine = 2;
 /// the seam, which are the same node of the surface.
 inline constexpr std::uint32_t kMinSidesAtSeam = 6;
 
+/// Largest angle by which an edge of a trimmed face turns along one side: 60 degrees, so that a circle is a hexagon.
+inline constexpr double kMaxTurningPerSide = 1.0471975511965976;
+
+/// Growth of the size per unit of distance from an edge of a trimmed face that is divided more finely than the sizes
+/// ask for: with it, a node between the two copies of a seam rarely connects to the same node of both.
+inline constexpr double kBentEdgeGrowth = 0.25;
+
 // Sizes near short lines.
 
 /// Length of a side / length of the next line's side, below which triangles at both would have angles of less than
