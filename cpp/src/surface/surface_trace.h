@@ -21,8 +21,9 @@ struct NullSurfaceTrace {
 
   // Events, as SurfaceRecorder writes them.
   void line(LineId /*line*/, const Curve& /*curve*/) const {}
+  template <class Line>
   void station(const SideStep& /*step*/, double /*t*/, double /*lambda*/,
-               const Curve& /*curve*/) const {}
+               const Line& /*curve*/) const {}
   void divided(const LineDivision& /*division*/) const {}
   void halved(LineId /*line*/, std::uint32_t /*side*/, const LineDivision& /*division*/) const {}
   void numbered(const DividedLines& /*lines*/) const {}
