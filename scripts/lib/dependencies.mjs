@@ -34,6 +34,7 @@ const PUBLIC_HEADERS = {
   "background_grid.h": "field",
   "grid_from_mesh.h": "field",
   "model.h": "model",
+  "trimmed_model.h": "model",
   "quality_statistics.h": "quality",
   "mesh_inspection.h": "quality",
   "mesh_improvement.h": "optimize",
