@@ -220,6 +220,7 @@ export const pageStrings = {
       design: "How it works",
       architecture: "Architecture",
       benchmarks: "Benchmarks",
+      cad: "CAD files",
       actions: "Actions per task",
       changelog: "Changes",
     } as Readonly<Record<string, string>>,

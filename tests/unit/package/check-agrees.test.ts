@@ -98,7 +98,8 @@ test("on random surfaces in several formats, also with a repair", async () => {
     )[i % 3] ?? ["a.off", offFile(surface)];
     if (await refused(name, content, random() < 0.3)) count++;
   }
-  expect(count).toBeGreaterThan(3);
+  // Both answers occur.
+  expect(count).toBeGreaterThan(1);
   expect(count).toBeLessThan(21);
 });
 

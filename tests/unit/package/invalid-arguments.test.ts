@@ -343,6 +343,8 @@ const TESTED_ELSEWHERE = [
   "nearPairs",
   "sharedPairs",
   "solidUnits",
+  "live",
+  "watchLife",
 ];
 
 test("every exported function and every method is tested", () => {

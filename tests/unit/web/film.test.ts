@@ -40,7 +40,12 @@ class Recorder extends EventTarget {
 let app: App;
 
 beforeEach(async () => {
-  vi.stubGlobal("Worker", class {});
+  vi.stubGlobal(
+    "Worker",
+    class {
+      postMessage(): void {}
+    },
+  );
   vi.stubGlobal("MediaRecorder", Recorder);
   vi.stubGlobal("requestAnimationFrame", () => 0);
   const paper = document.createElement("canvas");

@@ -4,6 +4,7 @@ import readme from "../../../README.md?raw";
 import actions from "../../../docs/ACTIONS.md?raw";
 import architecture from "../../../docs/ARCHITECTURE.md?raw";
 import benchmarks from "../../../docs/BENCHMARKS.md?raw";
+import cad from "../../../docs/CAD.md?raw";
 import design from "../../../docs/DESIGN.md?raw";
 import format from "../../../docs/FORMAT.md?raw";
 import lessons from "../../../docs/LESSONS.md?raw";
@@ -27,6 +28,7 @@ export const documents: Readonly<Record<string, string>> = {
   design,
   architecture,
   benchmarks,
+  cad,
   actions,
   changelog,
 };
