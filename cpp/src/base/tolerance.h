@@ -20,7 +20,8 @@ class Tolerance {
   /// below the size of any element.
   static constexpr double kCoincidence = 1e-9;
 
-  /// Rounding of coordinates to single precision / the coordinates, and what counts as equal beside it / the diagonal.
+  /// What counts as equal after a rounding to single precision, which has about 7 digits: a part of the coordinates and a part of
+  /// the diagonal.
   static constexpr double kSinglePerCoordinate = 2e-7;
   static constexpr double kSinglePerDiagonal = 1e-6;
   /// Returns the distance within which positions count as equal in a surface that was rounded to single precision. `diagonal`

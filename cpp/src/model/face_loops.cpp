@@ -16,7 +16,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kCoedgeSamples = 24;
 /// Gap between two coedges / width of the box, above which the loop is open there or runs through a pole.
 constexpr double kLargeGap = 0.01;
-/// Distance of the surface beside a pole from the pole, relative to the extent of the face's edges.
+/// Distance of positions at a pole from each other / extent of the edges of the face: far above rounding, far below a side.
 constexpr double kPoleTolerance = 1e-6;
 
 /// Range of a curve's parameters in which the position closest to `target` lies.

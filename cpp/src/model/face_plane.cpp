@@ -9,7 +9,8 @@ namespace {
 
 /// Samples per direction for the mean lengths.
 constexpr int kLengthSamples = 8;
-/// Distance from a pole, relative to the box, at which tangents are taken instead of those at the pole.
+/// Distance from a pole / height of the box, at which tangents are taken: those at the pole have no length. Large beside the
+/// rounding of parameters, small beside a side.
 constexpr double kBesidePole = 1e-6;
 /// Parameters beyond the box are limited to this part of its width: chords of its loops leave it by less.
 constexpr double kBeyondBox = 0.5;

@@ -21,7 +21,7 @@ namespace {
 constexpr double kEdgesEnd = 0.1;
 /// Sides or triangles per unit of the budget.
 constexpr std::size_t kPerUnit = 4;
-/// Rounding of the angle by which an edge turns, in sides.
+/// Rounding of the angle by which an edge turns, in sides: a circle of six sides turns by six of them, and not by one more.
 constexpr double kTurningMargin = 1e-6;
 /// Size at an inner node that is connected to both copies of a node / length of such an edge.
 constexpr double kSizeAtDoubleEdge = 0.5;

@@ -151,7 +151,7 @@ class ModelBuilder {
     const shape = this.#shape(placed.shape) as FaceShape;
     if (shape.surface === undefined) throw new Indescribable("it has triangles only");
     const place = { surface: shape.surface, location: product(placed.location, shape.location) };
-    // The face's own orientation tells where the solid is; its loops are those of the surface.
+    // The orientation of the face says on which side the solid is; its loops run as on the surface.
     const inFace = { ...placed, isReversed: false };
     const wires = shape.uses.map((use) => this.#coedges(placedUse(inFace, use), place));
     const coedges = wires.flat();
