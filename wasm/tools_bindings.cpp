@@ -36,8 +36,8 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
   registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions,
                GivenRegions>("Remesh", "remeshSurface");
-  registerTool<NodePlacer, Doubles, Indices, Indices, Doubles, ModelTriangles>("Placement",
-                                                                               "placeNodes");
+  registerTool<NodePlacer, Doubles, Indices, Indices, Doubles, ModelTriangles, double>(
+      "Placement", "placeNodes");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

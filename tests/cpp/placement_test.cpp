@@ -17,6 +17,7 @@ namespace tetrafront::testing {
 namespace {
 
 constexpr double kSize = 0.25;
+constexpr double kReach = 0.1;
 
 SurfaceMesh meshOfModel(const TrimmedModel& model, double size) {
   const SizeField field = SizeField::uniform(size);
@@ -62,7 +63,7 @@ ModelTriangles trianglesOf(const TrimmedModel& model) {
 
 NodePlacement placed(const TrimmedSolid& solid, const SurfaceMesh& mesh, std::uint32_t budget) {
   NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, numbersOf(solid.model),
-                    trianglesOf(solid.model));
+                    trianglesOf(solid.model), kReach);
   while (!placer.advance(budget)) {
   }
   return placer.result();
@@ -156,7 +157,8 @@ TEST(ModelNumbers, DamagedNumbersAttractNoNode) {
     for (const double wrong : {-1.0, 0.0, 1e300, std::nan("")}) {
       std::vector<double> damaged = numbers;
       damaged[i] = wrong;
-      NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, damaged, triangles);
+      NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, damaged, triangles,
+                        kReach);
       while (!placer.advance(1U << 30U)) {
       }
       EXPECT_TRUE(std::ranges::all_of(placer.result().points,

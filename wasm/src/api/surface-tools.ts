@@ -151,7 +151,7 @@ export class SurfaceTools {
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
     const described = describedRemesh(remesh, surface, [...found, ...coarse]);
-    const placed = await onTrueFaces(this.#client, described.mesh, control);
+    const placed = await onTrueFaces(this.#client, described.mesh, described.deviation, control);
     const changed = placed && {
       mesh: placed.mesh,
       placement: placed.placement,

@@ -15,10 +15,17 @@ export interface PlacedSurface {
   readonly volumeChange: number;
 }
 
-/** Returns a surface with its nodes on its true faces, and the edges that bend; undefined if it has none. */
+/** Largest move of a node / deviation of a surface from the triangles of its file, which are near the true faces themselves. */
+const REACH = 1.5;
+
+/**
+ * Returns a surface with its nodes on its true faces, and the edges that bend; undefined if it has none. `deviation`: of the
+ * surface from the triangles of its file.
+ */
 export async function onTrueFaces(
   client: EngineClient,
   surface: Mesh,
+  deviation: number,
   control: RunControl,
 ): Promise<PlacedSurface | undefined> {
   const { trueFaces, points, triangles, trianglePatch } = surface;
@@ -32,7 +39,14 @@ export async function onTrueFaces(
     faces: near.faces.slice(),
   };
   const given = points.map((x) => x / scale);
-  const request = [given, triangles.slice(), trianglePatch.slice(), numbers.slice(), shown] as const;
+  const request = [
+    given,
+    triangles.slice(),
+    trianglePatch.slice(),
+    numbers.slice(),
+    shown,
+    (REACH * deviation) / scale,
+  ] as const;
   const found = await client.ask("placeNodes", request, control);
   const stayed = new Set(found.unplaced);
   const placed = Float64Array.from(points, (x, i) =>

@@ -22,7 +22,8 @@ export function readTriangulation(words: BrepWords, hasNormals: boolean): Triang
   const points = words.numbers(3 * nodes);
   const parameters = words.numbers(hasParameters ? 2 * nodes : 0);
   const corners = Uint32Array.from(words.numbers(3 * triangles), (number) => {
-    if (!(number >= 1 && number <= nodes)) throw words.wrong("a triangle refers to a node that does not exist");
+    if (!(number >= 1 && number <= nodes))
+      throw words.wrong("a triangle refers to a node that does not exist");
     return number - 1;
   });
   if (areNormals) words.numbers(3 * nodes);

@@ -1,5 +1,12 @@
 /** A TrimmedModel as the array of numbers that the engine reads: `cpp/src/model/model_numbers.h` describes it. */
-import type { Frame, PlaneFrame, SpaceCurve, PlaneCurve, FaceSurface, TrimmedModel } from "./trimmed-model.js";
+import type {
+  Frame,
+  PlaneFrame,
+  SpaceCurve,
+  PlaneCurve,
+  FaceSurface,
+  TrimmedModel,
+} from "./trimmed-model.js";
 
 const CURVES = { line: 0, circle: 1, ellipse: 2, spline: 3 } as const;
 const SURFACES = {

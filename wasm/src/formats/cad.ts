@@ -105,7 +105,8 @@ async function trueFacesIn(
   if (format === "iges" || !canReadFaces) return {};
   const reply = await askForCad({ wants: "faces", format, bytes, deflection: ROUGH }, signal);
   if (reply.kind === "faces") return { faces: reply.faces };
-  const cause = reply.kind === "not-loaded" ? `${KERNEL} could not be loaded` : `${KERNEL} failed in the file`;
+  const cause =
+    reply.kind === "not-loaded" ? `${KERNEL} could not be loaded` : `${KERNEL} failed in the file`;
   return { notes: [`nodes are on triangles near its faces, and not on the faces: ${cause}`] };
 }
 
