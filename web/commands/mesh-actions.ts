@@ -10,7 +10,7 @@ import type { Improvement } from "../session/shown-mesh";
 import { inputMode } from "../tools/input-mode";
 import { untilState } from "../session/until-state";
 import { improvementText, strings } from "../strings";
-import { formatShort } from "../ui/format";
+import { formatShort } from "../strings/format";
 import { showFailure, showMessage } from "./messages";
 import { joinTouchingBodies, repairBody } from "./surface-actions";
 

@@ -10,7 +10,7 @@ import { fillableBodies } from "../session/bodies";
 import type { RunNote } from "../session/run";
 import { joinedBody } from "../session/touching-bodies";
 import { bodyStepNames, strings } from "../strings";
-import { formatShort } from "../ui/format";
+import { formatShort } from "../strings/format";
 import { showFailure, showMessage } from "./messages";
 import type { NewBody, ReadSurface } from "../workers/surface-files";
 import { noteReading, showNewBodies } from "./project-actions";

@@ -5,6 +5,7 @@ import { meshKey, placedSurfacesKey, shownMeshKey, versionedKey } from "../docum
 import type { DocumentContent } from "../document/edit";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, bodyLabel } from "../document/entities";
+import { formatCount } from "../strings/format";
 import { logStrings, phaseNames, preparedText, remedyInApp, stepNames } from "../strings";
 import {
   newDocumentId,
@@ -151,8 +152,6 @@ const nameOfBody = (project: Project, id: number): string => {
 };
 
 const isShowable = ({ mesh }: MeshResult): boolean => mesh.tetrahedra.length > 0 || mesh.triangles.length > 0;
-
-const count = (value: number): string => value.toLocaleString("en-US");
 
 /** A mesh, and the warnings of the preparation of its run. */
 interface KeptMesh extends Pick<RunOutcome, "warnings"> {
@@ -344,7 +343,7 @@ export class MeshRun {
     const log = (level: LogLevel, text: string): void => this.#log(run, elapsedSeconds, level, text);
     const document = this.#documents.state.getState();
     const { project } = settledContent(document);
-    log("information", logStrings.improving(count(mesh.report.tetrahedra)));
+    log("information", logStrings.improving(formatCount(mesh.report.tetrahedra)));
     try {
       const { optimization = "default" } = project.meshing ?? {};
       const before = { mesh, origin, improvement, edgeReference, isValid };
@@ -412,7 +411,7 @@ export class MeshRun {
     const before = this.state.getState().progress;
     if (before?.phase !== progress.phase) {
       if (before?.phase === "surface")
-        log("information", logStrings.boundaryTriangles(count(progress.triangles)));
+        log("information", logStrings.boundaryTriangles(formatCount(progress.triangles)));
       log("information", phaseNames[progress.phase]);
     }
     this.#showProgress(run, progress);
@@ -501,7 +500,7 @@ function isDue(before: CallProgress | null, { phase, elapsedSeconds }: CallProgr
 }
 
 const sizeOf = ({ report }: MeshResult): string =>
-  logStrings.size(count(report.tetrahedra), count(report.nodes));
+  logStrings.size(formatCount(report.tetrahedra), formatCount(report.nodes));
 
 function summary({ result, expectedTetrahedra }: Pick<RunOutcome, "result" | "expectedTetrahedra">): string {
   const { report } = result;
@@ -525,13 +524,13 @@ function summary({ result, expectedTetrahedra }: Pick<RunOutcome, "result" | "ex
 
 /** Returns the expected number of tetrahedra as it is shown; null if none is known. */
 const aboutCount = (expected: number): string | null =>
-  expected > 0 ? count(Number(expected.toPrecision(2))) : null;
+  expected > 0 ? formatCount(Number(expected.toPrecision(2))) : null;
 
 /** Returns how far the run came whose mesh is shown, if it was cancelled before its front closed; null for any other mesh. */
 export function cancelledText({ mesh, outcome }: Pick<RunState, "mesh" | "outcome">): string | null {
   if (mesh?.report.status !== "cancelled" || mesh.front.length === 0) return null;
   const expected = outcome?.result === mesh ? outcome.expectedTetrahedra : 0;
-  return logStrings.cancelledAt(count(mesh.report.tetrahedra), aboutCount(expected));
+  return logStrings.cancelledAt(formatCount(mesh.report.tetrahedra), aboutCount(expected));
 }
 
 /** Adds a full stop, unless the text ends with a punctuation mark. */

@@ -10,7 +10,7 @@ import { savedState } from "../../session/document-store";
 import { cancelledText, type RunState } from "../../session/run";
 import { IconButton } from "../../ui/icon-button";
 import { TextButton } from "../../ui/text-button";
-import { formatAngle, formatCount, formatPosition, formatSeconds, formatShort } from "../../ui/format";
+import { formatAngle, formatCount, formatPosition, formatSeconds, formatShort } from "../../strings/format";
 import { measuredIn, phaseNames, strings } from "../../strings";
 import {
   useApp,

@@ -3,7 +3,7 @@ import type { MeshReport, MeshResult } from "tetrafront";
 import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
 import { cancelledText } from "../../session/run";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatAngle, formatCount, formatMeasure, formatSeconds } from "../../ui/format";
+import { formatAngle, formatCount, formatMeasure, formatSeconds } from "../../strings/format";
 import { HistogramChart } from "../../ui/histogram-chart";
 import { measuredIn, measureNames, strings } from "../../strings";
 import { ratioMeanings } from "../../strings/ratio-meanings";
