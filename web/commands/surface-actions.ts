@@ -7,7 +7,7 @@ import { inProjectUnit, unitOf } from "../document/length-units";
 import { bodiesOf, bodyLabel, bodyOfPatch, findRecord, type Entity } from "../document/entities";
 import { failureLines, openDocumentFile } from "../session/files";
 import { fillableBodies } from "../session/bodies";
-import type { RunNote } from "../session/run";
+import type { RunNote } from "../session/run-log";
 import { joinedBody } from "../session/touching-bodies";
 import { bodyStepNames, strings } from "../strings";
 import { formatShort } from "../strings/format";
