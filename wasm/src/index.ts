@@ -52,7 +52,6 @@ export type { BackgroundArrays } from "./project/background-arrays.js";
 // Meshes, and what is known of them.
 export type {
   ElementOrder,
-  GivenRegions,
   Mesh,
   MeshGroup,
   NodeData,

@@ -5,12 +5,13 @@ import { hasSizes, proposedSize } from "../document/operations/sizes";
 import { setMeshing } from "../document/size-edits";
 import { type BodiesState, canBeFilled, isFillable } from "../session/bodies";
 import { hideMeshNotices, hideNotice, showNotice } from "../session/shell";
-import type { RunNote, RunPreparation } from "../session/run";
+import type { RunPreparation } from "../session/run";
+import type { RunNote } from "../session/run-log";
 import type { Improvement } from "../session/shown-mesh";
 import { inputMode } from "../tools/input-mode";
 import { untilState } from "../session/until-state";
 import { improvementText, strings } from "../strings";
-import { formatShort } from "../ui/format";
+import { formatShort } from "../strings/format";
 import { showFailure, showMessage } from "./messages";
 import { joinTouchingBodies, repairBody } from "./surface-actions";
 

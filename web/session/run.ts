@@ -5,7 +5,8 @@ import { meshKey, placedSurfacesKey, shownMeshKey, versionedKey } from "../docum
 import type { DocumentContent } from "../document/edit";
 import { engineInput } from "../document/engine-input";
 import { bodiesOf, bodyLabel } from "../document/entities";
-import { logStrings, phaseNames, preparedText, remedyInApp, stepNames } from "../strings";
+import { formatCount } from "../strings/format";
+import { logStrings, phaseNames, preparedText, stepNames } from "../strings";
 import {
   newDocumentId,
   settledContent,
@@ -14,18 +15,19 @@ import {
   type DocumentStore,
 } from "./document-store";
 import { failureText } from "./failure-text";
+import { KeptMeshes } from "./kept-meshes";
+import {
+  diagnosticText,
+  type LogLevel,
+  type LogLine,
+  noteText,
+  type RunNote,
+  sizeOf,
+  summary,
+  withLine,
+} from "./run-log";
 import { TimeLeft } from "./time-left";
 import { improvedMesh, reasonsOf, type Improvement, type ShownMesh } from "./shown-mesh";
-
-export type LogLevel = "information" | "success" | "warning" | "error";
-
-export interface LogLine {
-  readonly id: number;
-  /** Seconds since the run began. */
-  readonly seconds: number;
-  readonly level: LogLevel;
-  readonly text: string;
-}
 
 export interface RunOutcome {
   readonly key: string;
@@ -88,13 +90,6 @@ export interface PreparedBodies {
   readonly keep: (project: Project, prepared: PreparedBody) => void;
 }
 
-/** What was done to the model before a run, or what the user should know of it: a warning is a problem of the run too. */
-export interface RunNote {
-  readonly level: "information" | "warning";
-  readonly text: string;
-  readonly remedy?: string;
-}
-
 /**
  * Changes the model before a run meshes it. Calls `onPart` with what it does next, and with its progress from 0 to 1 if it takes long. Returns what was done, for the log; null if
  * the model must not be meshed. Rejects if it is aborted.
@@ -129,11 +124,9 @@ const emptyRun: RunState = {
   log: [],
 };
 
-/** Number of meshes kept, so that undo restores the old mesh at once. */
-const cachedMeshes = 6;
 /** Meshes with more tetrahedra are not kept, to limit memory, unless no run can make them again. */
-const maxCachedTetrahedra = 400_000;
-const maxLogLines = 400;
+const maxKeptTetrahedra = 400_000;
+
 /**
  * Time between two updates of the progress on the page: a fraction of the elapsed time, within limits in seconds.
  * Without graphics hardware, each update takes time from the mesher.
@@ -151,13 +144,6 @@ const nameOfBody = (project: Project, id: number): string => {
 };
 
 const isShowable = ({ mesh }: MeshResult): boolean => mesh.tetrahedra.length > 0 || mesh.triangles.length > 0;
-
-const count = (value: number): string => value.toLocaleString("en-US");
-
-/** A mesh, and the warnings of the preparation of its run. */
-interface KeptMesh extends Pick<RunOutcome, "warnings"> {
-  readonly shown: ShownMesh;
-}
 
 /** A run under way. It is cancelled, and changes the state no longer, once its document has been left. */
 class ActiveRun {
@@ -190,12 +176,11 @@ export class MeshRun {
   readonly state: StoreApi<RunState> = createStore<RunState>(() => emptyRun);
   readonly #documents: DocumentStore;
   readonly #mesher: Promise<Mesher>;
-  readonly #cache = new Map<string, KeptMesh>();
+  readonly #kept = new KeptMeshes();
   /** The run of the present document; null without one. */
   #active: ActiveRun | null = null;
   /** Resolves when the last run has ended, that of another document too. */
   #running: Promise<void> = Promise.resolve();
-  #lastLogId = 0;
 
   readonly #preparations: PreparedBodies;
 
@@ -264,8 +249,7 @@ export class MeshRun {
     let expectedTetrahedra = 0;
     const log = (level: LogLevel, text: string): void => this.#log(run, elapsedSeconds, level, text);
     log("information", logStrings.meshing(project.name));
-    for (const { level, text, remedy } of notes)
-      log(level, remedy === undefined ? text : `${sentence(text)} ${remedy}`);
+    for (const note of notes) log(note.level, noteText(note));
     const warnings = notes.filter(({ level }) => level === "warning");
     try {
       const [input, options] = engineInput(project);
@@ -344,7 +328,7 @@ export class MeshRun {
     const log = (level: LogLevel, text: string): void => this.#log(run, elapsedSeconds, level, text);
     const document = this.#documents.state.getState();
     const { project } = settledContent(document);
-    log("information", logStrings.improving(count(mesh.report.tetrahedra)));
+    log("information", logStrings.improving(formatCount(mesh.report.tetrahedra)));
     try {
       const { optimization = "default" } = project.meshing ?? {};
       const before = { mesh, origin, improvement, edgeReference, isValid };
@@ -383,7 +367,7 @@ export class MeshRun {
       this.state.setState({ improvement: after.improvement });
       return true;
     }
-    this.#remember(key, before);
+    this.#kept.add(key, before);
     this.#documents.setMeshVersion(stepNames.improve, this.keep(history.present.project, after));
     return true;
   }
@@ -393,14 +377,18 @@ export class MeshRun {
     const { mesh, origin } = this.state.getState();
     if (mesh && origin)
       this.state.setState({
-        log: [this.#line(0, "information", logStrings.opened(origin.fileName, sizeOf(mesh)))],
+        log: withLine([], {
+          seconds: 0,
+          level: "information",
+          text: logStrings.opened(origin.fileName, sizeOf(mesh)),
+        }),
       });
   }
 
   /** Keeps a mesh that no run makes. Returns its key: it is shown while it is that of the document. */
   keep(project: Project, shown: ShownMesh): string {
     const key = versionedKey(meshKey(project), newDocumentId());
-    this.#remember(key, shown);
+    this.#kept.add(key, shown);
     return key;
   }
 
@@ -412,7 +400,7 @@ export class MeshRun {
     const before = this.state.getState().progress;
     if (before?.phase !== progress.phase) {
       if (before?.phase === "surface")
-        log("information", logStrings.boundaryTriangles(count(progress.triangles)));
+        log("information", logStrings.boundaryTriangles(formatCount(progress.triangles)));
       log("information", phaseNames[progress.phase]);
     }
     this.#showProgress(run, progress);
@@ -434,23 +422,15 @@ export class MeshRun {
     const key = meshKey(project);
     const { result } = ended;
     const { report } = result;
-    for (const diagnostic of report.diagnostics) {
-      log(
-        diagnostic.severity,
-        [diagnostic.message, remedyInApp(diagnostic)]
-          .filter((part) => part !== "")
-          .map(sentence)
-          .join(" "),
-      );
-    }
+    for (const diagnostic of report.diagnostics) log(diagnostic.severity, diagnosticText(diagnostic));
     log(report.status === "done" ? "success" : "warning", summary(ended));
     this.state.setState({ outcome: { ...ended, key } });
     if (!isShowable(result)) return;
     const shown: ShownMesh = { ...madeByRun, mesh: result };
     const meshedBodies = placedSurfacesKey(bodiesOf(project));
     this.state.setState({ ...shown, meshKey: key, meshedBodies, front: null, unoptimized: null });
-    if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra)
-      this.#remember(key, shown, ended.warnings);
+    if (report.status === "done" && report.tetrahedra <= maxKeptTetrahedra)
+      this.#kept.add(key, shown, ended.warnings);
   }
 
   /** A new mesh replaces one that was opened or improved, as a step of undo if the user has asked for it. */
@@ -461,19 +441,9 @@ export class MeshRun {
     else this.#documents.setMeshVersion(stepNames.generate, null);
   }
 
-  /** Keeps a mesh. The oldest one that a run can make again is dropped first, then the oldest one. */
-  #remember(key: string, shown: ShownMesh, warnings: KeptMesh["warnings"] = []): void {
-    this.#cache.delete(key);
-    this.#cache.set(key, { shown, warnings });
-    if (this.#cache.size <= cachedMeshes) return;
-    const kept = [...this.#cache];
-    const [dropped] = kept.find(([, { shown: other }]) => other.isValid === null) ?? kept[0] ?? [];
-    if (dropped !== undefined) this.#cache.delete(dropped);
-  }
-
   #showCached(content: DocumentContent): void {
     const key = shownMeshKey(content);
-    const kept = this.#cache.get(key);
+    const kept = this.#kept.get(key);
     if (!kept) return;
     const { shown, warnings } = kept;
     const meshedBodies = placedSurfacesKey(bodiesOf(content.project));
@@ -481,17 +451,10 @@ export class MeshRun {
     this.state.setState({ ...shown, meshKey: key, meshedBodies, outcome, failure: null });
   }
 
-  #log(run: ActiveRun, ...given: LineText): void {
-    const line = this.#line(...given);
-    run.set(({ log }) => ({ log: [...log, line].slice(-maxLogLines) }));
-  }
-
-  #line(...[seconds, level, text]: LineText): LogLine {
-    return { id: ++this.#lastLogId, seconds, level, text };
+  #log(run: ActiveRun, seconds: number, level: LogLevel, text: string): void {
+    run.set(({ log }) => ({ log: withLine(log, { seconds, level, text }) }));
   }
 }
-
-type LineText = [seconds: number, level: LogLevel, text: string];
 
 /** Returns whether to show the progress again. A new phase is shown at once. */
 function isDue(before: CallProgress | null, { phase, elapsedSeconds }: CallProgress): boolean {
@@ -499,43 +462,6 @@ function isDue(before: CallProgress | null, { phase, elapsedSeconds }: CallProgr
   const { share, min, max } = progressWait;
   return elapsedSeconds - before.elapsedSeconds >= Math.min(max, Math.max(min, share * elapsedSeconds));
 }
-
-const sizeOf = ({ report }: MeshResult): string =>
-  logStrings.size(count(report.tetrahedra), count(report.nodes));
-
-function summary({ result, expectedTetrahedra }: Pick<RunOutcome, "result" | "expectedTetrahedra">): string {
-  const { report } = result;
-  const size = sizeOf(result);
-  const seconds = `${report.seconds.total.toFixed(2)} s`;
-  switch (report.status) {
-    case "done":
-      return logStrings.done(size, seconds, report.fingerprint);
-    case "cancelled":
-      return logStrings.cancelled(
-        size,
-        seconds,
-        result.front.length > 0 ? aboutCount(expectedTetrahedra) : null,
-      );
-    case "stalled":
-      return logStrings.stalled(size, seconds);
-    case "invalid-input":
-      return logStrings.invalid;
-  }
-}
-
-/** Returns the expected number of tetrahedra as it is shown; null if none is known. */
-const aboutCount = (expected: number): string | null =>
-  expected > 0 ? count(Number(expected.toPrecision(2))) : null;
-
-/** Returns how far the run came whose mesh is shown, if it was cancelled before its front closed; null for any other mesh. */
-export function cancelledText({ mesh, outcome }: Pick<RunState, "mesh" | "outcome">): string | null {
-  if (mesh?.report.status !== "cancelled" || mesh.front.length === 0) return null;
-  const expected = outcome?.result === mesh ? outcome.expectedTetrahedra : 0;
-  return logStrings.cancelledAt(count(mesh.report.tetrahedra), aboutCount(expected));
-}
-
-/** Adds a full stop, unless the text ends with a punctuation mark. */
-const sentence = (text: string): string => (/[.!?…]$/.test(text) ? text : `${text}.`);
 
 /** Returns the number of regions of the shown mesh; 0 before it is finished. */
 export function regionCount({ mesh }: RunState): number {

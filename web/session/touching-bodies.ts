@@ -1,5 +1,5 @@
 import {
-  type GivenRegions,
+  type SurfaceRegions,
   type Mesher,
   NO_REGION,
   type Mesh,
@@ -122,9 +122,9 @@ export async function joinedBody(
   const head = joinedHead(project, bodies);
   const own = joinedPatches(group);
   const empty = { ...head, ...joinedRepairs(bodies), points: "", triangles: "", patches: own };
-  const givenRegions = regionsOf(divided);
+  const surfaceRegions = regionsOf(divided);
   const patches = own.map(({ id, name = "" }) => ({ name, tag: id }));
-  const input = { ...given, patches, ...(givenRegions && { givenRegions }) };
+  const input = { ...given, patches, ...(surfaceRegions && { surfaceRegions }) };
   const { body, repair } = await cut(mesher, empty, input, signal);
   const { points, triangles, trianglePatch } = repair.mesh;
   const after = await mesher.inspectSurface({ points, triangles }, {}, { signal });
@@ -174,7 +174,7 @@ async function dividedBody(
   }
   const patches = body.patches.map(({ id, name = "" }) => ({ name, tag: id }));
   const located = await locatedRegions(mesher, { ...placed, patches }, signal);
-  const sides = located?.givenRegions?.triangleRegions ?? new Uint32Array();
+  const sides = located?.surfaceRegions?.triangleRegions ?? new Uint32Array();
   const isFull = located?.surfaceRegions?.regions.length === regions;
   return located && isFull ? { surface: located, regions, sides } : { surface: placed, regions, sides: null };
 }
@@ -194,7 +194,7 @@ async function locatedRegions(
 }
 
 /** Returns the regions beside the triangles of joined bodies, those of the first body first; null if some are unknown. */
-function regionsOf(divided: readonly DividedBody[]): GivenRegions | null {
+function regionsOf(divided: readonly DividedBody[]): SurfaceRegions | null {
   const all: number[] = [];
   let count = 0;
   for (const { regions, sides } of divided) {
@@ -202,5 +202,6 @@ function regionsOf(divided: readonly DividedBody[]): GivenRegions | null {
     for (const region of sides) all.push(region === NO_REGION ? NO_REGION : count + region);
     count += regions;
   }
-  return { triangleRegions: Uint32Array.from(all), maxVolumes: new Float64Array(count) };
+  const regions = Array.from({ length: count }, (_, r) => ({ name: `region ${r + 1}`, tag: r + 1 }));
+  return { regions, triangleRegions: Uint32Array.from(all), areMeshed: true };
 }

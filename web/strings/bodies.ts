@@ -1,4 +1,5 @@
 /** Texts about bodies. */
+import { formatCount, formatCounted } from "./format";
 import type { PreparedBody, RepairChange } from "tetrafront";
 
 type ChangeOf<Kind extends RepairChange["kind"]> = Extract<RepairChange, { readonly kind: Kind }>;
@@ -35,9 +36,6 @@ export const bodyStepNames = {
   split: (what: string) => `Split ${what}`,
 } as const;
 
-const counted = (count: number, one: string, many: string): string =>
-  count === 1 ? `1 ${one}` : `${count.toLocaleString("en-US")} ${many}`;
-
 export const bodyStrings = {
   opening: (file: string) => `Opening ${file}…`,
   cancelOpening: "Cancel opening",
@@ -52,50 +50,44 @@ export const bodyStrings = {
   volume: "Volume",
   area: "Area",
   worst: "Smallest 2r/R",
-  open: (count: number) => counted(count, "open edge", "open edges"),
-  cavities: (count: number) => counted(count, "cavity", "cavities"),
+  open: (count: number) => formatCounted(count, "open edge"),
+  cavities: (count: number) => formatCounted(count, "cavity", "cavities"),
   inspecting: "Inspecting the surface…",
   states: { closed: "closed", problems: "has problems" },
   problems: "Problems of the surface",
-  allProblems: (count: number) => `Show all ${count.toLocaleString("en-US")} problems`,
+  allProblems: (count: number) => `Show all ${formatCount(count)} problems`,
   repair: {
     title: "Repair",
     intro: "The repair makes these changes:",
     none: "The repair finds nothing that it can change.",
     first: "“Generate mesh” makes this repair first.",
     changes: {
-      "welded-node": (count: number) => `welds ${counted(count, "node", "nodes")}`,
-      "removed-node": (count: number) => `removes ${counted(count, "unused node", "unused nodes")}`,
-      "removed-triangle": (count: number) =>
-        `removes ${counted(count, "degenerate triangle", "degenerate triangles")}`,
-      "removed-duplicate": (count: number) =>
-        `removes ${counted(count, "duplicate triangle", "duplicate triangles")}`,
-      "split-triangle": (count: number) => `splits ${counted(count, "triangle", "triangles")}`,
-      "filled-hole": (count: number) => `fills ${counted(count, "hole", "holes")}`,
-      "flipped-triangle": (count: number) => `flips ${counted(count, "triangle", "triangles")}`,
-      "resolved-intersection": (count: number) =>
-        `cuts ${counted(count, "intersecting triangle", "intersecting triangles")}`,
+      "welded-node": (count: number) => `welds ${formatCounted(count, "node")}`,
+      "removed-node": (count: number) => `removes ${formatCounted(count, "unused node")}`,
+      "removed-triangle": (count: number) => `removes ${formatCounted(count, "degenerate triangle")}`,
+      "removed-duplicate": (count: number) => `removes ${formatCounted(count, "duplicate triangle")}`,
+      "split-triangle": (count: number) => `splits ${formatCounted(count, "triangle")}`,
+      "filled-hole": (count: number) => `fills ${formatCounted(count, "hole")}`,
+      "flipped-triangle": (count: number) => `flips ${formatCounted(count, "triangle")}`,
+      "resolved-intersection": (count: number) => `cuts ${formatCounted(count, "intersecting triangle")}`,
       "removed-sheet": (count: number) =>
-        `removes ${counted(count, "triangle that encloses nothing", "triangles that enclose nothing")}`,
+        `removes ${formatCounted(count, "triangle that encloses nothing", "triangles that enclose nothing")}`,
     },
     shared: (volume: string) =>
       `Parts that intersect become one: the volume that they share, ${volume}, counts once.`,
     done: "Repaired",
     log: (body: string, changes: readonly string[]) => `${body}, repaired: ${changes.join(", ")}`,
     made: {
-      "welded-node": (count: number) => `${counted(count, "node", "nodes")} welded`,
-      "removed-node": (count: number) => `${counted(count, "unused node", "unused nodes")} removed`,
-      "removed-triangle": (count: number) =>
-        `${counted(count, "degenerate triangle", "degenerate triangles")} removed`,
-      "removed-duplicate": (count: number) =>
-        `${counted(count, "duplicate triangle", "duplicate triangles")} removed`,
-      "split-triangle": (count: number) => `${counted(count, "triangle", "triangles")} split`,
-      "filled-hole": (count: number) => `${counted(count, "hole", "holes")} filled`,
-      "flipped-triangle": (count: number) => `${counted(count, "triangle", "triangles")} flipped`,
-      "resolved-intersection": (count: number) =>
-        `${counted(count, "intersecting triangle", "intersecting triangles")} cut`,
+      "welded-node": (count: number) => `${formatCounted(count, "node")} welded`,
+      "removed-node": (count: number) => `${formatCounted(count, "unused node")} removed`,
+      "removed-triangle": (count: number) => `${formatCounted(count, "degenerate triangle")} removed`,
+      "removed-duplicate": (count: number) => `${formatCounted(count, "duplicate triangle")} removed`,
+      "split-triangle": (count: number) => `${formatCounted(count, "triangle")} split`,
+      "filled-hole": (count: number) => `${formatCounted(count, "hole")} filled`,
+      "flipped-triangle": (count: number) => `${formatCounted(count, "triangle")} flipped`,
+      "resolved-intersection": (count: number) => `${formatCounted(count, "intersecting triangle")} cut`,
       "removed-sheet": (count: number) =>
-        `${counted(count, "triangle that enclosed nothing", "triangles that enclosed nothing")} removed`,
+        `${formatCounted(count, "triangle that enclosed nothing", "triangles that enclosed nothing")} removed`,
     },
     /** One of the changes. */
     nouns: {
@@ -114,7 +106,7 @@ export const bodyStrings = {
     moved: (deviation: string) =>
       deviation === "0" ? "No node was moved." : `Nodes were moved by at most ${deviation}.`,
     solves: "Afterwards, the surface can be meshed.",
-    remains: (count: number) => `Afterwards, ${counted(count, "problem remains", "problems remain")}.`,
+    remains: (count: number) => `Afterwards, ${formatCounted(count, "problem remains", "problems remain")}.`,
     comparison: {
       start: "Compare with exact repair",
       running: "Comparing with the exact repair",
@@ -138,10 +130,10 @@ export const bodyStrings = {
       "removed-triangle": ({ triangle }) => `Triangle ${triangle}`,
       "removed-duplicate": ({ triangle, sameAs }) => `Triangle ${triangle}, as triangle ${sameAs}`,
       "split-triangle": ({ beyond }) => `Triangle ${beyond}`,
-      "filled-hole": ({ triangles }) => `Hole with ${counted(triangles, "triangle", "triangles")}`,
+      "filled-hole": ({ triangles }) => `Hole with ${formatCounted(triangles, "triangle")}`,
       "flipped-triangle": ({ triangle }) => `Triangle ${triangle}`,
       "resolved-intersection": ({ triangle, parts }) =>
-        `Triangle ${triangle}, ${counted(parts, "part", "parts")} left`,
+        `Triangle ${triangle}, ${formatCounted(parts, "part")} left`,
       "removed-sheet": ({ triangle }) => `Triangle ${triangle}`,
     } satisfies { readonly [Kind in RepairChange["kind"]]: (change: ChangeOf<Kind>) => string },
   },
@@ -198,7 +190,7 @@ export const bodyStrings = {
     smallestAngle: "Smallest angle",
     meanRatio: "Mean 2r/R",
     deviationLegend: "deviation / tolerance",
-    details: (count: number) => counted(count, "detail dropped", "details dropped"),
+    details: (count: number) => formatCounted(count, "detail dropped", "details dropped"),
     detail: (index: number) => `Detail ${index}`,
   },
   plan: {
@@ -219,7 +211,7 @@ export const bodyStrings = {
     named: "Click a patch in the view to name it. Files of the mesh contain the names.",
     angle: "Angle (°)",
     preview: "Preview split",
-    result: (patches: number) => `Gives ${counted(patches, "patch", "patches")}.`,
+    result: (patches: number) => `Gives ${formatCounted(patches, "patch", "patches")}.`,
     apply: "Split",
     cancel: "Cancel",
     merge: "Merge patches",
@@ -235,7 +227,7 @@ export const bodyStrings = {
     remedy:
       "“Generate mesh” joins them into one body with common triangles where they touch. To keep them apart, move one under Placement.",
     joined: (names: readonly string[], regions: number) =>
-      `${listed(names)} touch or intersect: they became one body with ${counted(regions, "region", "regions")}.`,
+      `${listed(names)} touch or intersect: they became one body with ${formatCounted(regions, "region")}.`,
     /** `shared`: the volume that several bodies enclose; `percent`: its share of the smallest body. */
     overlap: (names: readonly string[], shared: string, percent: string) =>
       `${listed(names)} overlap by a volume of ${shared}, ${percent} % of the smallest of them, which counts once`,
@@ -296,7 +288,7 @@ function preparedFacts(prepared: PreparedBody): string {
   const isDivided = origin.some((given, triangle) => given !== triangle);
   const verb = deviation !== undefined ? "remeshed to" : isDivided ? "divided to" : "kept";
   const parts = [
-    `${verb} ${counted(triangles.length / 3, "triangle", "triangles")}`,
+    `${verb} ${formatCounted(triangles.length / 3, "triangle")}`,
     ...(size === undefined
       ? []
       : [minSize === undefined ? `size ${short(size)}` : `sizes ${short(minSize)} to ${short(size)}`]),
@@ -307,7 +299,7 @@ function preparedFacts(prepared: PreparedBody): string {
       : [
           `deviation at most ${short(deviation)}${tolerance === undefined ? "" : ` (tolerance ${short(tolerance)})`}`,
         ]),
-    ...(mergedDetails.length > 0 ? [`${counted(mergedDetails.length, "detail", "details")} dropped`] : []),
+    ...(mergedDetails.length > 0 ? [`${formatCounted(mergedDetails.length, "detail")} dropped`] : []),
   ];
   return parts.join(", ");
 }

@@ -1,7 +1,5 @@
+import { formatCounted } from "./format";
 import { LIMITS } from "tetrafront";
-
-const counted = (count: number, one: string, many: string): string =>
-  count === 1 ? `1 ${one}` : `${count} ${many}`;
 
 /** Names of the steps of undo: verb and object. */
 export const stepNames = {
@@ -57,16 +55,16 @@ export const stepNames = {
   reduceGroup: (name: string) => `Take out of group ${name}`,
   removeGroup: (name: string) => `Remove group ${name}`,
   setCommon: {
-    "position.0": (count: number) => `Set x of ${counted(count, "entity", "entities")}`,
-    "position.1": (count: number) => `Set y of ${counted(count, "entity", "entities")}`,
-    "position.2": (count: number) => `Set z of ${counted(count, "entity", "entities")}`,
-    size: (count: number) => `Set size of ${counted(count, "entity", "entities")}`,
-    stretching: (count: number) => `Set stretching of ${counted(count, "entity", "entities")}`,
-    distance: (count: number) => `Set distance of ${counted(count, "entity", "entities")}`,
-    growth: (count: number) => `Set growth of ${counted(count, "entity", "entities")}`,
-    "placement.scale": (count: number) => `Scale ${counted(count, "body", "bodies")}`,
-    "remeshing.size": (count: number) => `Set size of ${counted(count, "body", "bodies")}`,
-    "remeshing.tolerance": (count: number) => `Set tolerance of ${counted(count, "body", "bodies")}`,
+    "position.0": (count: number) => `Set x of ${formatCounted(count, "entity", "entities")}`,
+    "position.1": (count: number) => `Set y of ${formatCounted(count, "entity", "entities")}`,
+    "position.2": (count: number) => `Set z of ${formatCounted(count, "entity", "entities")}`,
+    size: (count: number) => `Set size of ${formatCounted(count, "entity", "entities")}`,
+    stretching: (count: number) => `Set stretching of ${formatCounted(count, "entity", "entities")}`,
+    distance: (count: number) => `Set distance of ${formatCounted(count, "entity", "entities")}`,
+    growth: (count: number) => `Set growth of ${formatCounted(count, "entity", "entities")}`,
+    "placement.scale": (count: number) => `Scale ${formatCounted(count, "body", "bodies")}`,
+    "remeshing.size": (count: number) => `Set size of ${formatCounted(count, "body", "bodies")}`,
+    "remeshing.tolerance": (count: number) => `Set tolerance of ${formatCounted(count, "body", "bodies")}`,
   },
   setCommonType: (count: number, kind: "lines" | "patches") => `Change type of ${count} ${kind}`,
   paintSize: "Paint size",

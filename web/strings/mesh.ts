@@ -1,3 +1,4 @@
+import { formatCount, formatCounted } from "./format";
 import type { MeshReport } from "tetrafront";
 
 /** Texts about runs and meshes. */
@@ -31,9 +32,6 @@ export function problemTitle(code: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-const counted = (count: number, one: string, many: string): string =>
-  count === 1 ? `1 ${one}` : `${count.toLocaleString("en-US")} ${many}`;
-
 /** Returns a sentence for each kind of recovery that the run needed. */
 export function recoverySteps({
   relaxed,
@@ -45,17 +43,20 @@ export function recoverySteps({
   const steps: readonly (readonly [count: number, step: string])[] = [
     [
       relaxed,
-      `Relaxed: ${counted(relaxed, "element was", "elements were")} accepted by a more lenient rule.`,
+      `Relaxed: ${formatCounted(relaxed, "element was", "elements were")} accepted by a more lenient rule.`,
     ],
-    [starred, `Starred: ${counted(starred, "pocket was", "pockets were")} joined to one interior point.`],
+    [
+      starred,
+      `Starred: ${formatCounted(starred, "pocket was", "pockets were")} joined to one interior point.`,
+    ],
     [
       remeshed,
-      `Remeshed: ${counted(remeshed, "pocket was", "pockets were")} filled after the surrounding elements were removed.`,
+      `Remeshed: ${formatCounted(remeshed, "pocket was", "pockets were")} filled after the surrounding elements were removed.`,
     ],
-    [filled, `Filled: ${counted(filled, "pocket was", "pockets were")} closed by the exact fill.`],
+    [filled, `Filled: ${formatCounted(filled, "pocket was", "pockets were")} closed by the exact fill.`],
     [
       steinerPoints,
-      `Steiner points: the exact fill added ${counted(steinerPoints, "interior point", "interior points")}.`,
+      `Steiner points: the exact fill added ${formatCounted(steinerPoints, "interior point")}.`,
     ],
   ];
   return steps.flatMap(([count, step]) => (count > 0 ? [step] : []));
@@ -113,7 +114,7 @@ export function improvementText(improvement: Gain): string {
   if (!improvement.isImproved) return outcome;
   const gains = gainsOf(improvement);
   const { before, after } = improvement;
-  const [was, is] = [before, after].map(({ tetrahedra }) => tetrahedra.toLocaleString("en-US"));
+  const [was, is] = [before, after].map(({ tetrahedra }) => formatCount(tetrahedra));
   const counts = was === is ? `${is} tetrahedra as before` : `${was} → ${is} tetrahedra`;
   return `${outcome}: ${[...gains, counts].join(", ")}.`;
 }
@@ -127,6 +128,6 @@ function gainsOf({ before, after }: Gain): readonly string[] {
     ...changed("largest", ({ dihedral }) => `${dihedral.max.toFixed(1)}°`),
     ...changed("least radius ratio", ({ radiusRatio }) => radiusRatio.min.toFixed(3)),
     ...changed("mean radius ratio", ({ radiusRatio }) => radiusRatio.mean.toFixed(3)),
-    ...changed("outside 30°–135°", ({ outOfRange }) => outOfRange.toLocaleString("en-US")),
+    ...changed("outside 30°–135°", ({ outOfRange }) => formatCount(outOfRange)),
   ];
 }

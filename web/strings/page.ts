@@ -1,4 +1,5 @@
 /** Texts of the page around the panels: header, view, status bar, dialogs and messages. */
+import { formatCount } from "./format";
 /** Number of deleted entities that a notice names. */
 const maxNamed = 6;
 
@@ -170,7 +171,7 @@ export const pageStrings = {
     keptTriangles:
       "Its triangles are well shaped, so Generate mesh keeps them, unless they must be repaired or joined to those of other bodies. Those that are far too large beside small ones are divided. Select Remesh under Triangles to replace all.",
     needles: (needles: number, triangles: number) =>
-      `${needles.toLocaleString("en-US")} of ${triangles.toLocaleString("en-US")} triangles are needles, so Generate mesh replaces all by well-shaped ones. Select Keep under Triangles to mesh them as they are.`,
+      `${formatCount(needles)} of ${formatCount(triangles)} triangles are needles, so Generate mesh replaces all by well-shaped ones. Select Keep under Triangles to mesh them as they are.`,
     regionPointsUnused: (count: number) =>
       `${count === 1 ? "A point that marks a region or hole is" : `${count} points that mark regions and holes are`} not used in projects. The command line uses them: tetrafront mesh.`,
     scaledUnit: (name: string, unit: string, units: string) =>

@@ -1,3 +1,4 @@
+import { formatCount } from "./format";
 import { layerNames, ownRegionName } from "./entities";
 
 /** Texts of the panels. */
@@ -360,7 +361,7 @@ export const panelStrings = {
     one: (triangle: string) => `Triangle ${triangle}`,
     all: "Show all",
   },
-  positions: { more: (count: number) => `and ${count.toLocaleString("en-US")} more` },
+  positions: { more: (count: number) => `and ${formatCount(count)} more` },
   severities: { error: "Error", warning: "Warning", expected: "To do", note: "Note" },
   bottom: {
     title: "Log and problems",

@@ -1,18 +1,18 @@
 /** Texts about links to projects and pictures of the view. */
-const count = (value: number): string => value.toLocaleString("en-US");
 
+import { formatCount } from "./format";
 export const linkStrings = {
   title: "Share link",
   intro:
     "Whoever opens this link gets the model with its settings, seen as you see it now. The link itself holds all of it: nothing is uploaded, and no server sees it.",
   withStep: "It also leads to the step of the front that is shown.",
   field: "Link",
-  length: (characters: number) => `${count(characters)} characters`,
+  length: (characters: number) => `${formatCount(characters)} characters`,
   copied: "The link is in the clipboard.",
   copy: "Copy link",
   making: "Making the link…",
   tooLong: (characters: number, limit: number) =>
-    `The link would have ${count(characters)} characters. Many mail programs and messengers cut links of more than ${count(limit)}. Save the project, and pass on its file.`,
+    `The link would have ${formatCount(characters)} characters. Many mail programs and messengers cut links of more than ${formatCount(limit)}. Save the project, and pass on its file.`,
   save: "Save project file",
   failed: "The link could not be made",
   noLink: "The link cannot be opened",
@@ -34,7 +34,7 @@ export const pictureStrings = {
   save: "Save PNG",
   cancel: "Cancel",
   limits: (side: number, area: number) =>
-    `A picture has 1 to ${count(side)} whole pixels a side, and at most ${area} million in all.`,
+    `A picture has 1 to ${formatCount(side)} whole pixels a side, and at most ${area} million in all.`,
   noView: "Without a view, there is no picture",
   failed: "The picture could not be saved",
 } as const;

@@ -19,7 +19,7 @@ import {
 import { onLine, onPlane, roundStep, roundTo } from "../document/work-plane";
 import type { DocumentStore } from "../session/document-store";
 import { strings } from "../strings";
-import { formatPosition } from "../ui/format";
+import { formatPosition } from "../strings/format";
 import type { Viewer } from "../viewer/viewer";
 import { snapToModel, type SnapTargets } from "./drawing/snapping";
 import type { Interaction, ToolPointer } from "./interaction";

@@ -10,7 +10,7 @@ import { axisDirections, subtract } from "../document/vectors";
 import { onLine, roundStep, roundTo } from "../document/work-plane";
 import type { DocumentStore } from "../session/document-store";
 import { strings } from "../strings";
-import { formatPosition } from "../ui/format";
+import { formatPosition } from "../strings/format";
 import type { Layer } from "../viewer/layers/layer";
 import type { SceneState } from "../viewer/scene-state";
 import type { ScreenPoint } from "../viewer/screen";

@@ -1,4 +1,4 @@
-import { formatCount, formatShort } from "./format";
+import { formatCount, formatShort } from "../strings/format";
 import styles from "./histogram-chart.module.css";
 
 export interface HistogramChartProps {

@@ -1,7 +1,7 @@
 /** An exact repair replaces one that welded nodes, if the triangles of the remeshing are poor after the latter only. */
 import { expect, test } from "vitest";
 
-import { filledBest, hasWelded, meshedBest, remeshedBest } from "../../../wasm/src/api/best-repair.js";
+import { hasWelded, meshedBest, remeshedBest } from "../../../wasm/src/api/best-repair.js";
 import type { RemeshReport } from "../../../wasm/src/api/meshed-surface.js";
 import { emptyReport } from "../../../wasm/src/api/report.js";
 import { MesherError } from "../../../wasm/src/diagnostics/mesher-error.js";
@@ -86,59 +86,57 @@ test("returns the first result as a partial one if the second way is stopped", a
   ).toEqual(stopped);
 });
 
-const report = (status: MeshStatus) => ({ report: emptyReport(status, []) });
+/** How filling a surface ends; `failed`: the engine fails. */
+type End = MeshStatus | "failed";
+
+/** Remeshes and fills: returns the way taken, its status, and the ways filled. */
+async function filledWays(angles: Readonly<Record<Way, number>>, ends: Readonly<Record<Way, End>>) {
+  const filled: Way[] = [];
+  const found = await meshedBest(
+    "welded" as Way,
+    () => Promise.resolve<Way>("exact"),
+    (way) => Promise.resolve({ ...made(angles[way]), way }),
+    ({ way }) => {
+      filled.push(way);
+      const end = ends[way];
+      const failed = new MesherError("engine-failed", way, { reason: "it failed" });
+      return end === "failed" ? Promise.reject(failed) : Promise.resolve({ report: emptyReport(end, []) });
+    },
+  );
+  expect(found.isExact).toBe(found.prepared === "exact");
+  return { taken: found.prepared, status: found.result.report.status, filled };
+}
 
 test.each([
-  ["is complete", "done", "done", ["exact"], "exact"],
-  ["stalls", "stalled", "done", ["exact", "welded"], "welded"],
-  ["makes the engine fail", "failed", "done", ["exact", "welded"], "welded"],
-  ["makes the engine fail, and the other stalls", "failed", "stalled", ["exact", "welded"], "welded"],
-  ["stalls, and the other makes the engine fail", "stalled", "failed", ["exact", "welded"], "exact"],
-  ["stalls as the other does", "stalled", "stalled", ["exact", "welded"], "exact"],
-  ["is stopped", "cancelled", "done", ["exact"], "exact"],
-] as const)("a surface after the exact repair %s", async (_, exact, welded, expected, taken) => {
-  const status = { exact, welded };
-  const filled: Way[] = [];
-  const best = {
-    prepared: "exact",
-    made: "exact",
-    isExact: true,
-    welded: { prepared: "welded", made: "welded" },
-  };
-  const found = await filledBest<string, string, ReturnType<typeof report>>(best, (way) => {
-    const one = way as Way;
-    filled.push(one);
-    const end = status[one];
-    const failed = new MesherError("engine-failed", "it failed", { reason: "it failed" });
-    return end === "failed" ? Promise.reject(failed) : Promise.resolve(report(end));
-  });
-  expect(filled).toEqual(expected);
-  expect([found.prepared, found.isExact]).toEqual([taken, taken === "exact"]);
-  expect(found.result.report.status).toBe(status[taken]);
+  ["stalls, so the exact one is filled", "stalled", "done", "exact"],
+  ["makes the engine fail", "failed", "done", "exact"],
+  ["makes the engine fail, and the other stalls", "failed", "stalled", "exact"],
+  ["stalls, and the other makes the engine fail", "stalled", "failed", "welded"],
+  ["stalls as the other does", "stalled", "stalled", "exact"],
+  ["is refused, and the other is stopped", "invalid-input", "cancelled", "exact"],
+] as const)("a surface after the welding repair %s", async (_, welded, exact, taken) => {
+  const found = await filledWays({ welded: 2, exact: 9 }, { welded, exact });
+  expect(found).toEqual({ taken, status: { welded, exact }[taken], filled: ["welded", "exact"] });
 });
 
 test.each([
   ["is refused", "invalid-input", "done", "exact"],
-  ["is complete", "done", "done", "welded"],
   ["is refused as the other is", "invalid-input", "invalid-input", "welded"],
 ] as const)("a better surface after the welding repair %s", async (_, welded, exact, taken) => {
-  const status = { welded, exact };
-  const best = {
-    prepared: "welded",
-    made: "welded",
-    isExact: false,
-    exact: { prepared: "exact", made: "exact" },
-  };
-  const found = await filledBest<string, string, ReturnType<typeof report>>(best, (way) =>
-    Promise.resolve(report(status[way as Way])),
-  );
-  expect([found.prepared, found.isExact]).toEqual([taken, taken === "exact"]);
-  expect(found.result.report.status).toBe(status[taken]);
+  const found = await filledWays({ welded: 4, exact: 3 }, { welded, exact });
+  expect(found).toEqual({ taken, status: { welded, exact }[taken], filled: ["welded", "exact"] });
+});
+
+test("a surface that was stopped is not filled again, and the first failure is that of both ways", async () => {
+  const stopped = await filledWays({ welded: 2, exact: 9 }, { welded: "cancelled", exact: "done" });
+  expect(stopped).toEqual({ taken: "welded", status: "cancelled", filled: ["welded"] });
+  const both = filledWays({ welded: 2, exact: 9 }, { welded: "failed", exact: "failed" });
+  await expect(both).rejects.toThrow("welded");
 });
 
 /** A report of a mesh with this smallest dihedral angle; of a stalled one without. */
 function meshWith(angle: number | undefined) {
-  const { report: made } = report(angle === undefined ? "stalled" : "done");
+  const made = emptyReport(angle === undefined ? "stalled" : "done", []);
   return { report: { ...made, dihedral: { ...made.dihedral, min: angle ?? made.dihedral.min } } };
 }
 
@@ -189,19 +187,6 @@ test.each([
     expect(found.result).toEqual(meshWith(elements[taken]));
   },
 );
-
-test("a surface without another way is filled once, and a cancelled one is not filled again", async () => {
-  const filled: string[] = [];
-  const fill = (made: string) => {
-    filled.push(made);
-    return Promise.resolve(report("stalled"));
-  };
-  await filledBest({ prepared: "welded", made: "welded", isExact: false }, fill);
-  expect(filled).toEqual(["welded"]);
-  const cancelled = new MesherError("cancelled", "it was cancelled", { reason: "it was cancelled" });
-  const best = { prepared: "exact", made: "exact", isExact: true, welded: { prepared: "a", made: "a" } };
-  await expect(filledBest(best, () => Promise.reject(cancelled))).rejects.toBe(cancelled);
-});
 
 test("only a repair that moved nodes has another way", () => {
   const points = Float64Array.of(0, 0, 0, 1, 1, 1);

@@ -63,9 +63,10 @@ const prepared = {
 };
 const control = { signal: new AbortController().signal, onProgress: () => undefined };
 const surfaceFile = { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "skin", tag: 1 }] };
-const surfaceRegions = { regions: [{ name: "body", tag: 1 }], triangleRegions: new Uint32Array(24) };
-const givenRegions = {
+const surfaceRegions = {
+  regions: [{ name: "body", tag: 1 }],
   triangleRegions: new Uint32Array(24).map((_, side) => (side % 2 === 0 ? 0 : api.NO_REGION)),
+  areMeshed: true,
   maxVolumes: Float64Array.of(1),
 };
 const regionPoints = {
@@ -188,7 +189,7 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
     options: { growth: 0.3, background, preparedBodies: [prepared] },
     control,
   },
-  fillSurface: { surface: { ...box, givenRegions }, options: { growth: 0.3, background }, control },
+  fillSurface: { surface: { ...box, surfaceRegions }, options: { growth: 0.3, background }, control },
   locateRegions: { surface: { ...surfaceFile, regionPoints }, control },
   proposeSurfaceSizes: { surface: box, options: { size: 1 }, control },
   prepareBody: {

@@ -1,6 +1,6 @@
 /** Numbers as the panels show them. */
 import { expect, it } from "vitest";
-import { formatMeasure } from "../../../web/ui/format";
+import { formatMeasure } from "../../../web/strings/format";
 
 it.each([
   [0.0012346, "mm", 1, "0.001235 mm"],

@@ -1,7 +1,7 @@
 import { LENGTH_UNITS } from "tetrafront";
 import { createBody, type Project } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
-import { formatMeasure } from "../../../web/ui/format";
+import { formatMeasure } from "../../../web/strings/format";
 import { emptyProject } from "../../../web/document/create";
 import {
   convertProject,

@@ -11,14 +11,8 @@ import { createBody } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { meshKey, versionedKey } from "../../../web/document/content-keys";
 import { DocumentStore, newDocument } from "../../../web/session/document-store";
-import {
-  cancelledText,
-  canImprove,
-  isOfOtherBodies,
-  isStale,
-  MeshRun,
-  type LogLine,
-} from "../../../web/session/run";
+import { canImprove, isOfOtherBodies, isStale, MeshRun } from "../../../web/session/run";
+import { cancelledText, type LogLine } from "../../../web/session/run-log";
 import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 

@@ -23,10 +23,32 @@ export interface BestRepair<Prepared, Made> {
   readonly made: Made;
   /** Whether the exact repair was better. */
   readonly isExact: boolean;
-  /** Result after the repair that welds nodes, if the exact one was better. */
-  readonly welded?: { readonly prepared: Prepared; readonly made: Made } | undefined;
-  /** Result after the exact repair, if it is complete and not better. */
-  readonly exact?: { readonly prepared: Prepared; readonly made: Made } | undefined;
+}
+
+/** A way to make something. Resolves with undefined if it is not worth its time, given the best of the ways before. */
+export type Attempt<Made> = (best: Made | undefined) => Promise<Made | undefined>;
+
+/**
+ * Makes something in one way after the other, and returns the best. A way that fails is left out; rejects with the first failure
+ * if all fail, and at once if one is cancelled or the mesher is disposed of.
+ */
+export async function bestOf<Made>(
+  attempts: readonly Attempt<Made>[],
+  isBetter: (made: Made, best: Made) => boolean,
+): Promise<Made> {
+  let best: Made | undefined;
+  let first: unknown;
+  for (const attempt of attempts) {
+    try {
+      const made = await attempt(best);
+      if (made !== undefined && (best === undefined || isBetter(made, best))) best = made;
+    } catch (failure) {
+      if (!isFailure(failure)) throw failure;
+      first ??= failure;
+    }
+  }
+  if (best === undefined) throw first;
+  return best;
 }
 
 /** Largest deviation of an exact repair / diagonal: it welds within at most a millionth of the largest coordinate. */
@@ -60,57 +82,71 @@ export interface BestRepairOptions {
  *       remesh: await mesher.remeshSurface(one),
  *     }));
  */
-export async function remeshedBest<Prepared, Made extends { readonly remesh?: RemeshShapes }>(
+export function remeshedBest<Prepared, Made extends Remeshed>(
   prepared: Prepared,
   exact: (() => Promise<Prepared>) | undefined,
   remesh: (prepared: Prepared) => Promise<Made>,
   { partial = false }: BestRepairOptions = {},
 ): Promise<BestRepair<Prepared, Made>> {
-  const made = await remesh(prepared);
-  const first = { prepared, made, isExact: false };
-  if (exact === undefined || made.remesh === undefined || !isPoor(made.remesh)) return first;
-  const stopped = { ...first, made: { ...made, remesh: { ...made.remesh, isPartial: true } } };
-  const second = await unlessFailed(other(exact, remesh)).catch((failure: unknown) => {
-    if (partial && failure instanceof MesherError && failure.code === "cancelled") return stopped;
-    throw failure;
-  });
-  if (second?.made.remesh?.isPartial === true) return stopped;
-  const isTaken = second?.made.remesh !== undefined && isBetter(second.made.remesh, made.remesh);
-  return isTaken ? { ...second, isExact: true, welded: { prepared, made } } : { ...first, exact: second };
+  return bestOf<BestRepair<Prepared, Made>>(
+    [
+      async () => ({ prepared, made: await remesh(prepared), isExact: false }),
+      async (first) => {
+        if (first === undefined || exact === undefined || !isPoor(first.made)) return undefined;
+        const second = await afterExact(exact, remesh).catch((failure: unknown) => {
+          if (partial && failure instanceof MesherError && failure.code === "cancelled")
+            return stopped(first);
+          throw failure;
+        });
+        return isPartial(second.made) ? stopped(first) : second;
+      },
+    ],
+    (second, first) => isPartial(second.made) || areBetter(second.made, first.made),
+  );
 }
 
-async function other<Prepared, Made>(
+interface Remeshed {
+  readonly remesh?: RemeshShapes;
+}
+
+async function afterExact<Prepared, Made>(
   exact: () => Promise<Prepared>,
   remesh: (prepared: Prepared) => Promise<Made>,
-): Promise<{ readonly prepared: Prepared; readonly made: Made }> {
+): Promise<BestRepair<Prepared, Made>> {
   const prepared = await exact();
-  return { prepared, made: await remesh(prepared) };
+  return { prepared, made: await remesh(prepared), isExact: true };
+}
+
+const isPartial = ({ remesh }: Remeshed): boolean => remesh?.isPartial === true;
+
+/** Returns the first result as a partial one, since the second way was stopped. */
+function stopped<Prepared, Made extends Remeshed>(first: BestRepair<Prepared, Made>): typeof first {
+  const { remesh } = first.made;
+  return { ...first, made: { ...first.made, ...(remesh && { remesh: { ...remesh, isPartial: true } }) } };
 }
 
 /** Returns whether a finished remeshing has triangles so poor that another way is worth its time. */
-function isPoor({ isPartial, smallestAngle }: RemeshShapes): boolean {
-  return !isPartial && smallestAngle < POOR_ANGLE;
-}
+const isPoor = ({ remesh }: Remeshed): boolean =>
+  remesh !== undefined && !remesh.isPartial && remesh.smallestAngle < POOR_ANGLE;
 
 /** Returns whether a remeshing has a larger smallest angle than another, without poorer triangles on average. */
-function isBetter(one: RemeshShapes, other: RemeshShapes): boolean {
+function areBetter({ remesh: one }: Remeshed, { remesh: other }: Remeshed): boolean {
+  if (one === undefined || other === undefined || one.isPartial) return false;
   const isWorseOnAverage = one.meanRadiusRatio <= other.meanRadiusRatio - RATIO_NOISE;
-  return !one.isPartial && one.smallestAngle > other.smallestAngle && !isWorseOnAverage;
+  return one.smallestAngle > other.smallestAngle && !isWorseOnAverage;
 }
+
+/** Returns whether a call has failed: it was not cancelled, and the mesher not disposed of. */
+const isFailure = (failure: unknown): boolean =>
+  failure instanceof MesherError && failure.code !== "cancelled" && failure.code !== "disposed";
 
 /** Resolves with undefined if a call fails. Rejects if it is cancelled, or the mesher is disposed of. */
-export async function unlessFailed<Result>(made: Promise<Result>): Promise<Result | undefined> {
-  try {
-    return await made;
-  } catch (failure) {
-    const isFailed = failure instanceof MesherError && !ended.includes(failure.code);
-    if (isFailed) return undefined;
+export function unlessFailed<Result>(made: Promise<Result>): Promise<Result | undefined> {
+  return made.catch((failure: unknown) => {
+    if (isFailure(failure)) return undefined;
     throw failure;
-  }
+  });
 }
-
-/** Codes of errors that the caller has caused. */
-const ended: readonly MesherError["code"][] = ["cancelled", "disposed"];
 
 /** The way that was filled, and the result of filling it. */
 export interface FilledRepair<Prepared, Made, Result> extends BestRepair<Prepared, Made> {
@@ -127,30 +163,33 @@ type ComparedResult = Pick<MeshResult, "report">;
  * Remeshes and fills a repaired surface. Poor triangles need not make poor elements: only if these are unfit, or if the engine
  * refuses the surface, fails or stalls, does the same after the exact repair, if there is one, and returns the better mesh.
  */
-export async function meshedBest<
-  Prepared,
-  Made extends { readonly remesh?: RemeshShapes },
-  Result extends ComparedResult,
->(
+export async function meshedBest<Prepared, Made extends Remeshed, Result extends ComparedResult>(
   prepared: Prepared,
   exact: (() => Promise<Prepared>) | undefined,
   remesh: (prepared: Prepared) => Promise<Made>,
   fill: (made: Made) => Promise<Result>,
 ): Promise<FilledRepair<Prepared, Made, Result>> {
-  const made = await remesh(prepared);
-  const first = { prepared, made, isExact: false };
-  const filling = fill(made);
-  if (exact === undefined || made.remesh === undefined || !isPoor(made.remesh))
-    return { ...first, result: await filling };
-  const result = await unlessFailed(filling);
-  if (result !== undefined && (isFit(result) || result.report.status === "cancelled"))
-    return { ...first, result };
-  const best = await remeshedBest(prepared, exact, (one) =>
-    one === prepared ? Promise.resolve(made) : remesh(one),
+  const welded = { prepared, made: await remesh(prepared), isExact: false };
+  const filled = async (way: BestRepair<Prepared, Made>) => ({ ...way, result: await fill(way.made) });
+  return bestOf<FilledRepair<Prepared, Made, Result>>(
+    [
+      () => filled(welded),
+      async (first) => {
+        if (exact === undefined || !isPoor(welded.made) || (first && isEnough(first.result)))
+          return undefined;
+        const second = await afterExact(exact, remesh);
+        if (isPartial(second.made)) return filled(stopped(welded));
+        const isHopeless = first?.result.report.status === "done" && !areBetter(second.made, welded.made);
+        return isHopeless ? undefined : filled(second);
+      },
+    ],
+    (second, first) => {
+      const { status } = second.result.report;
+      if (status === "done") return smallestAngleOf(second.result) >= smallestAngleOf(first.result);
+      const isFirstDone = first.result.report.status === "done";
+      return status === "cancelled" || (!isFirstDone && areBetter(second.made, first.made));
+    },
   );
-  const filled = await filledBest(best, (one) => (one === made ? filling : fill(one)));
-  const isWorse = result !== undefined && smallestAngleOf(filled.result) < smallestAngleOf(result);
-  return isWorse && filled.result.report.status === "done" ? { ...first, result } : filled;
 }
 
 /** Returns the smallest dihedral angle of a mesh; less than any if there is none. */
@@ -158,26 +197,5 @@ function smallestAngleOf({ report }: ComparedResult): number {
   return report.status === "done" ? report.dihedral.min : -1;
 }
 
-const isFit = (result: ComparedResult): boolean => smallestAngleOf(result) >= FIT_ANGLE;
-
-/**
- * Fills the better surface. If the engine refuses it, fails or stalls on it, fills that of the other way, and returns its
- * result if it is complete. Rejects if it is cancelled.
- */
-export async function filledBest<Prepared, Made, Result extends ComparedResult>(
-  best: BestRepair<Prepared, Made>,
-  fill: (made: Made) => Promise<Result>,
-): Promise<FilledRepair<Prepared, Made, Result>> {
-  const other = best.welded ?? best.exact;
-  if (other === undefined) return { ...best, result: await fill(best.made) };
-  const isExact = best.welded === undefined;
-  const result = await unlessFailed(fill(best.made));
-  if (result?.report.status === "done" || result?.report.status === "cancelled") return { ...best, result };
-  if (result === undefined) return { ...other, isExact, result: await fill(other.made) };
-  // Whatever ends the second attempt, the first result is kept.
-  const second = await fill(other.made).catch((failure: unknown) => {
-    if (failure instanceof MesherError) return undefined;
-    throw failure;
-  });
-  return second?.report.status === "done" ? { ...other, isExact, result: second } : { ...best, result };
-}
+const isEnough = (result: ComparedResult): boolean =>
+  smallestAngleOf(result) >= FIT_ANGLE || result.report.status === "cancelled";

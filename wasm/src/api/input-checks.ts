@@ -19,6 +19,7 @@ import { checkGradation } from "./mesh-options.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
 import type { Project } from "../project/project-types.js";
+import { meshedRegionsOf } from "./surface-numbers.js";
 
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = checkedProject(project);
@@ -74,7 +75,6 @@ const surfaceSchema = v.pipe(
     patches: v.optional(v.array(groupSchema)),
     surfaceRegions: v.optional(regionsOnSides),
     regionPoints: regionPointsSchema,
-    givenRegions: v.optional(v.object({ triangleRegions: integers(2), maxVolumes: doubles() })),
   }),
   v.check(
     ({ origin, triangles }) => origin === undefined || 3 * origin.length === triangles.length,
@@ -90,9 +90,10 @@ const surfaceSchema = v.pipe(
     "trianglePatch must have one index per triangle",
   ),
   v.check(
-    ({ givenRegions, triangles }) =>
-      givenRegions === undefined || 3 * givenRegions.triangleRegions.length === 2 * triangles.length,
-    "givenRegions.triangleRegions must have two regions per triangle",
+    ({ surfaceRegions, triangles }) =>
+      surfaceRegions?.areMeshed !== true ||
+      3 * surfaceRegions.triangleRegions.length === 2 * triangles.length,
+    "surfaceRegions.triangleRegions must have two regions per triangle",
   ),
 );
 
@@ -109,8 +110,8 @@ export function hasRegionPoints({ regionPoints }: Pick<SurfaceInput, "regionPoin
 }
 
 /** Returns whether a region has a largest volume. */
-export function hasRegionVolumes({ givenRegions }: Pick<SurfaceInput, "givenRegions">): boolean {
-  return givenRegions?.maxVolumes.some((volume) => volume > 0) === true;
+export function hasRegionVolumes(surface: SurfaceInput): boolean {
+  return meshedRegionsOf(surface).maxVolumes.some((volume) => volume > 0);
 }
 
 /** Returns the options with the meaning of inner shells in the file's format, unless they have one. */

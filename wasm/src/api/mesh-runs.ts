@@ -18,7 +18,7 @@ import type { MeshOptions } from "./option-types.js";
 import { checkOptions, engineOptions } from "./mesh-options.js";
 import { ballOf, longestEdge, scaledKeptOptions, withBall } from "./scaled-sizes.js";
 import { describedResult, emptyResult } from "./report.js";
-import { givenRegionsOf, surfaceNamer } from "./surface-numbers.js";
+import { meshedRegionsOf, surfaceNamer } from "./surface-numbers.js";
 import { namedMesh, type NameSource } from "./generated-mesh.js";
 
 /** Loaded when a number of elements is asked for. */
@@ -90,7 +90,7 @@ export class MeshRuns {
       recordTrace: control.onTrace && { ...control.experiment },
       points: surface.points.slice(),
       triangles: surface.triangles.slice(),
-      regions: givenRegionsOf(surface),
+      regions: meshedRegionsOf(surface),
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineOptions(withInnerShells(surface, options)),
     } as const;

@@ -179,7 +179,7 @@ export interface Mesher {
   /**
    * Finds the volumes that the surface encloses, and which of them its `regionPoints` mark as regions and holes; exact.
    * Every volume without a hole point is a region, also inside another one. Returns the surface without triangles that no
-   * region touches; its `givenRegions` and `surfaceRegions` state what is meshed, with the names, tags and largest volumes
+   * region touches; its `surfaceRegions` state what is meshed, with the names, tags and largest volumes
    * of the region points. Warns with `region-point` about points without effect. Rejects with `region-point` if a point lies
    * on the surface or every volume is a hole, and as `fillSurface` if the surface cannot be meshed. Repair a surface
    * before this call. O(n log n). Works in slices beside a run.
@@ -199,7 +199,7 @@ export interface Mesher {
   ): Promise<SurfaceSizeProposal>;
   /**
    * Makes the requested repairs in a copy and lists every change; use `inspectSurface` to check the result. If the surface
-   * has `givenRegions` that share volumes, each keeps the rest as its own when intersections are resolved. Rejects with
+   * has `surfaceRegions` that are meshed and share volumes, each keeps the rest as its own when intersections are resolved. Rejects with
    * `invalid-input` if coordinates or indices are invalid. Works in slices beside a run.
    */
   repairSurface(surface: SurfaceInput, options?: RepairOptions, control?: RunControl): Promise<SurfaceRepair>;

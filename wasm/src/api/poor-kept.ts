@@ -47,11 +47,11 @@ export function helpedByOthers(kept: MeshResult): ElementShapes | undefined {
   return isPoor && goodTetrahedra <= MAX_TETRAHEDRA ? shapes : undefined;
 }
 
-/** Returns whether a mesh is finished, and its elements have better shapes. */
-export function isBetter(made: MeshResult, than: ElementShapes): boolean {
-  const shapes = shapesOf(made);
-  if (shapes === undefined) return false;
-  return shapes.poorShare <= than.poorShare && shapes.meanRadiusRatio > than.meanRadiusRatio;
+/** Returns whether a mesh is finished, and its elements have better shapes than those of another. */
+export function isBetter(made: MeshResult, kept: MeshResult): boolean {
+  const [one, other] = [shapesOf(made), shapesOf(kept)];
+  if (one === undefined || other === undefined) return false;
+  return one.poorShare <= other.poorShare && one.meanRadiusRatio > other.meanRadiusRatio;
 }
 
 /** Says why triangles that were fit were replaced. `keep`: how to keep them. */

@@ -30,7 +30,7 @@ function unlocatedLines({ unlocatedRegions = [] }: Pick<Mesh, "unlocatedRegions"
 
 /** Reports regions of the file that are not meshed. */
 export function unmeshedNotes(
-  { surfaceRegions, givenRegions }: Pick<Mesh, "surfaceRegions" | "givenRegions">,
+  { surfaceRegions }: Pick<Mesh, "surfaceRegions">,
   { regions }: Pick<Mesh, "regions">,
 ): string[] {
   const leftOut = (surfaceRegions?.regions ?? []).filter(({ tag }) =>
@@ -38,7 +38,7 @@ export function unmeshedNotes(
   );
   if (leftOut.length === 0) return [];
   const names = leftOut.map(({ name }) => `"${name}"`).join(", ");
-  // Given regions state what inner shells bound.
-  const hint = givenRegions === undefined ? '; `innerShells: "regions"` also meshes inside inner shells' : "";
+  const hint =
+    surfaceRegions?.areMeshed === true ? "" : '; `innerShells: "regions"` also meshes inside inner shells';
   return [`regions of the file that are not meshed: ${names}${hint}`];
 }

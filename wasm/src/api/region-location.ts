@@ -107,9 +107,10 @@ function locatedSurface(given: Mesh, location: EngineLocation, found: Volumes): 
     trianglePatch: Uint32Array.from(kept.origin, of),
     origin: chainedOrigins(origin, Uint32Array.from(kept.origin)),
     nodeOrigin: chainedOrigins(nodeOrigin, Uint32Array.from(nodes.used)),
-    surfaceRegions: { regions, triangleRegions: kept.triangleRegions },
-    givenRegions: {
+    surfaceRegions: {
+      regions,
       triangleRegions: kept.triangleRegions,
+      areMeshed: true,
       maxVolumes: Float64Array.from(maxVolumes),
     },
   };

@@ -66,8 +66,8 @@ export async function solidParts(
 /** Returns solids whose triangles do not intersect with the regions on both sides of each: one may lie within another. */
 export async function withNesting(mesher: SurfaceMesher, part: Mesh): Promise<Mesh> {
   if ((part.surfaceRegions?.regions.length ?? 0) < 2) return part;
-  const { surfaceRegions, givenRegions } = (await withSolidRegions(mesher, part, part)).surface;
-  return { ...part, ...(surfaceRegions && { surfaceRegions }), ...(givenRegions && { givenRegions }) };
+  const { surfaceRegions } = (await withSolidRegions(mesher, part, part)).surface;
+  return { ...part, ...(surfaceRegions && { surfaceRegions }) };
 }
 
 async function isFillable(mesher: SurfaceMesher, surfaces: readonly Mesh[]): Promise<boolean> {

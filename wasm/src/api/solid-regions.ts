@@ -50,9 +50,9 @@ export async function solidRegions(
   made: Mesh,
   isAssigned: boolean,
 ): Promise<SolidRegions> {
-  const { regionPoints: _, givenRegions: __, surfaceRegions: ___, origin: ____, ...plain } = made;
+  const { regionPoints: _, surfaceRegions: __, origin: ___, ...plain } = made;
   const { mesh: located } = await mesher.locateRegions(plain);
-  const cellOf = located.givenRegions?.triangleRegions ?? new Uint32Array();
+  const cellOf = located.surfaceRegions?.triangleRegions ?? new Uint32Array();
   const origins = Uint32Array.from(located.origin ?? [], (t) =>
     made === given ? t : (made.origin?.[t] ?? NO_ORIGIN),
   );
@@ -69,22 +69,18 @@ export async function solidRegions(
       });
   const smallest = SMALLEST_GAP * diagonalOf(given.points);
   const gaps = cells.filter((cell) => widthOf(cell) > smallest).flatMap((cell) => gapNote(given, cell));
-  const regions = given.surfaceRegions?.regions ?? [];
+  const { regions = [], maxVolumes } = given.surfaceRegions ?? {};
   const whole: Mesh = {
     ...located,
     origin: origins,
-    surfaceRegions: { regions, triangleRegions },
-    givenRegions: {
-      triangleRegions: triangleRegions.slice(),
-      maxVolumes: given.givenRegions?.maxVolumes ?? new Float64Array(),
-    },
+    surfaceRegions: { regions, triangleRegions, areMeshed: true, ...(maxVolumes && { maxVolumes }) },
   };
   return { surface: withoutInnerTriangles(whole), gaps, shared };
 }
 
 /** Returns the region of each volume, as the sides of the triangles state it. */
 function assignedRegions(made: Mesh, located: Mesh, cellOf: Uint32Array): number[] {
-  const sides = made.givenRegions?.triangleRegions ?? new Uint32Array();
+  const sides = made.surfaceRegions?.triangleRegions ?? new Uint32Array();
   const regionOf: number[] = [];
   (located.origin ?? []).forEach((from, t) => {
     for (const k of [0, 1]) {
@@ -166,7 +162,7 @@ function gapNote({ surfaceRegions }: Mesh, cell: Cell): Diagnostic[] {
 
 /** Leaves out triangles with the same region on both sides. */
 function withoutInnerTriangles(surface: Mesh): Mesh {
-  const { triangles, trianglePatch, origin, surfaceRegions, givenRegions } = surface;
+  const { triangles, trianglePatch, origin, surfaceRegions } = surface;
   const sides = surfaceRegions?.triangleRegions ?? new Uint32Array();
   const kept = [...trianglePatch.keys()].filter((t) => sides[2 * t] !== sides[2 * t + 1]);
   if (kept.length === trianglePatch.length) return surface;
@@ -179,6 +175,5 @@ function withoutInnerTriangles(surface: Mesh): Mesh {
     trianglePatch: pick(trianglePatch, 1),
     ...(origin && { origin: pick(origin, 1) }),
     ...(surfaceRegions && { surfaceRegions: { ...surfaceRegions, triangleRegions } }),
-    ...(givenRegions && { givenRegions: { ...givenRegions, triangleRegions: triangleRegions.slice() } }),
   };
 }

@@ -79,8 +79,8 @@ function haveSameSides(one: SurfaceRegions | undefined, other: SurfaceRegions | 
 
 /** Returns a surface without the solids that lie wholly inside another one, which bound cavities then; one inside of such a cavity stays. O(n). */
 export function withCavities(surface: Mesh): Mesh {
-  const { surfaceRegions, givenRegions } = surface;
-  if (surfaceRegions === undefined || givenRegions === undefined) return surface;
+  const { surfaceRegions } = surface;
+  if (surfaceRegions?.areMeshed !== true) return surface;
   const { triangleRegions: sides } = surfaceRegions;
   const around = surfaceRegions.regions.map(() => new Set<number>());
   sides.forEach((region, side) => around[region]?.add(sides[side ^ 1] ?? NO_REGION));
@@ -98,12 +98,7 @@ export function withCavities(surface: Mesh): Mesh {
     triangles.subarray(3 * t, 3 * t + 3).reverse();
     triangleRegions.subarray(2 * t, 2 * t + 2).reverse();
   }
-  return {
-    ...surface,
-    triangles,
-    surfaceRegions: { ...surfaceRegions, triangleRegions },
-    givenRegions: { ...givenRegions, triangleRegions: triangleRegions.slice() },
-  };
+  return { ...surface, triangles, surfaceRegions: { ...surfaceRegions, triangleRegions } };
 }
 
 /** Says which solid got a volume that two shared. */

@@ -2,13 +2,11 @@
 import type { Mesh } from "../mesh/mesh.js";
 
 /** Returns whether a surface states the regions of several solids. */
-export const hasSolids = ({ surfaceRegions, givenRegions }: Mesh): boolean =>
-  givenRegions !== undefined && (surfaceRegions?.regions.length ?? 0) > 1;
+export const hasSolids = ({ surfaceRegions }: Mesh): boolean =>
+  surfaceRegions?.areMeshed === true && surfaceRegions.regions.length > 1;
 
-/** Returns the surface alone: triangles of overlapping solids, and new ones between solids, contradict the given regions. */
-export function withoutRegions<Surface extends { readonly givenRegions?: unknown }>({
-  givenRegions: _,
-  ...surface
-}: Surface): Omit<Surface, "givenRegions"> {
-  return surface;
+/** Returns the surface with the names of its regions only: triangles of overlapping solids, and new ones between solids, contradict what is meshed. */
+export function withoutRegions<Surface extends Pick<Mesh, "surfaceRegions">>(surface: Surface): Surface {
+  const { surfaceRegions } = surface;
+  return surfaceRegions ? { ...surface, surfaceRegions: { ...surfaceRegions, areMeshed: false } } : surface;
 }

@@ -9,7 +9,7 @@ import type { RunControl } from "../engine/control.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { MeshResult } from "../mesh/report.js";
 import { triangleShapes } from "../mesh/triangle-shapes.js";
-import { hasWelded, meshedBest, unlessFailed } from "./best-repair.js";
+import { bestOf, hasWelded, meshedBest } from "./best-repair.js";
 import { checkControl, checkSurface } from "./input-checks.js";
 import { located } from "./located-surface.js";
 import type { ChangedSurface, MeshedSurface } from "./meshed-surface.js";
@@ -31,7 +31,7 @@ import type { WholeNumbers } from "./whole-numbers.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withSmallRepair } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withSolidsOfPatches, withTouchingSolids } from "./touching-solids.js";
-import { helpedByOthers, isBetter } from "./poor-kept.js";
+import { type ElementShapes, helpedByOthers, isBetter } from "./poor-kept.js";
 import {
   type ControlOf,
   hasSizes,
@@ -256,20 +256,26 @@ async function filledBetter(
   ready: ReadySurface,
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
-  const kept = await filledOnce(mesher, given, ready, filling);
-  const poor = helpedByOthers(kept);
-  if (poor === undefined) return kept;
-  const treatment: Treatment = { kind: "remesh", poor };
-  const replaced = ({ parts, ...one }: ReadySurface): ReadySurface => ({
-    ...one,
-    treatment,
-    parts: parts?.map((part) => ({ ...part, ready: replaced(part.ready) })),
-  });
-  const options = { ...filling.options, surface: "remesh" } as const;
-  const made = await unlessFailed(filledOnce(mesher, given, replaced(ready), { ...filling, options }));
-  if (made?.report.status === "cancelled") return made;
-  return made !== undefined && isBetter(made, poor) ? made : kept;
+  return bestOf<MeshedSurface>(
+    [
+      () => filledOnce(mesher, given, ready, filling),
+      async (kept) => {
+        const poor = kept && helpedByOthers(kept);
+        if (poor === undefined) return undefined;
+        const options = { ...filling.options, surface: "remesh" } as const;
+        return filledOnce(mesher, given, withRemeshing(ready, poor), { ...filling, options });
+      },
+    ],
+    (made, kept) => made.report.status === "cancelled" || isBetter(made, kept),
+  );
 }
+
+/** Returns a surface all triangles of which are replaced, because elements beside them are poor. */
+const withRemeshing = ({ parts, ...one }: ReadySurface, poor: ElementShapes): ReadySurface => ({
+  ...one,
+  treatment: { kind: "remesh", poor },
+  parts: parts?.map((part) => ({ ...part, ready: withRemeshing(part.ready, poor) })),
+});
 
 /**
  * Treats and fills a surface. If triangles and elements are poor after a repair that welded nodes and a remeshing, tries an exact

@@ -1,7 +1,8 @@
 /** Maps the triangles and nodes of a repaired, refined or remeshed surface to their indices in the given one. */
 import { type EntityNamer, nameByIndex } from "../diagnostics/entity-names.js";
 import { NO_ORIGIN } from "../generated/constants.js";
-import type { GivenRegions, SurfaceInput } from "../mesh/mesh.js";
+import type { MeshedRegions } from "../engine/protocol.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
 
 /**
  * Names triangles and nodes by their indices in the given surface, if the surface states them. Triangles of filled
@@ -21,16 +22,17 @@ export function surfaceNamer({
   };
 }
 
-/** Returns a copy of the given regions, for the engine; empty if they are not known. */
-export function givenRegionsOf({ givenRegions }: SurfaceInput): GivenRegions {
+/** Returns a copy of the regions that are meshed, for the engine; empty if they are not known. */
+export function meshedRegionsOf({ surfaceRegions }: SurfaceInput): MeshedRegions {
+  const { triangleRegions, maxVolumes } = (surfaceRegions?.areMeshed === true && surfaceRegions) || {};
   return {
-    triangleRegions: givenRegions?.triangleRegions.slice() ?? new Uint32Array(),
-    maxVolumes: givenRegions?.maxVolumes.slice() ?? new Float64Array(),
+    triangleRegions: triangleRegions?.slice() ?? new Uint32Array(),
+    maxVolumes: maxVolumes?.slice() ?? new Float64Array(),
   };
 }
 
 export function triangleRegionsOf(surface: SurfaceInput): Uint32Array {
-  return givenRegionsOf(surface).triangleRegions;
+  return meshedRegionsOf(surface).triangleRegions;
 }
 
 /**

@@ -48,7 +48,7 @@ import type { BackgroundArrays } from "../project/background-arrays.js";
 import { onTrueFaces } from "./true-faces.js";
 import { completeSurface } from "./carried-mesh.js";
 import { splitSurface } from "./patch-names.js";
-import { givenRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
+import { meshedRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
 
 /** The remedies for a surface that cannot be filled; the second one alone helps a remeshing. */
 const REMESH_OR_REPAIR = /`surface: "remesh"`, or a repair \(`repair: true` or `repairSurface\(\)`\),? /;
@@ -123,7 +123,7 @@ export class SurfaceTools {
     const { volume = 0, ...withoutVolume } = options;
     const { points, triangles } = copied(surface);
     const grid = gridOf(withoutVolume.background);
-    const regions = givenRegionsOf(surface);
+    const regions = meshedRegionsOf(surface);
     const given = [points, triangles, grid, engineOptions(withoutVolume), volume, regions] as const;
     const refinement = await this.#client.ask("refineSurface", given, control);
     refuse(changeDiagnostics(refinement, name));
@@ -144,7 +144,7 @@ export class SurfaceTools {
     // A partial call that is stopped early still returns a surface.
     if (pause) await afterPause(this.#client, pause, control.partial === true ? {} : control);
     const settings = engineRemeshOptions(withInnerShells(surface, options));
-    const regions = givenRegionsOf(surface);
+    const regions = meshedRegionsOf(surface);
     const given = [points, triangles, groups, gridOf(options.background), settings, regions] as const;
     const remesh = await this.#client.ask("remeshSurface", given, control);
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);

@@ -68,7 +68,7 @@ export async function onTrueFaces(
 
 /** Returns what the triangles enclose that do not lie between two regions. */
 function* volumeIn(surface: Mesh): Steps<number> {
-  const beside = surface.givenRegions?.triangleRegions;
+  const beside = surface.surfaceRegions?.triangleRegions;
   const isOuter = (triangle: number) => (beside?.[2 * triangle + 1] ?? NO_REGION) === NO_REGION;
   const [volume = 0] = yield* enclosedVolumes(surface, 1, (t) => (isOuter(t) ? 0 : undefined));
   return volume;

@@ -2,13 +2,18 @@
 import type { FrontExperiment } from "../trace/experiment.js";
 import type { CallProgress } from "../base/progress.js";
 import type { EngineFailure } from "../diagnostics/mesher-error.js";
-import type { GivenRegions } from "../mesh/mesh.js";
+import type { SurfaceRegions } from "../mesh/mesh.js";
 import type { EngineMesh } from "./engine-mesh.js";
 import type { MetricShapes } from "../mesh/quality.js";
 import type { FrontRecording, MeshReport, MeshStatus } from "../mesh/report.js";
 import type { BodySurfaceArrays, GridArrays, ModelArrays } from "../generated/constants.js";
 import type { CallName } from "./calls.js";
 import type { CompiledModule, EngineDiagnostics, EngineOptions } from "./loader.js";
+
+/** Regions that are meshed. */
+export type MeshedRegions = {
+  readonly [Part in "triangleRegions" | "maxVolumes"]: NonNullable<SurfaceRegions[Part]>;
+};
 
 /**
  * A module of the compiled engine: "engine" fills models and surfaces and improves meshes, "trace" fills them and records
@@ -65,7 +70,7 @@ export type Request =
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       /** Empty arrays if nothing is known. */
-      readonly regions: GivenRegions;
+      readonly regions: MeshedRegions;
       /** Without nodes and tetrahedra, sizes come from the surface's own edges. */
       readonly grid: GridArrays;
       readonly options: EngineOptions;

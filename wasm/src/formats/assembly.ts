@@ -25,16 +25,16 @@ export function* assemblyOf(parts: readonly AssemblyPart[]): Steps<Mesh> {
 }
 
 function* shapesOf({ name, surface }: AssemblyPart): Steps<Shape[]> {
-  const { surfaceRegions, givenRegions } = surface;
+  const { surfaceRegions } = surface;
   if (surfaceRegions === undefined) return [yield* shapeOf(surface, name, () => 1)];
-  const { regions, triangleRegions } = surfaceRegions;
+  const { regions, triangleRegions, maxVolumes } = surfaceRegions;
   const shapes: Shape[] = [];
   for (const [r, { name: own }] of regions.entries()) {
     const signOf = (t: number) =>
       Number(triangleRegions[2 * t] === r) - Number(triangleRegions[2 * t + 1] === r);
     const isUnnamed = own === "" || (regions.length === 1 && isNumberedSolid(own));
     const shape = yield* shapeOf(surface, isUnnamed ? name : own, signOf);
-    const maxVolume = givenRegions?.maxVolumes[r] ?? 0;
+    const maxVolume = maxVolumes?.[r] ?? 0;
     if (shape.triangles.length > 0) shapes.push({ ...shape, maxVolume });
   }
   return shapes;

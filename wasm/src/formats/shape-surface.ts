@@ -37,26 +37,7 @@ export function* joinedSurface(
     yield* shareTriangles(joined);
     yield* sharePlanarPieces(joined);
   }
-  const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);
-  const mesh = yield* meshOf(joined, shapes);
-  const hasRegions = shapes.length > 1 || isLimited;
-  return {
-    mesh: hasRegions ? withGivenRegions(mesh, shapes) : mesh,
-    closedShapes: shapes.length - open.size,
-  };
-}
-
-/**
- * Several solids state what is meshed on either side: a solid may fill a cavity of another, and one that is not closed keeps
- * its region when a repair closes it. One solid does so for the largest volume of its tetrahedra.
- */
-function withGivenRegions(mesh: Mesh, shapes: readonly Shape[]): Mesh {
-  const { triangleRegions = new Uint32Array() } = mesh.surfaceRegions ?? {};
-  const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);
-  const maxVolumes = isLimited
-    ? Float64Array.from(shapes, ({ maxVolume = 0 }) => maxVolume)
-    : new Float64Array();
-  return { ...mesh, givenRegions: { triangleRegions, maxVolumes } };
+  return { mesh: yield* meshOf(joined, shapes), closedShapes: shapes.length - open.size };
 }
 
 function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<Mesh> {
@@ -75,6 +56,8 @@ function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<Mesh> {
     triangleRegions[2 * i] = shapeOf[t] ?? 0;
     if (other !== t) triangleRegions[2 * i + 1] = shapeOf[other] ?? 0;
   });
+  // A solid may fill a cavity of another, and one that is not closed keeps its region when a repair closes it.
+  const isLimited = shapes.some(({ maxVolume = 0 }) => maxVolume > 0);
   const allNotes = [...notes, ...patches.emptyFaces()];
   return {
     points,
@@ -88,6 +71,8 @@ function* meshOf(joined: JoinedShapes, shapes: readonly Shape[]): Steps<Mesh> {
     surfaceRegions: {
       regions: names.map((name, s) => ({ name, tag: s + 1, isTagChosen: true })),
       triangleRegions,
+      ...((shapes.length > 1 || isLimited) && { areMeshed: true }),
+      ...(isLimited && { maxVolumes: Float64Array.from(shapes, ({ maxVolume = 0 }) => maxVolume) }),
     },
     ...(allNotes.length > 0 && { notes: allNotes }),
     nodeData: new Map(),

@@ -125,7 +125,7 @@ function boxesOf(
 
 /** Returns these solids of a surface, with the nodes and patches that they use, in the order of the triangles. O(n). */
 export function partOfSolids(given: SolidsSurface, solids: readonly number[]): SolidsPart {
-  const { regions, triangleRegions: givenSides } = given.surfaceRegions;
+  const { regions, triangleRegions: givenSides, areMeshed, maxVolumes } = given.surfaceRegions;
   const indexOf = new Map(solids.map((region, index) => [region, index]));
   const own: number[] = [];
   const sides: number[] = [];
@@ -136,13 +136,15 @@ export function partOfSolids(given: SolidsSurface, solids: readonly number[]): S
     for (const region of beside) sides.push(region ?? NO_REGION);
   }
   const { nodes, ...part } = partOfTriangles(given, own);
-  const triangleRegions = Uint32Array.from(sides);
-  const maxVolumes = Float64Array.from(solids, (region) => given.givenRegions?.maxVolumes[region] ?? 0);
   return {
     ...noVolume(),
     ...part,
-    surfaceRegions: { regions: solids.flatMap((region) => regions[region] ?? []), triangleRegions },
-    ...(given.givenRegions && { givenRegions: { triangleRegions: triangleRegions.slice(), maxVolumes } }),
+    surfaceRegions: {
+      regions: solids.flatMap((region) => regions[region] ?? []),
+      triangleRegions: Uint32Array.from(sides),
+      ...(areMeshed && { areMeshed }),
+      ...(maxVolumes && { maxVolumes: Float64Array.from(solids, (region) => maxVolumes[region] ?? 0) }),
+    },
     ...(given.unit && { unit: given.unit }),
     wholeTriangles: Uint32Array.from(own),
     wholeNodes: nodes,

@@ -17,7 +17,12 @@ export const groupSchema = v.object({
 
 /** Regions on the sides of triangles. */
 export const regionsOnSides = v.pipe(
-  v.object({ regions: v.array(groupSchema), triangleRegions: integers(2) }),
+  v.object({
+    regions: v.array(groupSchema),
+    triangleRegions: integers(2),
+    areMeshed: v.optional(v.boolean()),
+    maxVolumes: v.optional(doubles()),
+  }),
   v.rawCheck(({ dataset, addIssue }) => {
     if (!dataset.typed) return;
     const { regions, triangleRegions } = dataset.value;

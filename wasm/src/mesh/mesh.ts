@@ -31,26 +31,22 @@ export interface NodeData {
   readonly values: Float64Array;
 }
 
-/** Regions on the sides of a file's triangles. */
+/** Regions on the sides of the triangles of a surface. */
 export interface SurfaceRegions {
   readonly regions: readonly MeshGroup[];
-  /** Two per triangle, in either order: index in `regions` of the region on that side, `NO_REGION` if there is none. */
+  /**
+   * Two per triangle: index in `regions` of the region from which its nodes are seen clockwise, and of that from which they are
+   * seen counter-clockwise; `NO_REGION` where nothing is meshed. In either order, unless they are `areMeshed`.
+   */
   readonly triangleRegions: Uint32Array;
+  /** Whether these regions are what is meshed, whatever `innerShells` is. Default false: they only name what is found. */
+  readonly areMeshed?: boolean | undefined;
+  /** Per region that is meshed: largest volume of a tetrahedron, in cubed model units; 0 for no limit. May be shorter. */
+  readonly maxVolumes?: Float64Array | undefined;
 }
 
 /** Order of the elements of a written file: 2 adds a node at the middle of every edge. */
 export type ElementOrder = 1 | 2;
-
-/** Regions of a surface that are known before it is meshed. */
-export interface GivenRegions {
-  /**
-   * Two per triangle: the region from which its nodes are seen clockwise, and the region from which they are seen
-   * counter-clockwise; `NO_REGION` where nothing is meshed. Numbers may have gaps.
-   */
-  readonly triangleRegions: Uint32Array;
-  /** Per number: largest volume of a tetrahedron, in cubed model units; 0 for no limit. May be shorter. */
-  readonly maxVolumes: Float64Array;
-}
 
 /** Point that marks a region of a model. */
 export interface RegionPoint {
@@ -125,10 +121,8 @@ export interface Mesh {
    * closed.
    */
   readonly triangleRegions?: Uint32Array | undefined;
-  /** Regions between the triangles, if a file defines them without tetrahedra. */
+  /** Regions between the triangles, if they are known without tetrahedra. */
   readonly surfaceRegions?: SurfaceRegions | undefined;
-  /** What is meshed, if it follows from the sides of the triangles alone; replaces `innerShells`. */
-  readonly givenRegions?: GivenRegions | undefined;
   /**
    * Per triangle, if the mesh was made from another one (`repairSurface`, `refineSurface`, `remeshSurface`): its index there,
    * by which messages name it, or `NO_ORIGIN`. Default: its own index.

@@ -5,7 +5,7 @@ import { expressionOf, keepingExpression } from "../../document/expression-edits
 import { uniformSizePath } from "../../document/number-paths";
 import { setMeshing } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import { NumberField } from "../../ui/fields/number-field";
 import { strings } from "../../strings";
 import { useApp, useProject, useView } from "../shared/app-context";

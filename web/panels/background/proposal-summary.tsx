@@ -1,5 +1,5 @@
 import { Facts } from "../../ui/facts";
-import { formatCount, formatMeasure } from "../../ui/format";
+import { formatCount, formatMeasure } from "../../strings/format";
 import { strings } from "../../strings";
 import { useProject, useRun } from "../shared/app-context";
 import styles from "./proposal-summary.module.css";

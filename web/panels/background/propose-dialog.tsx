@@ -4,7 +4,7 @@ import { PROPOSAL_DEFAULTS } from "tetrafront/internal";
 import { applyProposal } from "../../commands/background-actions";
 import { DialogButtons } from "../../ui/frames/dialog-buttons";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { NumberRow } from "../../ui/fields/number-row";
 import { likelySize } from "../../document/extent";

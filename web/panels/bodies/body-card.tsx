@@ -9,7 +9,7 @@ import { touchingCode } from "../../document/validate";
 import { canBeFilled, isFillable } from "../../session/bodies";
 import { Facts } from "../../ui/facts";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatCount, formatMeasure, formatShort } from "../../ui/format";
+import { formatCount, formatMeasure, formatShort } from "../../strings/format";
 import { planText, strings } from "../../strings";
 import { ratioMeanings } from "../../strings/ratio-meanings";
 import { Explained } from "../../ui/explained";

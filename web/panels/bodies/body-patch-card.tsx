@@ -5,7 +5,7 @@ import { patchFacts } from "../../document/patch-facts";
 import { Facts } from "../../ui/facts";
 import { FieldRow } from "../../ui/fields/field-row";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatCount, formatPosition, formatMeasure } from "../../ui/format";
+import { formatCount, formatPosition, formatMeasure } from "../../strings/format";
 import { strings } from "../../strings";
 import { useProject } from "../shared/app-context";
 import { SplitSection } from "./body-patches";

@@ -6,7 +6,7 @@ import { previewBody, showBodySurface } from "../../commands/surface-actions";
 import { Facts } from "../../ui/facts";
 import { FieldRow } from "../../ui/fields/field-row";
 import { IconButton } from "../../ui/icon-button";
-import { formatAngle, formatCount, formatMeasure } from "../../ui/format";
+import { formatAngle, formatCount, formatMeasure } from "../../strings/format";
 import { strings } from "../../strings";
 import { ratioMeanings } from "../../strings/ratio-meanings";
 import { Explained } from "../../ui/explained";

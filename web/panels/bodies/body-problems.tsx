@@ -15,7 +15,7 @@ import { groupProblems } from "../../document/validate";
 import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { NumberRow } from "../../ui/fields/number-row";
-import { formatShort } from "../../ui/format";
+import { formatShort } from "../../strings/format";
 import { remedyInApp, strings } from "../../strings";
 import { ProblemCard } from "../problems/problem-card";
 import { useApp, useProblems } from "../shared/app-context";

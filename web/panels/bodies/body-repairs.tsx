@@ -3,7 +3,7 @@ import type { ProjectBody } from "tetrafront/project";
 import { placedLength } from "../../document/body-repair";
 import { placed } from "../../document/placement";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatShort } from "../../ui/format";
+import { formatShort } from "../../strings/format";
 import { strings } from "../../strings";
 import { PositionList } from "../shared/position-list";
 import styles from "./bodies.module.css";

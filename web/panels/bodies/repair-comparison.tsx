@@ -3,7 +3,7 @@ import { IconX } from "@tabler/icons-react";
 import type { ProjectBody } from "tetrafront/project";
 import type { RepairProposal } from "../../document/body-repair";
 import { canCompare } from "../../session/body-repairs";
-import { formatAngle } from "../../ui/format";
+import { formatAngle } from "../../strings/format";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";

@@ -2,7 +2,7 @@ import { ActionIcon, Text, UnstyledButton } from "@mantine/core";
 import { IconTrash } from "@tabler/icons-react";
 import { openRecent } from "../../commands/project-actions";
 import type { RecentDocument } from "../../session/document-library";
-import { formatTime } from "../../ui/format";
+import { formatTime } from "../../strings/format";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { strings } from "../../strings";
 import { useApp, useShell } from "../shared/app-context";

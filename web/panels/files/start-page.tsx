@@ -8,7 +8,7 @@ import { startPage } from "../../session/start-page";
 import { startStrings as texts } from "../../strings/passing";
 import { strings } from "../../strings";
 import { hasDialog, inputMode } from "../../tools/input-mode";
-import { formatTime } from "../../ui/format";
+import { formatTime } from "../../strings/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { useFocusReturn } from "../../ui/use-focus-return";
 import { useApp } from "../shared/app-context";

@@ -5,7 +5,7 @@ import { existingIn } from "../../document/entities";
 import { qualityIn } from "../../document/mesh-quality";
 import { hasLengths, setProjectUnit, unitOf } from "../../document/length-units";
 import { FieldRow } from "../../ui/fields/field-row";
-import { formatAngle } from "../../ui/format";
+import { formatAngle } from "../../strings/format";
 import { NameField } from "../../ui/fields/name-field";
 import { measuredIn, measureNames, strings } from "../../strings";
 import { useApp, useProject, useQualitySpace, useRun, useView } from "../shared/app-context";

@@ -15,7 +15,7 @@ import {
 } from "../../document/parameters";
 import { NameField } from "../../ui/fields/name-field";
 import { NamedNumbersContext } from "../../ui/fields/named-numbers";
-import { formatNumber } from "../../ui/format";
+import { formatNumber } from "../../strings/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";

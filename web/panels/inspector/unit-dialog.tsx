@@ -1,7 +1,7 @@
 import { Button, Group, Text } from "@mantine/core";
 import { convertProject, setProjectUnit, unitFactor, unitOf } from "../../document/length-units";
 import { strings } from "../../strings";
-import { formatNumber } from "../../ui/format";
+import { formatNumber } from "../../strings/format";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
 import { useApp, useProject, useShell } from "../shared/app-context";
 

@@ -3,7 +3,7 @@ import { useMemo, type ComponentPropsWithoutRef } from "react";
 import type { ProjectGroup } from "tetrafront/project";
 import { groupedColor, cssColor, groupEntities } from "../../document/groups";
 import { strings } from "../../strings";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import { useProject } from "../shared/app-context";
 import styles from "./model-tree.module.css";
 import { EntitiesEye, IsolateButton, ShowAllButton } from "./tree-actions";

@@ -5,7 +5,7 @@ import { entityKey } from "../../document/entities";
 import { groupTints } from "../../document/groups";
 import type { SelectMode } from "../../document/selection";
 import type { Problem } from "../../document/validate";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import { entityWords, strings } from "../../strings";
 import { useApp, useProblems, useProject, useView } from "../shared/app-context";
 import { isCalm, useShownSeverity } from "../shared/problem-severity";

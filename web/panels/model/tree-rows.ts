@@ -10,7 +10,7 @@ import {
   type DrawnKind,
   type Entity,
 } from "../../document/entities";
-import { formatPosition, formatShort } from "../../ui/format";
+import { formatPosition, formatShort } from "../../strings/format";
 import {
   defaultName,
   entityWords,

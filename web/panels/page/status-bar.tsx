@@ -7,10 +7,11 @@ import { runNamed } from "../../commands/registry";
 import { unitOf } from "../../document/length-units";
 import { roundTime } from "../../session/time-left";
 import { savedState } from "../../session/document-store";
-import { cancelledText, type RunState } from "../../session/run";
+import type { RunState } from "../../session/run";
+import { cancelledText } from "../../session/run-log";
 import { IconButton } from "../../ui/icon-button";
 import { TextButton } from "../../ui/text-button";
-import { formatAngle, formatCount, formatPosition, formatSeconds, formatShort } from "../../ui/format";
+import { formatAngle, formatCount, formatPosition, formatSeconds, formatShort } from "../../strings/format";
 import { measuredIn, phaseNames, strings } from "../../strings";
 import {
   useApp,

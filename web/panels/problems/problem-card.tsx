@@ -7,7 +7,7 @@ import {
 } from "@tabler/icons-react";
 import { showEntities, showProblem } from "../../commands/selection-actions";
 import type { Problem } from "../../document/validate";
-import { formatPosition } from "../../ui/format";
+import { formatPosition } from "../../strings/format";
 import { strings } from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
 import { EntityChips } from "../shared/entity-chips";

@@ -4,7 +4,7 @@ import { placed } from "../../document/placement";
 import { triangleCentroid } from "../../document/triangles";
 import type { Problem } from "../../document/validate";
 import { Chip } from "../../ui/chip";
-import { formatCount, formatPosition } from "../../ui/format";
+import { formatCount, formatPosition } from "../../strings/format";
 import { strings } from "../../strings";
 import { useApp, useRun, useView } from "../shared/app-context";
 import { TextButton } from "../../ui/text-button";

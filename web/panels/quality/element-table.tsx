@@ -1,6 +1,6 @@
 import type { ElementQuality } from "tetrafront/internal";
 import { showElement } from "../../commands/selection-actions";
-import { formatAngle, formatCount, formatPosition } from "../../ui/format";
+import { formatAngle, formatCount, formatPosition } from "../../strings/format";
 import { strings } from "../../strings";
 import table from "../../ui/table.module.css";
 import { TableHead } from "../../ui/table-head";

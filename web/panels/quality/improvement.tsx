@@ -3,7 +3,7 @@ import { IconSparkles } from "@tabler/icons-react";
 import type { MeshShapes } from "tetrafront/internal";
 import { runNamed } from "../../commands/registry";
 import { canImprove } from "../../session/run";
-import { formatAngle, formatCount } from "../../ui/format";
+import { formatAngle, formatCount } from "../../strings/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { TableHead } from "../../ui/table-head";
 import { improvementOutcome, strings } from "../../strings";

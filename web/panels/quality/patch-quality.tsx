@@ -5,7 +5,7 @@ import type { Project } from "tetrafront/project";
 import { showEntities } from "../../commands/selection-actions";
 import { entityKey, entityOfKey, patchAt, type Entity } from "../../document/entities";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatAngle, formatCount, formatMeasure } from "../../ui/format";
+import { formatAngle, formatCount, formatMeasure } from "../../strings/format";
 import { TableHead } from "../../ui/table-head";
 import { strings } from "../../strings";
 import { ratioMeanings } from "../../strings/ratio-meanings";

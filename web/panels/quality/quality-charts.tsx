@@ -10,7 +10,7 @@ import {
   type Range,
   type RegionChoice,
 } from "../../document/quality-counts";
-import { formatAngle, formatCount, formatShare } from "../../ui/format";
+import { formatAngle, formatCount, formatShare } from "../../strings/format";
 import { HistogramChart } from "../../ui/histogram-chart";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { strings } from "../../strings";

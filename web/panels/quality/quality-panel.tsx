@@ -1,9 +1,9 @@
 import { Button, CopyButton, Group, Text, UnstyledButton } from "@mantine/core";
 import type { MeshReport, MeshResult } from "tetrafront";
 import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
-import { cancelledText } from "../../session/run";
+import { cancelledText } from "../../session/run-log";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatAngle, formatCount, formatMeasure, formatSeconds } from "../../ui/format";
+import { formatAngle, formatCount, formatMeasure, formatSeconds } from "../../strings/format";
 import { HistogramChart } from "../../ui/histogram-chart";
 import { measuredIn, measureNames, strings } from "../../strings";
 import { ratioMeanings } from "../../strings/ratio-meanings";

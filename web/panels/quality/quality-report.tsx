@@ -4,7 +4,7 @@ import type { MeshResult, QualityReport as Quality } from "tetrafront";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { RegionChoice } from "../../document/quality-counts";
 import { Facts } from "../../ui/facts";
-import { formatCount, formatMeasure, formatShort } from "../../ui/format";
+import { formatCount, formatMeasure, formatShort } from "../../strings/format";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { strings } from "../../strings";

@@ -1,7 +1,7 @@
 import { Select } from "@mantine/core";
 import type { QualityReport } from "tetrafront";
 import type { RegionChoice } from "../../document/quality-counts";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import { strings } from "../../strings";
 import styles from "./quality-report.module.css";
 import { useRun } from "../shared/app-context";

@@ -4,7 +4,7 @@ import { MESH_DEFAULTS } from "tetrafront";
 import { setMeshing } from "../../document/size-edits";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import { strings } from "../../strings";
 import { useApp, useProject, useRun } from "./app-context";
 import { useEditedSetting } from "./use-edited-setting";

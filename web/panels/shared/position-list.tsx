@@ -1,5 +1,5 @@
 import type { Position } from "../../document/position";
-import { formatPosition } from "../../ui/format";
+import { formatPosition } from "../../strings/format";
 import { TextButton } from "../../ui/text-button";
 import { strings } from "../../strings";
 import { useApp } from "./app-context";

@@ -1,5 +1,5 @@
 import { UnstyledButton } from "@mantine/core";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import { regionColor } from "../../ui/theme/region-colors";
 import { ownRegionName, strings } from "../../strings";
 import { useApp, useRegions, useRun, useView } from "./app-context";

@@ -7,7 +7,7 @@ import type { LengthUnit } from "tetrafront";
 import { unitOf } from "../../document/length-units";
 import { measure } from "../../document/measurement";
 import type { Position } from "../../document/position";
-import { formatShort, formatPosition } from "../../ui/format";
+import { formatShort, formatPosition } from "../../strings/format";
 import { IconButton } from "../../ui/icon-button";
 import { strings } from "../../strings";
 import type { ScreenPoint } from "../../viewer/screen";

@@ -1,5 +1,5 @@
 import { bodyOfPatch, findRecord } from "../../document/entities";
-import { formatPosition, formatMeasure } from "../../ui/format";
+import { formatPosition, formatMeasure } from "../../strings/format";
 import { lineTypeNames, patchTypeNames } from "../../strings";
 import type { Hover } from "../../tools/select-tool";
 import { useProject } from "../shared/app-context";

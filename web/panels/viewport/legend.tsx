@@ -1,7 +1,7 @@
 import { useStore } from "zustand";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
-import { formatShort } from "../../ui/format";
+import { formatShort } from "../../strings/format";
 import { shownBodies } from "../../viewer/shown-bodies";
 import { viridis } from "../../ui/theme/viridis";
 import {

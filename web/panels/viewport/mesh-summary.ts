@@ -1,7 +1,8 @@
 import type { Project } from "tetrafront/project";
-import { cancelledText, type RunState } from "../../session/run";
+import type { RunState } from "../../session/run";
+import { cancelledText } from "../../session/run-log";
 import type { QualitySpace } from "../../document/mesh-quality";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import { measuredIn, strings } from "../../strings";
 
 /** Returns a sentence about the mesh for the label of the picture. */

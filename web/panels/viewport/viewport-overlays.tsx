@@ -3,7 +3,7 @@ import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
 import { useStore } from "zustand";
 import { runNamed } from "../../commands/registry";
-import { cancelledText } from "../../session/run";
+import { cancelledText } from "../../session/run-log";
 import { strings } from "../../strings";
 import { IconButton } from "../../ui/icon-button";
 import { useApp, useProblems, useRun, useStale, useView } from "../shared/app-context";

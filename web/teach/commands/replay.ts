@@ -2,7 +2,7 @@ import type { Mesher } from "tetrafront";
 import { createStore } from "zustand/vanilla";
 import type { App } from "../../app/app";
 import type { Replay, ReplayState } from "../../app/replay";
-import { formatCount } from "../../ui/format";
+import { formatCount } from "../../strings/format";
 import type { Viewer } from "../../viewer/viewer";
 import { frontSizeAt, phaseAt } from "../player/phases";
 import { Player, type PlayerState } from "../player/player";

@@ -1,4 +1,5 @@
 /** Texts about the recorded front and the lessons outside their panels: commands, the palette and the status bar. */
+import { formatCount } from "../../strings/format";
 export const frontStrings = {
   commands: {
     record: "Record the front",
@@ -28,7 +29,7 @@ export const frontStrings = {
     words: "jump frame seek",
     label: (step: number | null, steps: number | null) =>
       step === null
-        ? `Go to step … of the front${steps === null ? "" : ` (0 to ${steps.toLocaleString("en-US")})`}`
+        ? `Go to step … of the front${steps === null ? "" : ` (0 to ${formatCount(steps)})`}`
         : `Go to step ${step} of the front`,
   },
   /** Words that find what passes a step on. */

@@ -1,7 +1,6 @@
 /** Texts about the lessons. Those of a lesson are in its file. */
+import { formatCount } from "../../strings/format";
 import type { FrontOrder } from "tetrafront";
-
-const number = (value: number): string => value.toLocaleString("en-US");
 
 /** A large number in few letters: 74.9M. */
 const short = (value: number): string =>
@@ -118,7 +117,7 @@ export const lessonStrings = {
   costLinear: "linear search",
   costNear: "search in space",
   costText: (elements: number, linear: number, near: number) =>
-    `For ${number(elements)} elements, a linear search compares ${number(linear)} faces; the search in space returns ${number(near)}.`,
+    `For ${formatCount(elements)} elements, a linear search compares ${formatCount(linear)} faces; the search in space returns ${formatCount(near)}.`,
   costAxes: { across: "elements made", up: "faces compared" },
   /** A number on an axis. */
   axisNumber: short,
@@ -126,7 +125,7 @@ export const lessonStrings = {
     picture: (faces: number, first: number | null) =>
       first === null
         ? "The queue of the front is empty."
-        : `The queue of the front: ${number(faces)} faces in a heap, face ${number(first)} on top.`,
+        : `The queue of the front: ${formatCount(faces)} faces in a heap, face ${formatCount(first)} on top.`,
     first: "comes next",
     joined: "joined in this step",
     ruleClass: (ruleClass: number) => `class ${ruleClass}`,
@@ -138,13 +137,13 @@ export const lessonStrings = {
       random: "The order was drawn at random.",
     } satisfies Readonly<Record<FrontOrder, string>>,
     failedHint: "Faces that have failed come after all others; they show their rule class.",
-    below: (faces: number) => `${number(faces)} faces below`,
+    below: (faces: number) => `${formatCount(faces)} faces below`,
     work: (taken: number, left: number, joined: number, comparisons: number, faces: number) =>
-      `This step took face ${number(taken)} from the top, ${left === 0 ? "" : `removed ${number(left)} more, `}and added ${number(joined)}. The heap compared faces ${number(comparisons)} times. To find the smallest of ${number(faces)} faces without a heap takes ${number(Math.max(0, faces - 1))} comparisons.`,
+      `This step took face ${formatCount(taken)} from the top, ${left === 0 ? "" : `removed ${formatCount(left)} more, `}and added ${formatCount(joined)}. The heap compared faces ${formatCount(comparisons)} times. To find the smallest of ${formatCount(faces)} faces without a heap takes ${formatCount(Math.max(0, faces - 1))} comparisons.`,
     noWork: (faces: number) =>
       faces === 0
         ? "No face waits."
-        : `${faces === 1 ? "1 face waits" : `${number(faces)} faces wait`}. No parent comes after its two children.`,
+        : `${faces === 1 ? "1 face waits" : `${formatCount(faces)} faces wait`}. No parent comes after its two children.`,
   },
-  number,
+  number: formatCount,
 } as const;

@@ -1,13 +1,13 @@
 /** Texts of "Be the mesher". */
-const number = (value: number): string => value.toLocaleString("en-US");
+import { formatCount } from "../../strings/format";
 const edgesOf = (edges: readonly number[]): string =>
-  `${edges.length === 1 ? "edge" : "edges"} ${edges.slice(0, 4).map(number).join(", ")}${edges.length > 4 ? " …" : ""}`;
-const nameOf = (node: number | null): string => (node === null ? "a new node" : `node ${number(node)}`);
+  `${edges.length === 1 ? "edge" : "edges"} ${edges.slice(0, 4).map(formatCount).join(", ")}${edges.length > 4 ? " …" : ""}`;
+const nameOf = (node: number | null): string => (node === null ? "a new node" : `node ${formatCount(node)}`);
 /** How the program came to its choice. `refused`: candidates that it tried first. */
 const choiceOf = (node: number | null, refused: number): string =>
   refused === 0
     ? `The program chose ${nameOf(node)}, which comes first in its ranking.`
-    : `The program chose ${nameOf(node)}: it tried ${refused === 1 ? "1 better-ranked candidate" : `${number(refused)} better-ranked candidates`} first and refused ${refused === 1 ? "it" : "them"}.`;
+    : `The program chose ${nameOf(node)}: it tried ${refused === 1 ? "1 better-ranked candidate" : `${formatCount(refused)} better-ranked candidates`} first and refused ${refused === 1 ? "it" : "them"}.`;
 
 /** Whose choice a node is, after the verdict. */
 export function pickText(isOwn: boolean, isProgram: boolean): string | null {
@@ -28,8 +28,8 @@ export const mesherGameStrings = {
   },
   choices: "Nodes to choose from",
   newNode: "new",
-  node: (node: number | null) => (node === null ? "New node" : `Node ${number(node)}`),
-  score: (points: number, rounds: number) => `${number(points)} of ${number(2 * rounds)} points`,
+  node: (node: number | null) => (node === null ? "New node" : `Node ${formatCount(node)}`),
+  score: (points: number, rounds: number) => `${formatCount(points)} of ${formatCount(2 * rounds)} points`,
   next: "Next edge",
   lens: "The view and the plane show the base edge that comes next. The lens explains steps again when the game has ended.",
   none: "No further edge of this level follows. Choose another level, or go back in the player.",
@@ -52,7 +52,7 @@ export const mesherGameStrings = {
 } as const;
 
 const facesOf = (faces: readonly number[]): string =>
-  `${faces.length === 1 ? "face" : "faces"} ${faces.slice(0, 4).map(number).join(", ")}${faces.length > 4 ? " …" : ""}`;
+  `${faces.length === 1 ? "face" : "faces"} ${faces.slice(0, 4).map(formatCount).join(", ")}${faces.length > 4 ? " …" : ""}`;
 
 /** Texts of "Be the mesher" in the volume. */
 export const volumeGameStrings = {

@@ -1,4 +1,5 @@
 /** Texts about the recorded fronts. */
+import { formatCount } from "../../strings/format";
 import type { FrontOrder } from "tetrafront";
 import type { Refusal } from "tetrafront/trace";
 import { conditionStrings } from "./condition";
@@ -8,11 +9,9 @@ import { mesherGameStrings, volumeGameStrings } from "./mesher-game";
 import { recoverySentence } from "./recovery";
 import { otherwise, surfaceLensStrings } from "./surface-lens";
 
-const number = (value: number): string => value.toLocaleString("en-US");
-
 /** Words for what was tried: an existing node by its number. */
 const candidateName = (node: number | null): string =>
-  node === null ? "A new node" : `Node ${number(node)}`;
+  node === null ? "A new node" : `Node ${formatCount(node)}`;
 
 /** Kinds of steps, in a front of faces or of edges. */
 const stopsOf = (unit: "face" | "edge", one: string) =>
@@ -51,7 +50,7 @@ const joinedFaces = (count: number): string =>
   count === 0 ? "no faces" : count === 1 ? "1 face" : `${count} faces`;
 
 const facesOf = (faces: readonly number[]): string =>
-  `${faces.length === 1 ? "face" : "faces"} ${faces.slice(0, 6).map(number).join(", ")}${faces.length > 6 ? " …" : ""}`;
+  `${faces.length === 1 ? "face" : "faces"} ${faces.slice(0, 6).map(formatCount).join(", ")}${faces.length > 6 ? " …" : ""}`;
 
 export const playerStrings = {
   tab: frontStrings.tab,
@@ -60,7 +59,7 @@ export const playerStrings = {
   record: "Record the front",
   recordAgain: "Record again",
   recording: "Recording the front",
-  recorded: (tetrahedra: number) => `${number(tetrahedra)} tetrahedra`,
+  recorded: (tetrahedra: number) => `${formatCount(tetrahedra)} tetrahedra`,
   stop: "Stop recording",
   stopping: "Stopping…",
   reading: "Reading the trace",
@@ -77,20 +76,21 @@ export const playerStrings = {
   end: "Last state of the phase",
   stills: "Reduced motion: one picture per second",
   speed: "Speed",
-  speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${number(speed)} steps/s`),
+  speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${formatCount(speed)} steps/s`),
   scrub: "Step of the front",
   phases: phaseNames,
   phaseSteps: (phase: keyof typeof phaseNames, steps: number) =>
-    `${phaseNames[phase]}: ${number(steps)} ${steps === 1 ? "step" : "steps"}`,
-  counter: (step: number, steps: number) => `${number(step)} / ${number(steps)}`,
+    `${phaseNames[phase]}: ${formatCount(steps)} ${steps === 1 ? "step" : "steps"}`,
+  counter: (step: number, steps: number) => `${formatCount(step)} / ${formatCount(steps)}`,
   scrubText: (phase: keyof typeof faceNames, step: number, steps: number, faces: number) =>
-    `${phaseNames[phase]}: step ${number(step)} of ${number(steps)}, ${number(faces)} ${faceNames[phase]}`,
+    `${phaseNames[phase]}: step ${formatCount(step)} of ${formatCount(steps)}, ${formatCount(faces)} ${faceNames[phase]}`,
   /** After the last step. */
-  noFaces: (elements: number) => `The front has no faces left: ${number(elements)} elements fill the volume.`,
+  noFaces: (elements: number) =>
+    `The front has no faces left: ${formatCount(elements)} elements fill the volume.`,
   recentElements:
     "The view shows the elements made last. Choose “All, cut open” in the list “Elements” to see all of them.",
   faces: (phase: keyof typeof faceNames, faces: number) =>
-    phase === "lines" ? "" : `${number(faces)} ${faceNames[phase]}`,
+    phase === "lines" ? "" : `${formatCount(faces)} ${faceNames[phase]}`,
   stops,
   jumpTo: "Jump to",
   next: (...stop: Parameters<typeof stopName>) => `Next ${stopName(...stop)}`,
@@ -103,8 +103,9 @@ export const playerStrings = {
   loopSteps: "Steps to repeat",
   loopEnds: { from: "First step to repeat", to: "Last step to repeat" },
   loopShort: { from: "from", to: "to" },
-  loopRange: (from: number, to: number) => `Type a whole number from ${number(from)} to ${number(to)}.`,
-  loopHint: (from: number, to: number) => `Repeat steps ${number(from)} to ${number(to)}`,
+  loopRange: (from: number, to: number) =>
+    `Type a whole number from ${formatCount(from)} to ${formatCount(to)}.`,
+  loopHint: (from: number, to: number) => `Repeat steps ${formatCount(from)} to ${formatCount(to)}`,
   coloring: "Colour",
   colorings: { age: "Age", size: "Size", layer: "Layer" },
   legend: { age: "age (cube root)", size: "size of the face", layer: "layer of the face" },
@@ -124,10 +125,10 @@ export const playerStrings = {
   regionInPlane: "In a patch, the dashed ellipse in its plane is always shown instead.",
   /** Labels of what the lens shows in the view, beside it and in the legend. */
   marks: {
-    base: (face: number) => `base ${number(face)}`,
-    face: (face: number) => `face ${number(face)}`,
-    edge: (edge: number) => `edge ${number(edge)}`,
-    node: (node: number | null) => (node === null ? "new node" : `node ${number(node)}`),
+    base: (face: number) => `base ${formatCount(face)}`,
+    face: (face: number) => `face ${formatCount(face)}`,
+    edge: (edge: number) => `edge ${formatCount(edge)}`,
+    node: (node: number | null) => (node === null ? "new node" : `node ${formatCount(node)}`),
     normal: "normal",
     ideal: "ideal",
     crossing: "crossing",
@@ -160,16 +161,16 @@ export const playerStrings = {
   recovery: recoverySentence,
   sentence: {
     accepted: (node: number | null, isNew: boolean, element: number) =>
-      `${isNew ? "New node" : "Node"} ${number(node ?? 0)} was accepted: it makes element ${number(element)} over the base face.`,
+      `${isNew ? "New node" : "Node"} ${formatCount(node ?? 0)} was accepted: it makes element ${formatCount(element)} over the base face.`,
     behind: (node: number | null) =>
       `${candidateName(node)} was refused: it is behind the base face, or in its plane.`,
     crosses: (node: number | null, face: number, isNewSide: boolean | null) =>
       isNewSide === null
-        ? `${candidateName(node)} was refused: the new element would cross face ${number(face)}.`
+        ? `${candidateName(node)} was refused: the new element would cross face ${formatCount(face)}.`
         : isNewSide
-          ? `${candidateName(node)} was refused: a side of the new element would cut face ${number(face)}.`
-          : `${candidateName(node)} was refused: a side of face ${number(face)} would cut the new element.`,
-    tooClose: (face: number) => `A new node was refused: it would be too close to face ${number(face)}.`,
+          ? `${candidateName(node)} was refused: a side of the new element would cut face ${formatCount(face)}.`
+          : `${candidateName(node)} was refused: a side of face ${formatCount(face)} would cut the new element.`,
+    tooClose: (face: number) => `A new node was refused: it would be too close to face ${formatCount(face)}.`,
   },
   whatIf: {
     behind: "Without this rule, the element would have no volume, or would be inside out.",
@@ -195,7 +196,7 @@ export const playerStrings = {
     ruleClass === null
       ? "No candidate was accepted. The face is set aside for recovery."
       : `No candidate was accepted. The face comes again under rule class ${ruleClass}.`,
-  base: (face: number) => `Base face ${number(face)}`,
+  base: (face: number) => `Base face ${formatCount(face)}`,
   meaningsTitle: "What these values mean",
   bucket: {
     name: "Size bucket",
@@ -237,14 +238,14 @@ export const playerStrings = {
   candidates: "Candidates tried",
   candidate: "Node",
   candidateName: (rank: number, node: number | null) =>
-    `${rank}: ${node === null ? "new node" : number(node)}`,
+    `${rank}: ${node === null ? "new node" : formatCount(node)}`,
   score: "Score",
   scoreHint:
     "The highest score is tried first (step F5.2). It grows with the quality of the element, and with the faces of the front that the element closes.",
   verdict: "Verdict",
   verdicts,
   verdictAt: (verdict: string, face: number | null) =>
-    face === null ? verdict : `${verdict}: ${number(face)}`,
+    face === null ? verdict : `${verdict}: ${formatCount(face)}`,
   test: crossingTestStrings,
   ideal: {
     title: "Ideal point",

@@ -1,8 +1,6 @@
 /** Texts about the steps of recovery, with their numbers. */
+import { formatCount, formatCounted } from "../../strings/format";
 import type { FrontChange } from "tetrafront/trace";
-
-const number = (value: number): string => value.toLocaleString("en-US");
-const counted = (count: number, one: string): string => `${number(count)} ${count === 1 ? one : `${one}s`}`;
 
 /** What a step of recovery does to the front and the mesh, in numbers. */
 export interface RecoveryCounts {
@@ -21,30 +19,30 @@ const newNodes = (nodes: readonly number[]): string => {
   const [first = 0, last = first] = [nodes[0], nodes.at(-1)];
   if (nodes.length === 0) return "no new node";
   return nodes.length === 1
-    ? `new node ${number(first)}`
-    : `${number(nodes.length)} new nodes, ${number(first)} to ${number(last)}`;
+    ? `new node ${formatCount(first)}`
+    : `${formatCount(nodes.length)} new nodes, ${formatCount(first)} to ${formatCount(last)}`;
 };
 
 const frontOf = ({ before, after }: RecoveryCounts): string => {
-  if (before === after) return `The front has ${counted(after, "face")}.`;
+  if (before === after) return `The front has ${formatCounted(after, "face")}.`;
   return after === 0
-    ? `The front goes from ${counted(before, "face")} to none: it is closed.`
-    : `The front goes from ${number(before)} to ${counted(after, "face")}.`;
+    ? `The front goes from ${formatCounted(before, "face")} to none: it is closed.`
+    : `The front goes from ${formatCount(before)} to ${formatCounted(after, "face")}.`;
 };
 
 const sentences: Readonly<Record<FrontChange, (counts: RecoveryCounts) => string>> = {
   star: ({ removedFaces, addedElements, nodes }) =>
-    `The pocket has ${counted(removedFaces, "face")}. It is closed by a star: ${counted(addedElements, "element")} around ${newNodes(nodes)}.`,
+    `The pocket has ${formatCounted(removedFaces, "face")}. It is closed by a star: ${formatCounted(addedElements, "element")} around ${newNodes(nodes)}.`,
   reopened: ({ removedElements, removedFaces, addedFaces }) =>
-    `The elements around a pocket are removed, so that the front can fill it in another way: ${counted(removedElements, "element")}. ${counted(removedFaces, "face")} ${removedFaces === 1 ? "leaves" : "leave"} the front, and ${number(addedFaces)} ${addedFaces === 1 ? "joins" : "join"} it.`,
+    `The elements around a pocket are removed, so that the front can fill it in another way: ${formatCounted(removedElements, "element")}. ${formatCounted(removedFaces, "face")} ${removedFaces === 1 ? "leaves" : "leave"} the front, and ${formatCount(addedFaces)} ${addedFaces === 1 ? "joins" : "join"} it.`,
   closed: ({ removedFaces, addedElements, nodes }) =>
     removedFaces === 0
       ? "The pocket that was reopened is closed."
-      : `The pocket that was reopened is closed: the last ${counted(removedFaces, "face")} by ${nodes.length === 1 ? "a star" : "stars"} of ${counted(addedElements, "element")} around ${newNodes(nodes)}.`,
+      : `The pocket that was reopened is closed: the last ${formatCounted(removedFaces, "face")} by ${nodes.length === 1 ? "a star" : "stars"} of ${formatCounted(addedElements, "element")} around ${newNodes(nodes)}.`,
   undone: ({ removedElements, addedElements }) =>
-    `The attempt to fill the pocket in another way is undone: ${counted(removedElements, "element")} made in it ${removedElements === 1 ? "is" : "are"} removed, and ${number(addedElements)} put back.`,
+    `The attempt to fill the pocket in another way is undone: ${formatCounted(removedElements, "element")} made in it ${removedElements === 1 ? "is" : "are"} removed, and ${formatCount(addedElements)} put back.`,
   "exact-fill": ({ removedFaces, addedElements, nodes }) =>
-    `The pocket has ${counted(removedFaces, "face")}. It is filled exactly, with ${counted(addedElements, "element")} and ${newNodes(nodes)}.`,
+    `The pocket has ${formatCounted(removedFaces, "face")}. It is filled exactly, with ${formatCounted(addedElements, "element")} and ${newNodes(nodes)}.`,
 };
 
 export const recoverySentence = (change: FrontChange, counts: RecoveryCounts): string =>

@@ -1,15 +1,14 @@
 /** Texts about the lines and patches of a recording, which are called by name or number: `label`s of player/entity-labels.ts. */
+import { formatCount, formatCounted } from "../../strings/format";
 import type { EdgeRefusal } from "tetrafront/trace";
 
-const number = (value: number): string => value.toLocaleString("en-US");
 const short = (value: number): string => Number(value.toPrecision(3)).toString();
 /** Sides count from 1 where the user reads them. */
-const ordinal = (index: number): string => number(index + 1);
-const plural = (count: number, word: string): string => `${number(count)} ${word}${count === 1 ? "" : "s"}`;
+const ordinal = (index: number): string => formatCount(index + 1);
 
 /** Words for what was tried: an existing node by its number. */
 const candidateName = (node: number | null): string =>
-  node === null ? "A new node" : `Node ${number(node)}`;
+  node === null ? "A new node" : `Node ${formatCount(node)}`;
 
 const edgeVerdicts: Readonly<Record<EdgeRefusal | "accepted", string>> = {
   accepted: "accepted",
@@ -21,7 +20,7 @@ const edgeVerdicts: Readonly<Record<EdgeRefusal | "accepted", string>> = {
 };
 
 const edgesOf = (edges: readonly number[]): string =>
-  `${edges.length === 1 ? "edge" : "edges"} ${edges.slice(0, 6).map(number).join(", ")}${edges.length > 6 ? " …" : ""}`;
+  `${edges.length === 1 ? "edge" : "edges"} ${edges.slice(0, 6).map(formatCount).join(", ")}${edges.length > 6 ? " …" : ""}`;
 /** The recorded verdict stays; our own check works in doubles. */
 export const otherwise = (finding: string): string =>
   `Our own check, in doubles, disagrees: ${finding}. The engine decides by exact signs.`;
@@ -34,31 +33,31 @@ export const surfaceLensStrings = {
     settled: (start: number, length: number, rounds: number) =>
       rounds === 0
         ? `The target size is ${short(start)} here (S1), and also at the middle of a side of this length (S2): the next side is ${short(length)} long.`
-        : `The target size is ${short(start)} here (S1), but differs at the middle of a side of this length (S2). After ${plural(rounds, "averaging")} (S3), the next side is ${short(length)} long.`,
+        : `The target size is ${short(start)} here (S1), but differs at the middle of a side of this length (S2). After ${formatCounted(rounds, "averaging")} (S3), the next side is ${short(length)} long.`,
     capped: (start: number) =>
       `The target size is ${short(start)} here (S1). The step ends at a sixteenth of the line, so that its bends are seen.`,
     knot: "The step ends at a knot of the line.",
     measured: (sides: number) =>
       `Up to here the line is ${short(sides)} target sizes long. The steps only measure it; the sides follow at its end.`,
     divided: (line: string, length: number, sides: number) =>
-      `Line ${line} is ${short(length)} target sizes long. It is divided into ${plural(sides, "side")} that are equally long in target sizes (S4), so that the last one is as good as the others.`,
+      `Line ${line} is ${short(length)} target sizes long. It is divided into ${formatCounted(sides, "side")} that are equally long in target sizes (S4), so that the last one is as good as the others.`,
     undivided: (line: string) => `Line ${line} cannot be divided.`,
     halved: (line: string, side: number) =>
       `Side ${ordinal(side)} of line ${line} is halved: sides of a patch would intersect.`,
   },
   patch: {
     begins: (patch: string, edges: number, isCurved: boolean) =>
-      `Patch ${patch} begins: its ${plural(edges, "side")} are the first front in ${isCurved ? "the plane that is mapped to its surface (T1)" : "its plane"}.`,
+      `Patch ${patch} begins: its ${formatCounted(edges, "side")} are the first front in ${isCurved ? "the plane that is mapped to its surface (T1)" : "its plane"}.`,
     improved: (patch: string, before: number, after: number) =>
-      `The front has covered patch ${patch} with ${plural(before, "triangle")}. They are improved: edges are flipped, nodes move, are added and removed. ${plural(after, "triangle")} remain, and take their places in space (T3).`,
+      `The front has covered patch ${patch} with ${formatCounted(before, "triangle")}. They are improved: edges are flipped, nodes move, are added and removed. ${formatCounted(after, "triangle")} remain, and take their places in space (T3).`,
     accepted: (node: number, isNew: boolean) =>
-      `${isNew ? "New node" : "Node"} ${number(node)} was accepted: it makes a triangle over the base edge.`,
+      `${isNew ? "New node" : "Node"} ${formatCount(node)} was accepted: it makes a triangle over the base edge.`,
     behind: (node: number | null) =>
       `${candidateName(node)} was refused: it is behind the base edge, or in line with it.`,
     crosses: (node: number | null, edge: number) =>
-      `${candidateName(node)} was refused: the new triangle would cross edge ${number(edge)} of the front.`,
+      `${candidateName(node)} was refused: the new triangle would cross edge ${formatCount(edge)} of the front.`,
     "too-close": (_: number | null, edge: number) =>
-      `A new node was refused: it would be too close to edge ${number(edge)} of the front.`,
+      `A new node was refused: it would be too close to edge ${formatCount(edge)} of the front.`,
     "same-node": (node: number | null) =>
       `${candidateName(node)} was refused: in space it is an end of the base edge, on the other side of the seam.`,
     outside: () => "A new node was refused: it would be outside the patch.",
@@ -79,7 +78,7 @@ export const surfaceLensStrings = {
       pass === null
         ? "No candidate was accepted, in the whole front: the patch folds over itself."
         : `No candidate was accepted. The edge comes again in pass ${pass}, with ${pass === 1 ? "a larger neighbourhood" : "the whole front"} to choose from.`,
-    base: (edge: number) => `Base edge ${number(edge)}`,
+    base: (edge: number) => `Base edge ${formatCount(edge)}`,
     size: { name: "Target size", meaning: "Edge length in space that the background grid asks for here." },
     metric: {
       name: "Metric G",
@@ -134,6 +133,6 @@ export const surfaceLensStrings = {
       "The dashed ellipse is a circle in space: it shows how the plane is stretched and sheared, and how large triangles should be. Nodes in it are tried before a new node.",
     size: "The dashed ellipse shows how large triangles should be, and in which direction. Nodes in it are tried before a new node.",
     picture: (triangles: number, edges: number) =>
-      `${plural(triangles, "triangle")}, ${plural(edges, "edge")} of the front`,
+      `${formatCounted(triangles, "triangle")}, ${formatCounted(edges, "edge")} of the front`,
   },
 } as const;

@@ -1,9 +1,6 @@
 /** Texts about the sweeps of the optimizer after a recorded front. */
+import { formatCount, formatCounted } from "../../strings/format";
 import type { SweepKind } from "tetrafront/trace";
-
-const number = (value: number): string => value.toLocaleString("en-US");
-const counted = (count: number, one: string, many: string): string =>
-  `${number(count)} ${count === 1 ? one : many}`;
 
 const kinds: Readonly<Record<SweepKind, string>> = {
   swap: "Edges removed",
@@ -24,7 +21,7 @@ export const sweepStrings = {
       ? "Choose a row: the view shows the elements that have an angle below 30° then."
       : poor === 0
         ? "No element has an angle below 30°."
-        : `${counted(poor, "element has", "elements have")} an angle below 30°: the view shows them, the worst darkest.`,
+        : `${formatCounted(poor, "element has", "elements have")} an angle below 30°: the view shows them, the worst darkest.`,
   tooLarge: "Of meshes with more than 100,000 elements, only numbers are recorded.",
   sweep: "Sweep",
   changes: "Changes",
@@ -35,17 +32,17 @@ export const sweepStrings = {
   ratioHint: "Mean radius ratio: 1 if all elements are regular",
   front: "Front",
   kinds,
-  name: (index: number, kind: string) => `${number(index)}: ${kind}`,
+  name: (index: number, kind: string) => `${formatCount(index)}: ${kind}`,
   show: (index: number, kind: string) =>
-    index === 0 ? "Show the mesh of the front" : `Show the mesh after sweep ${number(index)}: ${kind}`,
-  moved: (count: number) => counted(count, "node", "nodes"),
-  made: (count: number) => counted(count, "element", "elements"),
+    index === 0 ? "Show the mesh of the front" : `Show the mesh after sweep ${formatCount(index)}: ${kind}`,
+  moved: (count: number) => formatCounted(count, "node"),
+  made: (count: number) => formatCounted(count, "element"),
   unchanged: "none",
   degrees: (angle: number) => `${angle.toFixed(1)}°`,
   chart: (sweeps: number, before: number, after: number, from: number, to: number) =>
-    `Over ${counted(sweeps, "sweep", "sweeps")}, the smallest dihedral angle changes from ${before.toFixed(1)}° to ${after.toFixed(1)}°, and the mean radius ratio from ${from.toFixed(3)} to ${to.toFixed(3)}.`,
+    `Over ${formatCounted(sweeps, "sweep")}, the smallest dihedral angle changes from ${before.toFixed(1)}° to ${after.toFixed(1)}°, and the mean radius ratio from ${from.toFixed(3)} to ${to.toFixed(3)}.`,
   chartAngle: "smallest angle",
   chartRatio: "mean radius ratio",
   restored: (result: number) =>
-    `The mesh after sweep ${number(result)} is the result: the later ones have found none that is better in every measure.`,
+    `The mesh after sweep ${formatCount(result)} is the result: the later ones have found none that is better in every measure.`,
 } as const;

@@ -4,7 +4,7 @@ import { addScaled, distance, dot, subtract } from "../../document/vectors";
 import { roundTo } from "../../document/work-plane";
 import type { OpenOperation, Operations } from "../../session/operations";
 import { strings } from "../../strings";
-import { formatPosition } from "../../ui/format";
+import { formatPosition } from "../../strings/format";
 import { onGrid, type Grips } from "./grips";
 
 /** Smallest distance of a grip from the beginning of its line, in CSS pixels. */

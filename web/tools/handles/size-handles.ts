@@ -15,7 +15,7 @@ import type { Position } from "../../document/position";
 import type { DocumentStore } from "../../session/document-store";
 import type { Glyph } from "../../viewer/layers/size-glyph-layer";
 import { strings } from "../../strings";
-import { formatPosition, formatShort } from "../../ui/format";
+import { formatPosition, formatShort } from "../../strings/format";
 import { onGrid, type Grips } from "./grips";
 import { add, cross, distance, frameAlong, length, scale, subtract, unit } from "../../document/vectors";
 

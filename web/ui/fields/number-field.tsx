@@ -11,7 +11,7 @@ import {
 } from "../../expressions/expression";
 import { useFormField } from "../frames/dialog-form";
 import { NamedNumbersContext } from "./named-numbers";
-import { formatNumber } from "../format";
+import { formatNumber } from "../../strings/format";
 import { strings } from "../../strings";
 
 /** New values of all numbers that a field stands for. */

@@ -7,7 +7,7 @@ import { surfaceState } from "../../player/phases";
 import { recordedScores } from "../../player/recorded-score";
 import { recoveryCounts } from "../../player/recovery-counts";
 import { playerStrings } from "../../strings/player";
-import { formatShort } from "../../../ui/format";
+import { formatShort } from "../../../strings/format";
 import { ScrollPanel } from "../../../ui/frames/scroll-panel";
 import { BaseFacts, type Fact } from "./base-facts";
 import { CandidatesAndFormulas, type CandidateRow } from "./candidate-table";

@@ -10,7 +10,7 @@ import {
   type PlanarLensCandidate,
 } from "../../player/planar-lens";
 import { playerStrings } from "../../strings/player";
-import { formatShort } from "../../../ui/format";
+import { formatShort } from "../../../strings/format";
 import { BaseFacts, type Fact } from "./base-facts";
 import { CandidatesAndFormulas } from "./candidate-table";
 import { planarSentenceOf } from "./lens-sentence";

@@ -2,6 +2,7 @@ import { useEffect, useMemo } from "react";
 import type { SweepMeasures, TracedOptimization, TracedSweep } from "tetrafront/trace";
 import { poorElements } from "../../player/sweep-buffers";
 import { sweepStrings as texts } from "../../strings/sweeps";
+import { formatCount } from "../../../strings/format";
 import tables from "../../../ui/table.module.css";
 import styles from "./player.module.css";
 import { useFrontPlayer, usePlayer } from "./use-player";
@@ -93,7 +94,7 @@ function Row({ index, measures, sweep, hasMesh }: RowProps) {
         )}
       </th>
       <td>{sweep ? changesOf(sweep) : ""}</td>
-      <td>{measures.tetrahedra.toLocaleString("en-US")}</td>
+      <td>{formatCount(measures.tetrahedra)}</td>
       <td>{texts.degrees(measures.dihedral.min)}</td>
       <td>{measures.meanRadiusRatio.toFixed(3)}</td>
     </tr>

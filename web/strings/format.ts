@@ -4,6 +4,11 @@ export function formatCount(value: number): string {
   return value.toLocaleString("en-US");
 }
 
+/** Returns a number with its noun: "1 point", "1,200 points". `many`: the plural, by default with an s. */
+export function formatCounted(count: number, one: string, many = `${one}s`): string {
+  return `${formatCount(count)} ${count === 1 ? one : many}`;
+}
+
 /** Returns a coordinate or size with at most nine digits: 0.1, 1.25, 1e-7. */
 export function formatNumber(value: number): string {
   return String(Number(value.toPrecision(9)));
