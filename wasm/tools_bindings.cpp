@@ -4,6 +4,7 @@
 #include "tetrafront/covering_grid.h"
 #include "tetrafront/grid_from_mesh.h"
 #include "tetrafront/mesh_inspection.h"
+#include "tetrafront/node_placement.h"
 #include "tetrafront/region_location.h"
 #include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
@@ -17,9 +18,10 @@ EMSCRIPTEN_BINDINGS(tools) {
 
   registerTypes<Doubles, Indices, bool, double, Model, VolumeMesh, BackgroundGrid, CoverShape,
                 MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions,
-                BodySurfaces, GivenRegions>();
+                BodySurfaces, GivenRegions, ModelTriangles>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
-                PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples>();
+                PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples,
+                NodePlacement>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -34,6 +36,8 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
   registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions,
                GivenRegions>("Remesh", "remeshSurface");
+  registerTool<NodePlacer, Doubles, Indices, Indices, Doubles, ModelTriangles, double>(
+      "Placement", "placeNodes");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

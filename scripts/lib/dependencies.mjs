@@ -13,7 +13,7 @@ const ENGINE = [
   ["quality"],
   ["boundary"],
   ["sizing"],
-  ["surface", "volume", "optimize", "arrangement"],
+  ["surface", "volume", "optimize", "arrangement", "placement"],
   ["preview"],
   ["repair", "remesh"],
 ];
@@ -35,6 +35,7 @@ const PUBLIC_HEADERS = {
   "grid_from_mesh.h": "field",
   "model.h": "model",
   "trimmed_model.h": "model",
+  "node_placement.h": "placement",
   "quality_statistics.h": "quality",
   "mesh_inspection.h": "quality",
   "mesh_improvement.h": "optimize",

@@ -489,4 +489,110 @@ std::vector<TrimmedSolid> trimmedSolids() {
           revolvedProfile()};
 }
 
+namespace {
+
+class NumberWriter {
+ public:
+  void add(double number) { numbers_.push_back(number); }
+  template <class Vector>
+  void addVector(const Vector& vector) {
+    for (glm::length_t k = 0; k < Vector::length(); ++k) add(vector[k]);
+  }
+  void addList(const std::vector<double>& list) {
+    addCount(list.size());
+    numbers_.insert(numbers_.end(), list.begin(), list.end());
+  }
+  template <class Vector>
+  void addVectors(const std::vector<Vector>& vectors) {
+    addCount(vectors.size() * Vector::length());
+    for (const Vector& vector : vectors) addVector(vector);
+  }
+  void addCount(std::size_t count) { add(static_cast<double>(count)); }
+  template <class Kind>
+  void addKind(Kind kind) {
+    add(static_cast<double>(kind));
+  }
+  template <class Curve>
+  void addCurve(const Curve& curve) {
+    addKind(curve.kind);
+    if (curve.kind == CurveKind::kBSpline) {
+      add(curve.spline.degree);
+      addList(curve.spline.knots);
+      addVectors(curve.spline.poles);
+      addList(curve.spline.weights);
+      return;
+    }
+    addVector(curve.frame.origin);
+    addVector(curve.frame.x);
+    addVector(curve.frame.y);
+    if constexpr (requires { curve.frame.z; }) addVector(curve.frame.z);
+    add(curve.radius);
+    add(curve.minorRadius);
+  }
+  void addSurface(const FaceSurface& surface) {
+    addKind(surface.kind);
+    if (surface.kind == SurfaceKind::kBSpline) {
+      add(surface.spline.uDegree);
+      add(surface.spline.vDegree);
+      addList(surface.spline.uKnots);
+      addList(surface.spline.vKnots);
+      addVectors(surface.spline.poles);
+      addList(surface.spline.weights);
+      return;
+    }
+    for (const Vec3& vector :
+         {surface.frame.origin, surface.frame.x, surface.frame.y, surface.frame.z})
+      addVector(vector);
+    for (const double number : {surface.radius, surface.minorRadius, surface.halfAngle})
+      add(number);
+    if (surface.kind == SurfaceKind::kExtrusion || surface.kind == SurfaceKind::kRevolution)
+      addCurve(surface.profile);
+  }
+  void addFace(const TrimmedFace& face) {
+    add(face.surface);
+    add(face.reversed ? 1.0 : 0.0);
+    add(face.solid);
+    add(face.otherSolid == TrimmedFace::kNone ? -1.0 : face.otherSolid);
+    addCount(face.loops.size());
+    for (const std::vector<Coedge>& loop : face.loops) {
+      addCount(loop.size());
+      for (const Coedge& coedge : loop) {
+        add(coedge.edge);
+        add(coedge.reversed ? 1.0 : 0.0);
+        if (coedge.inPlane) {
+          addCurve(*coedge.inPlane);
+        } else {
+          add(-1.0);
+        }
+      }
+    }
+  }
+  std::vector<double> take() { return std::move(numbers_); }
+
+ private:
+  std::vector<double> numbers_;
+};
+
+}  // namespace
+
+std::vector<double> numbersOf(const TrimmedModel& model) {
+  NumberWriter writer;
+  writer.addCount(model.vertices.size());
+  for (const Vec3& vertex : model.vertices) writer.addVector(vertex);
+  writer.addCount(model.curves.size());
+  for (const SpaceCurve& curve : model.curves) writer.addCurve(curve);
+  writer.addCount(model.surfaces.size());
+  for (const FaceSurface& surface : model.surfaces) writer.addSurface(surface);
+  writer.addCount(model.edges.size());
+  for (const TrimmedEdge& edge : model.edges) {
+    writer.add(edge.curve ? static_cast<double>(*edge.curve) : -1.0);
+    for (const double number : {edge.first, edge.last}) writer.add(number);
+    for (const std::uint32_t vertex : {edge.start, edge.end}) writer.add(vertex);
+    writer.add(edge.tolerance);
+  }
+  writer.addCount(model.faces.size());
+  for (const TrimmedFace& face : model.faces) writer.addFace(face);
+  return writer.take();
+}
+
 }  // namespace tetrafront::testing

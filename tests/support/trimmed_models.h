@@ -39,4 +39,7 @@ TrimmedSolid revolvedProfile();
 /// All of the above.
 std::vector<TrimmedSolid> trimmedSolids();
 
+/// The model in the numbers that readModel() reads.
+std::vector<double> numbersOf(const TrimmedModel& model);
+
 }  // namespace tetrafront::testing

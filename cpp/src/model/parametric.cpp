@@ -272,6 +272,34 @@ Vec2 closestParametersFrom(const FaceSurface& surface, const ParameterBox& box, 
   return best;
 }
 
+double closestParameterFrom(const SpaceCurve& curve, double first, double last, const Vec3& target,
+                            double start) {
+  double best = std::clamp(start, first, last);
+  CurveJet<Vec3> jet = evaluate(curve, best);
+  double distance = squaredDistance(jet.position, target);
+  for (int step = 0; step < kMaxNewtonSteps; ++step) {
+    const Vec3 offset = target - jet.position;
+    const double squaredSpeed = glm::dot(jet.first, jet.first);
+    const double slope = squaredSpeed - glm::dot(jet.second, offset);
+    double move = glm::dot(jet.first, offset) / (slope > 0.0 ? slope : squaredSpeed);
+    bool isBetter = false;
+    for (int halving = 0; halving < kMaxStepHalvings && !isBetter; ++halving, move *= 0.5) {
+      const double to = std::clamp(best + move, first, last);
+      // A speed of zero gives no number.
+      if (to == best || !(std::fabs(move) > 0.0)) break;
+      const CurveJet<Vec3> next = evaluate(curve, to);
+      const double nextDistance = squaredDistance(next.position, target);
+      if (!(nextDistance < distance)) continue;
+      isBetter = true;
+      best = to;
+      jet = next;
+      distance = nextDistance;
+    }
+    if (!isBetter) break;
+  }
+  return best;
+}
+
 Vec2 closestParameters(const FaceSurface& surface, const ParameterBox& box, const Vec3& target) {
   Vec2 start = box.low;
   double least = squaredDistance(evaluate(surface, start).position, target);

@@ -49,7 +49,12 @@ struct ParameterBox {
 [[nodiscard]] Vec2 closestParameters(const FaceSurface& surface, const ParameterBox& box,
                                      const Vec3& target);
 
-/// As above, from one start, without a lattice.
+/// Returns the parameter between `first` and `last` of the position of the curve that is closest to a target, from a start, in the
+/// same way.
+[[nodiscard]] double closestParameterFrom(const SpaceCurve& curve, double first, double last,
+                                          const Vec3& target, double start);
+
+/// As closestParameters(), from one start, without a lattice.
 [[nodiscard]] Vec2 closestParametersFrom(const FaceSurface& surface, const ParameterBox& box,
                                          const Vec3& target, const Vec2& start);
 

@@ -44,7 +44,7 @@ export function carriedSurface(given: SurfaceInput, changed: ChangedTriangles): 
   const trianglePatch = origin.map((from) => (from === NO_ORIGIN ? added : (before[from] ?? 0)));
   const lastTag = named.reduce((most, { tag }) => Math.max(most, tag), 0);
   const filled: MeshGroup = { name: "filled holes", tag: lastTag + 1 };
-  const { surfaceRegions, regionPoints, unit } = given;
+  const { surfaceRegions, regionPoints, trueFaces, unit } = given;
   const regionsBeside = ({ triangleRegions: beside }: { readonly triangleRegions: Uint32Array }) => {
     if (known.length > 0) return known;
     return new Uint32Array(2 * origin.length).map((_, side) => {
@@ -64,6 +64,7 @@ export function carriedSurface(given: SurfaceInput, changed: ChangedTriangles): 
       surfaceRegions: { ...surfaceRegions, triangleRegions: regionsBeside(surfaceRegions) },
     }),
     ...(regionPoints && { regionPoints }),
+    ...(trueFaces && { trueFaces }),
     ...(unit && { unit }),
   };
 }

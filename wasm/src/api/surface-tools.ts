@@ -45,6 +45,7 @@ import {
   engineRepairOptions,
 } from "./surface-options.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
+import { onTrueFaces } from "./true-faces.js";
 import { completeSurface } from "./carried-mesh.js";
 import { splitSurface } from "./patch-names.js";
 import { meshedRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
@@ -149,7 +150,15 @@ export class SurfaceTools {
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);
     refuse(withCause(found, coarse));
-    const made = describedRemesh(remesh, surface, [...found, ...coarse, ...volumeWarnings(remesh)]);
+    const described = describedRemesh(remesh, surface, [...found, ...coarse]);
+    const placed = await onTrueFaces(this.#client, described.mesh, described.deviation, control);
+    const changed = placed && {
+      mesh: placed.mesh,
+      placement: placed.placement,
+      volume: described.volume + placed.volumeChange,
+    };
+    const whole = { ...described, ...changed };
+    const made = { ...whole, diagnostics: [...whole.diagnostics, ...volumeWarnings(whole)] };
     const thin = await inSteps(thinBodyNotes(made, options));
     return thin.length === 0 ? made : { ...made, diagnostics: [...made.diagnostics, ...thin] };
   }

@@ -2,7 +2,7 @@
 import { plural } from "../base/plural.js";
 import { positionText } from "../base/position-text.js";
 import { short } from "../base/short.js";
-import type { RepairChange } from "../mesh/inspection.js";
+import type { NodePlacement, RepairChange } from "../mesh/inspection.js";
 import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 
 /** Describes a split of patches by their numbers. */
@@ -35,6 +35,11 @@ function mergedText(merged: RemeshReport["mergedDetails"], whole: string): strin
   return `${plural(merged.length, "detail")} dropped: ${moves.join(", ")}${more}`;
 }
 
+function placementText({ placed, unplaced, largestMove }: NodePlacement): string {
+  const others = unplaced === 0 ? "" : `, ${unplaced} beside them`;
+  return `${plural(placed, "node")} on the true faces${others} (moved by at most ${short(largestMove, DIGITS)})`;
+}
+
 /**
  * Describes a remeshing: triangles, chosen sizes, shapes, the distance from the given surface, and the first of the details
  * that were dropped. `whole`: what lists all of them.
@@ -47,6 +52,7 @@ export function remeshText(remesh: RemeshReport, whole: string): string {
     `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
     `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,
     `deviation at most ${short(deviation, DIGITS)} (tolerance ${short(tolerance, DIGITS)})`,
+    ...(remesh.placement === undefined ? [] : [placementText(remesh.placement)]),
     ...(remesh.mergedDetails.length === 0 ? [] : [mergedText(remesh.mergedDetails, whole)]),
   ].join("; ");
 }

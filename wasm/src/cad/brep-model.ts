@@ -15,6 +15,7 @@ import {
   type Use,
   type VertexShape,
 } from "./brep-shape-table.js";
+import { modelTrianglesOf, type TriangulatedFace } from "./brep-triangles.js";
 import { BrepWords } from "./brep-words.js";
 import { chainedLoops, type EndedCoedge } from "./coedge-loops.js";
 import { boundsOf, endsOf, reparameterized } from "./plane-curves.js";
@@ -28,6 +29,7 @@ import {
   type TrimmedEdge,
   type TrimmedFace,
   type TrimmedModel,
+  type TriangulatedModel,
   type TrimmedSolid,
 } from "./trimmed-model.js";
 
@@ -36,9 +38,15 @@ const MAX_DEPTH = 100;
 
 /** Reads the text of a BREP file. Throws a CadFileError if it is damaged or has no faces. */
 export function trimmedModelOfBrep(text: string, fileName: string): TrimmedModel {
+  return triangulatedModelOfBrep(text, fileName).model;
+}
+
+/** The same, with the triangles of the faces that the file contains. */
+export function triangulatedModelOfBrep(text: string, fileName: string): TriangulatedModel {
   const tables = readTables(new BrepWords(text, fileName), text);
-  const model = new ModelBuilder(tables).model();
-  if (model.faces.length > 0) return model;
+  const builder = new ModelBuilder(tables);
+  const model = builder.model();
+  if (model.faces.length > 0) return { model, triangles: modelTrianglesOf(builder.triangulated) };
   const reasons = model.notes.map((note) => ` (${note})`).join("");
   throw new CadFileError(
     fileName,
@@ -67,6 +75,8 @@ class ModelBuilder {
   readonly #solids: TrimmedSolid[] = [];
   readonly #reasons = new Map<string, number>();
   readonly #known = new Map<string, number>();
+  /** Faces that two solids share are here twice. */
+  readonly triangulated: TriangulatedFace[] = [];
 
   constructor(tables: BrepTables) {
     this.#tables = tables;
@@ -98,7 +108,7 @@ class ModelBuilder {
     else if (shape.kind === "solid" || shape.kind === "shell" || shape.kind === "face") {
       const faces = this.#facesOf({ shape: use.shape, location, isReversed: turned });
       const solid = this.#solids.length;
-      const missingFaces = faces.filter((face) => !this.#addFace(face, solid)).length;
+      const missingFaces = faces.filter((face) => !this.#addWithTriangles(face, solid)).length;
       this.#solids.push({ isSolid: shape.kind === "solid", name: "", missingFaces });
     }
   }
@@ -126,7 +136,20 @@ class ModelBuilder {
   }
 
   /** Returns whether the face could be described. */
-  #addFace(placed: Placed, solid: number): boolean {
+  #addWithTriangles(placed: Placed, solid: number): boolean {
+    const face = this.#addFace(placed, solid);
+    if (face === undefined) return false;
+    const shape = this.#shape(placed.shape) as FaceShape;
+    const triangulation = this.#tables.triangulations[shape.triangulation ?? -1];
+    if (triangulation !== undefined) {
+      const placing = this.#tables.locations.placing(placed.location);
+      this.triangulated.push({ face, triangulation, placing, isReversed: placed.isReversed });
+    }
+    return true;
+  }
+
+  /** Returns the index of the face; undefined if it cannot be described. */
+  #addFace(placed: Placed, solid: number): number | undefined {
     const key = `face ${placed.shape} ${keyOf(placed.location)}`;
     const known = this.#known.get(key);
     const other = known === undefined ? undefined : this.#faces[known];
@@ -134,16 +157,16 @@ class ModelBuilder {
       if (other.otherSolid === undefined && other.reversed !== placed.isReversed)
         this.#faces[known] = { ...other, otherSolid: solid };
       else this.#note("more than two solids, or two on the same side, share it");
-      return true;
+      return known;
     }
     try {
-      this.#faces.push(this.#face(placed, solid));
-      this.#known.set(key, this.#faces.length - 1);
-      return true;
+      const face = this.#faces.push(this.#face(placed, solid)) - 1;
+      this.#known.set(key, face);
+      return face;
     } catch (failure) {
       if (!(failure instanceof Indescribable)) throw failure;
       this.#note(failure.message);
-      return false;
+      return undefined;
     }
   }
 

@@ -10,6 +10,7 @@ import {
 } from "./brep-geometry.js";
 import { type Location, Locations } from "./brep-locations.js";
 import type { BrepWords } from "./brep-words.js";
+import { readTriangulation, type Triangulation } from "./brep-triangles.js";
 import type { Frame, PlaneFrame } from "./trimmed-model.js";
 
 /** How a shape uses another one. */
@@ -52,6 +53,7 @@ export interface FaceShape {
   /** Undefined for a face that has triangles only. */
   readonly surface: number | undefined;
   readonly location: Location;
+  readonly triangulation: number | undefined;
 }
 
 export interface GroupShape {
@@ -66,6 +68,7 @@ export interface BrepTables {
   readonly planeCurves: readonly StoredCurve<PlaneFrame>[];
   readonly curves: readonly StoredCurve<Frame>[];
   readonly surfaces: readonly StoredSurface[];
+  readonly triangulations: readonly Triangulation[];
   readonly shapes: readonly BrepShape[];
   readonly root: Use;
 }
@@ -84,6 +87,8 @@ const ORIENTATIONS = { "+": "forward", "-": "reversed", i: "internal", e: "exter
 /** Numbers of words of polygons: in space, on triangles, on both sides of a seam. */
 const POLYGON_WORDS: Readonly<Record<number, number>> = { 5: 2, 6: 3, 7: 4 };
 const UV_VERSION = "2";
+/** In files of this version, triangulations say whether they have normals. */
+const NORMALS_VERSION = "3";
 
 /** Reads the tables. Throws a CadFileError if the file is damaged. O(bytes). */
 export function readTables(words: BrepWords, text: string): BrepTables {
@@ -99,18 +104,30 @@ export function readTables(words: BrepWords, text: string): BrepTables {
   const planeCurves = rows("Curve2ds", () => readCurve(words, PLANE));
   const curves = rows("Curves", () => readCurve(words, SPACE));
   const surfaces = rows("Surfaces", () => readSurface(words));
-  const sizes = { planeCurves: planeCurves.length, curves: curves.length, surfaces: surfaces.length };
+  const hasNormals = version === NORMALS_VERSION;
+  const triangulations = rows("Triangulations", () => readTriangulation(words, hasNormals));
+  const sizes = {
+    planeCurves: planeCurves.length,
+    curves: curves.length,
+    surfaces: surfaces.length,
+    triangulations: triangulations.length,
+  };
   const count = words.table("TShapes");
   const reader = new ShapeReader(words, { locations, sizes, count, hasUv: version === UV_VERSION });
   const shapes: BrepShape[] = [];
   for (let i = 0; i < count; i++) shapes.push(reader.shape(i));
   const root = reader.use(words.word(), count);
-  return { locations, planeCurves, curves, surfaces, shapes, root };
+  return { locations, planeCurves, curves, surfaces, triangulations, shapes, root };
 }
 
 interface Context {
   readonly locations: Locations;
-  readonly sizes: { readonly planeCurves: number; readonly curves: number; readonly surfaces: number };
+  readonly sizes: {
+    readonly planeCurves: number;
+    readonly curves: number;
+    readonly surfaces: number;
+    readonly triangulations: number;
+  };
   readonly count: number;
   readonly hasUv: boolean;
 }
@@ -205,16 +222,17 @@ class ShapeReader {
     const surface = number === 0 ? undefined : number - 1;
     const location = this.#location();
     let flags = words.word();
+    let triangulation: number | undefined;
     if (flags === "2") {
-      words.number();
+      triangulation = this.#indexIn("triangulations");
       flags = words.word();
     }
-    return { surface, location, flags };
+    return { surface, location, triangulation, flags };
   }
 
   #indexIn(table: keyof Context["sizes"]): number {
     const number = this.#words.count(this.#context.sizes[table]);
-    if (number === 0) throw this.#words.wrong("expected the number of a curve or a surface, found 0");
+    if (number === 0) throw this.#words.wrong("expected the number of an entry of a table, found 0");
     return number - 1;
   }
 

@@ -25,6 +25,7 @@ export const cadPort: CadPort = {
     const create = await definedBy(script);
     return { create, options: { locateFile: () => wasm } };
   },
+  kernel: undefined,
 };
 
 /** Runs the library's script, which is not a module: it defines itself as an AMD module. */

@@ -1,6 +1,7 @@
 import { createRequire } from "node:module";
 import { parentPort } from "node:worker_threads";
 import type { CadPort } from "./cad-port.js";
+import { loadKernel } from "./kernel-node.js";
 import type { CreateOpenCascade } from "./opencascade.js";
 import type { CadRequest } from "./protocol.js";
 
@@ -14,4 +15,5 @@ export const cadPort: CadPort = {
       create: createRequire(import.meta.url)("occt-import-js") as CreateOpenCascade,
       options: {},
     }),
+  kernel: loadKernel,
 };

@@ -1,4 +1,5 @@
 /** The creator of the worker as the worker sees it, the same in browsers and Node. */
+import type { CadKernel } from "./kernel.js";
 import type { CreateOpenCascade } from "./opencascade.js";
 import type { CadLibrary, CadLoaded, CadReply, CadRequest } from "./protocol.js";
 
@@ -9,4 +10,6 @@ export interface CadPort {
   readonly library: (
     addresses: CadLibrary | undefined,
   ) => Promise<{ readonly create: CreateOpenCascade; readonly options: object }>;
+  /** Loads the kernel that reads true faces; undefined where there is none. */
+  readonly kernel: (() => Promise<CadKernel>) | undefined;
 }

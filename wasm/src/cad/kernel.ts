@@ -3,9 +3,10 @@
  * kernel's own classes. It reads a STEP file and hands out the shape as the text of a BREP file, which we read
  * ourselves; so BREP files need no kernel. docs/CAD.md says why.
  */
-import { trimmedModelOfBrep } from "./brep-model.js";
+import { triangulatedModelOfBrep, trimmedModelOfBrep } from "./brep-model.js";
+import type { Deflection } from "./protocol.js";
 import { withLooks } from "./step-looks.js";
-import { CadFileError, type TrimmedModel } from "./trimmed-model.js";
+import { CadFileError, type TriangulatedModel, type TrimmedModel } from "./trimmed-model.js";
 
 /** An object in the kernel's memory, which must be freed. */
 interface Held {
@@ -56,6 +57,14 @@ export interface CadKernel {
   readonly NCollection_List_TopoDS_Shape: new () => ShapeList;
   readonly TopExp_Explorer: new (shape: Shape, find: EnumEntry, avoid: EnumEntry) => Explorer;
   readonly BRepAlgoAPI_BuilderAlgo: new () => GeneralFuse;
+  /** Triangulates a shape. The distance is relative to the size of each edge if `isRelative`. */
+  readonly BRepMesh_IncrementalMesh: new (
+    shape: Shape,
+    distance: number,
+    isRelative: boolean,
+    angle: number,
+    inParallel: boolean,
+  ) => Held;
   readonly BRepToolsWrapper: { Write(shape: Shape): string; Read(text: string): Shape };
 }
 
@@ -89,6 +98,27 @@ export async function readTrimmedModel(
   }, fileName);
   const model = trimmedModelOfBrep(text, fileName);
   return format === "step" ? withLooks(model, textOf(bytes)) : model;
+}
+
+/**
+ * Reads a file as a model with triangles within a distance of its faces. Errors as for `readTrimmedModel`. The names and
+ * colours of faces are left out.
+ */
+export async function readTriangulatedModel(
+  kernel: () => Promise<CadKernel>,
+  { format, bytes, fileName }: ModelRequest,
+  { distance, angle }: Pick<Deflection, "distance" | "angle">,
+): Promise<TriangulatedModel> {
+  const loaded = await kernel();
+  const text = withHeld((hold) => {
+    const shape = hold(
+      format === "brep" ? loaded.BRepToolsWrapper.Read(textOf(bytes)) : stepShape(loaded, bytes, hold),
+    );
+    if (shape.IsNull()) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
+    hold(new loaded.BRepMesh_IncrementalMesh(shape, distance, true, angle, false));
+    return loaded.BRepToolsWrapper.Write(shape);
+  }, fileName);
+  return triangulatedModelOfBrep(text, fileName);
 }
 
 const CANNOT_READ = "OpenCascade cannot read the file";

@@ -1,4 +1,5 @@
 /** Messages between a reader of CAD files and its worker. */
+import type { ModelTriangles } from "./trimmed-model.js";
 
 /** Kinds of CAD files that OpenCascade reads. */
 export type CadFormat = "step" | "iges" | "brep";
@@ -12,6 +13,8 @@ export interface CadLibrary {
 }
 
 export interface CadRequest {
+  /** Triangles, by `occt-import-js`; or the true faces, by `replicad-opencascadejs`, which reads no IGES. */
+  readonly wants: "triangles" | "faces";
   readonly format: CadFormat;
   readonly bytes: Uint8Array;
   readonly deflection: Deflection;
@@ -49,6 +52,11 @@ export interface CadShape {
   readonly faces: readonly CadFace[];
 }
 
+/** Faces as trimmed surfaces, in the numbers of the engine, with triangles near them. */
+export interface CadTrueFaces extends ModelTriangles {
+  readonly numbers: Float64Array;
+}
+
 /** How a worker ends by itself; `failed` if its cause is the file. */
 export interface CadCrash {
   readonly kind: "failed" | "not-loaded" | "out-of-memory";
@@ -63,6 +71,7 @@ export interface CadTimeout {
 
 export type CadReply =
   | { readonly kind: "read"; readonly shapes: readonly CadShape[] }
+  | { readonly kind: "faces"; readonly faces: CadTrueFaces }
   /** OpenCascade rejects the file. */
   | { readonly kind: "rejected" }
   /** OpenCascade failed in the file, its memory is exhausted, or the worker or the library could not be loaded. */

@@ -143,6 +143,23 @@ export interface TrimmedModel {
   readonly notes: readonly string[];
 }
 
+/** Triangles near the faces of a model, made by the kernel: which face is near a position, and where on it. */
+export interface ModelTriangles {
+  /** x y z per node. */
+  readonly points: Float64Array;
+  /** u v per node, on the surface of the face of its triangles. */
+  readonly parameters: Float64Array;
+  /** Three nodes each, counter-clockwise seen from outside. */
+  readonly triangles: Uint32Array;
+  /** Per triangle: index of its face in the model. */
+  readonly faces: Uint32Array;
+}
+
+export interface TriangulatedModel {
+  readonly model: TrimmedModel;
+  readonly triangles: ModelTriangles;
+}
+
 /** Why a file cannot be read as a model. */
 export class CadFileError extends Error {
   readonly fileName: string;

@@ -19,6 +19,7 @@ export const CALLS = {
   refineSurface: { module: "tools", hasTriangles: true },
   splitPatches: { module: "tools", hasTriangles: true },
   remeshSurface: { module: "tools", hasTriangles: true },
+  placeNodes: { module: "tools", hasTriangles: true },
   inspectMesh: { module: "tools" },
   improveMesh: { module: "engine" },
   checkRun: { module: "engine" },

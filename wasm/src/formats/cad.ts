@@ -2,12 +2,12 @@
  * Reads STEP, IGES and BREP files by OpenCascade, which triangulates their faces. Each solid becomes a region, each
  * face a patch, in millimetres.
  */
-import { askForCad, isSmallFile, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
+import { askForCad, canReadFaces, isSmallFile, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
 import { GENERIC } from "../cad/opencascade.js";
 import type { CadFormat, CadReply, CadShape, Deflection } from "../cad/protocol.js";
 import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { Mesh } from "../mesh/mesh.js";
+import type { Mesh, TrueFaces } from "../mesh/mesh.js";
 import { damagedBrep } from "./brep-counts.js";
 import { allBytes, type ByteSource, piecesOf } from "./byte-source.js";
 import type { MeshReader } from "./file-format.js";
@@ -24,6 +24,9 @@ import { inUtf8 } from "./utf16.js";
  */
 const PER_DIAGONAL = 5000;
 const DEFLECTION: Deflection = { distance: Math.sqrt(3) / PER_DIAGONAL, isRelative: true, angle: 0.1 };
+
+/** As DEFLECTION, for triangles that only tell which face is near; the distance is relative to each edge. */
+const ROUGH: Deflection = { distance: 0.01, isRelative: true, angle: 0.2 };
 
 const NAMES: Readonly<Record<CadFormat, string>> = { step: "STEP", iges: "IGES", brep: "BREP" };
 
@@ -43,15 +46,17 @@ function readerOf(format: CadFormat): MeshReader {
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
     const wrong = format === "brep" ? await inSteps(damagedBrep(bytes), signal) : undefined;
     if (wrong !== undefined) throw wrong;
-    const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
+    const exact = trueFacesIn({ format, bytes }, signal);
+    const shapes = await shapesIn({ wants: "triangles", format, bytes, deflection: DEFLECTION }, signal);
     const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
     const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
     const named = format === "step" ? await inSteps(namedByProducts(used, bytes), signal) : used;
     const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
     const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
     const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
-    const notes = [...damage, ...(made.notes ?? []), ...tooSmall];
-    const mesh = notes.length > 0 ? { ...made, notes } : made;
+    const { faces: trueFaces, notes: ofFaces = [] } = await exact;
+    const notes = [...damage, ...(made.notes ?? []), ...tooSmall, ...ofFaces];
+    const mesh = { ...made, ...(notes.length > 0 && { notes }), ...(trueFaces && { trueFaces }) };
     onWork?.(1);
     return format === "brep" ? mesh : { ...mesh, unit: "mm" };
   };
@@ -85,12 +90,27 @@ async function finer(
   const largest = coarse.reduce((most, { points }) => Math.max(most, diagonalOf(points)), 0);
   const distance = Math.max(PER_SIZE * size, FINEST * largest);
   const deflection = { distance, isRelative: false, angle: DEFLECTION.angle };
-  const reply = await askForCad({ format, bytes, deflection }, signal, {
+  const reply = await askForCad({ wants: "triangles", format, bytes, deflection }, signal, {
     reading: secondsForFiner(bytes.length),
   });
   const shapes = reply.kind === "read" ? reply.shapes.filter(hasTriangles) : [];
   return shapes.length > 0 ? shapes : coarse;
 }
+
+/** Returns the true faces of a file; a sentence where they cannot be read, and nothing where no file has them. */
+async function trueFacesIn(
+  { format, bytes }: Pick<FineRequest, "format" | "bytes">,
+  signal: AbortSignal | undefined,
+): Promise<{ readonly faces?: TrueFaces; readonly notes?: readonly string[] }> {
+  if (format === "iges" || !canReadFaces) return {};
+  const reply = await askForCad({ wants: "faces", format, bytes, deflection: ROUGH }, signal);
+  if (reply.kind === "faces") return { faces: reply.faces };
+  const cause =
+    reply.kind === "not-loaded" ? `${KERNEL} could not be loaded` : `${KERNEL} failed in the file`;
+  return { notes: [`nodes are on triangles near its faces, and not on the faces: ${cause}`] };
+}
+
+const KERNEL = "replicad-opencascadejs";
 
 const hasTriangles = ({ triangles }: CadShape) => triangles.length > 0;
 
@@ -108,6 +128,7 @@ async function shapesIn(
   const { format, bytes } = request;
   const isDamaged = reply.kind === "rejected" || reply.kind === "failed";
   const damage = isDamaged && format === "step" ? damagedStep(bytes) : undefined;
+  if (reply.kind === "faces") return [];
   if (reply.kind !== "read") throw damage ?? failureOf(reply, format, bytes.length);
   const shapes = reply.shapes.filter(hasTriangles);
   if (shapes.length > 0) return shapes;
@@ -117,7 +138,7 @@ async function shapesIn(
 
 /** Returns why a file of this many bytes could not be read. */
 export function failureOf(
-  reply: Exclude<CadReply, { readonly kind: "read" }>,
+  reply: Exclude<CadReply, { readonly kind: "read" | "faces" }>,
   format: CadFormat,
   bytes: number,
 ): ReadFailure {

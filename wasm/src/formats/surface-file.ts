@@ -13,7 +13,7 @@ import { weldPoints } from "./weld.js";
 export function* surfaceOf(mesh: Mesh): Steps<Mesh> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
   const { trianglePatch, patches, unit, unlocatedRegions, duplicateTriangles = 0 } = mesh;
-  const { regionPoints } = mesh;
+  const { regionPoints, trueFaces } = mesh;
   const surfaceRegions = yield* surfaceRegionsOf(mesh);
   const { points, triangles, welded, distance } = yield* withoutNoise(mesh);
   const notes = [...(mesh.notes ?? []), ...(welded > 0 ? [roundingNote(welded, distance)] : [])];
@@ -28,6 +28,7 @@ export function* surfaceOf(mesh: Mesh): Steps<Mesh> {
     ...(unlocatedRegions && { unlocatedRegions }),
     ...(notes.length > 0 && { notes }),
     ...(regionPoints && { regionPoints }),
+    ...(trueFaces && { trueFaces }),
     ...(duplicateTriangles > 0 && { duplicateTriangles }),
   };
 }

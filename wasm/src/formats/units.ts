@@ -66,7 +66,7 @@ export function* inUnits(mesh: Mesh, { scale = 1, units, fileUnits }: LengthOpti
   const nodeData = new Map(mesh.nodeData);
   const sizes = nodeData.get("size");
   if (sizes !== undefined) nodeData.set("size", { ...sizes, values: yield* converted(sizes.values) });
-  const { regionPoints } = mesh;
+  const { regionPoints, trueFaces } = mesh;
   const moved = <Point extends { readonly position: readonly [number, number, number] }>(
     point: Point,
   ): Point => {
@@ -76,6 +76,7 @@ export function* inUnits(mesh: Mesh, { scale = 1, units, fileUnits }: LengthOpti
   return {
     ...mesh,
     ...unit,
+    ...(trueFaces && { trueFaces: { ...trueFaces, scale: convert(trueFaces.scale ?? 1) } }),
     points: yield* converted(mesh.points),
     // Rounding may make points equal.
     isWelded: false,

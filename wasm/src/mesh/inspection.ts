@@ -200,8 +200,20 @@ export interface SurfaceRemesh {
   readonly meanRadiusRatio: number;
   /** Whether the call was stopped before all triangles were improved; see `PartialControl`. */
   readonly isPartial: boolean;
+  /** How the nodes were placed on the true faces of a CAD file. `tolerance` and `deviation` do not include these moves. */
+  readonly placement?: NodePlacement | undefined;
   /** A warning if `deviation` exceeds `tolerance`. */
   readonly diagnostics: readonly Diagnostic[];
+}
+
+/** How the nodes of a surface were placed on the faces, edges and vertices of a CAD file. */
+export interface NodePlacement {
+  /** Number of nodes on them. */
+  readonly placed: number;
+  /** Number of nodes that stayed near them, because triangles would have folded over, or nothing was near. */
+  readonly unplaced: number;
+  /** Largest distance by which a node was moved, in model units. */
+  readonly largestMove: number;
 }
 
 /** Result of `inspectMesh`. */

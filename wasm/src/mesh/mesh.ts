@@ -70,6 +70,32 @@ export interface RegionPoints {
 }
 
 /**
+ * The faces of a CAD file as surfaces with loops of edges, and triangles near them. A mesh of the file gets its nodes on them.
+ */
+export interface TrueFaces {
+  /** Surfaces, curves and faces, in the form that the engine reads. Opaque. */
+  readonly numbers: Float64Array;
+  /** x y z per node of the triangles. */
+  readonly points: Float64Array;
+  /** u v per node. */
+  readonly parameters: Float64Array;
+  /** Three nodes each. */
+  readonly triangles: Uint32Array;
+  /** Per triangle: index of its face. */
+  readonly faces: Uint32Array;
+  /** Factor from the lengths here to those of the mesh, if it was converted to another unit. Default 1. */
+  readonly scale?: number | undefined;
+}
+
+/** Edges of triangles that bend on the true faces. */
+export interface CurvedEdges {
+  /** Two nodes per edge. */
+  readonly edges: Uint32Array;
+  /** Per edge, x y z of its middle on the true faces. */
+  readonly middles: Float64Array;
+}
+
+/**
  * Triangles and tetrahedra with their patches and regions, and the values at their nodes. A surface has no tetrahedra; it is
  * ready to be meshed if its nodes are welded, as those of `readSurface` are.
  */
@@ -110,6 +136,10 @@ export interface Mesh {
    * regions unless `innerShells` says otherwise.
    */
   readonly regionPoints?: RegionPoints | undefined;
+  /** The faces of the CAD file from which a surface was read. */
+  readonly trueFaces?: TrueFaces | undefined;
+  /** Edges that bend, if the nodes were placed on true faces: second-order elements follow them. */
+  readonly curvedEdges?: CurvedEdges | undefined;
   /** Unit of the coordinates, if the file or the options of reading define one; they are converted to it. */
   readonly unit?: LengthUnit | undefined;
   /** Format and version as stated by the file, if the file's name does not decide: "Gmsh 2.2". */

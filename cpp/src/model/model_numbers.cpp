@@ -1,0 +1,256 @@
+#include "model/model_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "geom/coordinates.h"
+#include "model/spline_basis.h"
+
+namespace tetrafront {
+
+namespace {
+
+/// How far the length of an axis of a frame may be from 1.
+constexpr double kAxisTolerance = 1e-6;
+
+/// Reads numbers one after the other. After the end it returns zeros, and has failed.
+class NumberReader {
+ public:
+  explicit NumberReader(std::span<const double> numbers) : rest_(numbers) {}
+
+  [[nodiscard]] bool hasFailed() const { return hasFailed_; }
+
+  double number() {
+    if (rest_.empty()) {
+      hasFailed_ = true;
+      return 0.0;
+    }
+    const double value = rest_.front();
+    rest_ = rest_.subspan(1);
+    return value;
+  }
+  /// Reads a whole number below `limit`.
+  std::uint32_t below(std::size_t limit) {
+    const double value = number();
+    if (value >= 0.0 && value < static_cast<double>(limit) && value == std::floor(value)) {
+      return static_cast<std::uint32_t>(value);
+    }
+    hasFailed_ = true;
+    return 0;
+  }
+  /// Reads a number of items, each of which needs at least one of the numbers left.
+  std::size_t count() { return below(rest_.size()); }
+  bool flag() { return below(2) == 1; }
+  /// Reads an index below `limit`, or none for -1.
+  std::optional<std::uint32_t> indexOrNone(std::size_t limit) {
+    if (skipNone()) return std::nullopt;
+    return below(limit);
+  }
+  /// Reads the next number if it is -1.
+  bool skipNone() {
+    if (rest_.empty() || rest_.front() != -1.0) return false;
+    rest_ = rest_.subspan(1);
+    return true;
+  }
+  template <class Vector>
+  Vector vector() {
+    Vector result(0.0);
+    for (glm::length_t k = 0; k < Vector::length(); ++k) result[k] = number();
+    return result;
+  }
+  std::vector<double> list() {
+    std::vector<double> result(count());
+    for (double& value : result) value = number();
+    return result;
+  }
+  template <class Vector>
+  std::vector<Vector> vectors() {
+    const std::size_t numbers = count();
+    std::vector<Vector> result(numbers / Vector::length());
+    for (Vector& each : result) each = vector<Vector>();
+    if (result.size() * Vector::length() != numbers) hasFailed_ = true;
+    return result;
+  }
+
+ private:
+  std::span<const double> rest_;
+  bool hasFailed_ = false;
+};
+
+template <class Curve>
+void readCurve(NumberReader& reader, Curve& curve) {
+  using Position = decltype(curve.frame.origin);
+  curve.kind = static_cast<CurveKind>(reader.below(4));
+  if (curve.kind == CurveKind::kBSpline) {
+    curve.spline.degree = reader.below(kMaxDegree + 1);
+    curve.spline.knots = reader.list();
+    curve.spline.poles = reader.template vectors<Position>();
+    curve.spline.weights = reader.list();
+    return;
+  }
+  curve.frame.origin = reader.template vector<Position>();
+  curve.frame.x = reader.template vector<Position>();
+  curve.frame.y = reader.template vector<Position>();
+  if constexpr (requires { curve.frame.z; }) curve.frame.z = reader.template vector<Position>();
+  curve.radius = reader.number();
+  curve.minorRadius = reader.number();
+}
+
+bool hasProfile(SurfaceKind kind) {
+  return kind == SurfaceKind::kExtrusion || kind == SurfaceKind::kRevolution;
+}
+
+FaceSurface readSurface(NumberReader& reader) {
+  FaceSurface surface;
+  surface.kind = static_cast<SurfaceKind>(reader.below(8));
+  if (surface.kind == SurfaceKind::kBSpline) {
+    SplineSurface& spline = surface.spline;
+    spline.uDegree = reader.below(kMaxDegree + 1);
+    spline.vDegree = reader.below(kMaxDegree + 1);
+    spline.uKnots = reader.list();
+    spline.vKnots = reader.list();
+    spline.poles = reader.vectors<Vec3>();
+    spline.weights = reader.list();
+    return surface;
+  }
+  surface.frame.origin = reader.vector<Vec3>();
+  surface.frame.x = reader.vector<Vec3>();
+  surface.frame.y = reader.vector<Vec3>();
+  surface.frame.z = reader.vector<Vec3>();
+  surface.radius = reader.number();
+  surface.minorRadius = reader.number();
+  surface.halfAngle = reader.number();
+  if (hasProfile(surface.kind)) readCurve(reader, surface.profile);
+  return surface;
+}
+
+TrimmedEdge readEdge(NumberReader& reader, const TrimmedModel& model) {
+  TrimmedEdge edge;
+  edge.curve = reader.indexOrNone(model.curves.size());
+  edge.first = reader.number();
+  edge.last = reader.number();
+  edge.start = reader.below(model.vertices.size());
+  edge.end = reader.below(model.vertices.size());
+  edge.tolerance = reader.number();
+  return edge;
+}
+
+TrimmedFace readFace(NumberReader& reader, const TrimmedModel& model) {
+  TrimmedFace face;
+  face.surface = reader.below(model.surfaces.size());
+  face.reversed = reader.flag();
+  face.solid = reader.below(TrimmedFace::kNone);
+  face.otherSolid = reader.indexOrNone(TrimmedFace::kNone).value_or(TrimmedFace::kNone);
+  face.loops.resize(reader.count());
+  for (std::vector<Coedge>& loop : face.loops) {
+    loop.resize(reader.count());
+    for (Coedge& coedge : loop) {
+      coedge.edge = reader.below(model.edges.size());
+      coedge.reversed = reader.flag();
+      if (!reader.skipNone()) readCurve(reader, coedge.inPlane.emplace());
+    }
+  }
+  return face;
+}
+
+// ---- what can be evaluated -----------------------------------------------------------------------
+
+bool isPosition(double value) { return std::fabs(value) <= kLargestCoordinate; }
+
+template <class Vector>
+bool areCoordinates(const Vector& position) {
+  for (glm::length_t k = 0; k < Vector::length(); ++k) {
+    if (!isPosition(position[k])) return false;
+  }
+  return true;
+}
+
+template <class Frame>
+bool isValid(const Frame& frame) {
+  const auto isUnit = [](const auto& axis) {
+    return std::fabs(glm::length(axis) - 1.0) <= kAxisTolerance;
+  };
+  if constexpr (requires { frame.z; }) {
+    if (!isUnit(frame.z)) return false;
+  }
+  return areCoordinates(frame.origin) && isUnit(frame.x) && isUnit(frame.y);
+}
+
+/// Finite, ascending, with an interval that is not empty, and as many as the poles need.
+bool areKnots(std::span<const double> knots, std::uint32_t degree) {
+  if (knots.size() < 2 * (std::size_t{degree} + 1) || degree == 0) return false;
+  return std::ranges::all_of(knots, isPosition) && std::ranges::is_sorted(knots) &&
+         knots[degree] < knots[knots.size() - degree - 1];
+}
+
+bool areWeights(std::span<const double> weights, std::size_t poles) {
+  return weights.empty() ||
+         (weights.size() == poles && std::ranges::all_of(weights, [](double weight) {
+            return weight > 0.0 && std::isfinite(weight);
+          }));
+}
+
+template <class Vector>
+bool arePoles(const std::vector<Vector>& poles, std::span<const double> weights,
+              std::size_t count) {
+  return poles.size() == count && std::ranges::all_of(poles, areCoordinates<Vector>) &&
+         areWeights(weights, count);
+}
+
+template <class Curve>
+bool isValidCurve(const Curve& curve) {
+  if (curve.kind == CurveKind::kBSpline) {
+    const auto& [degree, knots, poles, weights] = curve.spline;
+    return areKnots(knots, degree) && arePoles(poles, weights, knots.size() - degree - 1);
+  }
+  return isValid(curve.frame) && isPosition(curve.radius) && isPosition(curve.minorRadius);
+}
+
+bool isValidSurface(const FaceSurface& surface) {
+  if (surface.kind == SurfaceKind::kBSpline) {
+    const SplineSurface& spline = surface.spline;
+    return areKnots(spline.uKnots, spline.uDegree) && areKnots(spline.vKnots, spline.vDegree) &&
+           arePoles(spline.poles, spline.weights, spline.uCount() * spline.vCount());
+  }
+  return isValid(surface.frame) && isPosition(surface.radius) && isPosition(surface.minorRadius) &&
+         std::isfinite(surface.halfAngle) &&
+         (!hasProfile(surface.kind) || isValidCurve(surface.profile));
+}
+
+bool isValidEdge(const TrimmedModel& model, const TrimmedEdge& edge) {
+  const bool hasRange = isPosition(edge.first) && isPosition(edge.last) && edge.first < edge.last;
+  const bool hasEnds =
+      areCoordinates(model.vertices[edge.start]) && areCoordinates(model.vertices[edge.end]);
+  return hasRange && hasEnds && (!edge.curve || isValidCurve(model.curves[*edge.curve]));
+}
+
+}  // namespace
+
+std::optional<ReadModel> readModel(std::span<const double> numbers) {
+  NumberReader reader(numbers);
+  ReadModel read;
+  TrimmedModel& model = read.model;
+  const auto readAll = [&](auto& items, const auto& readOne) {
+    items.resize(reader.count());
+    for (auto& item : items) {
+      if (reader.hasFailed()) return;
+      readOne(item);
+    }
+  };
+  readAll(model.vertices, [&](Vec3& vertex) { vertex = reader.vector<Vec3>(); });
+  readAll(model.curves, [&](SpaceCurve& curve) { readCurve(reader, curve); });
+  readAll(model.surfaces, [&](FaceSurface& surface) { surface = readSurface(reader); });
+  readAll(model.edges, [&](TrimmedEdge& edge) { edge = readEdge(reader, model); });
+  readAll(model.faces, [&](TrimmedFace& face) { face = readFace(reader, model); });
+  if (reader.hasFailed()) return std::nullopt;
+  for (const FaceSurface& surface : model.surfaces) {
+    read.isSurfaceValid.push_back(isValidSurface(surface) ? 1 : 0);
+  }
+  for (const TrimmedEdge& edge : model.edges) {
+    read.isEdgeValid.push_back(isValidEdge(model, edge) ? 1 : 0);
+  }
+  return read;
+}
+
+}  // namespace tetrafront

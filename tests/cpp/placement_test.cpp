@@ -1,0 +1,172 @@
+// Nodes near a trimmed model are placed on its faces, edges and vertices.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/model_numbers.h"
+#include "model/parametric.h"
+#include "support/random.h"
+#include "support/slices.h"
+#include "support/trimmed_models.h"
+#include "surface/trimmed_mesher.h"
+#include "tetrafront/node_placement.h"
+
+namespace tetrafront::testing {
+namespace {
+
+constexpr double kSize = 0.25;
+constexpr double kReach = 0.1;
+
+SurfaceMesh meshOfModel(const TrimmedModel& model, double size) {
+  const SizeField field = SizeField::uniform(size);
+  TrimmedMesher mesher(model, field);
+  while (mesher.advance(1U << 30U) == MeshStatus::kRunning) {
+  }
+  EXPECT_TRUE(mesher.diagnostics().empty());
+  return mesher.takeMesh();
+}
+
+Vec3 positionAt(const std::vector<double>& points, std::size_t node) {
+  return {points[3 * node], points[3 * node + 1], points[3 * node + 2]};
+}
+
+/// Fine triangles with a node per corner. The parameters of a centroid are found by a search over the whole face, and those of
+/// corners beside them, so that no triangle extends over a period.
+ModelTriangles trianglesOf(const TrimmedModel& model) {
+  const SurfaceMesh mesh = meshOfModel(model, 0.1);
+  std::vector<ParameterBox> boxes;
+  for (const TrimmedFace& face : model.faces) boxes.push_back(FaceLoops(model, face).box());
+  ModelTriangles triangles;
+  for (std::uint32_t t = 0; t < mesh.trianglePatch.size(); ++t) {
+    const std::uint32_t face = mesh.trianglePatch[t];
+    const FaceSurface& surface = model.surfaces[model.faces[face].surface];
+    const auto corner = [&](std::uint32_t k) {
+      return positionAt(mesh.points, mesh.triangles[3 * t + k]);
+    };
+    const Vec2 middle =
+        closestParameters(surface, boxes[face], (corner(0) + corner(1) + corner(2)) / 3.0);
+    const Vec2 extent = boxes[face].high - boxes[face].low;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const Vec3 position = corner(k);
+      const Vec2 uv = closestParametersFrom(
+          surface, {boxes[face].low - extent, boxes[face].high + extent}, position, middle);
+      triangles.points.insert(triangles.points.end(), {position.x, position.y, position.z});
+      triangles.parameters.insert(triangles.parameters.end(), {uv.x, uv.y});
+      triangles.triangles.push_back(3 * t + k);
+    }
+    triangles.faces.push_back(face);
+  }
+  return triangles;
+}
+
+NodePlacement placed(const TrimmedSolid& solid, const SurfaceMesh& mesh, std::uint32_t budget) {
+  NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, numbersOf(solid.model),
+                    trianglesOf(solid.model), kReach);
+  while (!placer.advance(budget)) {
+  }
+  return placer.result();
+}
+
+TEST(NodePlacement, MovesNodesOntoFacesAndEdges) {
+  Random random(7);
+  for (const TrimmedSolid& solid : trimmedSolids()) {
+    SCOPED_TRACE(solid.name);
+    SurfaceMesh mesh = meshOfModel(solid.model, kSize);
+    for (double& coordinate : mesh.points) coordinate += random.between(-0.02, 0.02);
+    const NodePlacement found = placed(solid, mesh, 1U << 30U);
+    EXPECT_TRUE(found.unplaced.empty());
+    EXPECT_EQ(found.placed, mesh.points.size() / 3);
+    EXPECT_LE(found.largestMove, 0.04);
+    EXPECT_GT(found.largestMove, 0.01);
+    double distance = 0.0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      distance = std::max(distance, solid.distances[mesh.trianglePatch[i / 3]](
+                                        positionAt(found.points, mesh.triangles[i])));
+    }
+    EXPECT_LT(distance, 1e-9);
+  }
+}
+
+TEST(NodePlacement, BendsEdgesOntoTheFacesBesideThem) {
+  for (const TrimmedSolid& solid : trimmedSolids()) {
+    SCOPED_TRACE(solid.name);
+    const SurfaceMesh mesh = meshOfModel(solid.model, kSize);
+    const NodePlacement found = placed(solid, mesh, 1U << 30U);
+    ASSERT_EQ(found.middles.size(), 3 * found.curvedEdges.size() / 2);
+    double distance = 0.0;
+    std::size_t sides = 0;
+    for (std::size_t corner = 0; corner < mesh.triangles.size(); ++corner) {
+      const std::size_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
+      const auto [low, high] = std::minmax(mesh.triangles[corner], mesh.triangles[next]);
+      Vec3 middle = 0.5 * (positionAt(found.points, low) + positionAt(found.points, high));
+      for (std::size_t edge = 0; edge < found.curvedEdges.size() / 2; ++edge) {
+        if (found.curvedEdges[2 * edge] != low || found.curvedEdges[2 * edge + 1] != high) continue;
+        middle = positionAt(found.middles, edge);
+        ++sides;
+      }
+      distance = std::max(distance, solid.distances[mesh.trianglePatch[corner / 3]](middle));
+    }
+    EXPECT_LT(distance, 1e-9);
+    // Each curved edge has two triangles.
+    EXPECT_EQ(sides, found.curvedEdges.size());
+    EXPECT_EQ(sides > 0, solid.name != "box");
+  }
+}
+
+TEST(NodePlacement, DoesNotDependOnSlices) {
+  const TrimmedSolid solid = trimmedCylinder(1.0, 2.0);
+  const SurfaceMesh mesh = meshOfModel(solid.model, kSize);
+  const NodePlacement whole = placed(solid, mesh, 1U << 30U);
+  const NodePlacement sliced = placed(solid, mesh, 3);
+  EXPECT_EQ(whole.points, sliced.points);
+  EXPECT_EQ(whole.curvedEdges, sliced.curvedEdges);
+  EXPECT_EQ(whole.middles, sliced.middles);
+}
+
+TEST(NodePlacement, LeavesNodesFarFromTheModel) {
+  const TrimmedSolid solid = trimmedSphere(1.0);
+  SurfaceMesh mesh = meshOfModel(solid.model, kSize);
+  for (double& coordinate : mesh.points) coordinate *= 1.5;
+  const NodePlacement found = placed(solid, mesh, 1U << 30U);
+  EXPECT_EQ(found.placed, 0U);
+  EXPECT_EQ(found.unplaced.size(), mesh.points.size() / 3);
+  EXPECT_EQ(found.points, mesh.points);
+}
+
+TEST(ModelNumbers, AreReadAsTheyWereWritten) {
+  for (const TrimmedSolid& solid : trimmedSolids()) {
+    SCOPED_TRACE(solid.name);
+    const std::vector<double> numbers = numbersOf(solid.model);
+    const std::optional<ReadModel> read = readModel(numbers);
+    ASSERT_TRUE(read.has_value());
+    EXPECT_EQ(numbersOf(read->model), numbers);
+    EXPECT_EQ(std::ranges::count(read->isSurfaceValid, 1), std::ssize(solid.model.surfaces));
+    EXPECT_EQ(std::ranges::count(read->isEdgeValid, 1), std::ssize(solid.model.edges));
+  }
+}
+
+TEST(ModelNumbers, DamagedNumbersAttractNoNode) {
+  const TrimmedSolid solid = nurbsCylinder(1.0, 2.0);
+  const SurfaceMesh mesh = meshOfModel(solid.model, kSize);
+  const ModelTriangles triangles = trianglesOf(solid.model);
+  const std::vector<double> numbers = numbersOf(solid.model);
+  // Whatever is wrong with a number, all positions stay finite.
+  for (std::size_t i = 0; i < numbers.size(); i += 3) {
+    for (const double wrong : {-1.0, 0.0, 1e300, std::nan("")}) {
+      std::vector<double> damaged = numbers;
+      damaged[i] = wrong;
+      NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, damaged, triangles,
+                        kReach);
+      while (!placer.advance(1U << 30U)) {
+      }
+      EXPECT_TRUE(std::ranges::all_of(placer.result().points,
+                                      [](double value) { return std::isfinite(value); }));
+    }
+  }
+  EXPECT_FALSE(readModel(std::span(numbers).first(numbers.size() - 1)).has_value());
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
