@@ -102,15 +102,16 @@ void shuffle(TetMesh& mesh, std::uint64_t seed) {
   };
   std::vector<NodeId> newId(mesh.points.size());
   std::vector<Vec3> points = mesh.points;
-  for (const NodeId node : IdRange<NodeId>(mesh.boundaryNodes)) newId[node.index()] = node;
-  std::size_t next = mesh.boundaryNodes;
-  for (const std::size_t node : permuted(mesh.boundaryNodes, mesh.points.size())) {
+  const auto fixed = static_cast<std::size_t>(std::ranges::count(mesh.isFixed, 1));
+  for (const NodeId node : IdRange<NodeId>(fixed)) newId[node.index()] = node;
+  std::size_t next = fixed;
+  for (const std::size_t node : permuted(fixed, mesh.points.size())) {
     points[next] = mesh.points[node];
     newId[node] = NodeId(next++);
   }
   TetMesh shuffled;
   shuffled.points = std::move(points);
-  shuffled.boundaryNodes = mesh.boundaryNodes;
+  shuffled.isFixed = mesh.isFixed;
   for (const std::size_t t : permuted(0, mesh.tetrahedra.size())) {
     const NodeQuad& n = mesh.tetrahedra[t];
     const std::size_t turn = random.bits() % 3;

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <set>
 #include <string>
 
 #include "base/fingerprint.h"
@@ -251,8 +254,8 @@ TEST(TetComplex, UndoesATrialExactly) {
   EXPECT_EQ(fingerprintOf(toVolumeMesh(complex.toMesh())), before);
   EXPECT_EQ(totalCost(complex), costBefore);
   // This fails if neighbours or elements at nodes were not restored.
-  for (std::size_t node = complex.boundaryNodeCount(); node < complex.nodeCount(); ++node) {
-    mover.improve(NodeId(node), MoveKind::kCircumcentres, cost);
+  for (const NodeId node : IdRange<NodeId>(complex.nodeCount())) {
+    mover.improve(node, MoveKind::kCircumcentres, cost);
   }
   EXPECT_EQ(testing::complaintAbout(toVolumeMesh(complex.toMesh()), filled.surface), "");
 }
@@ -729,6 +732,36 @@ TEST(OrderAlongMortonCurve, DoesNotDependOnHowTheWorkIsSliced) {
   while (!ordering.advance(1)) ++slices;
   EXPECT_GT(slices, filled.mesh.regions.size() / 10);
   EXPECT_EQ(toVolumeMesh(std::move(mesh)).tetrahedra, orderedMesh(filled.tetMesh()).tetrahedra);
+}
+
+TEST(MeshOptimizer, KeepsFixedNodesWhereverTheyAre) {
+  const Filled filled = fill(testing::gridCube(6));
+  TetMesh mesh = filled.tetMesh();
+  const std::size_t boundary = filled.surface.points.size() / 3;
+  const auto positionsOf = [](const TetMesh& one, const auto& isListed) {
+    std::set<std::array<double, 3>> found;
+    for (std::size_t i = 0; i < one.points.size(); ++i) {
+      if (isListed(i)) found.insert({one.points[i].x, one.points[i].y, one.points[i].z});
+    }
+    return found;
+  };
+  const auto areKept = [&](const TetMesh& given, const auto& isListed) {
+    const SizeField field = SizeField::uniform(0.2);
+    MeshOptimizer optimizer(given, field, Optimization::kDefault);
+    Job<> optimizing([&optimizer](Work& work) { return optimizer.run(work); });
+    optimizing.finish();
+    const TetMesh made = optimizer.take();
+    EXPECT_EQ(testing::complaintAbout(toVolumeMesh(made), filled.surface), "");
+    return std::ranges::includes(positionsOf(made, [](std::size_t) { return true; }),
+                                 positionsOf(given, isListed));
+  };
+  const auto isListed = [&](std::size_t node) { return node >= boundary && node % 3 == 0; };
+  EXPECT_GT(positionsOf(mesh, isListed).size(), 10U);
+  EXPECT_FALSE(areKept(mesh, isListed));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (isListed(i)) mesh.isFixed[i] = 1;
+  }
+  EXPECT_TRUE(areKept(mesh, isListed));
 }
 
 TEST(MeshOptimizer, IsValidWheneverItIsStopped) {

@@ -5,18 +5,9 @@
  */
 import type { AdvanceStep, Trace } from "tetrafront/trace";
 import type { Position } from "../../web/document/position";
-import { cross, dot, subtract } from "../../web/document/vectors";
-import {
-  boxOf,
-  cornersOf,
-  crossesFace,
-  nodesOf,
-  touching,
-  type NewElement,
-} from "../../web/teach/player/judge";
+import { type Box, boxOf, cross, dot, subtract } from "../../web/document/vectors";
+import { cornersOf, crossesFace, nodesOf, touching, type NewElement } from "../../web/teach/player/judge";
 import { distanceToFace, idealNumbers, unitAxes } from "../../web/teach/player/unit-space";
-
-type Box = ReturnType<typeof boxOf>;
 
 /** A grid: faces by the indices of their cell along x, y and z. */
 type Cells = Map<number, Set<number>>;
@@ -58,7 +49,7 @@ export class FrontGrid {
   }
 
   /** Returns all faces whose boxes overlap a box. */
-  near([low, high]: Box): readonly number[] {
+  near({ low, high }: Box): readonly number[] {
     const found: number[] = [];
     for (const [level, cells] of this.#levels) {
       const size = 2 ** level;
@@ -137,7 +128,7 @@ export function crossedNear(trace: Trace, grid: FrontGrid, element: NewElement):
     const plane = planeThrough(element.corners[i], element.corners[j], element.corners[k]);
     return heightAbove(plane, element.corners[opposite]) > 0 ? flipped(plane) : plane;
   });
-  for (const face of grid.near(boxOf(element.corners))) {
+  for (const face of grid.near(boxOf(element.corners.flat()))) {
     const corners = cornersOf(trace, face);
     const isBeyond = (plane: Plane): boolean =>
       corners.every((corner) => heightAbove(plane, corner) >= -plane.tolerance);
@@ -165,7 +156,7 @@ export function tooCloseNear(trace: Trace, grid: FrontGrid, step: AdvanceStep, p
     position[1] + sign * (half[1] ?? 0),
     position[2] + sign * (half[2] ?? 0),
   ];
-  return grid.near([shifted(-1), shifted(1)]).filter((face) => {
+  return grid.near({ low: shifted(-1), high: shifted(1) }).filter((face) => {
     if (nodesOf(trace, face).some((node) => base.includes(node))) return false;
     const { distance, least } = distanceToFace(trace, step, position, face);
     return distance < least * (1 - rounding);

@@ -1,5 +1,6 @@
 import type { SurfaceInput } from "tetrafront";
 import type { Position } from "./position";
+import { boxOf } from "./vectors";
 
 /** Triangles of a surface in the form in which the view draws and hits them. */
 export interface DrawnSurface {
@@ -15,18 +16,6 @@ export interface DrawnSurface {
   readonly patchOffsets: Uint32Array<ArrayBuffer>;
   /** One value per corner, if the surface has values. */
   readonly values: Float32Array<ArrayBuffer> | null;
-}
-
-/** Returns the lowest and the highest coordinates of points; zeros without points. */
-export function boxOf(points: Float64Array): { readonly low: Position; readonly high: Position } {
-  const low: [number, number, number] = [Infinity, Infinity, Infinity];
-  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < points.length; ++i) {
-    const [axis, x] = [i % 3, points[i] ?? 0];
-    if (x < (low[axis] ?? 0)) low[axis] = x;
-    if (x > (high[axis] ?? 0)) high[axis] = x;
-  }
-  return points.length === 0 ? { low: [0, 0, 0], high: [0, 0, 0] } : { low, high };
 }
 
 /** Returns the drawn triangles of a surface with `patchCount` patches and one value per triangle, if it has values. */

@@ -1,8 +1,8 @@
 import { NO_REGION, type Mesh } from "tetrafront";
 import { isWithin } from "tetrafront/internal";
-import { boxOf } from "./drawn-surface";
 import type { Position } from "./position";
 import { cornerOf, windingNumber, type Triangles } from "./winding-number";
+import { boxOf } from "./vectors";
 
 /**
  * Returns whether a solid of a file lies in the material of another, or fills a void of another with which it shares all

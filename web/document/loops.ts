@@ -2,6 +2,8 @@ import type { Project, ProjectLine } from "tetrafront/project";
 import { findRecord } from "./entities";
 import { loopDefects, selectionHints } from "../strings";
 import { rangeAlong } from "./extent";
+import { areaVector, dot, zero } from "./vectors";
+import type { Position } from "./position";
 
 /** Closed chains of lines, the outer one first; a negative id traverses its line backwards. */
 export type LoopSearch =
@@ -43,21 +45,6 @@ function walkLoop(left: Map<number, ProjectLine>): number[] {
   return loop;
 }
 
-/** Returns the area vector of the polygon of a closed line's points, relative to their mean (Newell). */
-function areaVector(project: Project, line: ProjectLine): readonly number[] {
-  const positions = line.points.map((id) => findRecord(project, "point", id)?.position ?? [0, 0, 0]);
-  const middle = [0, 1, 2].map(
-    (axis) => positions.reduce((sum, position) => sum + (position[axis] ?? 0), 0) / positions.length,
-  );
-  const from = (i: number, axis: number) => (positions[i]?.[axis] ?? 0) - (middle[axis] ?? 0);
-  return [0, 1, 2].map((axis) => {
-    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-    return positions
-      .slice(1)
-      .reduce((sum, _, i) => sum + from(i, u) * from(i + 1, v) - from(i, v) * from(i + 1, u), 0);
-  });
-}
-
 /**
  * Two closed lines and a line between them bound a tube with a seam, which the loop traverses in both
  * directions. The loop traverses the second closed line opposite to the first; otherwise the tube would
@@ -72,8 +59,9 @@ function seamedLoop(project: Project, lines: readonly ProjectLine[]): number[] |
   const [start, end] = endsOf(seam);
   const there = start === from && end === to ? 1 : start === to && end === from ? -1 : 0;
   if (there === 0) return null;
-  const [a, b] = [areaVector(project, first), areaVector(project, second)];
-  const alike = a.reduce((sum, value, axis) => sum + value * (b[axis] ?? 0), 0) > 0;
+  const areaOf = ({ points }: ProjectLine): Position =>
+    areaVector(points.map((id) => findRecord(project, "point", id)?.position ?? zero));
+  const alike = dot(areaOf(first), areaOf(second)) > 0;
   return [first.id, there * seam.id, alike ? -second.id : second.id, -there * seam.id];
 }
 

@@ -1,5 +1,6 @@
 import type { BodyPlacement } from "tetrafront/project";
 import type { Position } from "./position";
+import { cross } from "./vectors";
 
 /** Placements of bodies: points are scaled, then rotated by a unit quaternion x y z w, then moved. */
 
@@ -28,12 +29,6 @@ function rotated(v: Position, [x, y, z, w]: Quaternion): Position {
   const outer = cross(q, inner);
   return [v[0] + 2 * outer[0], v[1] + 2 * outer[1], v[2] + 2 * outer[2]];
 }
-
-const cross = (a: Position, b: Position): Position => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 
 /** Returns the box around the corners of a placed box. */
 export function placedBox(

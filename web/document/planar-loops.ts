@@ -1,7 +1,19 @@
 import type { LinePath } from "./line-paths";
 import type { DrawnLoop } from "./drawn-loop";
 import type { Position } from "./position";
-import { cross, dot, frameAlong, length, subtract, toFrame, unit, fromFrame, type Frame } from "./vectors";
+import {
+  cross,
+  dot,
+  frameAlong,
+  length,
+  subtract,
+  toFrame,
+  unit,
+  fromFrame,
+  type Frame,
+  boxOf,
+  distance,
+} from "./vectors";
 
 /** Lines lie in a plane if their distance from it is at most this, relative to the extent of the model. */
 const planarity = 1e-7;
@@ -39,17 +51,8 @@ export function planarLoops(paths: readonly LinePath[]): DrawnLoop[] {
 }
 
 function extentOf(paths: readonly LinePath[]): number {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (const { positions } of paths) {
-    for (const position of positions) {
-      position.forEach((x, k) => {
-        low[k] = Math.min(low[k] ?? x, x);
-        high[k] = Math.max(high[k] ?? x, x);
-      });
-    }
-  }
-  return paths.length === 0 ? 1 : Math.hypot(...high.map((x, k) => x - (low[k] ?? x))) || 1;
+  const { low, high } = boxOf(paths.flatMap(({ positions }) => positions.flat()));
+  return distance(low, high) || 1;
 }
 
 /** Returns the planes of every two lines that share an end, and of every curved line; each plane once. */

@@ -122,6 +122,23 @@ export function areaVector(polygon: readonly Position[]): Position {
   return scale(twice, 0.5);
 }
 
+export interface Box {
+  readonly low: Position;
+  readonly high: Position;
+}
+
+/** Returns the box around points, x y z each; that of the origin without any. */
+export function boxOf(points: ArrayLike<number>): Box {
+  const low: [number, number, number] = [Infinity, Infinity, Infinity];
+  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < points.length; ++i) {
+    const [axis, x] = [i % 3, points[i] ?? 0];
+    if (x < (low[axis] ?? 0)) low[axis] = x;
+    if (x > (high[axis] ?? 0)) high[axis] = x;
+  }
+  return points.length === 0 ? { low: zero, high: zero } : { low, high };
+}
+
 /** Returns the mean of positions; the origin without any. */
 export function mean(positions: readonly Position[]): Position {
   if (positions.length === 0) return zero;

@@ -17,10 +17,10 @@ import {
   withTreatmentAfter,
 } from "../document/body-repair";
 import { placedSurfaceKey } from "../document/content-keys";
-import { boxOf } from "../document/drawn-surface";
 import { joinedHead, joinedPatches, joinedSurface, placedSurface } from "../document/touching-bodies";
 import { strings } from "../strings";
 import type { PatchArrays } from "../document/patch-arrays";
+import { boxOf } from "../document/vectors";
 
 /** A body and its given triangles, which are not placed. */
 export interface GivenBody {

@@ -33,15 +33,13 @@ Task<std::vector<std::uint32_t>> mortonOrderOf(Work& work, const TetMesh& mesh) 
   co_return sort.take();
 }
 
-/// Copies elements, and those of their nodes that no earlier element has.
+/// Copies the fixed nodes, then elements, and those of their nodes that no earlier element has.
 class OrderedCopy {
  public:
   explicit OrderedCopy(const TetMesh& mesh) : mesh_(mesh), newId_(mesh.points.size()) {
-    ordered_.boundaryNodes = mesh.boundaryNodes;
     ordered_.points.reserve(mesh.points.size());
-    for (const NodeId node : IdRange<NodeId>(mesh.boundaryNodes)) {
-      newId_[node.index()] = node;
-      ordered_.points.push_back(mesh.points[node.index()]);
+    for (const NodeId node : IdRange<NodeId>(mesh.points.size())) {
+      if (mesh.isFixed[node.index()] != 0) addNode(node);
     }
     ordered_.tetrahedra.reserve(mesh.tetrahedra.size());
     ordered_.regions.reserve(mesh.regions.size());
@@ -50,12 +48,8 @@ class OrderedCopy {
   void add(TetId tet) {
     NodeQuad nodes = mesh_.tetrahedra[tet.index()];
     for (NodeId& node : nodes) {
-      NodeId& known = newId_[node.index()];
-      if (known.isNone()) {
-        known = NodeId(ordered_.points.size());
-        ordered_.points.push_back(mesh_.points[node.index()]);
-      }
-      node = known;
+      if (newId_[node.index()].isNone()) addNode(node);
+      node = newId_[node.index()];
     }
     ordered_.tetrahedra.push_back(nodes);
     ordered_.regions.push_back(mesh_.regions[tet.index()]);
@@ -64,6 +58,12 @@ class OrderedCopy {
   [[nodiscard]] TetMesh take() { return std::move(ordered_); }
 
  private:
+  void addNode(NodeId node) {
+    newId_[node.index()] = NodeId(ordered_.points.size());
+    ordered_.points.push_back(mesh_.points[node.index()]);
+    ordered_.isFixed.push_back(mesh_.isFixed[node.index()]);
+  }
+
   const TetMesh& mesh_;
   std::vector<NodeId> newId_;
   TetMesh ordered_;

@@ -71,7 +71,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
 
   Task<> run(Work& work) override {
     work.beginPart(kBuildShare);
-    co_await queryTargets(work, 0);
+    co_await queryTargets(work);
     co_await complex_.findNeighbours(work);
     freeNodes_ = complex_.freeNodeCount();
     hasNeighbours_ = true;
@@ -94,8 +94,8 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     return hasFoundNothingBetter() ? std::move(*kept_) : complex_.take();
   }
   [[nodiscard]] std::size_t innerNodeCount() const override {
-    if (!hasNeighbours_) return complex_.nodeCount() - complex_.boundaryNodeCount();
-    if (hasFoundNothingBetter()) return kept_->points.size() - kept_->boundaryNodes;
+    if (!hasNeighbours_) return complex_.nodeCount() - complex_.fixedNodeCount();
+    if (hasFoundNothingBetter()) return kept_->points.size() - complex_.fixedNodeCount();
     return freeNodes_;
   }
   [[nodiscard]] bool hasFoundNothingBetter() const override { return isDone_ && kept_.has_value(); }
@@ -142,11 +142,10 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
            (step.entry == Entry::kIfGaining && !isGaining_);
   }
 
-  /// Queries the targets of nodes from `first` on.
-  Task<> queryTargets(Work& work, std::size_t first) {
-    co_await work.forEachId<NodeId>(complex_.nodeCount() - first, [this, first](NodeId offset) {
-      const NodeId node(first + offset.index());
-      if (!complex_.isUsed(node) && hasNeighbours_) return;
+  /// Queries the targets of the nodes: at first those of all, later those of nodes that may have moved.
+  Task<> queryTargets(Work& work) {
+    co_await work.forEachId<NodeId>(complex_.nodeCount(), [this](NodeId node) {
+      if (hasNeighbours_ && (complex_.isFixed(node) || !complex_.isUsed(node))) return;
       complex_.setTarget<Space>(node, Space::targetAt(field_, complex_.position(node), hint_));
     });
   }
@@ -166,7 +165,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
                                                                  : limits_.elements);
     const bool isFirst = &step == schedule_.data();
     if (isRounds(step) || (Space::kIsStretched && !isFirst)) {
-      co_await queryTargets(work, complex_.boundaryNodeCount());
+      co_await queryTargets(work);
     }
     if (isNewMeasure || (isRounds(step) && Space::kIsStretched)) co_await recomputeCosts(work);
   }
@@ -234,7 +233,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
       if (!isRounds(step)) continue;
       // Nodes have moved, and new nodes have a mean of their neighbours' targets. Without stretching this affects lengths
       // only, which matter in rounds alone.
-      co_await queryTargets(work, complex_.boundaryNodeCount());
+      co_await queryTargets(work);
       if (Space::kIsStretched) co_await recomputeCosts(work);
     }
     if (step.costBasis == CostBasis::kTargets) isGivenUp_ = sweeps_.improvements().canGiveUp();

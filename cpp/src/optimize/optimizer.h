@@ -32,7 +32,7 @@ struct MeshLimits {
 
 class MeshOptimizer {
  public:
-  /// The nodes of the mesh's boundary are fixed. The field must outlive this; if it has sizes of regions, the mesh must be that of
+  /// Fixed nodes stay where they are; those of the boundary must be fixed. The field must outlive this; if it has sizes of regions, the mesh must be that of
   /// one region. O(n) per sweep.
   MeshOptimizer(TetMesh mesh, const SizeField& field, Optimization level,
                 const MeshLimits& limits = {});

@@ -85,7 +85,7 @@ SweepMeasures measuresOf(const TetMesh& mesh, const SizeField& field) {
     complex.setTarget<Space>(node, Space::targetAt(field, complex.position(node), hint));
   }
   SweepMeasures all = measuresOf<Space>(complex);
-  all.innerNodes = mesh.points.size() - mesh.boundaryNodes;
+  all.innerNodes = complex.nodeCount() - complex.fixedNodeCount();
   return all;
 }
 
@@ -138,11 +138,11 @@ void SweepRecorder::begun(const RegionMeshes& meshes, const SizeField& field) {
 }
 
 void SweepRecorder::begunRegion(const TetComplex& mesh) {
-  const std::vector<std::uint32_t>& nodeOf = regions_[begunRegions_++].nodeOf;
+  const RegionMesh& region = regions_[begunRegions_++];
   nodeNumbers_.clear();
   elementNumbers_.clear();
-  for (std::uint32_t node = 0; node < mesh.boundaryNodeCount(); ++node) {
-    nodeNumbers_.push_back(nodeOf.empty() ? node : nodeOf[node]);
+  for (std::uint32_t node = 0; node < region.boundaryNodes; ++node) {
+    nodeNumbers_.push_back(region.nodeOf.empty() ? node : region.nodeOf[node]);
   }
   number(mesh, given_);
   copy(mesh);
@@ -240,7 +240,7 @@ void SweepRecorder::writeFirstMesh(const RegionMeshes& meshes) {
   bytes_.varint(meshes.nodeCount() - boundaryNodes_);
   for (const RegionMesh& region : regions_) {
     const TetMesh& mesh = region.mesh;
-    for (std::size_t i = mesh.boundaryNodes; i < mesh.points.size(); ++i) {
+    for (std::size_t i = region.boundaryNodes; i < mesh.points.size(); ++i) {
       bytes_.position(mesh.points[i]);
     }
   }

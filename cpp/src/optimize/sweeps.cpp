@@ -145,9 +145,10 @@ bool Sweeps<Space>::swapOneEdgeOf(TetId tet) {
 
 template <class Space>
 void Sweeps<Space>::move(std::size_t first, std::size_t last, MoveKind kind) {
-  for (std::size_t i = std::max(first, complex_.boundaryNodeCount()); i < last; ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     const NodeId node(i);
-    if (complex_.starChangedIn(node) >= since_) mover_.improve(node, kind, cost_);
+    if (!complex_.isFixed(node) && complex_.starChangedIn(node) >= since_)
+      mover_.improve(node, kind, cost_);
   }
 }
 

@@ -16,7 +16,8 @@ constexpr std::size_t kGivenPerNew = 6;
 }  // namespace
 
 TetComplex::TetComplex(TetMesh mesh, bool isStretched)
-    : boundaryNodes_(mesh.boundaryNodes),
+    : isFixed_(std::move(mesh.isFixed)),
+      fixedNodes_(static_cast<std::size_t>(std::ranges::count(isFixed_, 1))),
       positions_(std::move(mesh.points)),
       isStretched_(isStretched),
       regions_(std::move(mesh.regions)),
@@ -67,7 +68,7 @@ TetMesh TetComplex::meshOf(std::vector<Vec3> positions, std::vector<std::uint32_
                .tetrahedra = {},
                .regions = std::move(regions),
                .front = {},
-               .boundaryNodes = boundaryNodes_};
+               .isFixed = isFixed_};
   mesh.tetrahedra.reserve(elements_.size());
   for (const Element& element : elements_) mesh.tetrahedra.push_back(element.nodes);
   compact(
@@ -77,9 +78,11 @@ TetMesh TetComplex::meshOf(std::vector<Vec3> positions, std::vector<std::uint32_
 }
 
 std::size_t TetComplex::freeNodeCount() const {
-  return static_cast<std::size_t>(
-      std::count_if(elementAt_.begin() + static_cast<std::ptrdiff_t>(boundaryNodes_),
-                    elementAt_.end(), [](TetId tet) { return !tet.isNone(); }));
+  std::size_t count = 0;
+  for (const NodeId node : IdRange<NodeId>(nodeCount())) {
+    if (!isFixed(node) && isUsed(node)) ++count;
+  }
+  return count;
 }
 
 NodeId TetComplex::addNode(const Vec3& position) {
@@ -90,6 +93,7 @@ NodeId TetComplex::addNode(const Vec3& position) {
 
 void TetComplex::resizeNodes(std::size_t count) {
   positions_.resize(count);
+  isFixed_.resize(count, 0);
   if (isStretched_) {
     tensors_.resize(count);
   } else {

@@ -55,13 +55,13 @@ struct Star {
 
 class TetComplex {
  public:
-  /// The nodes of the boundary are fixed. Until findNeighbours() has finished, nothing may change.
+  /// Until findNeighbours() has finished, nothing may change.
   explicit TetComplex(TetMesh mesh, bool isStretched = false);
 
   /// Finds the neighbours of all elements. O(n log k) for k elements at a node.
   Task<> findNeighbours(Work& work);
 
-  /// Returns the elements and the used nodes, boundary nodes first, in their order.
+  /// Returns the elements, and the used and the fixed nodes in their order.
   [[nodiscard]] TetMesh toMesh() const { return meshOf(positions_, regions_); }
   /// The same with fewer copies; once, as the last call.
   [[nodiscard]] TetMesh take() {
@@ -81,10 +81,10 @@ class TetComplex {
   void setTarget(NodeId node, const typename Space::Target& target) {
     targetsOf<Space>(*this)[node.index()] = target;
   }
-  [[nodiscard]] bool isFixed(NodeId node) const { return node.index() < boundaryNodes_; }
+  [[nodiscard]] bool isFixed(NodeId node) const { return isFixed_[node.index()] != 0; }
   /// Returns whether any element uses the node.
   [[nodiscard]] bool isUsed(NodeId node) const { return !elementAt_[node.index()].isNone(); }
-  [[nodiscard]] std::size_t boundaryNodeCount() const { return boundaryNodes_; }
+  [[nodiscard]] std::size_t fixedNodeCount() const { return fixedNodes_; }
   /// Returns whether the targets of nodes are tensors.
   [[nodiscard]] bool isStretched() const { return isStretched_; }
   [[nodiscard]] std::size_t freeNodeCount() const;
@@ -218,7 +218,8 @@ class TetComplex {
   void join(ElementFace one, ElementFace other);
   void save(TetId tet);
 
-  std::size_t boundaryNodes_;
+  std::vector<std::uint8_t> isFixed_;
+  std::size_t fixedNodes_;
   std::vector<Vec3> positions_;
   bool isStretched_;
   std::vector<double> sizes_;             ///< target lengths, without stretching

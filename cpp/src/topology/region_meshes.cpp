@@ -15,7 +15,7 @@ void append(TetMesh& mesh, RegionMesh part) {
   const NodeNames names{part.nodeOf, static_cast<std::uint32_t>(mesh.points.size())};
   const TetMesh& own = part.mesh;
   mesh.points.insert(mesh.points.end(),
-                     own.points.begin() + static_cast<std::ptrdiff_t>(own.boundaryNodes),
+                     own.points.begin() + static_cast<std::ptrdiff_t>(part.boundaryNodes),
                      own.points.end());
   mesh.regions.insert(mesh.regions.end(), own.regions.begin(), own.regions.end());
   for (const NodeQuad& nodes : own.tetrahedra) mesh.tetrahedra.push_back(named(nodes, names));

@@ -28,13 +28,12 @@ struct NodeNames {
 };
 
 struct RegionMesh {
-  TetMesh mesh;
+  TetMesh mesh;  ///< the nodes of the region's boundary come first
   /// Per node of the region's boundary: its index in the whole boundary, ascending; empty if there is one region.
   std::vector<std::uint32_t> nodeOf;
+  std::size_t boundaryNodes = 0;  ///< number of nodes of the region's boundary
 
-  [[nodiscard]] std::size_t innerNodeCount() const {
-    return mesh.points.size() - mesh.boundaryNodes;
-  }
+  [[nodiscard]] std::size_t innerNodeCount() const { return mesh.points.size() - boundaryNodes; }
 };
 
 struct RegionMeshes {

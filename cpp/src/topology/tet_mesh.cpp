@@ -1,5 +1,6 @@
 #include "topology/tet_mesh.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "topology/mesh_access.h"
@@ -21,7 +22,13 @@ VolumeMesh toVolumeMesh(TetMesh mesh) {
   return flat;
 }
 
-TetMesh toTetMesh(const VolumeMesh& mesh, std::size_t boundaryNodes) {
+std::vector<std::uint8_t> firstFixed(std::size_t fixed, std::size_t nodes) {
+  std::vector<std::uint8_t> marks(nodes, 0);
+  std::fill_n(marks.begin(), fixed, std::uint8_t{1});
+  return marks;
+}
+
+TetMesh toTetMesh(const VolumeMesh& mesh, std::size_t fixed) {
   TetMesh result;
   result.points.reserve(countNodes(mesh));
   for (const NodeId node : IdRange<NodeId>(countNodes(mesh))) {
@@ -32,7 +39,7 @@ TetMesh toTetMesh(const VolumeMesh& mesh, std::size_t boundaryNodes) {
     result.tetrahedra.push_back(nodesOf(mesh, tet));
   }
   result.regions = mesh.regions;
-  result.boundaryNodes = boundaryNodes;
+  result.isFixed = firstFixed(fixed, countNodes(mesh));
   return result;
 }
 

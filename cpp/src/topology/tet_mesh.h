@@ -14,31 +14,37 @@
 namespace tetrafront {
 
 struct TetMesh {
-  std::vector<Vec3> points;            ///< per node; the nodes of the boundary come first
+  std::vector<Vec3> points;            ///< per node
   std::vector<NodeQuad> tetrahedra;    ///< in the orientation of VolumeMesh::tetrahedra
   std::vector<std::uint32_t> regions;  ///< per tetrahedron
   std::vector<NodeTriple> front;       ///< as VolumeMesh::front
-  std::size_t boundaryNodes = 0;       ///< number of nodes that stay where they are
+  std::vector<std::uint8_t>
+      isFixed;  ///< per node: 1 if it stays where it is, as those of the boundary do
 };
 
 /// Returns the mesh as flat arrays.
 [[nodiscard]] VolumeMesh toVolumeMesh(TetMesh mesh);
 
-/// Returns the mesh of flat arrays, whose first `boundaryNodes` nodes stay where they are.
-[[nodiscard]] TetMesh toTetMesh(const VolumeMesh& mesh, std::size_t boundaryNodes);
+/// Returns TetMesh::isFixed for `nodes` nodes of which the first `fixed` stay where they are.
+[[nodiscard]] std::vector<std::uint8_t> firstFixed(std::size_t fixed, std::size_t nodes);
 
-/// Leaves out the tetrahedra and the nodes for which the functions return false, and keeps the order of the others. The
-/// nodes of the boundary stay in any case. O(n).
+/// Returns the mesh of flat arrays, whose first `fixed` nodes stay where they are.
+[[nodiscard]] TetMesh toTetMesh(const VolumeMesh& mesh, std::size_t fixed);
+
+/// Leaves out the tetrahedra and the nodes for which the functions return false, and keeps the order of the others. Fixed
+/// nodes stay in any case. O(n).
 template <class IsNodeKept, class IsTetKept>
 void compact(TetMesh& mesh, IsNodeKept isNodeKept, IsTetKept isTetKept) {
   std::vector<NodeId> newId(mesh.points.size());
   std::size_t nodeCount = 0;
   for (const NodeId node : IdRange<NodeId>(newId.size())) {
-    if (node.index() >= mesh.boundaryNodes && !isNodeKept(node)) continue;
+    if (mesh.isFixed[node.index()] == 0 && !isNodeKept(node)) continue;
     newId[node.index()] = NodeId(nodeCount);
+    mesh.isFixed[nodeCount] = mesh.isFixed[node.index()];
     mesh.points[nodeCount++] = mesh.points[node.index()];
   }
   mesh.points.resize(nodeCount);
+  mesh.isFixed.resize(nodeCount);
   std::size_t tetCount = 0;
   for (const TetId tet : IdRange<TetId>(mesh.tetrahedra.size())) {
     if (!isTetKept(tet)) continue;

@@ -97,7 +97,7 @@ void RegionMesher::begin(std::uint32_t region) {
 void RegionMesher::endRegion() {
   recovery_ = sum(recovery_, current_->recovery());
   counters_ = sum(counters_, current_->counters());
-  filled_.regions.push_back({current_->take(), regionBoundary_.nodeOf});
+  filled_.regions.push_back({current_->take(), regionBoundary_.nodeOf, ownBoundaryNodes()});
 }
 
 void RegionMesher::boundaryOf(std::uint32_t region) {
@@ -152,8 +152,7 @@ std::vector<Diagnostic> RegionMesher::diagnostics() const {
 std::uint32_t RegionMesher::nodeCount() const {
   const std::size_t earlier = filled_.nodeCount();
   if (!current_) return static_cast<std::uint32_t>(earlier);
-  const std::size_t own = isOne() ? boundaryNodes() : regionBoundary_.nodeOf.size();
-  return static_cast<std::uint32_t>(earlier - own) + current_->nodeCount();
+  return static_cast<std::uint32_t>(earlier - ownBoundaryNodes()) + current_->nodeCount();
 }
 
 std::uint32_t RegionMesher::tetrahedronCount() const {

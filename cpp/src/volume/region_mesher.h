@@ -64,6 +64,10 @@ class RegionMesher {
   void nameForUser(std::vector<Entity>& entities) const;
   [[nodiscard]] std::vector<NodeTriple> waitingFaces() const;
   [[nodiscard]] std::size_t boundaryNodes() const { return boundary_.points.size() / 3; }
+  /// Number of nodes of the current region's boundary.
+  [[nodiscard]] std::size_t ownBoundaryNodes() const {
+    return isOne() ? boundaryNodes() : regionBoundary_.nodeOf.size();
+  }
   [[nodiscard]] bool isOne() const { return halvesOf_.size() == 1; }
 
   const SurfaceMesh& boundary_;

@@ -154,11 +154,12 @@ TetMesh VolumeMesher::take() {
 /// Returns the mesh without the elements that recovery has removed, and the nodes that only they have.
 TetMesh VolumeMesher::compacted(std::vector<Vec3> points, std::vector<NodeQuad> tetrahedra,
                                 std::vector<std::uint32_t> regions) const {
+  std::vector<std::uint8_t> isFixed = firstFixed(boundaryNodes_, points.size());
   TetMesh mesh{.points = std::move(points),
                .tetrahedra = std::move(tetrahedra),
                .regions = std::move(regions),
                .front = {},
-               .boundaryNodes = boundaryNodes_};
+               .isFixed = std::move(isFixed)};
   for (const FaceId face : front_.activeFaces()) mesh.front.push_back(front_.face(face).nodes);
   for (std::size_t t = nextTriangle_; t < triangleCount(); ++t) {
     mesh.front.push_back(frontFaceOf(boundary_, t));

@@ -5,7 +5,7 @@ import { operationStrings } from "../../strings";
 import { nextBodyIds } from "../body-edits";
 import type { Offer } from "../create";
 import { bodiesOf, type Entity } from "../entities";
-import { insertion, mainEntities, withInsertion } from "../insert-shape";
+import { freeName, insertion, mainEntities, withInsertion } from "../insert-shape";
 import { combine, type Combined } from "./combine";
 import type { BooleanKind } from "./kinds";
 import { planarShape } from "./planar-result";
@@ -95,13 +95,6 @@ function bodyOf(project: Project, { points, triangles, solid, patch }: Combined,
   });
   const surface = { ...usedNodes(points, triangles), trianglePatch, patches };
   return createBody(surface, { ...nextBodyIds(project), name: texts.body });
-}
-
-function freeName(name: string, taken: Set<string>): string {
-  let free = name;
-  for (let count = 2; taken.has(free); ++count) free = `${name} (${count})`;
-  taken.add(free);
-  return free;
 }
 
 /** Returns the nodes that triangles use, in their order, and the triangles with new indices. */

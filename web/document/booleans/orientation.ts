@@ -1,6 +1,6 @@
-import { boxOf } from "../drawn-surface";
 import type { Position } from "../position";
 import { cornerOf, windingNumber, type Triangles } from "../winding-number";
+import { boxOf } from "../vectors";
 
 /** Orients closed surfaces. */
 

@@ -24,7 +24,8 @@ import {
 import { ShapeBuilder, type Shape } from "../shape";
 import { addScaled, cross, dot, frameAlong, length, subtract } from "../vectors";
 import { keptCoordinates, keptInstead } from "./mapped-expressions";
-import { distanceFrom, flattened, isInside } from "./polygons";
+import { distanceFrom, flattened } from "./polygons";
+import { isInside } from "../planar-loops";
 
 const texts = operationStrings.refusals;
 

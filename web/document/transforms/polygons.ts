@@ -1,9 +1,8 @@
+import type { Flat } from "../planar-loops";
 import type { Position } from "../position";
 import { between, distance, dot, subtract, toFrame, type Frame } from "../vectors";
 
 /** Plane polygons, as positions in a frame: for the question whether a hole lies within a patch. */
-
-type Flat = readonly [number, number];
 
 /** Returns positions in the plane of a frame. */
 export function flattened(polygon: readonly Position[], frame: Frame): Flat[] {
@@ -11,16 +10,6 @@ export function flattened(polygon: readonly Position[], frame: Frame): Flat[] {
     const [x, y] = toFrame(frame, position);
     return [x, y] as const;
   });
-}
-
-/** Returns whether a position lies within a polygon: whether a ray to the right crosses it an odd number of times. */
-export function isInside([x, y]: Flat, polygon: readonly Flat[]): boolean {
-  let inside = false;
-  polygon.forEach(([ax, ay], i) => {
-    const [bx, by] = polygon[(i + 1) % polygon.length] ?? [ax, ay];
-    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
-  });
-  return inside;
 }
 
 /** Returns the distance of a position from the sides of a closed polygon. */

@@ -106,7 +106,7 @@ function BodyFacts({ body, inspection }: BodyFactsProps) {
             {openEdges > 0 && (
               <>
                 <dt>{texts.shells}</dt>
-                <dd data-testid="body-open-edges">{texts.open(openEdges)}</dd>
+                <dd>{texts.open(openEdges)}</dd>
               </>
             )}
           </>

@@ -71,7 +71,7 @@ function Making({ fraction, onCancel }: { readonly fraction: number; readonly on
         transitionDuration={0}
       />
       <Text size="xs">{Math.round(100 * fraction)} %</Text>
-      <IconButton label={texts.cancel} size={24} data-testid="body-preview-cancel" onClick={onCancel}>
+      <IconButton label={texts.cancel} size={24} onClick={onCancel}>
         <IconX size={14} aria-hidden />
       </IconButton>
     </div>

@@ -98,12 +98,12 @@ function RepairSection({ body, repair }: RepairSectionProps) {
       </Text>
       {!after.isFillable &&
         unresolved.map((found) => (
-          <Text key={found.message} size="sm" mb={6} data-testid="repair-unresolved">
+          <Text key={found.message} size="sm" mb={6}>
             {`${found.message}. ${remedyInApp(found)}`}
           </Text>
         ))}
       {repair.shared > 0 && (
-        <Text size="sm" c="dimmed" mb={6} data-testid="repair-shared">
+        <Text size="sm" c="dimmed" mb={6}>
           {texts.repair.shared(formatShort(placedVolume(repair.shared, body)))}
         </Text>
       )}

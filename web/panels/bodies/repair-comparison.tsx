@@ -24,20 +24,10 @@ export function RepairComparison({ body, repair }: RepairComparisonProps) {
   const comparing = useBody(body.id)?.comparing ?? null;
   if (comparing !== null)
     return (
-      <div
-        className={styles["progress"]}
-        role="status"
-        aria-label={texts.running}
-        data-testid="repair-comparing"
-      >
+      <div className={styles["progress"]} role="status" aria-label={texts.running}>
         <Progress value={100 * comparing} size="sm" aria-label={texts.running} transitionDuration={0} />
         <Text size="xs">{Math.round(100 * comparing)} %</Text>
-        <IconButton
-          label={texts.cancel}
-          size={24}
-          data-testid="repair-compare-cancel"
-          onClick={() => app.bodies.cancelComparison(body.id)}
-        >
+        <IconButton label={texts.cancel} size={24} onClick={() => app.bodies.cancelComparison(body.id)}>
           <IconX size={14} aria-hidden />
         </IconButton>
       </div>
@@ -46,21 +36,14 @@ export function RepairComparison({ body, repair }: RepairComparisonProps) {
     const { welded, exact } = comparison;
     const [one, other] = [welded, exact].map((angle) => (angle === null ? null : formatAngle(angle)));
     return (
-      <Text size="sm" mb={6} data-testid="repair-taken">
+      <Text size="sm" mb={6}>
         {isExact ? texts.exact(other ?? "", one ?? "") : texts.welded(one ?? "", other ?? null)}
       </Text>
     );
   }
   if (!canCompare(body, repair)) return null;
   return (
-    <Button
-      size="xs"
-      variant="default"
-      mb={6}
-      fullWidth
-      data-testid="repair-compare"
-      onClick={() => void app.bodies.compareRepairs(body)}
-    >
+    <Button size="xs" variant="default" mb={6} fullWidth onClick={() => void app.bodies.compareRepairs(body)}>
       {texts.start}
     </Button>
   );

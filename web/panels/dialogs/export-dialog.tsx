@@ -136,7 +136,6 @@ function OrderChoice({ format, order, onChange }: OrderChoiceProps) {
         size="xs"
         fullWidth
         aria-label={texts.order}
-        data-testid="export-order"
         data={[
           { value: "1", label: texts.orders[1] },
           { value: "2", label: texts.orders[2], disabled: !format.hasSecondOrder },

@@ -89,7 +89,7 @@ function PointerPlace() {
       </span>
       <UnitButton unit={unit} />
       {cursor && (
-        <span className={`${styles["wide"]} ${styles["place"]}`} data-testid="pointer-position" aria-hidden>
+        <span className={`${styles["wide"]} ${styles["place"]}`} aria-hidden>
           {formatPosition(cursor)}
         </span>
       )}

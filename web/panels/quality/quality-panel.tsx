@@ -50,7 +50,7 @@ export function QualityPanel() {
         {isUnfinished && <span className={styles["note"]}>{strings.quality.unfinished}</span>}
       </SectionTitle>
       {cancelled !== null && (
-        <Text size="sm" mb={8} data-testid="cancelled-at">
+        <Text size="sm" mb={8}>
           {`${cancelled}.`}
         </Text>
       )}

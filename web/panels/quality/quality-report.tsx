@@ -108,7 +108,7 @@ function ElementCounts({ quality }: { readonly quality: Quality }) {
   return (
     <Facts>
       <dt>{texts.volumeRatio}</dt>
-      <dd data-testid="volume-ratio">{formatShort(quality.volumeRatio)}</dd>
+      <dd>{formatShort(quality.volumeRatio)}</dd>
       {quality.smallest && (
         <>
           <dt>{texts.smallest}</dt>

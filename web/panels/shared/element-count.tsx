@@ -79,7 +79,6 @@ function CountFields({ count }: { readonly count: number }) {
         thumbLabel={texts.count}
         thumbProps={{ "aria-valuetext": formatCount(dragged === null ? count : numberOf(dragged)) }}
         value={Math.min(slider.max, Math.max(slider.min, shown))}
-        data-testid="elements-slider"
         onChange={setDragged}
         onChangeEnd={(value) => commit(numberOf(value))}
       />

@@ -11,7 +11,7 @@ export function SelectionOutline() {
   const outline = useStore(app.drawing.state, (state) => state.outline);
   if (!outline) return null;
   return (
-    <svg className={styles["outline"]} aria-hidden data-testid="selection-outline">
+    <svg className={styles["outline"]} aria-hidden>
       <polygon
         points={outline.points.map(({ x, y }) => `${x},${y}`).join(" ")}
         data-touching={outline.touching || undefined}

@@ -4,7 +4,7 @@
  */
 import type { Trace } from "tetrafront/trace";
 import type { Position } from "../../document/position";
-import { cross, dot, subtract } from "../../document/vectors";
+import { cross, dot, subtract, boxOf } from "../../document/vectors";
 import { alphasOf, excessOf, pointAt, type SideAndFace, type Segment, type Triangle } from "./crossing";
 
 /** How near to a face a side counts as touching it, as a share of their lengths. */
@@ -44,7 +44,7 @@ export function crossedFaces(
   element: NewElement,
   tolerance = -touching,
 ): number[] {
-  const [low, high] = boxOf(element.corners);
+  const { low, high } = boxOf(element.corners.flat());
   const { faces, nodes } = trace;
   const isNear = (face: number): boolean => {
     const a = 3 * (faces.nodes[3 * face] ?? 0);
@@ -205,15 +205,6 @@ export function weightsOf(corners: NewElement["corners"], position: Position): r
     const [a, b, c, d] = corners.map((corner, k) => (k === i ? position : corner));
     return a && b && c && d ? sixVolumes([a, b, c, d]) / whole : 0;
   });
-}
-
-export function boxOf(positions: readonly Position[]): readonly [Position, Position] {
-  const along = (axis: number, pick: (...values: number[]) => number): number =>
-    pick(...positions.map((position) => position[axis] ?? 0));
-  return [
-    [along(0, Math.min), along(1, Math.min), along(2, Math.min)],
-    [along(0, Math.max), along(1, Math.max), along(2, Math.max)],
-  ];
 }
 
 export function nodesOf({ faces }: Trace, face: number): readonly [number, number, number] {

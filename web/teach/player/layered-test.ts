@@ -3,7 +3,8 @@
  * one number. If it is above the tolerance, the layer finds that the element does not cross the face.
  */
 import type { SideAndFace } from "./crossing";
-import { boxOf, sidesAndFaces, touching, weightsOf, type FrontFace, type NewElement } from "./judge";
+import { sidesAndFaces, touching, weightsOf, type FrontFace, type NewElement } from "./judge";
+import { boxOf, type Box } from "../../document/vectors";
 
 /** The tolerance t of layers (b) and (c). Layer (a) uses it as a share of the element's longest extent along an axis. */
 export const tolerance = touching;
@@ -23,11 +24,11 @@ export interface LayeredTest {
 }
 
 export function testByLayers(element: NewElement, face: FrontFace): LayeredTest {
-  const box = boxOf(element.corners);
+  const box = boxOf(element.corners.flat());
   const pair = sidesAndFaces(element, face)[0] ?? null;
   return {
-    boxGap: gapBetween(box, boxOf(face.corners)),
-    minGap: tolerance * Math.max(...axes.map((axis) => box[1][axis] - box[0][axis])),
+    boxGap: gapBetween(box, boxOf(face.corners.flat())),
+    minGap: tolerance * Math.max(...axes.map((axis) => box.high[axis] - box.low[axis])),
     shapeExcess: shapeExcessOf(element, face),
     pair,
     finds: pair !== null && pair.excess <= tolerance,
@@ -35,11 +36,12 @@ export function testByLayers(element: NewElement, face: FrontFace): LayeredTest 
 }
 
 const axes = [0, 1, 2] as const;
-type Box = ReturnType<typeof boxOf>;
 
 /** Equation 7: a box is beyond the other one along at least one axis, or they overlap. */
-function gapBetween([low, high]: Box, [otherLow, otherHigh]: Box): number {
-  return Math.max(...axes.map((axis) => Math.max(otherLow[axis] - high[axis], low[axis] - otherHigh[axis])));
+function gapBetween(one: Box, other: Box): number {
+  return Math.max(
+    ...axes.map((axis) => Math.max(other.low[axis] - one.high[axis], one.low[axis] - other.high[axis])),
+  );
 }
 
 function shapeExcessOf({ corners }: NewElement, face: FrontFace): number {

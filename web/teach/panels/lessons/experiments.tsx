@@ -67,7 +67,6 @@ function RuleChoices({ lesson }: { readonly lesson: Lesson }) {
         <NativeSelect
           size="xs"
           label={texts.relaxation}
-          data-testid="experiment-relaxation"
           value={rules.relaxation ? "on" : "off"}
           data={onOff}
           onChange={(event) => change({ relaxation: event.currentTarget.value === "on" })}
@@ -75,7 +74,6 @@ function RuleChoices({ lesson }: { readonly lesson: Lesson }) {
         <NativeSelect
           size="xs"
           label={texts.filters}
-          data-testid="experiment-filters"
           value={rules.filters ? "on" : "off"}
           data={onOff}
           onChange={(event) => change({ filters: event.currentTarget.value === "on" })}

@@ -197,7 +197,6 @@ function Finished({ lesson, number, course }: LessonPageProps) {
           <Button
             size="compact-sm"
             variant="default"
-            data-testid="lesson-restart"
             onClick={() => {
               restart(lesson);
               goToBeginning(app, lesson);

@@ -23,7 +23,7 @@ export function LessonsPanel() {
       {course && <LessonList course={course} />}
       {!course && failure === null && <Text size="sm">{texts.loading}</Text>}
       {failure !== null && (
-        <div role="alert" data-testid="lessons-failure">
+        <div role="alert">
           <Text size="sm" mb={6}>
             {texts.failed(failure)}
           </Text>

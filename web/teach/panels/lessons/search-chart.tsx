@@ -19,7 +19,7 @@ export function SearchChart() {
   const [elements, linear, near] = [lastOf(cost.elements), lastOf(cost.linear), lastOf(cost.near)];
   const text = texts.costText(elements, linear, near);
   return (
-    <figure className={styles["figure"]} data-testid="search-chart" data-linear={linear} data-near={near}>
+    <figure className={styles["figure"]} data-linear={linear} data-near={near}>
       <svg
         viewBox={`${-left} ${-top} ${left + width + right} ${top + height + bottom}`}
         role="img"

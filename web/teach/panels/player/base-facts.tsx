@@ -28,7 +28,7 @@ export function BaseFacts({ title, facts, hint }: BaseFactsProps) {
         ))}
       </dl>
       <p className={styles["hint"]}>{hint}</p>
-      <details className={styles["meanings"]} data-testid="lens-meanings">
+      <details className={styles["meanings"]}>
         <summary>{playerStrings.meaningsTitle}</summary>
         <dl>
           {facts.map(({ name, meaning }) => (

@@ -112,15 +112,8 @@ function Picks({ question, chosen, size }: PicksProps) {
         y={theirs[1] - half}
         width={2 * half}
         height={2 * half}
-        data-testid="pick-program"
       />
-      <circle
-        className={styles["ownPick"]}
-        cx={own[0]}
-        cy={own[1]}
-        r={isSame ? 0.7 * half : half}
-        data-testid="pick-own"
-      />
+      <circle className={styles["ownPick"]} cx={own[0]} cy={own[1]} r={isSame ? 0.7 * half : half} />
       {word(own, pickText(true, isSame))}
       {!isSame && word(theirs, pickText(false, true))}
     </>

@@ -105,8 +105,7 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
   }, [trace, step, chosen, scene]);
   const change = scene && scene.step.step === step?.step ? frontChangeOf(scene) : null;
   if (!step) return <Text size="sm">{texts.beforeFirst}</Text>;
-  if (step.kind === "recovery")
-    return <p data-testid="lens-recovery">{texts.recovery(step.change, recoveryCounts(trace, step))}</p>;
+  if (step.kind === "recovery") return <p>{texts.recovery(step.change, recoveryCounts(trace, step))}</p>;
   return (
     <>
       {examined && (
