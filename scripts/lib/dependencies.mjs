@@ -13,7 +13,7 @@ const ENGINE = [
   ["quality"],
   ["boundary"],
   ["sizing"],
-  ["surface", "volume", "optimize", "arrangement"],
+  ["surface", "volume", "optimize", "curved", "arrangement"],
   ["preview"],
   ["repair", "remesh"],
 ];
@@ -38,6 +38,7 @@ const PUBLIC_HEADERS = {
   "quality_statistics.h": "quality",
   "mesh_inspection.h": "quality",
   "mesh_improvement.h": "optimize",
+  "second_order.h": "curved",
   "covering_grid.h": "preview",
   "size_samples.h": "preview",
   "size_proposals.h": "preview",
