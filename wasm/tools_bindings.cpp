@@ -6,6 +6,7 @@
 #include "tetrafront/mesh_inspection.h"
 #include "tetrafront/region_location.h"
 #include "tetrafront/remesh.h"
+#include "tetrafront/second_order.h"
 #include "tetrafront/size_proposals.h"
 #include "tetrafront/size_samples.h"
 #include "tetrafront/surface_tools.h"
@@ -19,7 +20,8 @@ EMSCRIPTEN_BINDINGS(tools) {
                 MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions,
                 BodySurfaces, GivenRegions>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
-                PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples>();
+                PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples,
+                SecondOrderMesh>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -34,6 +36,8 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
   registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions,
                GivenRegions>("Remesh", "remeshSurface");
+  registerTool<SecondOrderBuilder, Doubles, Indices, Indices, Indices, Doubles>("SecondOrder",
+                                                                                "curveEdges");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

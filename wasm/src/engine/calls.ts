@@ -20,6 +20,7 @@ export const CALLS = {
   splitPatches: { module: "tools", hasTriangles: true },
   remeshSurface: { module: "tools", hasTriangles: true },
   inspectMesh: { module: "tools" },
+  curveEdges: { module: "tools" },
   improveMesh: { module: "engine" },
   checkRun: { module: "engine" },
 } as const;

@@ -3,6 +3,7 @@
  * takes it or a part of it. Its arrays survive `structuredClone`; between threads, typed arrays are transferred and not
  * copied.
  */
+import type { CurvedEdges } from "./second-order.js";
 import type { LengthUnit } from "./units.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
@@ -99,6 +100,8 @@ export interface Mesh {
    * closed.
    */
   readonly triangleRegions?: Uint32Array | undefined;
+  /** Edges of second-order elements that are not straight (`curveMesh`); files of order 2 get their middle nodes. */
+  readonly curvedEdges?: CurvedEdges | undefined;
   /** Regions between the triangles, if a file defines them without tetrahedra. */
   readonly surfaceRegions?: SurfaceRegions | undefined;
   /** What is meshed, if it follows from the sides of the triangles alone; replaces `innerShells`. */
