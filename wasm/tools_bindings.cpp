@@ -7,6 +7,7 @@
 #include "tetrafront/node_placement.h"
 #include "tetrafront/region_location.h"
 #include "tetrafront/remesh.h"
+#include "tetrafront/second_order.h"
 #include "tetrafront/size_proposals.h"
 #include "tetrafront/size_samples.h"
 #include "tetrafront/surface_tools.h"
@@ -21,7 +22,7 @@ EMSCRIPTEN_BINDINGS(tools) {
                 BodySurfaces, GivenRegions, ModelTriangles>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
                 PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples,
-                NodePlacement>();
+                NodePlacement, SecondOrderMesh>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -38,6 +39,8 @@ EMSCRIPTEN_BINDINGS(tools) {
                GivenRegions>("Remesh", "remeshSurface");
   registerTool<NodePlacer, Doubles, Indices, Indices, Doubles, ModelTriangles, double>(
       "Placement", "placeNodes");
+  registerTool<SecondOrderBuilder, Doubles, Indices, Indices, Indices, Doubles>("SecondOrder",
+                                                                                "curveEdges");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

@@ -13,7 +13,7 @@ const ENGINE = [
   ["quality"],
   ["boundary"],
   ["sizing"],
-  ["surface", "volume", "optimize", "arrangement", "placement"],
+  ["surface", "volume", "optimize", "curved", "arrangement", "placement"],
   ["preview"],
   ["repair", "remesh"],
 ];
@@ -39,6 +39,7 @@ const PUBLIC_HEADERS = {
   "quality_statistics.h": "quality",
   "mesh_inspection.h": "quality",
   "mesh_improvement.h": "optimize",
+  "second_order.h": "curved",
   "covering_grid.h": "preview",
   "size_samples.h": "preview",
   "size_proposals.h": "preview",

@@ -3,7 +3,11 @@ import { pythonProgram } from "./python.mjs";
 
 /** Python packages that check our files, and what they check; without a package, the tests skip these checks. */
 const ORACLES = [
-  { module: "meshio", pip: "meshio", judges: "meshio reads the files written here, and its own are read" },
+  {
+    module: "meshio",
+    pip: "meshio",
+    judges: "meshio reads the files written here, its own are read, and curved elements are valid",
+  },
   { module: "gmsh", pip: "gmsh", judges: "Gmsh reads the files written here" },
   {
     module: "skfem",

@@ -75,6 +75,7 @@ export type {
 export type { MeshImprovement } from "./mesh/improvement.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { QualityReport } from "./mesh/quality.js";
+export type { CurvedEdges, CurvedMesh, SecondOrderQuality } from "./mesh/second-order.js";
 export { measureTriangles } from "./api/triangle-shapes.js";
 export type { TriangleShapes } from "./mesh/triangle-shapes.js";
 

@@ -8,8 +8,9 @@ serveCalls<MeshFileProtocol>({
   write: async ({ mesh, from, fileName, elementOrder, unit }) => {
     if (unit !== null && from !== undefined) {
       const convert = lengthConverter(from, unit);
-      const { points } = mesh;
-      points.forEach((x, i) => (points[i] = convert(x)));
+      for (const values of [mesh.points, mesh.curvedEdges?.middles]) {
+        values?.forEach((x, i) => (values[i] = convert(x)));
+      }
     }
     const files = await writeMesh(mesh, fileName, { elementOrder });
     // Blobs pass to the page without a copy, whatever their length.

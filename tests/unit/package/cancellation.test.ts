@@ -21,6 +21,7 @@ import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 const surface = sphereSurface(40);
 const block = blockMesh(4);
 const { points, tetrahedra } = block;
+const noEdges = { edges: new Uint32Array(), middles: new Float64Array() };
 const project = cubeProject();
 const withBody = { ...project, bodies: [createBody(surface, { id: 1, firstPatchId: 100 })] };
 
@@ -59,6 +60,7 @@ const methods: Readonly<Record<string, Call>> = {
   prepareBody: (signal) => mesher.prepareBody(withBody, 1, {}, { signal }),
   inspectMesh: (signal) => mesher.inspectMesh({ points, tetrahedra }, { signal }),
   improveMesh: (signal) => mesher.improveMesh({ points, tetrahedra }, {}, { signal }),
+  curveMesh: (signal) => mesher.curveMesh(block, noEdges, { signal }),
 };
 const functions: Readonly<Record<string, Call>> = {
   createMesher: (signal) => createMesher({ signal }),
@@ -118,6 +120,7 @@ test("no argument is accessed if the signal was aborted before the call", async 
     prepareBody: mesher.prepareBody(untouched, 1, untouched, aborted),
     inspectMesh: mesher.inspectMesh(untouched, aborted),
     improveMesh: mesher.improveMesh(untouched, untouched, aborted),
+    curveMesh: mesher.curveMesh(untouched, untouched, aborted),
   };
   expect(Object.keys(calls)).toEqual(Object.keys(methods));
   for (const call of Object.values(calls)) await expect(call).rejects.toMatchObject({ code: "cancelled" });

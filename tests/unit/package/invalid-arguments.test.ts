@@ -232,6 +232,11 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
     options: { optimization: "fast" },
     control: { ...control, partial: true },
   },
+  curveMesh: {
+    mesh: block,
+    curvedEdges: { edges: Uint32Array.of(0, 1), middles: Float64Array.of(0.5, 0, 0) },
+    control,
+  },
 };
 
 function detached<T extends Float64Array | Uint32Array>(array: T): T {

@@ -67,7 +67,7 @@ describe("a cube minus a cylinder", () => {
 
   test("has the middles of its curved edges on the faces", async () => {
     const { mesh } = await meshed();
-    const { edges, middles } = mesh.curvedEdges ?? { edges: new Uint32Array(), middles: new Float64Array() };
+    const { edges, middles } = mesh.trueEdges ?? { edges: new Uint32Array(), middles: new Float64Array() };
     expect(edges.length).toBeGreaterThan(0);
     expect(middles).toHaveLength((3 * edges.length) / 2);
     for (let e = 0; e < edges.length / 2; e++) {
@@ -85,6 +85,6 @@ describe("a cube minus a cylinder", () => {
   test("keeps the triangles of the kernel if they are asked for", async () => {
     const { report, mesh } = await meshed({ surface: "keep" });
     expect(report.remesh).toBeUndefined();
-    expect(mesh.curvedEdges).toBeUndefined();
+    expect(mesh.trueEdges).toBeUndefined();
   });
 });

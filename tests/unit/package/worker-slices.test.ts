@@ -114,6 +114,7 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   remeshSurface: () => [...surfaceArrays, none, emptyGrid(), remeshing, noRegions],
   inspectMesh: () => [points, tetrahedra, none],
   improveMesh: () => [points, tetrahedra, none, none, engineImproveOptions({})],
+  curveEdges: () => [points, tetrahedra, none, none, new Float64Array()],
   checkRun: () => [model, noBodies, grid, options],
 };
 

@@ -34,7 +34,7 @@ export function namedMesh(
   const own = isSame ? patchesIn(given) : undefined;
   const kept = own !== undefined && hasNamedPatches(own) ? own : undefined;
   const count = countOf(volume.regions);
-  const { surfaceRegions, curvedEdges, unit } = (isSame ? given : undefined) ?? {};
+  const { surfaceRegions, trueEdges, unit } = (isSame ? given : undefined) ?? {};
   const word = project === undefined ? "shell" : "patch";
   const { trianglePatch, patches } = kept ?? {
     trianglePatch: surface.trianglePatch,
@@ -60,7 +60,7 @@ export function namedMesh(
     regions,
     triangleRegions: indicesOf(surface.triangleRegions, NO_REGION),
     nodeData: new Map(),
-    ...(curvedEdges && { curvedEdges }),
+    ...(trueEdges && { trueEdges }),
     ...(unit && { unit }),
   };
   return { mesh, indices };

@@ -75,7 +75,13 @@ interface ImprovedElements extends Pick<Mesh, "points" | "tetrahedra" | "nodeOri
 export function carriedVolume(given: VolumeInput, improved: ImprovedElements): Mesh {
   const { points, tetrahedra, regions: tetrahedronRegion, nodeOrigin } = improved;
   const { triangles = new Uint32Array(), regions = [] } = given;
-  const { reversedTetrahedra: _r, invertedTetrahedra: _i, duplicateTetrahedra: _d, ...rest } = given;
+  const {
+    reversedTetrahedra: _r,
+    invertedTetrahedra: _i,
+    duplicateTetrahedra: _d,
+    curvedEdges: _c,
+    ...rest
+  } = given;
   return {
     ...rest,
     points,

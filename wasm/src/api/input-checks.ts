@@ -15,6 +15,7 @@ import {
 import type { InnerShells } from "../generated/constants.js";
 import type { SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import { groupSchema, regionsOnSides } from "../mesh/mesh-checks.js";
+import type { CurvedEdges } from "../mesh/second-order.js";
 import { checkGradation } from "./mesh-options.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";
@@ -225,6 +226,28 @@ export function checkImproveInput(mesh: VolumeInput): Diagnostic[] {
     ),
   });
   return checkArrays("mesh", mesh, schema, "Pass three node indices per triangle in a Uint32Array.");
+}
+
+/** Checks the curved edges of a mesh with this number of nodes. */
+export function checkCurvedEdges(curvedEdges: CurvedEdges, nodes: number): Diagnostic[] {
+  const schema = v.pipe(
+    v.object({
+      edges: v.pipe(
+        integers(2),
+        v.check((ends) => ends.every((node) => node < nodes), "an edge refers to a node that does not exist"),
+      ),
+      middles: v.pipe(
+        doubles(3),
+        v.check((values) => values.every(Number.isFinite), "a coordinate is not finite"),
+      ),
+    }),
+    v.check(
+      ({ edges, middles }) => 3 * edges.length === 2 * middles.length,
+      "there must be one middle per edge",
+    ),
+  );
+  const remedy = "Pass two node indices per edge in a Uint32Array, and x y z per edge in a Float64Array.";
+  return checkArrays("curvedEdges", curvedEdges, schema, remedy);
 }
 
 function noTetrahedra(): Diagnostic {

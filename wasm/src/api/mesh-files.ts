@@ -60,8 +60,8 @@ export interface WriteProgress {
 /** Options for writing a file. */
 export interface WriteFileOptions {
   /**
-   * 2 for second-order elements with straight edges: a node at the middle of every edge, shared by all elements there.
-   * Only formats with `hasSecondOrder` (see `FILE_FORMATS`) store them. Default 1.
+   * 2 for second-order elements: a node at the middle of every edge, shared by all elements there: where `curvedEdges` of
+   * the mesh has it, else halfway. Only formats with `hasSecondOrder` (see `FILE_FORMATS`) store them. Default 1.
    */
   readonly elementOrder?: ElementOrder | undefined;
   /** Called every few milliseconds, and at the end. */

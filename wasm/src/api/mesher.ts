@@ -11,9 +11,10 @@ import type {
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
-import type { SurfaceInput, VolumeInput } from "../mesh/mesh.js";
+import type { Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
+import type { CurvedEdges, CurvedMesh } from "../mesh/second-order.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground } from "../project/project-types.js";
@@ -28,6 +29,7 @@ import type {
   SurfaceSizeProposal,
 } from "./mesher-interface.js";
 import { type RegionLocation, locateRegions } from "./region-location.js";
+import { curveMesh } from "./second-order-mesh.js";
 import { sampleSizes } from "./size-samples.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
@@ -230,6 +232,10 @@ class WorkerMesher implements Mesher {
     control: PartialControl = {},
   ): Promise<MeshImprovement> {
     return this.#volumes.improve(mesh, options, control);
+  }
+
+  async curveMesh(mesh: Mesh, curvedEdges: CurvedEdges, control: RunControl = {}): Promise<CurvedMesh> {
+    return curveMesh(this.#client, mesh, curvedEdges, control);
   }
 
   dispose(): void {

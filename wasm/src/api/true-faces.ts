@@ -52,8 +52,8 @@ export async function onTrueFaces(
   const placed = Float64Array.from(points, (x, i) =>
     stayed.has(Math.floor(i / 3)) ? x : (found.points[i] ?? 0) * scale,
   );
-  const curvedEdges = { edges: found.curvedEdges, middles: found.middles.map((x) => x * scale) };
-  const mesh = { ...surface, points: placed, curvedEdges };
+  const trueEdges = { edges: found.curvedEdges, middles: found.middles.map((x) => x * scale) };
+  const mesh = { ...surface, points: placed, trueEdges };
   const [before, after] = [await inSteps(volumeIn(surface)), await inSteps(volumeIn(mesh))];
   return {
     mesh,

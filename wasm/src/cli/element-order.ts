@@ -12,7 +12,7 @@ export interface ElementOrderOption {
 export const elementOrderOption = (): Option =>
   new Option(
     "--element-order <order>",
-    "2 adds a node at the middle of every edge: straight-edged second-order elements (default 1)",
+    "2 adds a node at the middle of every edge: second-order elements (default 1)",
   ).choices(["1", "2"]);
 
 /** Returns the order of the elements to write. Throws an InvalidInput if the format of `name` does not store it. */

@@ -8,7 +8,7 @@ const EVERY_MS = 10_000;
 /** Set for the processes of a batch, whose messages appear at their end. */
 export const SILENT = "TETRAFRONT_NO_PROGRESS";
 
-const WORDS: Readonly<Record<ProgressPhase | "improve", string>> = {
+const WORDS: Readonly<Record<ProgressPhase | "improve" | "curve", string>> = {
   bodies: "preparing the bodies",
   check: "checking the surface",
   sides: "dividing the lines",
@@ -18,6 +18,7 @@ const WORDS: Readonly<Record<ProgressPhase | "improve", string>> = {
   verify: "verifying the mesh",
   remesh: "remeshing the surface",
   improve: "improving the elements",
+  curve: "curving the edges",
 };
 
 interface Stage {

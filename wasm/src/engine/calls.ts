@@ -21,6 +21,7 @@ export const CALLS = {
   remeshSurface: { module: "tools", hasTriangles: true },
   placeNodes: { module: "tools", hasTriangles: true },
   inspectMesh: { module: "tools" },
+  curveEdges: { module: "tools" },
   improveMesh: { module: "engine" },
   checkRun: { module: "engine" },
 } as const;

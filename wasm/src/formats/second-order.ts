@@ -1,10 +1,11 @@
 /**
- * Straight-edged second-order elements: every edge gets a node at its middle, which all elements at the edge share. The
+ * Second-order elements: every edge gets a node at its middle, which all elements at the edge share, or where the mesh has one. The
  * nodes of an element are its corners, then the middles of the edges 01 12 20 of a triangle, and 01 12 20 03 13 23 of a
  * tetrahedron, as in VTK, Abaqus and Nastran.
  */
 import { type Steps, stepwise } from "../base/steps.js";
 import type { Mesh, NodeData } from "../mesh/mesh.js";
+import type { CurvedEdges } from "../mesh/second-order.js";
 
 /** Nodes at the middles of the edges: three per triangle, six per tetrahedron. */
 export interface MidNodes {
@@ -23,7 +24,10 @@ export function edgesOf(nodes: number): readonly number[] {
   return nodes === 10 ? TETRAHEDRON_EDGES : TRIANGLE_EDGES;
 }
 
-/** Returns the mesh with the middle nodes after its own, and with the mean values of the ends of each edge at them. O(n). */
+/**
+ * Returns the mesh with the middle nodes after its own: those of `curvedEdges` where these are, all others halfway. The values at them are
+ * the means of the ends of each edge. O(n).
+ */
 export function* withMidNodes(mesh: Mesh): Steps<Mesh & { readonly midNodes: MidNodes }> {
   const count = mesh.points.length / 3;
   const edges = new EdgeNodes(count);
@@ -48,8 +52,15 @@ export function* withMidNodes(mesh: Mesh): Steps<Mesh & { readonly midNodes: Mid
     nodeData.set(name, { components, values: yield* edges.withMeans(values, components) });
   }
   const points = yield* edges.withMeans(mesh.points, 3);
+  const { edges: curved, middles } = mesh.curvedEdges ?? NO_EDGES;
+  yield* stepwise(curved.length / 2, (edge) => {
+    const node = edges.knownMiddleOf(curved[2 * edge] ?? 0, curved[2 * edge + 1] ?? 0);
+    if (node !== undefined) points.set(middles.subarray(3 * edge, 3 * edge + 3), 3 * node);
+  });
   return { ...mesh, points, nodeData, midNodes: { triangles, tetrahedra } };
 }
+
+const NO_EDGES: CurvedEdges = { edges: new Uint32Array(), middles: new Float64Array() };
 
 /** Numbers the edges: a hash table with the ends of each edge. */
 class EdgeNodes {
@@ -74,6 +85,12 @@ class EdgeNodes {
     this.#ends[2 * this.#size + 1] = high;
     this.#slots[slot] = ++this.#size;
     return this.#first + this.#size - 1;
+  }
+
+  /** Returns the node of an edge; undefined if the edge has none. */
+  knownMiddleOf(a: number, b: number): number | undefined {
+    const known = this.#slots[this.#slotOf(Math.min(a, b), Math.max(a, b))] ?? 0;
+    return known > 0 ? this.#first + known - 1 : undefined;
   }
 
   /** Returns the values of the nodes, then the mean values of the ends of each edge. */

@@ -3,10 +3,11 @@ import * as v from "valibot";
 import { plural, pluralOf } from "../base/plural.js";
 import { firstOf, type Steps } from "../base/steps.js";
 import { isA, isArrayOf, isDetached, shown } from "../base/values.js";
-import { doubles, integers } from "../calls/schemas.js";
+import { doubles, integers, problemIn } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { Mesh } from "./mesh.js";
+import type { CurvedEdges } from "./second-order.js";
 import { NO_REGION } from "../generated/constants.js";
 
 export const groupSchema = v.object({
@@ -59,6 +60,7 @@ function* faultIn({ points, nodeData, ...rest }: Partial<Mesh>): Steps<string | 
   if (data !== undefined)
     return `nodeData ${shown(data[0])} does not have \`components\` values for each of ${plural(count, "node")}`;
   return (
+    (yield* faultOfCurved(count, rest.curvedEdges)) ??
     (yield* faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches)) ??
     (yield* faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions))
   );
@@ -72,6 +74,23 @@ function isData(name: unknown, given: unknown, count: number): boolean {
 }
 
 const nodeValues = v.object({ components: v.number(), values: doubles() });
+
+const curvedEdges = v.optional(v.object({ edges: integers(2), middles: doubles(3) }));
+
+function* faultOfCurved(count: number, given: unknown): Steps<string | undefined> {
+  const problem = problemIn(curvedEdges, given);
+  if (problem !== undefined) {
+    return `curvedEdges${problem.path === "" ? "" : `.${problem.path}`} is invalid: ${problem.message}`;
+  }
+  const { edges, middles } = (given as CurvedEdges | undefined) ?? NO_EDGES;
+  if (3 * edges.length !== 2 * middles.length) return "curvedEdges must have one middle per edge";
+  const wild = yield* firstOf(edges, (node) => node >= count);
+  if (wild >= 0) return `curvedEdges refers to node ${edges[wild]}, but the number of nodes is ${count}`;
+  const infinite = yield* firstOf(middles, (value) => !Number.isFinite(value));
+  return infinite < 0 ? undefined : "curvedEdges has a middle that is not finite";
+}
+
+const NO_EDGES: CurvedEdges = { edges: new Uint32Array(), middles: new Float64Array() };
 
 function* faultOf(
   word: string,

@@ -3,6 +3,7 @@
  * takes it or a part of it. Its arrays survive `structuredClone`; between threads, typed arrays are transferred and not
  * copied.
  */
+import type { CurvedEdges } from "./second-order.js";
 import type { LengthUnit } from "./units.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
@@ -87,14 +88,6 @@ export interface TrueFaces {
   readonly scale?: number | undefined;
 }
 
-/** Edges of triangles that bend on the true faces. */
-export interface CurvedEdges {
-  /** Two nodes per edge. */
-  readonly edges: Uint32Array;
-  /** Per edge, x y z of its middle on the true faces. */
-  readonly middles: Float64Array;
-}
-
 /**
  * Triangles and tetrahedra with their patches and regions, and the values at their nodes. A surface has no tetrahedra; it is
  * ready to be meshed if its nodes are welded, as those of `readSurface` are.
@@ -121,6 +114,8 @@ export interface Mesh {
    * closed.
    */
   readonly triangleRegions?: Uint32Array | undefined;
+  /** Edges of second-order elements that are not straight (`curveMesh`); files of order 2 get their middle nodes. */
+  readonly curvedEdges?: CurvedEdges | undefined;
   /** Regions between the triangles, if they are known without tetrahedra. */
   readonly surfaceRegions?: SurfaceRegions | undefined;
   /**
@@ -138,8 +133,8 @@ export interface Mesh {
   readonly regionPoints?: RegionPoints | undefined;
   /** The faces of the CAD file from which a surface was read. */
   readonly trueFaces?: TrueFaces | undefined;
-  /** Edges that bend, if the nodes were placed on true faces: second-order elements follow them. */
-  readonly curvedEdges?: CurvedEdges | undefined;
+  /** Edges of triangles that bend, if the nodes were placed on true faces: `curveMesh` makes second-order elements follow them. */
+  readonly trueEdges?: CurvedEdges | undefined;
   /** Unit of the coordinates, if the file or the options of reading define one; they are converted to it. */
   readonly unit?: LengthUnit | undefined;
   /** Format and version as stated by the file, if the file's name does not decide: "Gmsh 2.2". */

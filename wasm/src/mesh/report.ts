@@ -3,6 +3,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { EngineStatus } from "../generated/constants.js";
 import type { Mesh } from "./mesh.js";
 import type { MetricShapes, PatchQuality, QualityReport } from "./quality.js";
+import type { SecondOrderQuality } from "./second-order.js";
 
 /** How a run ended. Only `done` has a complete mesh; `stalled` and `cancelled` may have a partial one. */
 export type MeshStatus = Exclude<EngineStatus, "running">;
@@ -86,6 +87,8 @@ export interface MeshReport {
   readonly fingerprint: string;
   /** Present if a number of elements was asked for. `seconds.total` is then the time of all runs. */
   readonly elements?: ElementCount | undefined;
+  /** Present if second-order elements were asked for and the mesh is finished. */
+  readonly secondOrder?: SecondOrderQuality | undefined;
   readonly diagnostics: readonly Diagnostic[];
 }
 
