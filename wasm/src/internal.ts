@@ -39,4 +39,10 @@ export type {
   ShapeStatistics,
 } from "./mesh/quality.js";
 export { isInterface } from "./mesh/interfaces.js";
-export { live, type LifeReply, type LifeRequest, type LifeWatch, watchLife } from "./calls/worker-life.js";
+export {
+  receiveWatched,
+  type LifeReply,
+  type LifeRequest,
+  type LifeWatch,
+  watchLife,
+} from "./calls/worker-life.js";

@@ -1,4 +1,4 @@
-import { live } from "tetrafront/internal";
+import { receiveWatched } from "tetrafront/internal";
 import type { Call, Message, Protocol, Reply } from "./worker-client";
 
 /** An answer and the buffers in it that move to the page instead of being copied. */
@@ -36,8 +36,9 @@ export function serveCalls<P extends Protocol<P>>(
       scope.postMessage({ kind: "failure", id, message }, []);
     }
   };
-  scope.onmessage = ({ data }) => {
-    if ("lock" in data) live(data, () => scope.postMessage({ kind: "lives" }, []));
-    else void reply(data);
-  };
+  const receive = receiveWatched<Call>(
+    (call) => void reply(call),
+    (lives) => scope.postMessage(lives, []),
+  );
+  scope.onmessage = ({ data }) => receive(data);
 }

@@ -24,10 +24,19 @@ export interface LifeWatch {
 /** What a worker that ended without a word is reported as. */
 export const ENDED = "the browser ended it, for example because memory ran out";
 
+/**
+ * Time within which a worker loads and holds its lock, in milliseconds. A worker that dies before sends no event either. A slow line
+ * needs up to half of it for the worker's scripts.
+ */
+const startTime = 60_000;
+
 const locks = (): LockManager | undefined =>
   (globalThis as { readonly navigator?: Partial<Pick<Navigator, "locks">> }).navigator?.locks;
 
-/** Returns a watch that calls `onEnd` when its worker has ended; undefined without locks. */
+/**
+ * Returns a watch that calls `onEnd` once when its worker has ended, or does not hold the lock within the time for its start;
+ * undefined without locks.
+ */
 export function watchLife(onEnd: () => void): LifeWatch | undefined {
   const manager = locks();
   if (manager === undefined) return undefined;
@@ -35,13 +44,22 @@ export function watchLife(onEnd: () => void): LifeWatch | undefined {
   const end = new AbortController();
   const { signal } = end;
   const report = (): void => {
-    if (!signal.aborted) onEnd();
+    if (signal.aborted) return;
+    end.abort();
+    onEnd();
   };
+  const deadline = setTimeout(report, startTime);
   return {
     request: { kind: "live", lock },
     // The request rejects if the watch is stopped.
-    begin: () => void manager.request(lock, { signal }, report).catch(() => undefined),
-    stop: () => end.abort(),
+    begin: () => {
+      clearTimeout(deadline);
+      void manager.request(lock, { signal }, report).catch(() => undefined);
+    },
+    stop: () => {
+      clearTimeout(deadline);
+      end.abort();
+    },
   };
 }
 
@@ -51,4 +69,28 @@ export function live({ lock }: LifeRequest, onHeld: () => void): void {
     onHeld();
     return new Promise(() => undefined);
   });
+}
+
+/**
+ * In a worker: returns the receiver of its messages. It holds the lock of a life request and says so by `post`. The messages after
+ * the request wait until then, so that a long task does not begin unwatched.
+ */
+export function receiveWatched<M extends object>(
+  handle: (message: M) => void,
+  post: (reply: LifeReply) => void,
+): (message: M | LifeRequest) => void {
+  let waiting: M[] | null = null;
+  const release = (): void => {
+    post({ kind: "lives" });
+    const messages = waiting ?? [];
+    waiting = null;
+    messages.forEach(handle);
+  };
+  return (message) => {
+    if ("lock" in message) {
+      waiting = [];
+      live(message, release);
+    } else if (waiting) waiting.push(message);
+    else handle(message);
+  };
 }

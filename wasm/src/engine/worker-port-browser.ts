@@ -1,4 +1,4 @@
-import { live, type LifeRequest } from "../calls/worker-life.js";
+import { receiveWatched, type LifeRequest } from "../calls/worker-life.js";
 import type { Request } from "./protocol.js";
 import type { WorkerPort } from "./worker-port.js";
 
@@ -30,10 +30,8 @@ export const workerPort: WorkerPort = {
   },
   post: (reply, transfer = []) => scope.postMessage(reply, [...transfer]),
   onRequest: (handle) => {
-    scope.onmessage = ({ data }) => {
-      if (data.kind === "live") live(data, () => scope.postMessage({ kind: "lives" }, []));
-      else handle(data);
-    };
+    const receive = receiveWatched(handle, (reply) => scope.postMessage(reply, []));
+    scope.onmessage = ({ data }) => receive(data);
   },
   letRequestsIn: () =>
     new Promise((resolve) => {
