@@ -5,6 +5,9 @@
 //   gap        the distance to the first opposite triangle along a normal, through the inside
 //
 // Each answer smaller than the uniform size proposes a source; SourceSelection keeps those that are needed.
+//
+// Remeshing measures the shape of a surface in another way (remesh/automatic_sizes.h), because it knows more: its triangles are
+// closed and oriented. The samples of a model that is being drawn need not be, but their points lie on its true shape.
 
 #include "tetrafront/size_proposals.h"
 

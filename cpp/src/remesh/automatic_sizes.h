@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file Target sizes that follow from the shape of a surface: curvature, thickness, gaps between
-/// feature lines, and short lines.
+/// feature lines, and short lines. They are for a closed surface that may be rough; those of a drawn model, whose patches need
+/// not be closed, follow from its samples (preview/size_proposals.cpp).
 
 #include <cstddef>
 #include <vector>
