@@ -60,6 +60,7 @@ export type {
   SurfaceInput,
   SurfaceRegions,
   VolumeInput,
+  CurvedEdges,
 } from "./mesh/mesh.js";
 export type { MeshReport, MeshResult, MeshStatus, RegionSummary } from "./mesh/report.js";
 export type { MeshedSurface } from "./api/meshed-surface.js";
@@ -75,7 +76,7 @@ export type {
 export type { MeshImprovement } from "./mesh/improvement.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { QualityReport } from "./mesh/quality.js";
-export type { CurvedEdges, CurvedMesh, SecondOrderQuality } from "./mesh/second-order.js";
+export type { CurvedMesh, SecondOrderQuality } from "./mesh/second-order.js";
 export { measureTriangles } from "./api/triangle-shapes.js";
 export type { TriangleShapes } from "./mesh/triangle-shapes.js";
 

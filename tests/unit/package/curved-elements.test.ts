@@ -4,7 +4,14 @@ import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-import { createMesher, type CurvedEdges, type Mesh, type Mesher, writeMesh } from "tetrafront";
+import {
+  createMesher,
+  type CurvedEdges,
+  type Mesh,
+  type Mesher,
+  type MeshReport,
+  writeMesh,
+} from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { withSecondOrder } from "../../../wasm/src/api/second-order-mesh.js";
@@ -203,7 +210,7 @@ test("the command line says that edges of triangles stay straight, and reports i
   expect(run.stderr + run.stdout).toContain(
     "second-order elements have straight edges, because the surface consists of triangles",
   );
-  const { secondOrder, tetrahedra } = JSON.parse(readFileSync(report, "utf8"));
+  const { secondOrder, tetrahedra } = JSON.parse(readFileSync(report, "utf8")) as MeshReport;
   expect(secondOrder).toMatchObject({ minScaledJacobian: 1, meanScaledJacobian: 1, straightened: [] });
-  expect(secondOrder.histogram[19]).toBe(tetrahedra);
+  expect(secondOrder?.histogram[19]).toBe(tetrahedra);
 });

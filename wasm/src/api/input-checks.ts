@@ -13,9 +13,8 @@ import {
   readDiagnostic,
 } from "../diagnostics/package-diagnostic.js";
 import type { InnerShells } from "../generated/constants.js";
-import type { SurfaceInput, VolumeInput } from "../mesh/mesh.js";
+import type { CurvedEdges, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import { groupSchema, regionsOnSides } from "../mesh/mesh-checks.js";
-import type { CurvedEdges } from "../mesh/second-order.js";
 import { checkGradation } from "./mesh-options.js";
 import { type ProjectArrays, projectArrays } from "../project/arrays.js";
 import { checkedProject } from "../project/project.js";

@@ -1,7 +1,7 @@
 /** The mesher: the engine in a worker, as callers see it. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { PartialControl, RunControl } from "../engine/control.js";
-import type { Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
+import type { CurvedEdges, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import type {
   MeshInspection,
   SurfaceInspection,
@@ -12,7 +12,7 @@ import type {
 import type { MeshImprovement } from "../mesh/improvement.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
-import type { CurvedEdges, CurvedMesh } from "../mesh/second-order.js";
+import type { CurvedMesh } from "../mesh/second-order.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground, ProjectSource } from "../project/project-types.js";

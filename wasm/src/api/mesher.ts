@@ -11,10 +11,10 @@ import type {
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
-import type { Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
+import type { CurvedEdges, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
-import type { CurvedEdges, CurvedMesh } from "../mesh/second-order.js";
+import type { CurvedMesh } from "../mesh/second-order.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground } from "../project/project-types.js";

@@ -4,8 +4,7 @@
  * tetrahedron, as in VTK, Abaqus and Nastran.
  */
 import { type Steps, stepwise } from "../base/steps.js";
-import type { Mesh, NodeData } from "../mesh/mesh.js";
-import type { CurvedEdges } from "../mesh/second-order.js";
+import type { CurvedEdges, Mesh, NodeData } from "../mesh/mesh.js";
 
 /** Nodes at the middles of the edges: three per triangle, six per tetrahedron. */
 export interface MidNodes {

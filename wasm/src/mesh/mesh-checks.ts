@@ -6,8 +6,7 @@ import { isA, isArrayOf, isDetached, shown } from "../base/values.js";
 import { doubles, integers, problemIn } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { Mesh } from "./mesh.js";
-import type { CurvedEdges } from "./second-order.js";
+import type { CurvedEdges, Mesh } from "./mesh.js";
 import { NO_REGION } from "../generated/constants.js";
 
 export const groupSchema = v.object({

@@ -3,7 +3,6 @@
  * takes it or a part of it. Its arrays survive `structuredClone`; between threads, typed arrays are transferred and not
  * copied.
  */
-import type { CurvedEdges } from "./second-order.js";
 import type { LengthUnit } from "./units.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
@@ -48,6 +47,14 @@ export interface SurfaceRegions {
 
 /** Order of the elements of a written file: 2 adds a node at the middle of every edge. */
 export type ElementOrder = 1 | 2;
+
+/** Edges whose middle nodes are not halfway between their ends. */
+export interface CurvedEdges {
+  /** Two node indices per edge, in either order; each edge once. */
+  readonly edges: Uint32Array;
+  /** x y z of the middle node per edge. */
+  readonly middles: Float64Array;
+}
 
 /** Point that marks a region of a model. */
 export interface RegionPoint {

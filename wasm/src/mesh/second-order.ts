@@ -1,14 +1,6 @@
 /** Second-order elements: their curved edges, and what they are like. */
 import type { Mesh } from "./mesh.js";
 
-/** Edges whose middle nodes are not halfway between their ends. */
-export interface CurvedEdges {
-  /** Two node indices per edge, in either order; each edge once. */
-  readonly edges: Uint32Array;
-  /** x y z of the middle node per edge. */
-  readonly middles: Float64Array;
-}
-
 /** A curved edge that was straightened. */
 export interface StraightenedEdge {
   readonly nodes: readonly [number, number];
