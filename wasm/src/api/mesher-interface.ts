@@ -270,16 +270,16 @@ export interface Mesher {
   ): Promise<MeshImprovement>;
   /**
    * Curves the edges of a mesh for second-order elements. `curvedEdges` has edges of the boundary and of interfaces, with the
-   * positions of their middle nodes; all others are straight. Where an element would be invalid or nearly so, middles of edges inside
+   * positions of their middle nodes, by default those of the CAD file of the mesh (`trueEdges`); all others are straight. Where an element would be invalid or nearly so, middles of edges inside
    * are moved; then nodes inside; at last given edges are straightened, which the result lists. That det J is positive in every
    * element is proven. `triangles` of the mesh must contain the whole boundary and all interfaces: their nodes and straight edges stay. Returns
    * the mesh with `curvedEdges`. Rejects with `invalid-input` if arrays are invalid, or if elements have no positive volume with straight
    * edges. O(n) for n elements; about 1 µs per curved element. Works in slices beside a run.
    *
-   *     const { mesh, secondOrder } = await mesher.curveMesh(result.mesh, { edges, middles });
+   *     const { mesh, secondOrder } = await mesher.curveMesh(result.mesh);
    *     const files = await writeMesh(mesh, "part.vtu", { elementOrder: 2 });
    */
-  curveMesh(mesh: Mesh, curvedEdges: CurvedEdges, control?: RunControl): Promise<CurvedMesh>;
+  curveMesh(mesh: Mesh, curvedEdges?: CurvedEdges, control?: RunControl): Promise<CurvedMesh>;
   /** Terminates the worker; pending calls reject. */
   dispose(): void;
 }

@@ -234,7 +234,7 @@ class WorkerMesher implements Mesher {
     return this.#volumes.improve(mesh, options, control);
   }
 
-  async curveMesh(mesh: Mesh, curvedEdges: CurvedEdges, control: RunControl = {}): Promise<CurvedMesh> {
+  async curveMesh(mesh: Mesh, curvedEdges?: CurvedEdges, control: RunControl = {}): Promise<CurvedMesh> {
     return curveMesh(this.#client, mesh, curvedEdges, control);
   }
 

@@ -21,23 +21,24 @@ type EngineCurved = AnswerOf<"curveEdges">;
 export async function curveMesh(
   client: EngineClient,
   mesh: Mesh,
-  curvedEdges: CurvedEdges,
+  given: CurvedEdges | undefined,
   control: RunControl,
 ): Promise<CurvedMesh> {
   beginCall(client, control);
   refuse(checkImproveInput(mesh));
+  const curvedEdges = given ?? mesh.trueEdges ?? NO_EDGES;
   refuse(await inSteps(checkFileMesh(mesh), control.signal));
   refuse(checkCurvedEdges(curvedEdges, mesh.points.length / 3));
   const { points, tetrahedra, triangles } = mesh;
   const { edges, middles } = curvedEdges;
-  const given = [
+  const request = [
     points.slice(),
     tetrahedra.slice(),
     triangles.slice(),
     edges.slice(),
     middles.slice(),
   ] as const;
-  const found = await client.ask("curveEdges", given, control);
+  const found = await client.ask("curveEdges", request, control);
   if (!found.isReadable) refuse([unreadableMesh()]);
   refuse(invertedErrors(found));
   const moved = withMovedNodes(mesh.points, found);

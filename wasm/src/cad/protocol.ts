@@ -13,8 +13,8 @@ export interface CadLibrary {
 }
 
 export interface CadRequest {
-  /** Triangles, by `occt-import-js`; or the true faces, by `replicad-opencascadejs`, which reads no IGES. */
-  readonly wants: "triangles" | "faces";
+  /** Triangles, by `occt-import-js`, which is the default; or the true faces, by `replicad-opencascadejs`, which reads no IGES. */
+  readonly wants?: "triangles" | "faces";
   readonly format: CadFormat;
   readonly bytes: Uint8Array;
   readonly deflection: Deflection;

@@ -16,7 +16,7 @@ import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import type { FrontOrder, Optimization } from "../generated/constants.js";
-import type { CurvedEdges, Mesh } from "../mesh/mesh.js";
+import type { Mesh } from "../mesh/mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/project-types.js";

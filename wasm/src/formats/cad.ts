@@ -73,7 +73,7 @@ async function meshOf(
   signal: AbortSignal | undefined,
   onWork: ((fraction: number) => void) | undefined,
 ): Promise<Mesh> {
-  const shapes = await shapesIn({ wants: "triangles", format, bytes, deflection: DEFLECTION }, signal);
+  const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
   const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
   const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
   const named = format === "step" ? await inSteps(namedByProducts(used, bytes), signal) : used;
@@ -115,7 +115,7 @@ async function finer(
   const largest = coarse.reduce((most, { points }) => Math.max(most, diagonalOf(points)), 0);
   const distance = Math.max(PER_SIZE * size, FINEST * largest);
   const deflection = { distance, isRelative: false, angle: DEFLECTION.angle };
-  const reply = await askForCad({ wants: "triangles", format, bytes, deflection }, signal, {
+  const reply = await askForCad({ format, bytes, deflection }, signal, {
     reading: secondsForFiner(bytes.length),
   });
   const shapes = reply.kind === "read" ? reply.shapes.filter(hasTriangles) : [];
