@@ -46,20 +46,45 @@ function readerOf(format: CadFormat): MeshReader {
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
     const wrong = format === "brep" ? await inSteps(damagedBrep(bytes), signal) : undefined;
     if (wrong !== undefined) throw wrong;
-    const exact = trueFacesIn({ format, bytes }, signal);
-    const shapes = await shapesIn({ wants: "triangles", format, bytes, deflection: DEFLECTION }, signal);
-    const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
-    const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
-    const named = format === "step" ? await inSteps(namedByProducts(used, bytes), signal) : used;
-    const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
-    const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
-    const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
-    const { faces: trueFaces, notes: ofFaces = [] } = await exact;
-    const notes = [...damage, ...(made.notes ?? []), ...tooSmall, ...ofFaces];
-    const mesh = { ...made, ...(notes.length > 0 && { notes }), ...(trueFaces && { trueFaces }) };
-    onWork?.(1);
-    return format === "brep" ? mesh : { ...mesh, unit: "mm" };
+    const ended = new AbortController();
+    const exact = trueFacesIn(
+      { format, bytes },
+      AbortSignal.any([ended.signal, ...(signal ? [signal] : [])]),
+    );
+    // Where the triangles cannot be read, nobody waits for the faces.
+    exact.catch(() => undefined);
+    try {
+      return await meshOf({ format, bytes, size, exact }, signal, onWork);
+    } finally {
+      ended.abort();
+    }
   };
+}
+
+interface CadSource {
+  readonly format: CadFormat;
+  readonly bytes: Uint8Array;
+  readonly size: number | undefined;
+  readonly exact: ReturnType<typeof trueFacesIn>;
+}
+
+async function meshOf(
+  { format, bytes, size, exact }: CadSource,
+  signal: AbortSignal | undefined,
+  onWork: ((fraction: number) => void) | undefined,
+): Promise<Mesh> {
+  const shapes = await shapesIn({ wants: "triangles", format, bytes, deflection: DEFLECTION }, signal);
+  const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
+  const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
+  const named = format === "step" ? await inSteps(namedByProducts(used, bytes), signal) : used;
+  const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
+  const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
+  const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
+  const { faces: trueFaces, notes: ofFaces = [] } = await exact;
+  const notes = [...damage, ...(made.notes ?? []), ...tooSmall, ...ofFaces];
+  const mesh = { ...made, ...(notes.length > 0 && { notes }), ...(trueFaces && { trueFaces }) };
+  onWork?.(1);
+  return format === "brep" ? mesh : { ...mesh, unit: "mm" };
 }
 
 /** Returns the solids of an assembly with the names of the parts that they are, where OpenCascade knows only the assembly. */
