@@ -93,7 +93,7 @@ type End = MeshStatus | "failed";
 async function filledWays(angles: Readonly<Record<Way, number>>, ends: Readonly<Record<Way, End>>) {
   const filled: Way[] = [];
   const found = await meshedBest(
-    "welded" as Way,
+    "welded",
     () => Promise.resolve<Way>("exact"),
     (way) => Promise.resolve({ ...made(angles[way]), way }),
     ({ way }) => {
