@@ -96,6 +96,12 @@ const none = new Uint32Array();
 const noBodies = { points: new Float64Array(), triangles: none, trianglePatch: none, patches: 0 };
 const mesh = { points, tetrahedra, regions: none, front: none };
 const surfaceArrays = [surface.points, surface.triangles] as const;
+const noTriangles = {
+  points: new Float64Array(),
+  parameters: new Float64Array(),
+  triangles: none,
+  faces: none,
+};
 const remeshing = engineRemeshOptions({ size: 0.2 });
 
 /** What each call is given; the arrays belong to it. */
@@ -112,6 +118,7 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   refineSurface: () => [...surfaceArrays, emptyGrid(), options, 0, noRegions],
   splitPatches: () => [...surfaceArrays, none, 40],
   remeshSurface: () => [...surfaceArrays, none, emptyGrid(), remeshing, noRegions],
+  placeNodes: () => [...surfaceArrays, none, new Float64Array(5), noTriangles, 0.1],
   inspectMesh: () => [points, tetrahedra, none],
   improveMesh: () => [points, tetrahedra, none, none, engineImproveOptions({})],
   curveEdges: () => [points, tetrahedra, none, none, new Float64Array()],

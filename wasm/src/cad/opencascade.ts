@@ -1,6 +1,7 @@
 /** Reads a CAD file by the library occt-import-js: OpenCascade, compiled to WebAssembly. */
 import { crashOf, startFailure } from "./crash.js";
-import type { CadColor, CadFace, CadFormat, CadReply, CadRequest, CadShape, Deflection } from "./protocol.js";
+import type { CadFace, CadFormat, CadReply, CadRequest, CadShape, Deflection } from "./protocol.js";
+import type { CadColor } from "./trimmed-model.js";
 
 /** Makes an instance of the library. */
 export type CreateOpenCascade = (options: object) => Promise<OpenCascade>;

@@ -1,5 +1,5 @@
 /** Messages between a reader of CAD files and its worker. */
-import type { ModelTriangles } from "./trimmed-model.js";
+import type { CadColor, ModelTriangles } from "./trimmed-model.js";
 
 /** Kinds of CAD files that OpenCascade reads. */
 export type CadFormat = "step" | "iges" | "brep";
@@ -30,9 +30,6 @@ export interface Deflection {
   /** Largest angle between the normals at the ends of an edge, in radians. */
   readonly angle: number;
 }
-
-/** Red, green and blue from 0 to 1, in sRGB. */
-export type CadColor = readonly [number, number, number];
 
 export interface CadFace {
   /** Number of its triangles, which follow those of the face before it. */

@@ -2,9 +2,8 @@
  * Names and colours of the faces and solids of a STEP file, from its text: the kernel hands out shapes only. A solid of the kernel is
  * that of the text with the same kinds of surfaces in the same order; if several have them and look different, none is taken.
  */
-import type { CadColor } from "./protocol.js";
 import { plainText } from "./step-strings.js";
-import type { FaceSurface, TrimmedModel } from "./trimmed-model.js";
+import type { CadColor, FaceSurface, TrimmedModel } from "./trimmed-model.js";
 
 /** The name, empty if the file has none, and the colour of a face or a solid. */
 interface Look {

@@ -4,7 +4,9 @@
  * are those of OpenCascade and of STEP. Angles are in radians, lengths in millimetres; BREP files have no unit.
  */
 import type { Vector } from "../base/vectors.js";
-import type { CadColor } from "./protocol.js";
+
+/** Red, green and blue from 0 to 1, in sRGB. */
+export type CadColor = readonly [number, number, number];
 
 export type PlaneVector = readonly [number, number];
 
