@@ -351,6 +351,7 @@ const TESTED_ELSEWHERE = [
   "solidUnits",
   "live",
   "watchLife",
+  "receiveWatched",
 ];
 
 test("every exported function and every method is tested", () => {

@@ -46,30 +46,46 @@ function readerOf(format: CadFormat): MeshReader {
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
     const wrong = format === "brep" ? await inSteps(damagedBrep(bytes), signal) : undefined;
     if (wrong !== undefined) throw wrong;
-    const ended = new AbortController();
-    const exact = trueFacesIn(
-      { format, bytes },
-      AbortSignal.any([ended.signal, ...(signal ? [signal] : [])]),
-    );
-    // Where the triangles cannot be read, nobody waits for the faces.
-    exact.catch(() => undefined);
-    try {
-      return await meshOf({ format, bytes, size, exact }, signal, onWork);
-    } finally {
-      ended.abort();
-    }
+    return format === "iges" || !canReadFaces
+      ? meshOf({ format, bytes, size }, signal, onWork)
+      : withTrueFaces({ format, bytes, size }, signal, onWork);
   };
+}
+
+/**
+ * As `meshOf`, with the true faces. They are read beside the triangles; those of small files afterwards, which takes a moment and spares
+ * damaged files a second worker.
+ */
+async function withTrueFaces(
+  source: CadSource,
+  signal: AbortSignal | undefined,
+  onWork: ((fraction: number) => void) | undefined,
+): Promise<Mesh> {
+  const ended = new AbortController();
+  const either = AbortSignal.any([ended.signal, ...(signal ? [signal] : [])]);
+  const ask = () => trueFacesIn(source, either);
+  try {
+    const triangles = meshOf(source, signal, onWork);
+    const early = isSmallFile(source.bytes.length) ? undefined : ask();
+    // Where the triangles cannot be read, nobody waits for the faces.
+    early?.catch(() => undefined);
+    const mesh = await triangles;
+    const { faces, notes = [] } = await (early ?? ask());
+    const all = [...(mesh.notes ?? []), ...notes];
+    return { ...mesh, ...(all.length > 0 && { notes: all }), ...(faces && { trueFaces: faces }) };
+  } finally {
+    ended.abort();
+  }
 }
 
 interface CadSource {
   readonly format: CadFormat;
   readonly bytes: Uint8Array;
   readonly size: number | undefined;
-  readonly exact: ReturnType<typeof trueFacesIn>;
 }
 
 async function meshOf(
-  { format, bytes, size, exact }: CadSource,
+  { format, bytes, size }: CadSource,
   signal: AbortSignal | undefined,
   onWork: ((fraction: number) => void) | undefined,
 ): Promise<Mesh> {
@@ -80,9 +96,8 @@ async function meshOf(
   const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
   const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
   const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
-  const { faces: trueFaces, notes: ofFaces = [] } = await exact;
-  const notes = [...damage, ...(made.notes ?? []), ...tooSmall, ...ofFaces];
-  const mesh = { ...made, ...(notes.length > 0 && { notes }), ...(trueFaces && { trueFaces }) };
+  const notes = [...damage, ...(made.notes ?? []), ...tooSmall];
+  const mesh = notes.length > 0 ? { ...made, notes } : made;
   onWork?.(1);
   return format === "brep" ? mesh : { ...mesh, unit: "mm" };
 }
@@ -127,7 +142,6 @@ async function trueFacesIn(
   { format, bytes }: Pick<FineRequest, "format" | "bytes">,
   signal: AbortSignal | undefined,
 ): Promise<{ readonly faces?: TrueFaces; readonly notes?: readonly string[] }> {
-  if (format === "iges" || !canReadFaces) return {};
   const reply = await askForCad({ wants: "faces", format, bytes, deflection: ROUGH }, signal);
   if (reply.kind === "faces") return { faces: reply.faces };
   const cause =
