@@ -136,7 +136,7 @@ TEST(ScaledJacobian, IsOneOfStraightElements) {
 }
 
 TEST(ScaledJacobian, IsNotPositiveIfAnEdgeBeginsWithoutDirection) {
-  // With the middle a quarter of the way, the derivative along the edge is zero at its end.
+  // If the middle node lies at a quarter of the edge, the derivative along the edge is zero at that end.
   const std::array<Vec3, 4> corners{Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0),
                                     Vec3(0.0, 0.0, 1.0)};
   for (std::size_t e = 0; e < 6; ++e) {

@@ -11,7 +11,7 @@
 
 namespace tetrafront {
 
-/// Triangles near the faces of a model, such as those of a CAD kernel: they tell which face is near a position.
+/// Triangles near the faces of a model, such as those of a CAD kernel. The nearest triangle gives the face near a position.
 struct ModelTriangles {
   std::vector<double> points;      ///< x y z per node
   std::vector<double> parameters;  ///< u v per node, on the surface of the face of its triangles

@@ -31,7 +31,8 @@ Vec3 newtonStep(std::span<const AffineCoefficient> coefficients, const Vec3& ste
     gradient += scaled;
     for (int k = 0; k < 3; ++k) hessian[k] += scaled[k] * scaled;
   }
-  // A direction in which nothing changes must not make the matrix singular.
+  // A direction in which nothing changes must not make the matrix singular. The share of the trace is far above the rounding of
+  // the sums, and too small to change a step in other directions.
   constexpr double kRegularization = 1e-9;
   const double trace = hessian[0].x + hessian[1].y + hessian[2].z;
   for (int k = 0; k < 3; ++k) hessian[k][k] += kRegularization * trace;

@@ -48,6 +48,7 @@ bool isReadable(const BuilderInput& input) {
 
 /// True if the position is halfway between the ends, up to rounding.
 bool isHalfway(const Vec3& position, const Vec3& a, const Vec3& b) {
+  // Shares of the edge's length, for middles that were computed from curves, and of the coordinates, for their rounding.
   constexpr double kOfLength = 1e-12;
   constexpr double kOfCoordinates = 4.0 * std::numeric_limits<double>::epsilon();
   const double tolerance =

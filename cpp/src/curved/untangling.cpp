@@ -13,8 +13,9 @@ namespace {
 
 constexpr int kMiddleSweeps = 10;
 constexpr int kCornerSweeps = 5;
-/// Least gain of the least scaled Jacobian around a node for which it is moved.
-constexpr double kLeastGain = 1e-3;
+/// Smallest gain of the least scaled Jacobian around a node for which the node is moved: a smaller one, of values up to 1, is not
+/// worth the elements that must be measured again.
+constexpr double kMinGain = 1e-3;
 /// An element with a smaller scaled Jacobian is not proven to be valid.
 constexpr double kSmallestValid = std::numeric_limits<double>::min();
 /// Units of work of moving the nodes of an element.
@@ -237,7 +238,7 @@ bool Untangling::areValidWhenStraight() const {
 
 /// Measures the elements that change. Whether the least scaled Jacobian has grown from `before`, and no element has become invalid.
 bool Untangling::areBetter(double before) {
-  if (!(measureAround() > before + kLeastGain)) return false;
+  if (!(measureAround() > before + kMinGain)) return false;
   for (std::size_t i = 0; i < around_.size(); ++i) {
     const bool wasValid = curved_.scaled[around_[i].index()] >= kSmallestValid;
     if (wasValid && measuredAround_[i] < kSmallestValid) return false;

@@ -11,7 +11,7 @@ namespace tetrafront {
 
 namespace {
 
-/// How far the length of an axis of a frame may be from 1.
+/// How far the length of an axis of a frame may be from 1: files have six digits or more. A damaged axis is much farther away.
 constexpr double kAxisTolerance = 1e-6;
 
 /// Reads numbers one after the other. After the end it returns zeros, and has failed.
@@ -39,7 +39,7 @@ class NumberReader {
     hasFailed_ = true;
     return 0;
   }
-  /// Reads a number of items, each of which needs at least one of the numbers left.
+  /// Reads how many items follow. Each needs at least one number, so there cannot be more than numbers are left.
   std::size_t count() { return below(rest_.size()); }
   bool flag() { return below(2) == 1; }
   /// Reads an index below `limit`, or none for -1.

@@ -244,22 +244,31 @@ Vec2 clampedTo(const ParameterBox& box, const Vec2& uv) {
   return {std::clamp(uv.x, box.low.x, box.high.x), std::clamp(uv.y, box.low.y, box.high.y)};
 }
 
+/// The same on a curve; zero where the curve has no speed.
+double stepTowards(const CurveJet<Vec3>& jet, const Vec3& target) {
+  const Vec3 offset = target - jet.position;
+  const double squaredSpeed = glm::dot(jet.first, jet.first);
+  const double newton = squaredSpeed - glm::dot(jet.second, offset);
+  const double slope = newton > 0.0 ? newton : squaredSpeed;
+  return slope > 0.0 ? glm::dot(jet.first, offset) / slope : 0.0;
+}
+
 double squaredDistance(const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b); }
 
-}  // namespace
-
-Vec2 closestParametersFrom(const FaceSurface& surface, const ParameterBox& box, const Vec3& target,
-                           const Vec2& start) {
-  Vec2 best = clampedTo(box, start);
-  SurfaceJet jet = evaluate(surface, best);
+/// Follows the steps of `stepFrom`, halved until they lead nearer to the target.
+template <class Parameter, class Evaluate, class Step, class Clamp>
+Parameter descend(const Parameter& start, const Vec3& target, const Evaluate& evaluateAt,
+                  const Step& stepFrom, const Clamp& clamped) {
+  Parameter best = clamped(start);
+  auto jet = evaluateAt(best);
   double distance = squaredDistance(jet.position, target);
   for (int step = 0; step < kMaxNewtonSteps; ++step) {
-    Vec2 move = stepTowards(jet, target);
+    Parameter move = stepFrom(jet);
     bool isBetter = false;
     for (int halving = 0; halving < kMaxStepHalvings && !isBetter; ++halving, move *= 0.5) {
-      const Vec2 to = clampedTo(box, best + move);
+      const Parameter to = clamped(best + move);
       if (to == best) break;
-      const SurfaceJet next = evaluate(surface, to);
+      const auto next = evaluateAt(to);
       const double nextDistance = squaredDistance(next.position, target);
       if (!(nextDistance < distance)) continue;
       isBetter = true;
@@ -272,32 +281,22 @@ Vec2 closestParametersFrom(const FaceSurface& surface, const ParameterBox& box, 
   return best;
 }
 
+}  // namespace
+
+Vec2 closestParametersFrom(const FaceSurface& surface, const ParameterBox& box, const Vec3& target,
+                           const Vec2& start) {
+  return descend(
+      start, target, [&](const Vec2& uv) { return evaluate(surface, uv); },
+      [&](const SurfaceJet& jet) { return stepTowards(jet, target); },
+      [&](const Vec2& uv) { return clampedTo(box, uv); });
+}
+
 double closestParameterFrom(const SpaceCurve& curve, double first, double last, const Vec3& target,
                             double start) {
-  double best = std::clamp(start, first, last);
-  CurveJet<Vec3> jet = evaluate(curve, best);
-  double distance = squaredDistance(jet.position, target);
-  for (int step = 0; step < kMaxNewtonSteps; ++step) {
-    const Vec3 offset = target - jet.position;
-    const double squaredSpeed = glm::dot(jet.first, jet.first);
-    const double slope = squaredSpeed - glm::dot(jet.second, offset);
-    double move = glm::dot(jet.first, offset) / (slope > 0.0 ? slope : squaredSpeed);
-    bool isBetter = false;
-    for (int halving = 0; halving < kMaxStepHalvings && !isBetter; ++halving, move *= 0.5) {
-      const double to = std::clamp(best + move, first, last);
-      // A speed of zero gives no number.
-      if (to == best || !(std::fabs(move) > 0.0)) break;
-      const CurveJet<Vec3> next = evaluate(curve, to);
-      const double nextDistance = squaredDistance(next.position, target);
-      if (!(nextDistance < distance)) continue;
-      isBetter = true;
-      best = to;
-      jet = next;
-      distance = nextDistance;
-    }
-    if (!isBetter) break;
-  }
-  return best;
+  return descend(
+      start, target, [&](double t) { return evaluate(curve, t); },
+      [&](const CurveJet<Vec3>& jet) { return stepTowards(jet, target); },
+      [&](double t) { return std::clamp(t, first, last); });
 }
 
 Vec2 closestParameters(const FaceSurface& surface, const ParameterBox& box, const Vec3& target) {

@@ -22,9 +22,9 @@ namespace {
 
 /// Cosine of the angle between two triangles from which on their edge is sharp, as for remeshing. With groups, it does not count:
 /// coarse triangles of a curved face meet at larger angles.
-const double kSharpCosine = cosineOfDegrees(40.0);
+constexpr double kSharpCosine = cosineOfDegrees(40.0);
 /// Cosine of the angle by which a line turns at a corner.
-const double kCornerCosine = cosineOfDegrees(50.0);
+constexpr double kCornerCosine = cosineOfDegrees(50.0);
 /// Largest move of a node, and distance of the middle of an edge from its place / length of the longest edge.
 constexpr double kReach = 0.5;
 /// The same for a corner, which is near its vertex or near none.
@@ -34,12 +34,13 @@ constexpr double kCornerReach = 0.25;
 constexpr double kLargestTurn = 0.5;
 constexpr double kWorseShape = 0.8;
 constexpr double kPoorShape = 0.2;
-/// Distance of the nearest place from the middle of an edge / its length, up to which the edge counts as straight.
+/// Distance of the nearest place from the middle of an edge / its length, up to which the edge counts as straight: above
+/// the rounding of coordinates, and far below any bend that matters.
 constexpr double kStraight = 1e-10;
 /// Length of an edge after / before the moves of its ends, below which it is too short.
 constexpr double kShorter = 0.5;
 /// Cosine of the angle between two triangles at an edge above which they form a wedge that elements cannot fill well.
-const double kWedgeCosine = cosineOfDegrees(20.0);
+constexpr double kWedgeCosine = cosineOfDegrees(20.0);
 constexpr int kMaxRounds = 20;
 /// Pairs of triangles that intersect, found per round.
 constexpr std::size_t kMaxPairs = 10'000;

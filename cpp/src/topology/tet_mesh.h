@@ -25,7 +25,7 @@ struct TetMesh {
 /// Returns the mesh as flat arrays.
 [[nodiscard]] VolumeMesh toVolumeMesh(TetMesh mesh);
 
-/// Returns TetMesh::isFixed for `nodes` nodes of which the first `fixed` stay where they are.
+/// Returns the marks of TetMesh::isFixed for a mesh of `nodes` nodes: the first `fixed` stay where they are.
 [[nodiscard]] std::vector<std::uint8_t> firstFixed(std::size_t fixed, std::size_t nodes);
 
 /// Returns the mesh of flat arrays, whose first `fixed` nodes stay where they are.

@@ -56,7 +56,7 @@ describe("a cube minus a cylinder", () => {
   });
 
   test("encloses the volume at second order", async () => {
-    // With the automatic tolerance, both would have the same edges around the hole.
+    // The automatic tolerance would limit the edges around the hole to the same length in both meshes.
     const errorAt = async (size: number) =>
       Math.abs(volumeOf(await meshed({ size, tolerance: 1 })) - exactVolume);
     const [more, less] = [await errorAt(1.6), await errorAt(0.8)];

@@ -355,7 +355,7 @@ describe("a tool of several interactions", () => {
     expect(calls()).toEqual([[], ["key b"], []]);
   });
 
-  it("all are told that a press is cancelled, whichever interaction owns it", () => {
+  it("cancelling a press is told to all interactions, whichever owns it", () => {
     list[1].claims = true;
     fire("pointerdown");
     calls();

@@ -270,7 +270,7 @@ async function filledBetter(
   );
 }
 
-/** Returns a surface all triangles of which are replaced, because elements beside them are poor. */
+/** Returns the surface, to be remeshed because elements beside its triangles are poor. */
 const withRemeshing = ({ parts, ...one }: ReadySurface, poor: ElementShapes): ReadySurface => ({
   ...one,
   treatment: { kind: "remesh", poor },

@@ -90,10 +90,7 @@ export async function readTrimmedModel(
   if (format === "brep" && !sharesFaces) return trimmedModelOfBrep(textOf(bytes), fileName);
   const loaded = await kernel();
   const text = withHeld((hold) => {
-    const shape = hold(
-      format === "brep" ? loaded.BRepToolsWrapper.Read(textOf(bytes)) : stepShape(loaded, bytes, hold),
-    );
-    if (shape.IsNull()) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
+    const shape = shapeIn(loaded, { format, bytes, fileName }, hold);
     return loaded.BRepToolsWrapper.Write(sharesFaces ? fused(loaded, shape, fileName, hold) : shape);
   }, fileName);
   const model = trimmedModelOfBrep(text, fileName);
@@ -111,10 +108,7 @@ export async function readTriangulatedModel(
 ): Promise<TriangulatedModel> {
   const loaded = await kernel();
   const text = withHeld((hold) => {
-    const shape = hold(
-      format === "brep" ? loaded.BRepToolsWrapper.Read(textOf(bytes)) : stepShape(loaded, bytes, hold),
-    );
-    if (shape.IsNull()) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
+    const shape = shapeIn(loaded, { format, bytes, fileName }, hold);
     hold(new loaded.BRepMesh_IncrementalMesh(shape, distance, true, angle, false));
     return loaded.BRepToolsWrapper.Write(shape);
   }, fileName);
@@ -144,6 +138,14 @@ function withHeld<Result>(task: (hold: Hold) => Result, fileName: string): Resul
   } finally {
     for (const object of held.toReversed()) object.delete();
   }
+}
+
+function shapeIn(kernel: CadKernel, { format, bytes, fileName }: ModelRequest, hold: Hold): Shape {
+  const shape = hold(
+    format === "brep" ? kernel.BRepToolsWrapper.Read(textOf(bytes)) : stepShape(kernel, bytes, hold),
+  );
+  if (shape.IsNull()) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
+  return shape;
 }
 
 function stepShape(kernel: CadKernel, bytes: Uint8Array, hold: Hold): Shape {

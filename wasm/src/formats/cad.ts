@@ -25,7 +25,7 @@ import { inUtf8 } from "./utf16.js";
 const PER_DIAGONAL = 5000;
 const DEFLECTION: Deflection = { distance: Math.sqrt(3) / PER_DIAGONAL, isRelative: true, angle: 0.1 };
 
-/** As DEFLECTION, for triangles that only tell which face is near; the distance is relative to each edge. */
+/** As DEFLECTION, for the rough triangles by which the face near a node is found. The distance is relative to each edge. */
 const ROUGH: Deflection = { distance: 0.01, isRelative: true, angle: 0.2 };
 
 const NAMES: Readonly<Record<CadFormat, string>> = { step: "STEP", iges: "IGES", brep: "BREP" };
