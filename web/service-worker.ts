@@ -49,7 +49,7 @@ const anyRequest = { ignoreVary: true } as const;
 
 const addressOf = ({ path }: SiteFile): string => new URL(path, scope.registration.scope).href;
 
-const cadName = /\/occt-import-js-[^/]*$/;
+const cadName = /\/(occt-import-js|replicad_single)-[^/]*$/;
 
 /** Names of the caches of this site, those of other versions too. */
 async function siteCaches(): Promise<readonly string[]> {

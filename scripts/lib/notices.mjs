@@ -22,6 +22,7 @@ export const ENGINE_PARTS = [...RUNTIME, { name: "GLM", licence: "MIT", of: "glm
 const INSIDE = {
   "manifold-3d": [...RUNTIME, { name: "Clipper2 (in manifold-3d)", licence: "BSL-1.0", of: "clipper2" }],
   "occt-import-js": RUNTIME,
+  "replicad-opencascadejs": RUNTIME,
 };
 /** What the licences ask to be said, beside their texts. */
 const REMARKS = {
@@ -29,6 +30,10 @@ const REMARKS = {
     "Contains OpenCascade Technology (LGPL-2.1 with the Open CASCADE exception), compiled to WebAssembly. The library is " +
     "used unchanged, in files of its own that can be replaced by other builds of it. Its source code: " +
     "https://github.com/kovacsv/occt-import-js and https://dev.opencascade.org",
+  "replicad-opencascadejs":
+    "OpenCascade Technology (LGPL-2.1 with the Open CASCADE exception), compiled to WebAssembly. The library is used " +
+    "unchanged, in files of its own that can be replaced by other builds of it. Its source code: " +
+    "https://github.com/sgenoud/replicad and https://dev.opencascade.org",
 };
 
 /** Returns the folder of the npm package that contains a module; undefined for our own files. */

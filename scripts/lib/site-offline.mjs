@@ -7,8 +7,8 @@ import { filesUnder } from "./fresh.mjs";
 
 /** Files that no page requests: source maps, and the formats of fonts for browsers without WebAssembly. */
 const unused = /\.map$|\.(woff|ttf)$|^sw\.js$/;
-/** Large files that many never need: the library that reads CAD files. They are kept when they are used, or on request. */
-const later = /^assets\/occt-import-js-/;
+/** Large files that many never need: the libraries that read CAD files. They are kept when they are used, or on request. */
+const later = /^assets\/(occt-import-js|replicad_single)-/;
 
 /** Returns `{ version, files }`: what the service worker keeps of a built site. */
 export function siteFiles(folder) {

@@ -172,8 +172,9 @@ const namelessHashesOf = {
 };
 
 /** Returns the key of the given triangles of a body and their patches. */
-export function givenSurfaceKey({ points, triangles, trianglePatch = "" }: ProjectBody): string {
-  return [points, triangles, trianglePatch].map(textKey).join(" ");
+export function givenSurfaceKey({ points, triangles, trianglePatch = "", trueFaces }: ProjectBody): string {
+  const texts = [points, triangles, trianglePatch, ...(trueFaces === undefined ? [] : [trueFaces])];
+  return texts.map(textKey).join(" ");
 }
 
 /** Returns the key of everything that the treated triangles of a body depend on, apart from sizes of the project. */

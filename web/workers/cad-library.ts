@@ -1,8 +1,14 @@
-/** Tells the package where this site has the library that reads CAD files; it is fetched with the first such file. */
+/** Tells the package where this site has the libraries that read CAD files; they are fetched with the first such file. */
 import script from "occt-import-js/dist/occt-import-js.js?url";
 import wasm from "occt-import-js/dist/occt-import-js.wasm?url";
+import kernelScript from "replicad-opencascadejs?url";
+import kernelWasm from "replicad-opencascadejs/wasm?url";
 import { setCadLibrary } from "tetrafront";
 
 const absolute = (address: string) => new URL(address, import.meta.url).href;
 
-setCadLibrary({ script: absolute(script), wasm: absolute(wasm) });
+setCadLibrary({
+  script: absolute(script),
+  wasm: absolute(wasm),
+  kernel: { script: absolute(kernelScript), wasm: absolute(kernelWasm) },
+});

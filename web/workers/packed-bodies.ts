@@ -2,9 +2,9 @@ import type { Project, ProjectBody } from "tetrafront/project";
 import { minLongText, rememberText, textKey } from "../document/long-texts";
 import { nextTurn } from "../document/slices";
 
-type TextName = "points" | "triangles" | "trianglePatch";
+type TextName = "points" | "triangles" | "trianglePatch" | "trueFaces";
 
-const textNames: readonly TextName[] = ["points", "triangles", "trianglePatch"];
+const textNames: readonly TextName[] = ["points", "triangles", "trianglePatch", "trueFaces"];
 
 /** A long text of a body on its way from a worker: its bytes are transferred, and its blob passes without a copy. */
 interface PackedText {

@@ -115,8 +115,11 @@ async function unpacked({ packed, loaded }: PackedNewBody): Promise<NewBody> {
   return { body: await unpackedBody(packed), loaded };
 }
 
-const withTrianglesOf = ({ points, triangles }: ProjectBody, { body, loaded }: NewBody): NewBody => ({
-  body: { ...body, points, triangles },
+const withTrianglesOf = (
+  { points, triangles, trueFaces }: ProjectBody,
+  { body, loaded }: NewBody,
+): NewBody => ({
+  body: { ...body, points, triangles, ...(trueFaces !== undefined && { trueFaces }) },
   loaded,
 });
 

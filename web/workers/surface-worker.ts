@@ -160,7 +160,8 @@ function newBody(body: ProjectBody): PackedNewBody {
 
 /** Omits the texts of points and triangles, which the page has. */
 function withSameTriangles(body: ProjectBody, meaning?: PatchMeaning): Answer<PackedNewBody> {
-  const packed = packedBody({ ...body, points: "", triangles: "" });
+  const { trueFaces: _, ...others } = body;
+  const packed = packedBody({ ...others, points: "", triangles: "" });
   const answer = { packed, loaded: loadedFrom(body, meaning) };
   return { answer, transfer: buffersOf(answer) };
 }

@@ -53,6 +53,7 @@ class NumberReader {
     rest_ = rest_.subspan(1);
     return true;
   }
+  [[nodiscard]] bool isAtEnd() const { return rest_.empty(); }
   template <class Vector>
   Vector vector() {
     Vector result(0.0);
@@ -125,33 +126,70 @@ FaceSurface readSurface(NumberReader& reader) {
   return surface;
 }
 
-TrimmedEdge readEdge(NumberReader& reader, const TrimmedModel& model) {
+/// Numbers of items of the models before the one that is read.
+struct ModelOffsets {
+  std::uint32_t vertices = 0;
+  std::uint32_t curves = 0;
+  std::uint32_t surfaces = 0;
+  std::uint32_t edges = 0;
+  std::uint32_t solids = 0;
+};
+
+template <class Items>
+std::uint32_t countOf(const Items& items) {
+  return static_cast<std::uint32_t>(items.size());
+}
+
+TrimmedEdge readEdge(NumberReader& reader, const TrimmedModel& model, const ModelOffsets& before) {
   TrimmedEdge edge;
-  edge.curve = reader.indexOrNone(model.curves.size());
+  edge.curve = reader.indexOrNone(model.curves.size() - before.curves);
+  if (edge.curve.has_value()) *edge.curve += before.curves;
   edge.first = reader.number();
   edge.last = reader.number();
-  edge.start = reader.below(model.vertices.size());
-  edge.end = reader.below(model.vertices.size());
+  edge.start = before.vertices + reader.below(model.vertices.size() - before.vertices);
+  edge.end = before.vertices + reader.below(model.vertices.size() - before.vertices);
   edge.tolerance = reader.number();
   return edge;
 }
 
-TrimmedFace readFace(NumberReader& reader, const TrimmedModel& model) {
+TrimmedFace readFace(NumberReader& reader, const TrimmedModel& model, const ModelOffsets& before) {
   TrimmedFace face;
-  face.surface = reader.below(model.surfaces.size());
+  face.surface = before.surfaces + reader.below(model.surfaces.size() - before.surfaces);
   face.reversed = reader.flag();
-  face.solid = reader.below(TrimmedFace::kNone);
-  face.otherSolid = reader.indexOrNone(TrimmedFace::kNone).value_or(TrimmedFace::kNone);
+  const std::size_t mostSolids = TrimmedFace::kNone - before.solids;
+  face.solid = before.solids + reader.below(mostSolids);
+  const std::optional<std::uint32_t> other = reader.indexOrNone(mostSolids);
+  face.otherSolid = other.has_value() ? before.solids + *other : TrimmedFace::kNone;
   face.loops.resize(reader.count());
   for (std::vector<Coedge>& loop : face.loops) {
     loop.resize(reader.count());
     for (Coedge& coedge : loop) {
-      coedge.edge = reader.below(model.edges.size());
+      coedge.edge = before.edges + reader.below(model.edges.size() - before.edges);
       coedge.reversed = reader.flag();
       if (!reader.skipNone()) readCurve(reader, coedge.inPlane.emplace());
     }
   }
   return face;
+}
+
+/// Appends a model to another one.
+void appendModel(NumberReader& reader, TrimmedModel& model) {
+  ModelOffsets before{.vertices = countOf(model.vertices),
+                      .curves = countOf(model.curves),
+                      .surfaces = countOf(model.surfaces),
+                      .edges = countOf(model.edges)};
+  for (const TrimmedFace& face : model.faces)
+    before.solids = std::max(before.solids, face.solid + 1);
+  const auto readAll = [&](auto& items, const auto& readOne) {
+    const std::size_t first = items.size();
+    items.resize(first + reader.count());
+    for (std::size_t i = first; i < items.size() && !reader.hasFailed(); ++i) readOne(items[i]);
+  };
+  readAll(model.vertices, [&](Vec3& vertex) { vertex = reader.vector<Vec3>(); });
+  readAll(model.curves, [&](SpaceCurve& curve) { readCurve(reader, curve); });
+  readAll(model.surfaces, [&](FaceSurface& surface) { surface = readSurface(reader); });
+  readAll(model.edges, [&](TrimmedEdge& edge) { edge = readEdge(reader, model, before); });
+  readAll(model.faces, [&](TrimmedFace& face) { face = readFace(reader, model, before); });
 }
 
 // ---- what can be evaluated -----------------------------------------------------------------------
@@ -231,18 +269,9 @@ std::optional<ReadModel> readModel(std::span<const double> numbers) {
   NumberReader reader(numbers);
   ReadModel read;
   TrimmedModel& model = read.model;
-  const auto readAll = [&](auto& items, const auto& readOne) {
-    items.resize(reader.count());
-    for (auto& item : items) {
-      if (reader.hasFailed()) return;
-      readOne(item);
-    }
-  };
-  readAll(model.vertices, [&](Vec3& vertex) { vertex = reader.vector<Vec3>(); });
-  readAll(model.curves, [&](SpaceCurve& curve) { readCurve(reader, curve); });
-  readAll(model.surfaces, [&](FaceSurface& surface) { surface = readSurface(reader); });
-  readAll(model.edges, [&](TrimmedEdge& edge) { edge = readEdge(reader, model); });
-  readAll(model.faces, [&](TrimmedFace& face) { face = readFace(reader, model); });
+  do {
+    appendModel(reader, model);
+  } while (!reader.isAtEnd() && !reader.hasFailed());
   if (reader.hasFailed()) return std::nullopt;
   for (const FaceSurface& surface : model.surfaces) {
     read.isSurfaceValid.push_back(isValidSurface(surface) ? 1 : 0);

@@ -13,6 +13,7 @@
 ///
 /// A curve is its kind, then degree, knots, poles and weights of a spline, or frame, radius and minor radius. A list of numbers
 /// begins with its length; poles are lists of coordinates. A frame is the origin and the axes. Kinds are the values of the enums.
+/// Several models may follow each other; indices of each refer to its own items.
 
 #include <cstdint>
 #include <optional>
@@ -31,7 +32,7 @@ struct ReadModel {
   std::vector<std::uint8_t> isEdgeValid;
 };
 
-/// Reads a model; none if the array ends early, or if an index refers to nothing. O(numbers).
+/// Reads models as one; none if the array ends early, or if an index refers to nothing. O(numbers + models * faces).
 [[nodiscard]] std::optional<ReadModel> readModel(std::span<const double> numbers);
 
 }  // namespace tetrafront

@@ -9,9 +9,10 @@ import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import { invalidOption, sentence } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import type { BodySurfaceArrays } from "../generated/constants.js";
+import type { SurfaceInput } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
-import { bodyArrays } from "../project/body-arrays.js";
+import { bodyArrays, bodyTrueFaces } from "../project/body-arrays.js";
 import { bodySurface, type PlacedSurface } from "../project/bodies.js";
 import { backgroundArrays, backgroundOf } from "../project/grid-arrays.js";
 import { withPatchOfTriangle } from "../project/names.js";
@@ -106,7 +107,12 @@ async function treated(
   if (treatment === "remesh") {
     const { innerShells, growth, maxVolume } = options;
     const wanted: RemeshOptions = { growth, maxVolume, ...remeshing, ...sizes, innerShells, sizeFactor };
-    const { mesh, origin, diagnostics, ...figures } = await calls.remesh(given, wanted, control, name);
+    const { mesh, origin, diagnostics, ...figures } = await calls.remesh(
+      withTrueFaces(given, body),
+      wanted,
+      control,
+      name,
+    );
     const { points, triangles, trianglePatch } = mesh;
     return { points, triangles, trianglePatch, origin, ...figures, diagnostics: named(diagnostics) };
   }
@@ -124,6 +130,19 @@ async function treated(
   const { points, triangles, trianglePatch } = given;
   const origin = trianglePatch.map((_, triangle) => triangle);
   return { points, triangles, trianglePatch, origin, diagnostics };
+}
+
+/** Returns the surface of a body with its true faces, if it has any, where the body is. */
+function withTrueFaces(given: PlacedSurface, body: ProjectBody): SurfaceInput {
+  const solids = bodyTrueFaces(body);
+  const { position, rotation, scale = 1 } = body.placement ?? {};
+  return {
+    ...given,
+    trueFaces: solids?.map((faces) => {
+      const own = faces.placement?.scale ?? 1;
+      return { ...faces, placement: { position, rotation, scale: scale * own } };
+    }),
+  };
 }
 
 /**

@@ -1,4 +1,5 @@
 /** Places the nodes of a surface on the faces of the CAD file from which it was read. */
+import { placedPoints, unplacedPoints } from "../base/placement.js";
 import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
 import type { RunControl } from "../engine/control.js";
@@ -6,7 +7,7 @@ import type { EngineClient } from "../engine/engine-client.js";
 import { enclosedVolumes } from "../formats/sixfold-volume.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { NodePlacement } from "../mesh/inspection.js";
-import type { Mesh } from "../mesh/mesh.js";
+import type { Mesh, TrueFaces } from "../mesh/mesh.js";
 
 export interface PlacedSurface {
   readonly mesh: Mesh;
@@ -29,30 +30,24 @@ export async function onTrueFaces(
   control: RunControl,
 ): Promise<PlacedSurface | undefined> {
   const { trueFaces, points, triangles, trianglePatch } = surface;
-  if (trueFaces === undefined) return undefined;
-  const { numbers, scale = 1, ...near } = trueFaces;
-  // The engine's worker gets the arrays of a question, and the surface keeps its own.
-  const shown = {
-    points: near.points.slice(),
-    parameters: near.parameters.slice(),
-    triangles: near.triangles.slice(),
-    faces: near.faces.slice(),
-  };
-  const given = points.map((x) => x / scale);
+  if (trueFaces === undefined || trueFaces.length === 0) return undefined;
+  const { placement } = trueFaces[0] ?? {};
+  const scale = placement?.scale ?? 1;
+  const given = unplacedPoints(points, placement);
+  const { numbers, ...shown } = joined(trueFaces);
   const request = [
     given,
     triangles.slice(),
     trianglePatch.slice(),
-    numbers.slice(),
+    numbers,
     shown,
     (REACH * deviation) / scale,
   ] as const;
   const found = await client.ask("placeNodes", request, control);
   const stayed = new Set(found.unplaced);
-  const placed = Float64Array.from(points, (x, i) =>
-    stayed.has(Math.floor(i / 3)) ? x : (found.points[i] ?? 0) * scale,
-  );
-  const trueEdges = { edges: found.curvedEdges, middles: found.middles.map((x) => x * scale) };
+  const onFaces = placedPoints(found.points, placement);
+  const placed = Float64Array.from(points, (x, i) => (stayed.has(Math.floor(i / 3)) ? x : (onFaces[i] ?? 0)));
+  const trueEdges = { edges: found.curvedEdges, middles: placedPoints(found.middles, placement) };
   const mesh = { ...surface, points: placed, trueEdges };
   const [before, after] = [await inSteps(volumeIn(surface)), await inSteps(volumeIn(mesh))];
   return {
@@ -64,6 +59,38 @@ export async function onTrueFaces(
     },
     volumeChange: after - before,
   };
+}
+
+/** Returns the faces of all solids as those of one, in new arrays: the engine's worker gets the arrays of a question. */
+function joined(solids: readonly TrueFaces[]): Omit<TrueFaces, "faceCount" | "placement"> {
+  const sum = (lengthOf: (solid: TrueFaces) => number) =>
+    solids.reduce((all, solid) => all + lengthOf(solid), 0);
+  const all = {
+    numbers: new Float64Array(sum(({ numbers }) => numbers.length)),
+    points: new Float64Array(sum(({ points }) => points.length)),
+    parameters: new Float64Array(sum(({ parameters }) => parameters.length)),
+    triangles: new Uint32Array(sum(({ triangles }) => triangles.length)),
+    faces: new Uint32Array(sum(({ faces }) => faces.length)),
+  };
+  let [number, node, triangle, face] = [0, 0, 0, 0];
+  for (const { numbers, points, parameters, triangles, faces, faceCount } of solids) {
+    all.numbers.set(numbers, number);
+    all.points.set(points, 3 * node);
+    all.parameters.set(parameters, 2 * node);
+    all.triangles.set(
+      triangles.map((own) => own + node),
+      3 * triangle,
+    );
+    all.faces.set(
+      faces.map((own) => own + face),
+      triangle,
+    );
+    number += numbers.length;
+    node += points.length / 3;
+    triangle += faces.length;
+    face += faceCount;
+  }
+  return all;
 }
 
 /** Returns what the triangles enclose that do not lie between two regions. */

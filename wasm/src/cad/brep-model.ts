@@ -2,6 +2,7 @@
  * Describes the shape of a BREP file as trimmed surfaces. A BREP file contains all that the kernel knows: surfaces, curves in
  * space and in the plane, tolerances; so it is also how the kernel hands out shapes of other files.
  */
+import { plural } from "../base/plural.js";
 import { dot, minus, type Vector } from "../base/vectors.js";
 import { curveOver, placedCurve, PLANE, SPACE, surfaceOver } from "./brep-geometry.js";
 import { keyOf, type Location, NOWHERE, product } from "./brep-locations.js";
@@ -15,7 +16,7 @@ import {
   type Use,
   type VertexShape,
 } from "./brep-shape-table.js";
-import { modelTrianglesOf, type TriangulatedFace } from "./brep-triangles.js";
+import type { TriangulatedFace } from "./brep-triangles.js";
 import { BrepWords } from "./brep-words.js";
 import { chainedLoops, type EndedCoedge } from "./coedge-loops.js";
 import { boundsOf, endsOf, reparameterized } from "./plane-curves.js";
@@ -29,7 +30,6 @@ import {
   type TrimmedEdge,
   type TrimmedFace,
   type TrimmedModel,
-  type TriangulatedModel,
   type TrimmedSolid,
 } from "./trimmed-model.js";
 
@@ -38,21 +38,40 @@ const MAX_DEPTH = 100;
 
 /** Reads the text of a BREP file. Throws a CadFileError if it is damaged or has no faces. */
 export function trimmedModelOfBrep(text: string, fileName: string): TrimmedModel {
-  return triangulatedModelOfBrep(text, fileName).model;
-}
-
-/** The same, with the triangles of the faces that the file contains. */
-export function triangulatedModelOfBrep(text: string, fileName: string): TriangulatedModel {
   const tables = readTables(new BrepWords(text, fileName), text);
-  const builder = new ModelBuilder(tables);
-  const model = builder.model();
-  if (model.faces.length > 0) return { model, triangles: modelTrianglesOf(builder.triangulated) };
-  const reasons = model.notes.map((note) => ` (${note})`).join("");
+  const { parts, skipped } = partsIn(tables);
+  const model = new ModelBuilder(tables).model(parts);
+  const notes =
+    skipped === 0
+      ? model.notes
+      : [noteOf("it lies inside of a solid and bounds nothing", skipped), ...model.notes];
+  if (model.faces.length > 0) return { ...model, notes };
+  const reasons = notes.map((note) => ` (${note})`).join("");
   throw new CadFileError(
     fileName,
     `the file contains no faces that can be described${reasons}`,
     "Export the part as solids.",
   );
+}
+
+/** A solid of a file, or faces that bound none. */
+export interface BrepPart {
+  /** What can be described of it; its only solid is the part. */
+  readonly model: TrimmedModel;
+  /** All its faces, in the order of the file. */
+  readonly faces: readonly TriangulatedFace[];
+  /** Per face: the kind of its surface. */
+  readonly kinds: readonly (FaceSurface["kind"] | "other")[];
+}
+
+/** Returns the solids of a file, each with its faces and the triangles that the file contains. Errors as above, but for empty files. */
+export function partsOfBrep(text: string, fileName: string): BrepPart[] {
+  const tables = readTables(new BrepWords(text, fileName), text);
+  return partsIn(tables).parts.map((part) => {
+    const builder = new ModelBuilder(tables);
+    const model = builder.model([part]);
+    return { model, faces: builder.triangulated, kinds: part.faces.map((face) => kindOf(face, tables)) };
+  });
 }
 
 /** A use of a shape where it is in the whole: locations and orientations of all uses above it included. */
@@ -62,8 +81,65 @@ interface Placed {
   readonly isReversed: boolean;
 }
 
+interface Part {
+  readonly isSolid: boolean;
+  readonly faces: readonly Placed[];
+}
+
 /** Thrown where a face cannot be described; its message ends a sentence. */
 class Indescribable extends Error {}
+
+const noteOf = (reason: string, count: number) => `${plural(count, "face")}: ${reason}`;
+
+const shapeOf = ({ shapes }: BrepTables, index: number): BrepShape =>
+  shapes[index] ?? { kind: "group", uses: [] };
+
+function kindOf(face: Placed, tables: BrepTables): FaceSurface["kind"] | "other" {
+  const { surface } = shapeOf(tables, face.shape) as FaceShape;
+  const kind = tables.surfaces[surface ?? -1]?.kind ?? "other";
+  return kind === "stored" ? "spline" : kind;
+}
+
+/**
+ * Returns the solids of a file in their order. Shells and faces that bound none, and follow each other in a group, are one part.
+ * `skipped`: number of faces inside of solids that bound nothing.
+ */
+function partsIn(tables: BrepTables): { readonly parts: readonly Part[]; readonly skipped: number } {
+  const parts: Part[] = [];
+  let skipped = 0;
+  const facesOf = (placed: Placed): Placed[] => {
+    const shape = shapeOf(tables, placed.shape);
+    if (shape.kind === "face") return [placed];
+    if (shape.kind !== "solid" && shape.kind !== "shell") return [];
+    return shape.uses.flatMap((use) => {
+      const isInside = use.orientation === "internal" || use.orientation === "external";
+      if (isInside) skipped++;
+      return isInside ? [] : facesOf(placedUse(placed, use));
+    });
+  };
+  const addAll = (placed: readonly Placed[], depth: number): void => {
+    if (depth > MAX_DEPTH) return;
+    let loose: Placed[] = [];
+    const addLoose = () => {
+      if (loose.length > 0) parts.push({ isSolid: false, faces: loose });
+      loose = [];
+    };
+    for (const one of placed) {
+      const { kind, uses } = shapeOf(tables, one.shape);
+      if (kind === "solid" || kind === "group") addLoose();
+      if (kind === "solid") parts.push({ isSolid: true, faces: facesOf(one) });
+      else if (kind === "shell" || kind === "face") loose.push(...facesOf(one));
+      else if (kind === "group")
+        addAll(
+          uses.map((use) => placedUse(one, use)),
+          depth + 1,
+        );
+    }
+    addLoose();
+  };
+  addAll([placedUse({ shape: 0, location: NOWHERE, isReversed: false }, tables.root)], 0);
+  return { parts, skipped };
+}
 
 class ModelBuilder {
   readonly #tables: BrepTables;
@@ -72,7 +148,6 @@ class ModelBuilder {
   readonly #surfaces: FaceSurface[] = [];
   readonly #edges: TrimmedEdge[] = [];
   readonly #faces: TrimmedFace[] = [];
-  readonly #solids: TrimmedSolid[] = [];
   readonly #reasons = new Map<string, number>();
   readonly #known = new Map<string, number>();
   /** Faces that two solids share are here twice. */
@@ -82,53 +157,24 @@ class ModelBuilder {
     this.#tables = tables;
   }
 
-  model(): TrimmedModel {
-    this.#addSolids(this.#tables.root, NOWHERE, false, 0);
+  model(parts: readonly Part[]): TrimmedModel {
+    const solids = parts.map(({ isSolid, faces }, solid): TrimmedSolid => {
+      const missingFaces = faces.filter((face) => !this.#addWithTriangles(face, solid)).length;
+      return { isSolid, name: "", missingFaces };
+    });
     return {
       vertices: Float64Array.from(this.#vertices),
       curves: this.#curves,
       surfaces: this.#surfaces,
       edges: this.#edges,
       faces: this.#faces,
-      solids: this.#solids,
-      notes: Array.from(
-        this.#reasons,
-        ([reason, count]) => `${count} ${count === 1 ? "face" : "faces"}: ${reason}`,
-      ),
+      solids,
+      notes: Array.from(this.#reasons, ([reason, count]) => noteOf(reason, count)),
     };
   }
 
-  #addSolids(use: Use, above: Location, isReversed: boolean, depth: number): void {
-    if (depth > MAX_DEPTH) return;
-    const location = product(above, use.location);
-    const turned = isReversed !== (use.orientation === "reversed");
-    const shape = this.#shape(use.shape);
-    if (shape.kind === "group")
-      for (const one of shape.uses) this.#addSolids(one, location, turned, depth + 1);
-    else if (shape.kind === "solid" || shape.kind === "shell" || shape.kind === "face") {
-      const faces = this.#facesOf({ shape: use.shape, location, isReversed: turned });
-      const solid = this.#solids.length;
-      const missingFaces = faces.filter((face) => !this.#addWithTriangles(face, solid)).length;
-      this.#solids.push({ isSolid: shape.kind === "solid", name: "", missingFaces });
-    }
-  }
-
   #shape(index: number): BrepShape {
-    return this.#tables.shapes[index] ?? { kind: "group", uses: [] };
-  }
-
-  /** Returns the faces of a solid, a shell or a face. Faces inside of a solid that bound nothing are left out. */
-  #facesOf(placed: Placed): Placed[] {
-    const shape = this.#shape(placed.shape);
-    if (shape.kind === "face") return [placed];
-    if (shape.kind !== "solid" && shape.kind !== "shell") return [];
-    return shape.uses.flatMap((use) => {
-      if (use.orientation === "internal" || use.orientation === "external") {
-        this.#note("it lies inside of a solid and bounds nothing");
-        return [];
-      }
-      return this.#facesOf(placedUse(placed, use));
-    });
+    return shapeOf(this.#tables, index);
   }
 
   #note(reason: string): void {
@@ -138,14 +184,14 @@ class ModelBuilder {
   /** Returns whether the face could be described. */
   #addWithTriangles(placed: Placed, solid: number): boolean {
     const face = this.#addFace(placed, solid);
-    if (face === undefined) return false;
-    const shape = this.#shape(placed.shape) as FaceShape;
-    const triangulation = this.#tables.triangulations[shape.triangulation ?? -1];
-    if (triangulation !== undefined) {
-      const placing = this.#tables.locations.placing(placed.location);
-      this.triangulated.push({ face, triangulation, placing, isReversed: placed.isReversed });
-    }
-    return true;
+    const { triangulation } = this.#shape(placed.shape) as FaceShape;
+    this.triangulated.push({
+      face,
+      triangulation: this.#tables.triangulations[triangulation ?? -1],
+      placing: this.#tables.locations.placing(placed.location),
+      isReversed: placed.isReversed,
+    });
+    return face !== undefined;
   }
 
   /** Returns the index of the face; undefined if it cannot be described. */

@@ -30,38 +30,67 @@ export function readTriangulation(words: BrepWords, hasNormals: boolean): Triang
   return { points, parameters, triangles: corners };
 }
 
-/** A face of a model where it is in the whole, with its triangles. */
+/** A face of a file where it is in the whole. */
 export interface TriangulatedFace {
-  readonly face: number;
-  readonly triangulation: Triangulation;
+  /** Its index in the model; undefined if it cannot be described. */
+  readonly face: number | undefined;
+  /** Undefined if the file has none. */
+  readonly triangulation: Triangulation | undefined;
   readonly placing: Placing;
   readonly isReversed: boolean;
 }
 
-/** Returns the triangles of all faces, counter-clockwise seen from outside; faces without parameters have none. O(n). */
-export function modelTrianglesOf(faces: readonly TriangulatedFace[]): ModelTriangles {
-  const used = faces.filter(({ triangulation }) => triangulation.parameters.length > 0);
-  const sum = (sizeOf: (triangulation: Triangulation) => number) =>
-    used.reduce((all, { triangulation }) => all + sizeOf(triangulation), 0);
-  const points = new Float64Array(sum((one) => one.points.length));
-  const parameters = new Float64Array(sum((one) => one.parameters.length));
-  const triangles = new Uint32Array(sum((one) => one.triangles.length));
-  const faceOf = new Uint32Array(triangles.length / 3);
+/** Triangles of faces, each with nodes of its own, counter-clockwise seen from outside. */
+export interface FaceTriangles {
+  /** x y z per node. */
+  readonly points: Float64Array;
+  /** u v per node; zeros where a face has none. */
+  readonly parameters: Float64Array;
+  readonly triangles: Uint32Array;
+  /** Per face: number of its triangles, which follow those of the face before it. */
+  readonly counts: readonly number[];
+}
+
+/** Returns the triangles of faces. O(n). */
+export function trianglesOf(faces: readonly TriangulatedFace[]): FaceTriangles {
+  const sum = (field: "points" | "triangles") =>
+    faces.reduce((all, { triangulation }) => all + (triangulation?.[field].length ?? 0), 0);
+  const points = new Float64Array(sum("points"));
+  const parameters = new Float64Array((points.length / 3) * 2);
+  const triangles = new Uint32Array(sum("triangles"));
   let [node, corner] = [0, 0];
-  for (const { face, triangulation, placing, isReversed } of used) {
-    const first = node;
-    points.set(placing.points(triangulation.points), 3 * first);
-    parameters.set(triangulation.parameters, 2 * first);
-    triangles.set(
-      triangulation.triangles.map((own) => own + first),
-      corner,
-    );
-    const end = corner + triangulation.triangles.length;
-    for (let c = corner; isReversed && c < end; c += 3)
-      [triangles[c + 1], triangles[c + 2]] = [triangles[c + 2] ?? 0, triangles[c + 1] ?? 0];
-    faceOf.fill(face, corner / 3, end / 3);
+  const counts = faces.map(({ triangulation, placing, isReversed }) => {
+    if (triangulation === undefined) return 0;
+    points.set(placing.points(triangulation.points), 3 * node);
+    parameters.set(triangulation.parameters, 2 * node);
+    const own = triangulation.triangles;
+    for (let c = 0; c < own.length; c += 3) {
+      const [a = 0, b = 0, d = 0] = own.subarray(c, c + 3);
+      triangles.set(isReversed ? [node + a, node + d, node + b] : [node + a, node + b, node + d], corner);
+      corner += 3;
+    }
     node += triangulation.points.length / 3;
-    corner = end;
-  }
-  return { points, parameters, triangles, faces: faceOf };
+    return own.length / 3;
+  });
+  return { points, parameters, triangles, counts };
+}
+
+/** Returns the triangles of the faces that are described, and have parameters. O(n). */
+export function modelTrianglesOf(
+  faces: readonly TriangulatedFace[],
+  { points, parameters, triangles, counts }: FaceTriangles,
+): ModelTriangles {
+  const near: number[] = [];
+  const faceOf: number[] = [];
+  let first = 0;
+  faces.forEach(({ face, triangulation }, f) => {
+    const end = first + (counts[f] ?? 0);
+    if (face !== undefined && triangulation !== undefined && triangulation.parameters.length > 0)
+      for (let t = first; t < end; t++) {
+        near.push(triangles[3 * t] ?? 0, triangles[3 * t + 1] ?? 0, triangles[3 * t + 2] ?? 0);
+        faceOf.push(face);
+      }
+    first = end;
+  });
+  return { points, parameters, triangles: Uint32Array.from(near), faces: Uint32Array.from(faceOf) };
 }

@@ -7,8 +7,6 @@ import { startFailure } from "./crash.js";
 import type { CadLoaded, CadReply, CadRequest, CadTimeout } from "./protocol.js";
 
 export const notLoadedRemedy = cadHost.remedy;
-/** Whether true faces can be asked for. */
-export const canReadFaces = cadHost.hasKernel;
 
 /**
  * Seconds after which the worker is terminated: OpenCascade cannot be interrupted or asked how far it is, and some damaged

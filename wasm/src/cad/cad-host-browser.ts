@@ -6,7 +6,6 @@ import type { CadLoaded, CadReply } from "./protocol.js";
 export const cadHost: CadHost = {
   remedy:
     "Serve occt-import-js.js and occt-import-js.wasm of the package occt-import-js 0.0.23, pass their addresses to setCadLibrary(), and let the Content-Security-Policy allow 'unsafe-eval'.",
-  hasKernel: false,
   start: (events) => {
     // Bundlers recognize the worker by exactly this expression.
     const worker = new Worker(new URL("./cad-worker.js", import.meta.url), {

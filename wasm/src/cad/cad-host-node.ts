@@ -5,7 +5,6 @@ import type { CadLoaded, CadReply } from "./protocol.js";
 
 export const cadHost: CadHost = {
   remedy: "Install the optional package that reads CAD files: npm install occt-import-js@0.0.23",
-  hasKernel: true,
   start: (events) => {
     const worker = new Worker(new URL("./cad-worker.js", import.meta.url), {
       name: "tetrafront-cad",

@@ -16,6 +16,4 @@ export interface CadHost {
   readonly start: (events: CadWorkerEvents) => CadWorker;
   /** What to do if the worker or the library cannot be loaded. */
   readonly remedy: string;
-  /** Whether its workers can read true faces. */
-  readonly hasKernel: boolean;
 }

@@ -1,6 +1,7 @@
 import { live, type LifeRequest } from "../calls/worker-life.js";
 import type { CadPort } from "./cad-port.js";
-import type { CreateOpenCascade } from "./opencascade.js";
+import type { CreateKernel } from "./kernel.js";
+import { type CreateOpenCascade, QUIET } from "./opencascade.js";
 import type { CadRequest } from "./protocol.js";
 
 /** The part of a worker's global scope that is used here; the DOM types describe a window's. */
@@ -20,12 +21,19 @@ export const cadPort: CadPort = {
     };
   },
   post: (reply, transfer) => scope.postMessage(reply, [...transfer]),
-  library: async (addresses) => {
-    const { script = "", wasm = "" } = addresses ?? {};
+  library: async ({ script, wasm }) => {
     const create = await definedBy(script);
     return { create, options: { locateFile: () => wasm } };
   },
-  kernel: undefined,
+  kernel: async ({ kernel }) => {
+    if (kernel === undefined) return undefined;
+    const { default: create } = (await import(
+      /* @vite-ignore */ /* webpackIgnore: true */ kernel.script
+    )) as {
+      readonly default: CreateKernel;
+    };
+    return create({ ...QUIET, locateFile: () => kernel.wasm });
+  },
 };
 
 /** Runs the library's script, which is not a module: it defines itself as an AMD module. */

@@ -8,8 +8,8 @@ export interface CadPort {
   post(reply: CadReply | CadLoaded, transfer: readonly ArrayBuffer[]): void;
   /** Loads the library: its function that makes an instance, and the options that this function needs. */
   readonly library: (
-    addresses: CadLibrary | undefined,
+    addresses: CadLibrary,
   ) => Promise<{ readonly create: CreateOpenCascade; readonly options: object }>;
-  /** Loads the kernel that reads true faces; undefined where there is none. */
-  readonly kernel: (() => Promise<CadKernel>) | undefined;
+  /** Loads the kernel that reads true faces; undefined if it has no address. Rejects if it cannot be loaded. */
+  readonly kernel: (addresses: CadLibrary) => Promise<CadKernel | undefined>;
 }

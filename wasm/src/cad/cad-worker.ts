@@ -1,19 +1,43 @@
 /** Worker that reads one CAD file. It is terminated afterwards, so each file gets a new instance of the library. */
 import { cadPort } from "#cad-port";
-import { crashOf, startFailure } from "./crash.js";
-import { type CadKernel, readTriangulatedModel } from "./kernel.js";
-import { numbersOf } from "./model-numbers.js";
+import { cadShapesOf } from "./cad-shapes.js";
+import { crashOf } from "./crash.js";
+import { type CadKernel, triangulatedText } from "./kernel.js";
 import { QUIET, readByOpenCascade } from "./opencascade.js";
 import type { CadReply, CadRequest } from "./protocol.js";
 
 cadPort.onRequest((request) => void answer(request));
 
 async function answer(request: CadRequest): Promise<void> {
-  const reply = request.wants === "faces" ? await trueFaces(request) : await triangles(request);
+  const kernel = request.format === "iges" ? undefined : await loadedKernel(request);
+  const reply = kernel === undefined ? await readByLibrary(request) : readByKernel(kernel, request);
   cadPort.post(reply, buffersOf(reply));
 }
 
-function triangles(request: CadRequest): Promise<CadReply> {
+/** Returns the kernel; undefined where it is not installed or not served. */
+async function loadedKernel({ library }: CadRequest): Promise<CadKernel | undefined> {
+  try {
+    const kernel = await cadPort.kernel(library);
+    if (kernel !== undefined) cadPort.post({ kind: "loaded" }, []);
+    return kernel;
+  } catch {
+    return undefined;
+  }
+}
+
+function readByKernel(kernel: CadKernel, { format, bytes, deflection }: CadRequest): CadReply {
+  if (format === "iges") return { kind: "rejected" };
+  try {
+    const text = triangulatedText(kernel, { format, bytes }, deflection);
+    if (text === undefined) return { kind: "rejected" };
+    const step = format === "step" ? new TextDecoder("latin1").decode(bytes) : undefined;
+    return { kind: "read", shapes: cadShapesOf(text, step) };
+  } catch (failure) {
+    return crashOf(failure);
+  }
+}
+
+function readByLibrary(request: CadRequest): Promise<CadReply> {
   const load = async () => {
     const { create, options } = await cadPort.library(request.library);
     const library = await create({ ...QUIET, ...options });
@@ -23,33 +47,13 @@ function triangles(request: CadRequest): Promise<CadReply> {
   return readByOpenCascade(load, request);
 }
 
-async function trueFaces({ format, bytes, deflection }: CadRequest): Promise<CadReply> {
-  if (format === "iges") return { kind: "rejected" };
-  let kernel: CadKernel;
-  try {
-    if (cadPort.kernel === undefined) throw new Error("it is not available here");
-    kernel = await cadPort.kernel();
-    cadPort.post({ kind: "loaded" }, []);
-  } catch (failure) {
-    return startFailure(failure);
-  }
-  try {
-    const loaded = () => Promise.resolve(kernel);
-    const read = await readTriangulatedModel(loaded, { format, bytes, fileName: "" }, deflection);
-    return { kind: "faces", faces: { ...read.triangles, numbers: numbersOf(read.model) } };
-  } catch (failure) {
-    return crashOf(failure);
-  }
-}
-
 function buffersOf(reply: CadReply): ArrayBuffer[] {
-  if (reply.kind === "faces") {
-    const { points, parameters, triangles: corners, faces, numbers } = reply.faces;
-    return [points, parameters, corners, faces, numbers].map(({ buffer }) => buffer as ArrayBuffer);
-  }
   if (reply.kind !== "read") return [];
-  return reply.shapes.flatMap(({ points, triangles: corners }) => [
-    points.buffer as ArrayBuffer,
-    corners.buffer as ArrayBuffer,
-  ]);
+  const arrays = reply.shapes.flatMap(({ points, triangles, trueFaces }) => {
+    const own = [points, triangles];
+    if (trueFaces === undefined) return own;
+    const { parameters, triangles: near, faces, numbers } = trueFaces;
+    return [...own, parameters, near, faces, numbers];
+  });
+  return arrays.map(({ buffer }) => buffer as ArrayBuffer);
 }

@@ -1,11 +1,7 @@
 /** Loads the kernel in Node. */
 import { createRequire } from "node:module";
-import type { CadKernel } from "./kernel.js";
-
-type CreateKernel = (options: object) => Promise<CadKernel>;
-
-/** The kernel prints statistics, which would mix with the output of the program. */
-const QUIET = { print: () => undefined, printErr: () => undefined };
+import type { CadKernel, CreateKernel } from "./kernel.js";
+import { QUIET } from "./opencascade.js";
 
 /** Returns a new instance of the kernel. Throws if the package is not installed. Takes 1 to 2 s. */
 export async function loadKernel(): Promise<CadKernel> {

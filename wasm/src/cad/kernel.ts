@@ -1,12 +1,12 @@
 /**
- * Reads the true shapes of STEP and BREP files. The kernel is `replicad-opencascadejs`: OpenCascade in WebAssembly with the
- * kernel's own classes. It reads a STEP file and hands out the shape as the text of a BREP file, which we read
- * ourselves; so BREP files need no kernel. docs/CAD.md says why.
+ * Reads STEP and BREP files. The kernel is `replicad-opencascadejs`: OpenCascade in WebAssembly with the
+ * kernel's own classes. It reads a file, triangulates its faces, and hands out both as the text of a BREP file, which we read
+ * ourselves. docs/CAD.md says why.
  */
-import { triangulatedModelOfBrep, trimmedModelOfBrep } from "./brep-model.js";
+import { trimmedModelOfBrep } from "./brep-model.js";
 import type { Deflection } from "./protocol.js";
 import { withLooks } from "./step-looks.js";
-import { CadFileError, type TriangulatedModel, type TrimmedModel } from "./trimmed-model.js";
+import { CadFileError, type TrimmedModel } from "./trimmed-model.js";
 
 /** An object in the kernel's memory, which must be freed. */
 interface Held {
@@ -34,6 +34,16 @@ interface Explorer extends Held {
   Current(): Shape;
 }
 
+interface Box extends Held {
+  IsVoid(): boolean;
+  GetXMin(): number;
+  GetXMax(): number;
+  GetYMin(): number;
+  GetYMax(): number;
+  GetZMin(): number;
+  GetZMax(): number;
+}
+
 interface GeneralFuse extends Held {
   SetArguments(shapes: ShapeList): void;
   SetNonDestructive(isOn: boolean): void;
@@ -50,13 +60,15 @@ export interface CadKernel {
     unlink(path: string): void;
   };
   readonly IFSelect_ReturnStatus: { readonly IFSelect_RetDone: EnumEntry };
-  readonly TopAbs_ShapeEnum: { readonly TopAbs_SOLID: EnumEntry; readonly TopAbs_SHAPE: EnumEntry };
+  readonly TopAbs_ShapeEnum: Readonly<Record<"TopAbs_SOLID" | "TopAbs_FACE" | "TopAbs_SHAPE", EnumEntry>>;
   readonly BOPAlgo_GlueEnum: { readonly BOPAlgo_GlueOff: EnumEntry };
   readonly Message_ProgressRange: new () => Held;
   readonly STEPControl_Reader: new () => StepReader;
   readonly NCollection_List_TopoDS_Shape: new () => ShapeList;
   readonly TopExp_Explorer: new (shape: Shape, find: EnumEntry, avoid: EnumEntry) => Explorer;
   readonly BRepAlgoAPI_BuilderAlgo: new () => GeneralFuse;
+  readonly Bnd_Box: new () => Box;
+  readonly BRepBndLib: { Add(shape: Shape, box: Box, usesTriangles: boolean): void };
   /** Triangulates a shape. The distance is relative to the size of each edge if `isRelative`. */
   readonly BRepMesh_IncrementalMesh: new (
     shape: Shape,
@@ -67,6 +79,9 @@ export interface CadKernel {
   ) => Held;
   readonly BRepToolsWrapper: { Write(shape: Shape): string; Read(text: string): Shape };
 }
+
+/** Makes an instance of the kernel. */
+export type CreateKernel = (options: object) => Promise<CadKernel>;
 
 export interface ModelRequest {
   readonly format: "step" | "brep";
@@ -89,30 +104,55 @@ export async function readTrimmedModel(
 ): Promise<TrimmedModel> {
   if (format === "brep" && !sharesFaces) return trimmedModelOfBrep(textOf(bytes), fileName);
   const loaded = await kernel();
-  const text = withHeld((hold) => {
-    const shape = shapeIn(loaded, { format, bytes, fileName }, hold);
-    return loaded.BRepToolsWrapper.Write(sharesFaces ? fused(loaded, shape, fileName, hold) : shape);
-  }, fileName);
+  const text = withSentences(fileName, () =>
+    withHeld((hold) => {
+      const shape = shapeIn(loaded, { format, bytes }, hold);
+      if (shape === undefined) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
+      return loaded.BRepToolsWrapper.Write(sharesFaces ? fused(loaded, shape, fileName, hold) : shape);
+    }),
+  );
   const model = trimmedModelOfBrep(text, fileName);
   return format === "step" ? withLooks(model, textOf(bytes)) : model;
 }
 
 /**
- * Reads a file as a model with triangles within a distance of its faces. Errors as for `readTrimmedModel`. The names and
- * colours of faces are left out.
+ * Returns the shape of a file as the text of a BREP file, with triangles within a distance of its faces; undefined if the kernel
+ * rejects the file. Throws what the kernel throws; then it must not be used again.
  */
-export async function readTriangulatedModel(
-  kernel: () => Promise<CadKernel>,
-  { format, bytes, fileName }: ModelRequest,
-  { distance, angle }: Pick<Deflection, "distance" | "angle">,
-): Promise<TriangulatedModel> {
-  const loaded = await kernel();
-  const text = withHeld((hold) => {
-    const shape = shapeIn(loaded, { format, bytes, fileName }, hold);
-    hold(new loaded.BRepMesh_IncrementalMesh(shape, distance, true, angle, false));
-    return loaded.BRepToolsWrapper.Write(shape);
-  }, fileName);
-  return triangulatedModelOfBrep(text, fileName);
+export function triangulatedText(
+  kernel: CadKernel,
+  file: Pick<ModelRequest, "format" | "bytes">,
+  deflection: Deflection,
+): string | undefined {
+  return withHeld((hold) => {
+    const shape = shapeIn(kernel, file, hold);
+    if (shape === undefined) return undefined;
+    triangulate(kernel, shape, deflection, hold);
+    return kernel.BRepToolsWrapper.Write(shape);
+  });
+}
+
+/** Triangulates each solid by itself, and the faces that bound none: a relative distance depends on the box of each. */
+function triangulate(kernel: CadKernel, shape: Shape, deflection: Deflection, hold: Hold): void {
+  const { TopAbs_SOLID, TopAbs_FACE, TopAbs_SHAPE } = kernel.TopAbs_ShapeEnum;
+  const mesh = (part: Shape) => {
+    const distance = deflection.distance * (deflection.isRelative ? meanSide(kernel, part, hold) : 1);
+    hold(new kernel.BRepMesh_IncrementalMesh(part, distance, false, deflection.angle, false));
+  };
+  const solids = hold(new kernel.TopExp_Explorer(shape, TopAbs_SOLID, TopAbs_SHAPE));
+  for (; solids.More(); solids.Next()) mesh(hold(solids.Current()));
+  // Faces that have triangles, which are finer, keep them.
+  if (hold(new kernel.TopExp_Explorer(shape, TopAbs_FACE, TopAbs_SOLID)).More()) mesh(shape);
+}
+
+/** Returns the mean side of the box around a shape. */
+function meanSide(kernel: CadKernel, shape: Shape, hold: Hold): number {
+  const box = hold(new kernel.Bnd_Box());
+  kernel.BRepBndLib.Add(shape, box, false);
+  if (box.IsVoid()) return 1;
+  const sides =
+    box.GetXMax() - box.GetXMin() + (box.GetYMax() - box.GetYMin()) + (box.GetZMax() - box.GetZMin());
+  return sides / 3;
 }
 
 const CANNOT_READ = "OpenCascade cannot read the file";
@@ -122,8 +162,8 @@ const textOf = (bytes: Uint8Array): string => new TextDecoder("latin1").decode(b
 
 type Hold = <Kept extends Held>(object: Kept) => Kept;
 
-/** Runs a task; all objects that it holds are freed at its end. Exceptions of the kernel become errors. */
-function withHeld<Result>(task: (hold: Hold) => Result, fileName: string): Result {
+/** Runs a task; all objects that it holds are freed at its end. */
+function withHeld<Result>(task: (hold: Hold) => Result): Result {
   const held: Held[] = [];
   const hold: Hold = (object) => {
     held.push(object);
@@ -131,21 +171,32 @@ function withHeld<Result>(task: (hold: Hold) => Result, fileName: string): Resul
   };
   try {
     return task(hold);
-  } catch (failure) {
-    if (failure instanceof CadFileError) throw failure;
-    const cause = failure instanceof Error ? ` (${failure.message})` : "";
-    throw new CadFileError(fileName, `OpenCascade ended with an error in the file${cause}`, REMEDY);
   } finally {
     for (const object of held.toReversed()) object.delete();
   }
 }
 
-function shapeIn(kernel: CadKernel, { format, bytes, fileName }: ModelRequest, hold: Hold): Shape {
+/** Runs a task; exceptions of the kernel become errors. */
+function withSentences<Result>(fileName: string, task: () => Result): Result {
+  try {
+    return task();
+  } catch (failure) {
+    if (failure instanceof CadFileError) throw failure;
+    const cause = failure instanceof Error ? ` (${failure.message})` : "";
+    throw new CadFileError(fileName, `OpenCascade ended with an error in the file${cause}`, REMEDY);
+  }
+}
+
+/** Returns the shape of a file; undefined if the kernel rejects it. */
+function shapeIn(
+  kernel: CadKernel,
+  { format, bytes }: Pick<ModelRequest, "format" | "bytes">,
+  hold: Hold,
+): Shape | undefined {
   const shape = hold(
     format === "brep" ? kernel.BRepToolsWrapper.Read(textOf(bytes)) : stepShape(kernel, bytes, hold),
   );
-  if (shape.IsNull()) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
-  return shape;
+  return shape.IsNull() ? undefined : shape;
 }
 
 function stepShape(kernel: CadKernel, bytes: Uint8Array, hold: Hold): Shape {

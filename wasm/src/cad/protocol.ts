@@ -4,22 +4,25 @@ import type { CadColor, ModelTriangles } from "./trimmed-model.js";
 /** Kinds of CAD files that OpenCascade reads. */
 export type CadFormat = "step" | "iges" | "brep";
 
-/** Addresses of the two files of the library `occt-import-js`, for browsers. */
+/** Addresses of the libraries that read CAD files, for browsers. */
 export interface CadLibrary {
-  /** Address of `occt-import-js/dist/occt-import-js.js`. */
+  /** Address of `occt-import-js/dist/occt-import-js.js`, which reads IGES. */
   readonly script: string;
   /** Address of `occt-import-js/dist/occt-import-js.wasm`. */
   readonly wasm: string;
+  /**
+   * Addresses of `replicad-opencascadejs/dist/replicad_single.js` and `.wasm`, which read STEP and BREP with their true faces. Without
+   * them, `occt-import-js` reads the triangles of such files.
+   */
+  readonly kernel?: { readonly script: string; readonly wasm: string } | undefined;
 }
 
 export interface CadRequest {
-  /** Triangles, by `occt-import-js`, which is the default; or the true faces, by `replicad-opencascadejs`, which reads no IGES. */
-  readonly wants?: "triangles" | "faces";
   readonly format: CadFormat;
   readonly bytes: Uint8Array;
   readonly deflection: Deflection;
-  /** Undefined in Node, which finds the library by its name. */
-  readonly library: CadLibrary | undefined;
+  /** Node finds the libraries by their names. */
+  readonly library: CadLibrary;
 }
 
 /** Largest distance of the triangles from the CAD faces. */
@@ -35,6 +38,8 @@ export interface CadFace {
   /** Number of its triangles, which follow those of the face before it. */
   readonly triangles: number;
   readonly color: CadColor | undefined;
+  /** Undefined or empty if the file has none. */
+  readonly name?: string | undefined;
 }
 
 /** Triangles of a solid, or of faces that are not part of a solid. Each face has nodes of its own. */
@@ -47,11 +52,16 @@ export interface CadShape {
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
   readonly faces: readonly CadFace[];
+  /** Undefined if the library hands out triangles only. */
+  readonly trueFaces?: CadTrueFaces | undefined;
 }
 
-/** Faces as trimmed surfaces, in the numbers of the engine, with triangles near them. */
+/** The faces of a solid as trimmed surfaces, in the numbers of the engine, with triangles near them. */
 export interface CadTrueFaces extends ModelTriangles {
   readonly numbers: Float64Array;
+  readonly faceCount: number;
+  /** How many faces are missing, and why: a sentence for each cause. */
+  readonly missing: readonly string[];
 }
 
 /** How a worker ends by itself; `failed` if its cause is the file. */
@@ -68,7 +78,6 @@ export interface CadTimeout {
 
 export type CadReply =
   | { readonly kind: "read"; readonly shapes: readonly CadShape[] }
-  | { readonly kind: "faces"; readonly faces: CadTrueFaces }
   /** OpenCascade rejects the file. */
   | { readonly kind: "rejected" }
   /** OpenCascade failed in the file, its memory is exhausted, or the worker or the library could not be loaded. */

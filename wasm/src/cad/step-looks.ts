@@ -11,7 +11,7 @@ interface Look {
   readonly color: CadColor | undefined;
 }
 
-interface SolidLooks {
+export interface SolidLooks {
   readonly solid: Look;
   readonly faces: readonly Look[];
 }
@@ -26,6 +26,18 @@ interface Entity {
 const INSTANCE = /#(\d+)\s*=\s*((?:[^;']|'[^']*')*);/g;
 const SOLID = /^(MANIFOLD_SOLID_BREP|BREP_WITH_VOIDS|FACETED_BREP)$/;
 const COLOR = /COLOUR_RGB\s*\(\s*'(?:[^']|'')*'\s*,\s*([-+\d.E]+)\s*,\s*([-+\d.E]+)\s*,\s*([-+\d.E]+)/i;
+const NAMED_COLOR = /DRAUGHTING_PRE_DEFINED_COLOUR\s*\(\s*'(\w+)'/i;
+/** ISO 10303-46. */
+const NAMED: Readonly<Record<string, CadColor>> = {
+  red: [1, 0, 0],
+  green: [0, 1, 0],
+  blue: [0, 0, 1],
+  yellow: [1, 1, 0],
+  magenta: [1, 0, 1],
+  cyan: [0, 1, 1],
+  black: [0, 0, 0],
+  white: [1, 1, 1],
+};
 /** Steps from a style to its colour; more are another style's. */
 const MAX_STEPS = 8;
 
@@ -55,19 +67,27 @@ export function withLooks(model: TrimmedModel, text: string): TrimmedModel {
   };
 }
 
-/** Returns the looks of solids, given by the kinds of their surfaces; undefined for those that are not found. O(bytes). */
-function looksOf(
-  text: string,
-  solids: readonly (readonly FaceSurface["kind"][])[],
-): (SolidLooks | undefined)[] {
+/**
+ * Returns the looks of solids, given by the kinds of their surfaces. A solid that is not found among those of the text has the look
+ * of that at its place, if there are as many, and its faces that of the solid; else undefined. O(bytes).
+ */
+export function looksOf(text: string, solids: readonly (readonly string[])[]): (SolidLooks | undefined)[] {
   const found = new Map<string, SolidLooks | undefined>();
-  for (const { kinds, looks } of new StepLooks(text).solids()) {
+  const all = new StepLooks(text).solids();
+  for (const { kinds, looks } of all) {
     const key = kinds.join();
     const isKnown = found.has(key);
     const isSame = isKnown && JSON.stringify(found.get(key)) === JSON.stringify(looks);
     found.set(key, isKnown && !isSame ? undefined : looks);
   }
-  return solids.map((kinds) => found.get(kinds.join()));
+  return solids.map((kinds, s) => {
+    const known = found.get(kinds.join());
+    const at = solids.length === all.length ? all[s] : undefined;
+    if (known !== undefined || at === undefined) return known;
+    if (at.kinds.length === kinds.length) return at.looks;
+    const { solid } = at.looks;
+    return { solid, faces: kinds.map(() => ({ name: "", color: solid.color })) };
+  });
 }
 
 class StepLooks {
@@ -122,6 +142,8 @@ class StepLooks {
       for (const { text } of entities) {
         const [, red, green, blue] = COLOR.exec(text) ?? [];
         if (blue !== undefined) return [Number(red), Number(green), Number(blue)];
+        const named = NAMED[NAMED_COLOR.exec(text)?.[1]?.toLowerCase() ?? ""];
+        if (named !== undefined) return named;
       }
       open = entities.filter(({ type }) => !type.startsWith("CURVE_STYLE")).flatMap(({ refs }) => refs);
     }

@@ -157,11 +157,6 @@ export interface ModelTriangles {
   readonly faces: Uint32Array;
 }
 
-export interface TriangulatedModel {
-  readonly model: TrimmedModel;
-  readonly triangles: ModelTriangles;
-}
-
 /** Why a file cannot be read as a model. */
 export class CadFileError extends Error {
   readonly fileName: string;

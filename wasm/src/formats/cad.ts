@@ -2,7 +2,7 @@
  * Reads STEP, IGES and BREP files by OpenCascade, which triangulates their faces. Each solid becomes a region, each
  * face a patch, in millimetres.
  */
-import { askForCad, canReadFaces, isSmallFile, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
+import { askForCad, isSmallFile, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
 import { GENERIC } from "../cad/opencascade.js";
 import type { CadFormat, CadReply, CadShape, Deflection } from "../cad/protocol.js";
 import type { Steps } from "../base/steps.js";
@@ -11,6 +11,7 @@ import type { Mesh, TrueFaces } from "../mesh/mesh.js";
 import { damagedBrep } from "./brep-counts.js";
 import { allBytes, type ByteSource, piecesOf } from "./byte-source.js";
 import type { MeshReader } from "./file-format.js";
+import { differentNames } from "./groups.js";
 import { diagonalOf } from "./near-points.js";
 import { ReadFailure } from "./read-result.js";
 import { joinedSurface } from "./shape-surface.js";
@@ -24,9 +25,6 @@ import { inUtf8 } from "./utf16.js";
  */
 const PER_DIAGONAL = 5000;
 const DEFLECTION: Deflection = { distance: Math.sqrt(3) / PER_DIAGONAL, isRelative: true, angle: 0.1 };
-
-/** As DEFLECTION, for the rough triangles by which the face near a node is found. The distance is relative to each edge. */
-const ROUGH: Deflection = { distance: 0.01, isRelative: true, angle: 0.2 };
 
 const NAMES: Readonly<Record<CadFormat, string>> = { step: "STEP", iges: "IGES", brep: "BREP" };
 
@@ -46,36 +44,8 @@ function readerOf(format: CadFormat): MeshReader {
     if (bytes.length === 0) throw new ReadFailure(EMPTY);
     const wrong = format === "brep" ? await inSteps(damagedBrep(bytes), signal) : undefined;
     if (wrong !== undefined) throw wrong;
-    return format === "iges" || !canReadFaces
-      ? meshOf({ format, bytes, size }, signal, onWork)
-      : withTrueFaces({ format, bytes, size }, signal, onWork);
+    return meshOf({ format, bytes, size }, signal, onWork);
   };
-}
-
-/**
- * As `meshOf`, with the true faces. They are read beside the triangles; those of small files afterwards, which takes a moment and spares
- * damaged files a second worker.
- */
-async function withTrueFaces(
-  source: CadSource,
-  signal: AbortSignal | undefined,
-  onWork: ((fraction: number) => void) | undefined,
-): Promise<Mesh> {
-  const ended = new AbortController();
-  const either = AbortSignal.any([ended.signal, ...(signal ? [signal] : [])]);
-  const ask = () => trueFacesIn(source, either);
-  try {
-    const triangles = meshOf(source, signal, onWork);
-    const early = isSmallFile(source.bytes.length) ? undefined : ask();
-    // Where the triangles cannot be read, nobody waits for the faces.
-    early?.catch(() => undefined);
-    const mesh = await triangles;
-    const { faces, notes = [] } = await (early ?? ask());
-    const all = [...(mesh.notes ?? []), ...notes];
-    return { ...mesh, ...(all.length > 0 && { notes: all }), ...(faces && { trueFaces: faces }) };
-  } finally {
-    ended.abort();
-  }
 }
 
 interface CadSource {
@@ -96,21 +66,65 @@ async function meshOf(
   const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
   const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
   const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
-  const notes = [...damage, ...(made.notes ?? []), ...tooSmall];
-  const mesh = notes.length > 0 ? { ...made, notes } : made;
+  const notes = [...damage, ...(made.notes ?? []), ...tooSmall, ...missingFaces(used, format)];
+  const trueFaces = trueFacesOf(used);
+  const mesh = { ...made, ...(notes.length > 0 && { notes }), ...(trueFaces && { trueFaces }) };
   onWork?.(1);
   return format === "brep" ? mesh : { ...mesh, unit: "mm" };
 }
 
-/** Returns the solids of an assembly with the names of the parts that they are, where OpenCascade knows only the assembly. */
+/** Returns the true faces of each shape; undefined if the library has handed out none. */
+function trueFacesOf(shapes: readonly CadShape[]): TrueFaces[] | undefined {
+  const all = shapes.flatMap(({ trueFaces }) => trueFaces ?? []);
+  if (all.length < shapes.length || all.every(({ faceCount }) => faceCount === 0)) return undefined;
+  return all.map(({ missing: _, ...faces }) => faces);
+}
+
+/** Returns why nodes will not be on true faces. */
+function missingFaces(shapes: readonly CadShape[], format: CadFormat): string[] {
+  const isRead = shapes.every(({ trueFaces }) => trueFaces !== undefined);
+  if (!isRead && format !== "iges")
+    return [`${NO_KERNEL}, and not on the faces: ${KERNEL} could not be loaded`];
+  const reasons = new Set(shapes.flatMap(({ trueFaces }) => trueFaces?.missing ?? []));
+  return [...reasons].map((reason) => `${NO_KERNEL} where a face cannot be described; ${reason}`);
+}
+
+const NO_KERNEL = "nodes are on triangles near its faces";
+const KERNEL = "replicad-opencascadejs";
+
+/** Returns the solids of a file with the names of the parts that they are, where OpenCascade knows only the assembly. */
 function* namedByProducts(shapes: readonly CadShape[], bytes: Uint8Array): Steps<readonly CadShape[]> {
-  if (shapes.length < 2 || shapes.every(({ hasOwnName }) => hasOwnName)) return shapes;
+  if (shapes.every(({ hasOwnName }) => hasOwnName)) return shapes;
   const faces = shapes.map((shape) => shape.faces.length);
   const products = productsOf(faces, yield* productSolids(bytes));
-  return shapes.map((shape, s) => {
+  const own = shapes.map(({ name }) => (GENERIC.test(name) ? "" : name));
+  const namesOf = new Map<string, Set<string>>();
+  const counts = new Map<string, number>();
+  own.forEach((name, s) => {
     const product = products[s] ?? "";
-    return shape.hasOwnName || GENERIC.test(product) ? shape : { ...shape, name: product };
+    counts.set(product, (counts.get(product) ?? 0) + 1);
+    namesOf.set(product, (namesOf.get(product) ?? new Set()).add(name));
   });
+  return shapes.map((shape, s) => {
+    if (shape.hasOwnName) return shape;
+    const product = products[s] ?? "";
+    // The solids of a part of several have names of their own.
+    const count = counts.get(product) ?? 1;
+    const areNamed = count > 1 && namesOf.get(product)?.size === count && own[s] !== "";
+    return {
+      ...shape,
+      ...withFaceNames(shape),
+      name: GENERIC.test(product) || areNamed ? (own[s] ?? "") : product,
+    };
+  });
+}
+
+/** Returns the faces of a shape with names that tell them from each other. A name that all have is none. */
+function withFaceNames({ faces }: CadShape): Pick<CadShape, "faces"> {
+  const names = faces.map(({ name }) => name);
+  const areNamed = new Set(names).size > 1;
+  const different = areNamed ? differentNames(names) : [];
+  return { faces: faces.map((face, f) => ({ ...face, name: different[f] })) };
 }
 
 const TOO_SMALL = "OpenCascade could not triangulate the faces as finely as the size asks; they are coarser";
@@ -137,20 +151,6 @@ async function finer(
   return shapes.length > 0 ? shapes : coarse;
 }
 
-/** Returns the true faces of a file; a sentence where they cannot be read, and nothing where no file has them. */
-async function trueFacesIn(
-  { format, bytes }: Pick<FineRequest, "format" | "bytes">,
-  signal: AbortSignal | undefined,
-): Promise<{ readonly faces?: TrueFaces; readonly notes?: readonly string[] }> {
-  const reply = await askForCad({ wants: "faces", format, bytes, deflection: ROUGH }, signal);
-  if (reply.kind === "faces") return { faces: reply.faces };
-  const cause =
-    reply.kind === "not-loaded" ? `${KERNEL} could not be loaded` : `${KERNEL} failed in the file`;
-  return { notes: [`nodes are on triangles near its faces, and not on the faces: ${cause}`] };
-}
-
-const KERNEL = "replicad-opencascadejs";
-
 const hasTriangles = ({ triangles }: CadShape) => triangles.length > 0;
 
 /** Returns whether the default distance suffices for a target size. */
@@ -167,7 +167,6 @@ async function shapesIn(
   const { format, bytes } = request;
   const isDamaged = reply.kind === "rejected" || reply.kind === "failed";
   const damage = isDamaged && format === "step" ? damagedStep(bytes) : undefined;
-  if (reply.kind === "faces") return [];
   if (reply.kind !== "read") throw damage ?? failureOf(reply, format, bytes.length);
   const shapes = reply.shapes.filter(hasTriangles);
   if (shapes.length > 0) return shapes;
@@ -177,7 +176,7 @@ async function shapesIn(
 
 /** Returns why a file of this many bytes could not be read. */
 export function failureOf(
-  reply: Exclude<CadReply, { readonly kind: "read" | "faces" }>,
+  reply: Exclude<CadReply, { readonly kind: "read" }>,
   format: CadFormat,
   bytes: number,
 ): ReadFailure {

@@ -138,7 +138,8 @@ function push(lists: Map<string, string[]>, key: string, value: string): void {
 
 /**
  * Returns the product of each solid that was read; undefined where it cannot be known. `faces`: their numbers of faces. If they are
- * those of the file in its order, each solid has its product; otherwise those whose number of faces only one product has.
+ * those of the file in its order, or if there is only one product, each solid has its product; otherwise those whose number of
+ * faces only one product has.
  */
 export function productsOf(
   faces: readonly number[],
@@ -146,6 +147,9 @@ export function productsOf(
 ): (string | undefined)[] {
   const isSame = faces.length === solids.length && faces.every((count, s) => count === solids[s]?.faces);
   if (isSame) return solids.map(({ product }) => product || undefined);
+  const names = new Set(solids.map(({ product }) => product));
+  const [only] = names;
+  if (names.size === 1) return faces.map(() => only || undefined);
   const products = new Map<number, Set<string>>();
   for (const { product, faces: count } of solids) {
     products.set(count, (products.get(count) ?? new Set()).add(product));

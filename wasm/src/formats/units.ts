@@ -76,7 +76,12 @@ export function* inUnits(mesh: Mesh, { scale = 1, units, fileUnits }: LengthOpti
   return {
     ...mesh,
     ...unit,
-    ...(trueFaces && { trueFaces: { ...trueFaces, scale: convert(trueFaces.scale ?? 1) } }),
+    ...(trueFaces && {
+      trueFaces: trueFaces.map((faces) => ({
+        ...faces,
+        placement: { scale: convert(faces.placement?.scale ?? 1) },
+      })),
+    }),
     points: yield* converted(mesh.points),
     // Rounding may make points equal.
     isWelded: false,

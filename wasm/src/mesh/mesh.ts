@@ -3,6 +3,7 @@
  * takes it or a part of it. Its arrays survive `structuredClone`; between threads, typed arrays are transferred and not
  * copied.
  */
+import type { Placement } from "../base/placement.js";
 import type { LengthUnit } from "./units.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, or a region with its material. */
@@ -78,7 +79,7 @@ export interface RegionPoints {
 }
 
 /**
- * The faces of a CAD file as surfaces with loops of edges, and triangles near them. A mesh of the file gets its nodes on them.
+ * The faces of a solid of a CAD file as surfaces with loops of edges, and triangles near them. A mesh of the file gets its nodes on them.
  */
 export interface TrueFaces {
   /** Surfaces, curves and faces, in the form that the engine reads. Opaque. */
@@ -91,8 +92,10 @@ export interface TrueFaces {
   readonly triangles: Uint32Array;
   /** Per triangle: index of its face. */
   readonly faces: Uint32Array;
-  /** Factor from the lengths here to those of the mesh, if it was converted to another unit. Default 1. */
-  readonly scale?: number | undefined;
+  /** Number of faces. */
+  readonly faceCount: number;
+  /** Where the faces are in the mesh, if it was converted to another unit or moved. */
+  readonly placement?: Placement | undefined;
 }
 
 /**
@@ -138,8 +141,8 @@ export interface Mesh {
    * regions unless `innerShells` says otherwise.
    */
   readonly regionPoints?: RegionPoints | undefined;
-  /** The faces of the CAD file from which a surface was read. */
-  readonly trueFaces?: TrueFaces | undefined;
+  /** The faces of each solid of the CAD file from which a surface was read, in the order of `surfaceRegions`. */
+  readonly trueFaces?: readonly TrueFaces[] | undefined;
   /** Edges of triangles that bend, if the nodes were placed on true faces: `curveMesh` makes second-order elements follow them. */
   readonly trueEdges?: CurvedEdges | undefined;
   /** Unit of the coordinates, if the file or the options of reading define one; they are converted to it. */

@@ -1,12 +1,14 @@
 /** Bodies of a project: closed triangulated surfaces with patches, and where they are. */
 import * as v from "valibot";
+import { placedPoints } from "../base/placement.js";
 import { checkArgument } from "../calls/argument-checks.js";
 import { doubles, index, integers } from "../calls/schemas.js";
 import { type MeshGroup, isColorName, type Mesh } from "../mesh/mesh.js";
 import type { Position } from "../mesh/inspection.js";
 import { bodyArrays, textOfArray } from "./body-arrays.js";
 import { bodySchema } from "./schema.js";
-import type { BodyId, BodyPlacement, PatchId, ProjectBody } from "./project-types.js";
+import type { BodyId, PatchId, ProjectBody } from "./project-types.js";
+import { textOfTrueFaces } from "./true-faces-text.js";
 
 /** Ids and name of a new body. */
 export interface NewBody {
@@ -35,6 +37,8 @@ export const newBodySchema = v.object({ id: index, firstPatchId: index, name: v.
 export interface GivenTriangles extends Pick<Mesh, "points" | "triangles"> {
   readonly trianglePatch?: Uint32Array | undefined;
   readonly patches?: readonly Pick<MeshGroup, "name" | "color">[] | undefined;
+  /** The true faces of its solids, if it was read from a CAD file. */
+  readonly trueFaces?: Mesh["trueFaces"];
 }
 
 /**
@@ -48,7 +52,7 @@ export interface GivenTriangles extends Pick<Mesh, "points" | "triangles"> {
 export function createBody(surface: GivenTriangles, body: NewBody): ProjectBody {
   checkArgument("surface", surface, surfaceSchema);
   checkArgument("body", body, newBodySchema);
-  const { points, triangles, trianglePatch } = surface;
+  const { points, triangles, trianglePatch, trueFaces } = surface;
   const { id, firstPatchId, name } = body;
   const given = surface.patches?.map((patch) => (isUnnamed(patch.name) ? undefined : patch.name)) ?? [];
   const used = trianglePatch?.reduce((most, patch) => Math.max(most, patch + 1), 0) ?? 0;
@@ -61,6 +65,7 @@ export function createBody(surface: GivenTriangles, body: NewBody): ProjectBody 
     points: textOfArray(points),
     triangles: textOfArray(triangles),
     ...(count > 1 && trianglePatch && { trianglePatch: textOfArray(trianglePatch) }),
+    ...(trueFaces && { trueFaces: textOfTrueFaces(trueFaces) }),
     patches: Array.from({ length: Math.max(count, 1) }, (_, p) => {
       const patchName = names[p];
       const color = surface.patches?.[p]?.color;
@@ -87,7 +92,7 @@ export function bodySurface(body: ProjectBody): PlacedSurface {
   checkArgument("body", body, bodySchema);
   const { points, triangles, trianglePatch } = bodyArrays(body);
   return {
-    points: placed(points, body.placement),
+    points: placedPoints(points, body.placement),
     triangles: triangles.slice(),
     trianglePatch: trianglePatch.slice(),
   };
@@ -99,7 +104,7 @@ const boxes = new WeakMap<object, readonly [low: Position, high: Position]>();
 export function bodyBox(body: ProjectBody): readonly [low: Position, high: Position] {
   const known = boxes.get(body);
   if (known !== undefined) return known;
-  const points = placed(bodyArrays(body).points, body.placement);
+  const points = placedPoints(bodyArrays(body).points, body.placement);
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < points.length; i += 3) {
@@ -112,36 +117,4 @@ export function bodyBox(body: ProjectBody): readonly [low: Position, high: Posit
   const box = [low, high] as const;
   boxes.set(body, box);
   return box;
-}
-
-/** Returns the placed copy of points. */
-function placed(points: Float64Array, placement: BodyPlacement | undefined): Float64Array {
-  const moved = points.slice();
-  if (placement === undefined) return moved;
-  const { position = [0, 0, 0], scale = 1 } = placement;
-  const rows = rotationRows(placement.rotation);
-  for (let i = 0; i < points.length; i += 3) {
-    const [x, y, z] = [scale * (points[i] ?? 0), scale * (points[i + 1] ?? 0), scale * (points[i + 2] ?? 0)];
-    for (const axis of [0, 1, 2] as const) {
-      const [a, b, c] = rows[axis];
-      moved[i + axis] = a * x + b * y + c * z + position[axis];
-    }
-  }
-  return moved;
-}
-
-type Row = readonly [number, number, number];
-
-/** Returns the matrix of a quaternion, which may differ from a unit quaternion by rounding. */
-function rotationRows(
-  rotation: readonly [x: number, y: number, z: number, w: number] = [0, 0, 0, 1],
-): readonly [Row, Row, Row] {
-  // Unlike Math.hypot, this gives the same result on all machines.
-  const norm = Math.sqrt(rotation.reduce((sum, part) => sum + part * part, 0));
-  const [x, y, z, w] = rotation.map((part) => part / norm) as [number, number, number, number];
-  return [
-    [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-    [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-    [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-  ];
 }

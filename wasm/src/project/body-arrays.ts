@@ -2,12 +2,15 @@
 import { base64Of, bytesOfBase64 } from "../base/base64.js";
 import { LIMITS } from "../base/limits.js";
 import { plural } from "../base/plural.js";
+import type { TrueFaces } from "../mesh/mesh.js";
+import { trueFacesOfText } from "./true-faces-text.js";
 
 /** Texts of the arrays of a body. */
 export interface BodyTexts {
   readonly points: string;
   readonly triangles: string;
   readonly trianglePatch?: string | undefined;
+  readonly trueFaces?: string | undefined;
   readonly patches: readonly unknown[];
 }
 
@@ -32,18 +35,18 @@ interface Decoded<T extends Numbers> {
 }
 
 /** Keeps the decoded arrays of the texts that were used last, because each edit of a project checks all of it. */
-class DecodedTexts<T extends Numbers> {
-  readonly #decoded = new Map<string, Decoded<T> | undefined>();
-  readonly #type: new (buffer: ArrayBuffer) => T;
+class DecodedTexts<Content> {
+  readonly #decoded = new Map<string, Content | undefined>();
+  readonly #decode: (text: string) => Content | undefined;
   #characters = 0;
 
-  constructor(type: new (buffer: ArrayBuffer) => T) {
-    this.#type = type;
+  constructor(decode: (text: string) => Content | undefined) {
+    this.#decode = decode;
   }
 
-  get(text: string): Decoded<T> | undefined {
+  get(text: string): Content | undefined {
     const isKnown = this.#decoded.has(text);
-    const decoded = isKnown ? this.#decoded.get(text) : decode(this.#type, text);
+    const decoded = isKnown ? this.#decoded.get(text) : this.#decode(text);
     if (isKnown) this.#decoded.delete(text);
     else this.#characters += text.length;
     // The last entry of a Map is the newest.
@@ -60,8 +63,9 @@ class DecodedTexts<T extends Numbers> {
 /** Of the texts whose arrays are kept: about ten million triangles. */
 const MAX_CHARACTERS = 2 ** 28;
 
-const doubleTexts = new DecodedTexts(Float64Array);
-const integerTexts = new DecodedTexts(Uint32Array);
+const doubleTexts = new DecodedTexts((text) => decode(Float64Array, text));
+const integerTexts = new DecodedTexts((text) => decode(Uint32Array, text));
+const faceTexts = new DecodedTexts(trueFacesOfText);
 
 /** Texts in the file are little-endian, as are all machines that run WebAssembly. */
 function decode<T extends Numbers>(
@@ -98,6 +102,11 @@ export function bodyArrays({ points, triangles, trianglePatch }: BodyTexts): Bod
   };
 }
 
+/** Returns the true faces of a body that was checked; undefined if it has none. They are shared, as above. O(n) the first time. */
+export function bodyTrueFaces({ trueFaces }: BodyTexts): readonly TrueFaces[] | undefined {
+  return trueFaces === undefined ? undefined : faceTexts.get(trueFaces);
+}
+
 /** Checks the arrays of a body; reports each problem with the name of its field. O(n) the first time. */
 export function checkBodyArrays(
   body: BodyTexts,
@@ -126,6 +135,8 @@ export function checkBodyArrays(
     );
   }
   checkTrianglePatch(body, triangles.array.length / 3, (message) => report("trianglePatch", message));
+  if (body.trueFaces !== undefined && bodyTrueFaces(body) === undefined)
+    report("trueFaces", "expected what a reader of CAD files has written");
 }
 
 function checkTrianglePatch(

@@ -1,6 +1,7 @@
 /**
  * A project, as the app edits and saves it (docs/FORMAT.md). `schema.ts` checks files against these types.
  */
+import type { Placement } from "../base/placement.js";
 import type {
   FrontOrder,
   InnerShells,
@@ -90,14 +91,7 @@ export interface BodyRemeshing {
 }
 
 /** Where a body is: its points are scaled, then rotated, then moved. */
-export interface BodyPlacement {
-  /** Position of the origin of the given points, in model units. Default 0 0 0. */
-  readonly position?: readonly [number, number, number] | undefined;
-  /** Unit quaternion x y z w. Default 0 0 0 1. */
-  readonly rotation?: readonly [number, number, number, number] | undefined;
-  /** Factor above 0. Default 1. */
-  readonly scale?: number | undefined;
-}
+export type BodyPlacement = Placement;
 
 /** Changes of one kind that were made to the given surface of a body. */
 export interface BodyRepair {
@@ -122,6 +116,8 @@ export interface ProjectBody {
   readonly surface?: BodySurface | undefined;
   readonly remeshing?: BodyRemeshing | undefined;
   readonly placement?: BodyPlacement | undefined;
+  /** Base64 of the faces of the CAD file of the body, on which a remeshed surface gets its nodes. */
+  readonly trueFaces?: string | undefined;
   /** What repairs have changed in the given surface; for information. */
   readonly repairs?: readonly BodyRepair[] | undefined;
   /** Largest distance by which the repairs moved a node, summed over repairs, in the coordinates of the given points. */

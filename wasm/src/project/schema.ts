@@ -138,6 +138,7 @@ export const bodySchema: v.GenericSchema<unknown, ProjectBody> = v.pipe(
     points: described(WORDS.bodyPoints, v.string()),
     triangles: described(WORDS.bodyTriangles, v.string()),
     trianglePatch: v.optional(described(WORDS.trianglePatch, v.string())),
+    trueFaces: v.optional(described(WORDS.trueFaces, v.string())),
     patches: described(WORDS.bodyPatches, v.pipe(v.array(bodyPatchSchema), v.minLength(1), v.readonly())),
     surface: v.optional(described(WORDS.bodySurface, v.picklist(BODY_SURFACES))),
     remeshing: v.optional(described(WORDS.remeshing, remeshingSchema)),

@@ -10,7 +10,7 @@ import {
   sharedPairs,
   type SolidsSurface,
 } from "../formats/solid-units.js";
-import { type MeshGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/mesh.js";
+import { type Mesh, type MeshGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/mesh.js";
 import { createBody, type GivenTriangles, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
 import type { ProjectBody } from "./project-types.js";
 
@@ -52,7 +52,8 @@ export function createBodies(surface: SolidSurface, body: NewBody): ProjectBody[
       return triangleRegions[2 * (owned[side >>> 1] ?? 0) + (side % 2)] ?? NO_REGION;
     });
     const ofPart = { regions, triangleRegions: sides };
-    const part = withSolids(createBody(own, { ...body, id, firstPatchId }), own, ofPart);
+    const trueFaces = surface.trueFaces && facesOf(groups[g] ?? [], surface.trueFaces);
+    const part = withSolids(createBody({ ...own, trueFaces }, { ...body, id, firstPatchId }), own, ofPart);
     id++;
     firstPatchId += part.patches.length;
     return [withName(part, groups[g] ?? [], regions)];
@@ -73,6 +74,12 @@ export function createUnitBodies(
     firstPatchId += made.patches.length;
     return withName(made, unit, given.surfaceRegions.regions);
   });
+}
+
+/** Returns the true faces of some solids; undefined if there are none. */
+function facesOf(solids: readonly number[], all: NonNullable<Mesh["trueFaces"]>): Mesh["trueFaces"] {
+  const faces = solids.flatMap((solid) => all[solid] ?? []);
+  return faces.length > 0 ? faces : undefined;
 }
 
 /** Returns the triangles of each group of regions; triangles without a region belong to the first. */

@@ -44,6 +44,8 @@ export const WORDS = {
   bodies: "Closed triangulated surfaces beside the drawn patches",
   bodyPoints: "Nodes of the given triangles: base64 of x y z per node, as little-endian doubles",
   bodyTriangles: "Given triangles: base64 of three node indices each, as little-endian 32-bit integers",
+  trueFaces:
+    "The faces of the CAD file of the body, in base64: nodes of a remeshed surface are placed on them. Made by readers of CAD files",
   trianglePatch:
     "Base64 of the index in `patches` of each triangle, as little-endian 32-bit integers; may be omitted if there is one patch",
   patchSolid: "Name of the solid that the patch bounds, in a body of several solids",
