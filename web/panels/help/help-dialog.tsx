@@ -1,7 +1,6 @@
 import { Anchor, Kbd, Loader, Text, TextInput, UnstyledButton } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
 import libraryLicense from "occt-import-js/dist/license.occt-import-js.txt?url";
-import kernelLicense from "replicad-opencascadejs/LICENSE?url";
 import openCascadeLicense from "occt-import-js/dist/license.occt.txt?url";
 import { lazy, Suspense, useState } from "react";
 import type { App } from "../../app/app";
@@ -172,7 +171,7 @@ function About() {
           occt-import-js
         </Anchor>
         {", "}
-        <Anchor href={kernelLicense} target="_blank">
+        <Anchor href="./THIRD-PARTY-NOTICES.txt" target="_blank">
           replicad-opencascadejs
         </Anchor>
         {"."}
