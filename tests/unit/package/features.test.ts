@@ -4,9 +4,10 @@ import { beforeAll, describe, expect, test } from "vitest";
 import { lengthOf, minus, pointOf } from "../../../wasm/dist/base/vectors.js";
 import { triangulatedModelOfBrep } from "../../../wasm/dist/cad/brep-model.js";
 import { evaluate, withShape } from "../../../wasm/dist/cad/features/evaluate.js";
-import type { Feature, FeatureOf, LoopCurve } from "../../../wasm/dist/cad/features/feature.js";
+import type { Feature } from "../../../wasm/dist/cad/features/feature.js";
 import { edgeName } from "../../../wasm/dist/cad/features/named-solid.js";
 import type { FeatureKernel } from "../../../wasm/dist/cad/features/session.js";
+import { box, CASES, drill, type FeatureCase } from "../../support/feature-cases.js";
 import {
   boxFeature,
   circleLoop,
@@ -17,372 +18,19 @@ import {
   UPRIGHT,
 } from "../../support/features.js";
 import { testKernel } from "../../support/kernel-shapes.js";
-import { edgeOf, surfaceAt, surfaceOf, curveAt } from "../../support/trimmed-surfaces.js";
+import { curveAt, edgeOf, surfaceAt, surfaceOf } from "../../support/trimmed-surfaces.js";
 
 let kernel: FeatureKernel;
 beforeAll(async () => {
-  kernel = (await testKernel()) as FeatureKernel;
+  kernel = await testKernel();
 }, 30_000);
 
-const { PI, SQRT2, tan } = Math;
+const { PI } = Math;
 const operation = "new";
-const box = boxFeature(1, [10, 20, 30]);
-const BOX_AREA = 2200;
-const boxNames = ["back", "bottom", "front", "left", "right", "top"].map((face) => `1/${face}`);
-const line = (...points: LoopCurve & { kind: "line" } extends { points: infer P } ? [P] : never): LoopCurve => ({
-  kind: "line",
-  points: points[0],
-});
-
-interface Case {
-  readonly features: readonly Feature[];
-  readonly volume: number;
-  readonly area?: number;
-  readonly faces: readonly string[];
-}
-
-const drill: FeatureOf<"hole"> = {
-  id: 2,
-  type: "hole",
-  position: [5, 5, 30],
-  axis: [0, 0, -1],
-  diameter: 3,
-};
-const corner = ["1/front|1/right", "1/front|1/top", "1/right|1/top"];
-
-const CASES: Record<string, Case> = {
-  "a box": { features: [box], volume: 6000, area: BOX_AREA, faces: boxNames },
-  "a box turned in space": {
-    features: [{ ...box, axis: [1, 2, 3], x: [0, 1, 0], position: [4, -2, 1] }],
-    volume: 6000,
-    area: BOX_AREA,
-    faces: boxNames,
-  },
-  "a cylinder": {
-    features: [{ id: 1, type: "cylinder", operation, ...UPRIGHT, axis: [1, 1, 0], radius: 2, height: 5 }],
-    volume: 20 * PI,
-    area: 28 * PI,
-    faces: ["1/bottom", "1/side", "1/top"],
-  },
-  "a frustum": {
-    features: [{ id: 1, type: "cone", operation, ...UPRIGHT, radius: 4, topRadius: 1, height: 4 }],
-    volume: (PI * 4 * (16 + 4 + 1)) / 3,
-    area: PI * (16 + 1 + 5 * 5),
-    faces: ["1/bottom", "1/side", "1/top"],
-  },
-  "a cone": {
-    features: [{ id: 1, type: "cone", operation, ...UPRIGHT, radius: 3, topRadius: 0, height: 4 }],
-    volume: 12 * PI,
-    area: PI * (9 + 15),
-    faces: ["1/bottom", "1/side"],
-  },
-  "a sphere": {
-    features: [{ id: 1, type: "sphere", operation, ...UPRIGHT, radius: 3 }],
-    volume: 36 * PI,
-    area: 36 * PI,
-    faces: ["1/side"],
-  },
-  "a torus": {
-    features: [{ id: 1, type: "torus", operation, ...UPRIGHT, majorRadius: 5, minorRadius: 2 }],
-    volume: 2 * PI * PI * 5 * 4,
-    area: 4 * PI * PI * 10,
-    faces: ["1/side"],
-  },
-  "a quarter of a torus": {
-    features: [{ id: 1, type: "torus", operation, ...UPRIGHT, majorRadius: 5, minorRadius: 2, angle: 90 }],
-    volume: (PI * PI * 5 * 4) / 2,
-    area: PI * PI * 10 + 8 * PI,
-    faces: ["1/end", "1/side", "1/start"],
-  },
-  "a prism": {
-    features: [{ id: 1, type: "prism", operation, ...UPRIGHT, sides: 6, radius: 1, height: 2 }],
-    volume: 3 * Math.sqrt(3),
-    area: 3 * Math.sqrt(3) + 12,
-    faces: ["1/bottom", ...[1, 2, 3, 4, 5, 6].map((k) => `1/side ${k}`), "1/top"],
-  },
-  "a wedge": {
-    features: [{ id: 1, type: "wedge", operation, ...UPRIGHT, size: [4, 2, 4], topLength: 1 }],
-    volume: 20,
-    area: 2 * 10 + 2 * (4 + 1 + 4 + 5),
-    faces: boxNames,
-  },
-  "a wedge with an edge above": {
-    features: [{ id: 1, type: "wedge", operation, ...UPRIGHT, size: [3, 2, 4], topLength: 0 }],
-    volume: 12,
-    area: 12 + 2 * (3 + 4 + 5),
-    faces: boxNames.filter((name) => name !== "1/top"),
-  },
-  "an extruded square with holes": {
-    features: [
-      {
-        id: 1,
-        type: "extrude",
-        operation,
-        profile: { outer: squareLoop(0, 10), holes: [circleLoop(1, [3, 3, 0]), squareLoop(5, 7)] },
-        vector: [0, 0, -5],
-      },
-    ],
-    volume: 5 * (100 - PI - 4),
-    area: 2 * (96 - PI) + 5 * (40 + 2 * PI + 8),
-    faces: [
-      "1/bottom",
-      "1/hole 1 side",
-      ...[1, 2, 3, 4].map((k) => `1/hole 2 side ${k}`),
-      ...[1, 2, 3, 4].map((k) => `1/side ${k}`),
-      "1/top",
-    ],
-  },
-  "an extruded slot of lines and arcs": {
-    features: [
-      {
-        id: 1,
-        type: "extrude",
-        operation,
-        profile: {
-          outer: [
-            line([[0, 0, 0], [4, 0, 0]]),
-            { kind: "arc", points: [[4, 0, 0], [5, 1, 0], [4, 2, 0]] },
-            line([[4, 2, 0], [0, 2, 0]]),
-            { kind: "arc", points: [[0, 2, 0], [-1, 1, 0], [0, 0, 0]] },
-          ],
-        },
-        vector: [0, 0, 3],
-      },
-    ],
-    volume: 3 * (8 + PI),
-    area: 2 * (8 + PI) + 3 * (8 + 2 * PI),
-    faces: ["1/bottom", "1/side 1", "1/side 2", "1/side 3", "1/side 4", "1/top"],
-  },
-  "a revolved square": {
-    features: [
-      {
-        id: 1,
-        type: "revolve",
-        operation,
-        profile: { outer: squareLoop(1, 3) },
-        position: [0, 0, 0],
-        axis: [0, 1, 0],
-        angle: 90,
-      },
-    ],
-    volume: 4 * PI,
-    area: (8 * 2 * PI * 2) / 4 + 8,
-    faces: ["1/end", "1/side 1", "1/side 2", "1/side 3", "1/side 4", "1/start"],
-  },
-  "a revolved square, all around": {
-    features: [
-      {
-        id: 1,
-        type: "revolve",
-        operation,
-        profile: { outer: squareLoop(1, 3) },
-        position: [0, 0, 0],
-        axis: [0, 1, 0],
-        angle: 360,
-      },
-    ],
-    volume: 16 * PI,
-    area: 32 * PI,
-    faces: ["1/side 1", "1/side 2", "1/side 3", "1/side 4"],
-  },
-  "a ruled loft with a hole": {
-    features: [
-      {
-        id: 1,
-        type: "loft",
-        operation,
-        sections: [
-          { outer: squareLoop(0, 10), holes: [circleLoop(1, [5, 5, 0])] },
-          { outer: squareLoop(2, 8, 8), holes: [circleLoop(1, [5, 5, 8])] },
-        ],
-        isRuled: true,
-      },
-    ],
-    volume: (8 * (100 + 60 + 36)) / 3 - 8 * PI,
-    faces: ["1/end", "1/hole 1 side", "1/side 1", "1/side 2", "1/side 3", "1/side 4", "1/start"],
-  },
-  "a swept tube with a bend": {
-    features: [
-      {
-        id: 1,
-        type: "sweep",
-        operation,
-        profile: { outer: circleLoop(2), holes: [circleLoop(1)] },
-        path: [
-          line([[0, 0, 0], [0, 0, 10]]),
-          { kind: "arc", points: [[0, 0, 10], [6 - 3 * SQRT2, 0, 10 + 3 * SQRT2], [6, 0, 16]] },
-        ],
-      },
-    ],
-    volume: 3 * PI * (10 + 3 * PI),
-    area: 6 * PI * (10 + 3 * PI) + 6 * PI,
-    faces: ["1/end", "1/hole 1 side", "1/hole 1 side#2", "1/side", "1/side#2", "1/start"],
-  },
-  "a swept square with a sharp bend": {
-    features: [
-      {
-        id: 1,
-        type: "sweep",
-        operation,
-        profile: { outer: squareLoop(-1, 1) },
-        path: [line([[0, 0, 0], [0, 0, 10]]), line([[0, 0, 10], [20, 0, 10]])],
-      },
-    ],
-    volume: 120,
-    area: 8 * 30 + 8,
-    faces: [
-      "1/end",
-      ...[1, 2, 3, 4].flatMap((k) => [`1/side ${k}`, `1/side ${k}#2`]),
-      "1/start",
-    ],
-  },
-  "a hole through": {
-    features: [box, drill],
-    volume: 6000 - 67.5 * PI,
-    area: BOX_AREA - 4.5 * PI + 90 * PI,
-    faces: [...boxNames, "2/side"],
-  },
-  "a hole with counterbore and countersink": {
-    features: [
-      box,
-      { ...drill, depth: 10, counterbore: { diameter: 5, depth: 2 }, countersink: { diameter: 4, angle: 90 } },
-    ],
-    // Cylinder, cone from radius 2 to 1.5 with the same height, cylinder.
-    volume: 6000 - PI * (12.5 + (0.5 * (4 + 3 + 2.25)) / 3 + 2.25 * 7.5),
-    faces: [...boxNames, "2/bottom", "2/counterbore", "2/counterbore floor", "2/countersink", "2/side"],
-  },
-  "a fillet": {
-    features: [box, { id: 2, type: "fillet", edges: ["1/front|1/right"], radius: 2 }],
-    volume: 6000 - 30 * (4 - PI),
-    area: BOX_AREA - 30 * 4 + 30 * PI - 2 * (4 - PI),
-    faces: [...boxNames, "2/fillet 1/front|1/right"],
-  },
-  "fillets that meet in a corner": {
-    features: [box, { id: 2, type: "fillet", edges: corner, radius: 1 }],
-    // A corner of a cube without an eighth of a sphere, and three edges.
-    volume: 6000 - (1 - PI / 6) - (9 + 19 + 29) * (1 - PI / 4),
-    faces: [...boxNames, ...[...corner, "1/front|1/right|1/top"].map((edge) => `2/fillet ${edge}`)],
-  },
-  "a chamfer": {
-    features: [box, { id: 2, type: "chamfer", edges: ["1/front|1/right"], distance: 2 }],
-    volume: 6000 - 60,
-    area: BOX_AREA - 4 - 120 + 60 * SQRT2,
-    faces: [...boxNames, "2/chamfer 1/front|1/right"],
-  },
-  "an open shell": {
-    features: [box, { id: 2, type: "shell", openFaces: ["1/top"], thickness: 1 }],
-    volume: 6000 - 8 * 18 * 29,
-    area: BOX_AREA + 2 * 29 * 26,
-    faces: [...boxNames, ...boxNames.filter((name) => name !== "1/top").map((name) => `2/inner ${name}`)],
-  },
-  "a closed shell": {
-    features: [box, { id: 2, type: "shell", openFaces: [], thickness: 1 }],
-    volume: 6000 - 8 * 18 * 28,
-    area: BOX_AREA + 2 * (8 * 18 + 8 * 28 + 18 * 28),
-    faces: [...boxNames, ...boxNames.map((name) => `2/inner ${name}`)],
-  },
-  "a motion": {
-    features: [
-      box,
-      {
-        id: 2,
-        type: "move",
-        translation: [1, 2, 3],
-        rotation: { position: [1, 0, 0], axis: [0, 1, 1], angle: 40 },
-      },
-    ],
-    volume: 6000,
-    area: BOX_AREA,
-    faces: boxNames,
-  },
-  "a mirror image": {
-    features: [box, drill, { id: 3, type: "mirror", position: [20, 0, 0], normal: [1, 0, 0] }],
-    volume: 6000 - 67.5 * PI,
-    faces: [...boxNames, "2/side"],
-  },
-  "a mirror image and the original": {
-    features: [
-      box,
-      drill,
-      { id: 3, type: "mirror", position: [0, 0, 0], normal: [1, 0, 0], keepOriginal: true },
-    ],
-    volume: 12_000 - 135 * PI,
-    area: 2 * (20 * 20 + 20 * 30 + 20 * 30) - 9 * PI + 180 * PI,
-    // The faces beside the plane become one.
-    faces: ["1/back", "1/bottom", "1/front", "1/right", "1/top", "2/side", "3/mirror 1/right", "3/mirror 2/side"],
-  },
-  "a row of holes": {
-    features: [
-      box,
-      { ...drill, position: [5, 4, 30] },
-      { id: 3, type: "linear-array", step: [0, 4, 0], count: 4, features: [2] },
-    ],
-    volume: 6000 - 4 * 67.5 * PI,
-    faces: [...boxNames, "2/side", "3/2 2/side", "3/3 2/side", "3/4 2/side"],
-  },
-  "a row of boxes": {
-    features: [box, { id: 2, type: "linear-array", step: [15, 0, 0], count: 3 }],
-    volume: 18_000,
-    area: 3 * BOX_AREA,
-    faces: [...boxNames, ...["2/2", "2/3"].flatMap((copy) => boxNames.map((name) => `${copy} ${name}`))],
-  },
-  "a circle of pegs": {
-    features: [
-      { id: 1, type: "cylinder", operation, ...UPRIGHT, radius: 10, height: 1 },
-      { id: 2, type: "cylinder", operation: "join", ...UPRIGHT, position: [7, 0, 1], radius: 1, height: 2 },
-      { id: 3, type: "circular-array", ...UPRIGHT, angle: 60, count: 6, features: [2] },
-    ],
-    volume: 100 * PI + 12 * PI,
-    area: 220 * PI + 24 * PI,
-    faces: [
-      "1/bottom",
-      "1/side",
-      "1/top",
-      "2/side",
-      "2/top",
-      ...[2, 3, 4, 5, 6].flatMap((k) => [`3/${k} 2/side`, `3/${k} 2/top`]),
-    ],
-  },
-  "a list of features as a tool": {
-    features: [
-      box,
-      {
-        id: 2,
-        type: "boolean",
-        operation: "cut",
-        tool: [
-          { id: 1, type: "sphere", operation, ...UPRIGHT, radius: 3 },
-          { id: 2, type: "move", translation: [5, 10, 30] },
-        ],
-      },
-    ],
-    volume: 6000 - 18 * PI,
-    area: BOX_AREA + 9 * PI,
-    faces: [...boxNames, "2/tool 1/side"],
-  },
-  "a union": {
-    features: [box, boxFeature(2, [10, 20, 5], [0, 0, 30], "join")],
-    volume: 7000,
-    area: 2 * (200 + 350 + 700),
-    faces: [...boxNames.filter((name) => name !== "1/top"), "2/top"],
-  },
-  "an intersection": {
-    features: [box, boxFeature(2, [10, 20, 30], [5, 5, 5], "intersect")],
-    volume: 5 * 15 * 25,
-    area: 2 * (75 + 125 + 375),
-    faces: ["1/back", "1/right", "1/top", "2/bottom", "2/front", "2/left"],
-  },
-  "two solids": {
-    features: [box, boxFeature(2, [1, 1, 1], [50, 0, 0], "new")],
-    volume: 6001,
-    area: BOX_AREA + 6,
-    faces: [...boxNames, ...boxNames.map((name) => name.replace("1/", "2/"))],
-  },
-};
 
 describe("the kernel makes", () => {
   test.each(Object.keys(CASES))("%s", (name) => {
-    const { features, volume, area, faces } = CASES[name] as Case;
+    const { features, volume, area, faces } = CASES[name] as FeatureCase;
     const result = measured(kernel, features);
     expect(result.failures).toEqual([]);
     expect(result.volume / volume).toBeCloseTo(1, 9);
@@ -390,23 +38,27 @@ describe("the kernel makes", () => {
     expect([...result.faces].sort()).toEqual([...faces].sort());
   });
 
-  test.each(Object.keys(CASES))("faces in the order of the written text, closed and the same twice: %s", (name) => {
-    const { features } = CASES[name] as Case;
-    const first = evaluate(kernel, features);
-    expect(evaluate(kernel, features)).toEqual(first);
-    const { model } = triangulatedModelOfBrep(first.brep, name);
-    expect(model.notes).toEqual([]);
-    expect(model.faces).toHaveLength(first.faces.length);
-    const uses = new Map<number, string[]>();
-    model.faces.forEach(({ loops }, f) => {
-      for (const { edge } of loops.flat())
-        if (edgeOf(model, edge).curve !== undefined)
-          uses.set(edge, [...(uses.get(edge) ?? []), first.faces[f] ?? ""]);
-    });
-    // The edges of the text are those of the evaluation, between the same faces: so each face has its own name.
-    const pairs = (all: readonly (readonly string[])[]) => all.map((names) => [...names].sort().join(" & ")).sort();
-    expect(pairs([...uses.values()])).toEqual(pairs(first.edges.map(({ faces }) => faces)));
-  });
+  test.each(Object.keys(CASES))(
+    "faces in the order of the written text, closed and the same twice: %s",
+    (name) => {
+      const { features } = CASES[name] as FeatureCase;
+      const first = evaluate(kernel, features);
+      expect(evaluate(kernel, features)).toEqual(first);
+      const { model } = triangulatedModelOfBrep(first.brep, name);
+      expect(model.notes).toEqual([]);
+      expect(model.faces).toHaveLength(first.faces.length);
+      const uses = new Map<number, string[]>();
+      model.faces.forEach(({ loops }, f) => {
+        for (const { edge } of loops.flat())
+          if (edgeOf(model, edge).curve !== undefined)
+            uses.set(edge, [...(uses.get(edge) ?? []), first.faces[f] ?? ""]);
+      });
+      // The edges of the text are those of the evaluation, between the same faces: so each face has its own name.
+      const pairs = (all: readonly (readonly string[])[]) =>
+        all.map((names) => [...names].sort().join(" & ")).sort();
+      expect(pairs([...uses.values()])).toEqual(pairs(first.edges.map(({ faces }) => faces)));
+    },
+  );
 });
 
 test("solids are imported with numbered faces", () => {
@@ -431,7 +83,13 @@ test("a loft through three circles and a spline around an axis have the volume o
     return [Math.cos(angle), Math.sin(angle), 0] as const;
   });
   const spline = measured(kernel, [
-    { id: 1, type: "extrude", operation, profile: { outer: [{ kind: "spline", points, isClosed: true }] }, vector: [0, 0, 2] },
+    {
+      id: 1,
+      type: "extrude",
+      operation,
+      profile: { outer: [{ kind: "spline", points, isClosed: true }] },
+      vector: [0, 0, 2],
+    },
   ]);
   expect(spline.volume / (2 * PI)).toBeCloseTo(1, 4);
 });
@@ -457,7 +115,7 @@ describe("names", () => {
     }
   });
 
-  test("remain at the same faces when dimensions change", () => {
+  test("remain at surfaces of the same kind when dimensions change", () => {
     const centres = [0, 4].map((t) => {
       const { brep, faces } = evaluate(kernel, bracket(t));
       const { model } = triangulatedModelOfBrep(brep, "bracket");
@@ -478,7 +136,9 @@ describe("names", () => {
 
   test("of other faces remain when features are switched off", () => {
     const all = namesOf(kernel, bracket(0));
-    const off = bracket(0).map((feature) => (feature.id === 5 || feature.id === 6 ? { ...feature, isOff: true } : feature));
+    const off = bracket(0).map((feature) =>
+      feature.id === 5 || feature.id === 6 ? { ...feature, isOff: true } : feature,
+    );
     const names = namesOf(kernel, off);
     expect(names).toEqual(all.filter((name) => !/^[56]\//.test(name)));
   });
@@ -487,6 +147,18 @@ describe("names", () => {
     const [plate, wall, hole, ...others] = bracket(0) as [Feature, Feature, Feature, ...Feature[]];
     const names = namesOf(kernel, [plate, wall, hole, ...others]);
     expect(namesOf(kernel, [plate, hole, wall, ...others])).toEqual(names);
+  });
+
+  test("of features repeated after a motion follow it", () => {
+    const array: Feature = { id: 4, type: "linear-array", step: [0, 10, 0], count: 2, features: [2] };
+    const move: Feature = {
+      id: 3,
+      type: "move",
+      rotation: { position: [0, 0, 0], axis: [1, 0, 0], angle: 90 },
+    };
+    const result = measured(kernel, [box, drill, move, { ...array, step: [0, 0, 10] }]);
+    expect(result.volume).toBeCloseTo(measured(kernel, [box, drill, array]).volume, 6);
+    expect(result.faces).toContain("4/2 2/side");
   });
 
   test("of the pieces of a split face are numbered by their places", () => {
@@ -513,8 +185,14 @@ describe("names", () => {
   });
 
   test("of edges run along the edges", () => {
-    const { edges } = evaluate(kernel, [{ id: 1, type: "cylinder", operation, ...UPRIGHT, radius: 5, height: 10 }]);
-    expect(edges.map(({ name }) => name).sort()).toEqual(["1/bottom|1/side", "1/side|1/side", "1/side|1/top"]);
+    const { edges } = evaluate(kernel, [
+      { id: 1, type: "cylinder", operation, ...UPRIGHT, radius: 5, height: 10 },
+    ]);
+    expect(edges.map(({ name }) => name).sort()).toEqual([
+      "1/bottom|1/side",
+      "1/side|1/side",
+      "1/side|1/top",
+    ]);
     const top = edges.find(({ name }) => name === "1/side|1/top")?.points ?? new Float64Array();
     expect(top.length).toBeGreaterThan(3 * 20);
     for (let p = 0; p < top.length / 3; p++)
@@ -555,10 +233,26 @@ describe("a feature that fails is left out", () => {
       /Change its size or its place/,
     ],
     "a cut of everything": [boxFeature(7, [100, 100, 100], [-1, -1, -1], "cut"), /Nothing is left/, /./],
-    "a box without width": [boxFeature(7, [1, 0, 1], [0, 0, 0], "join"), /width must be a positive/, /Change the width/],
-    "a length that is no number": [boxFeature(7, [1, NaN, 1], [0, 0, 0], "join"), /not finite/, /Change the number/],
+    "a box without width": [
+      boxFeature(7, [1, 0, 1], [0, 0, 0], "join"),
+      /width must be a positive/,
+      /Change the width/,
+    ],
+    "a length that is no number": [
+      boxFeature(7, [1, NaN, 1], [0, 0, 0], "join"),
+      /not finite/,
+      /Change the number/,
+    ],
     "an axis without length": [
-      { id: 7, type: "cylinder", operation: "join", position: [0, 0, 0], axis: [0, 0, 0], radius: 1, height: 1 },
+      {
+        id: 7,
+        type: "cylinder",
+        operation: "join",
+        position: [0, 0, 0],
+        axis: [0, 0, 0],
+        radius: 1,
+        height: 1,
+      },
       /./,
       /./,
     ],
@@ -595,7 +289,11 @@ describe("a feature that fails is left out", () => {
       /not in one plane/,
       /./,
     ],
-    "a damaged file": [{ id: 7, type: "import", operation: "join", brep: "no shape" }, /./, /file is damaged/],
+    "a damaged file": [
+      { id: 7, type: "import", operation: "join", brep: "no shape" },
+      /./,
+      /file is damaged/,
+    ],
     "an array of a feature without a piece": [
       { id: 7, type: "linear-array", step: [1, 0, 0], count: 2, features: [3] },
       /Feature 3 has no piece/,
@@ -661,7 +359,11 @@ test("the shape can be triangulated before it is written", () => {
 
 test("the memory of the kernel does not grow", () => {
   const bytes = () => kernel.wasmMemory.buffer.byteLength;
-  const features = [...bracket(0), { id: 7, type: "fillet", edges: ["1/front|1/right"], radius: 99 } as const];
+  const features = [
+    ...bracket(0).filter(({ type }) => type !== "fillet"),
+    { id: 7, type: "move", translation: [1, 2, 3] } as const,
+    boxFeature(8, [1, 1, -1]),
+  ];
   for (let k = 0; k < 3; k++) evaluate(kernel, features);
   const before = bytes();
   for (let k = 0; k < 30; k++) evaluate(kernel, features);

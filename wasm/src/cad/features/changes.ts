@@ -13,6 +13,7 @@ import {
   namedEdges,
   type NamedSolid,
   renamed,
+  requireDescribable,
   soundShape,
 } from "./named-solid.js";
 import { extentOf, requirePositive, turned, type TurnedOutline } from "./pieces.js";
@@ -69,18 +70,18 @@ const MAKERS: Makers = {
       ? hollow(session, id, solid, thickness)
       : opened(session, id, solid, thickness, openFaces);
   },
-  move: (session, { translation, rotation }, { solid }) => {
+  move: (session, { translation, rotation }, before) => {
     const motion = session.hold(new session.kernel.gp_Trsf());
     if (translation !== undefined) motion.SetTranslation(session.vector(translation));
     if (rotation !== undefined) motion.Multiply(turn(session, rotation, rotation.angle));
-    return transformed(session, solid, motion);
+    return allTransformed(session, before, motion);
   },
-  mirror: (session, { id, position, normal, keepOriginal = false }, { solid }) => {
+  mirror: (session, { id, position, normal, keepOriginal = false }, before) => {
     const motion = session.hold(new session.kernel.gp_Trsf());
     motion.SetMirror(session.axes(position, frameOf({ position, axis: normal }).z));
-    const image = transformed(session, solid, motion);
-    if (!keepOriginal) return image;
-    return combined(session, "join", solid, [renamed(image, (name) => `${id}/mirror ${name}`)]);
+    if (!keepOriginal) return allTransformed(session, before, motion);
+    const image = transformed(session, before.solid, motion);
+    return combined(session, "join", before.solid, [renamed(image, (name) => `${id}/mirror ${name}`)]);
   },
   "linear-array": (session, feature, before) =>
     repeated(session, feature, before, (k) => {
@@ -217,6 +218,7 @@ function opened(
   );
   if (!maker.IsDone()) throw new FeatureError("OpenCascade finds no wall of this thickness.");
   const shape = soundShape(session, session.hold(maker.Shape()));
+  requireDescribable(session, shape);
   if (!(session.volume(shape) < session.volume(solid.shape)))
     throw new FeatureError("The wall is too thick: nothing inside would be empty.");
   return named(session, shape, `${id}/wall`, (give) => {
@@ -244,12 +246,21 @@ function hollow(session: Session, id: number, solid: NamedSolid, thickness: numb
   );
   if (!maker.IsDone()) throw new FeatureError("OpenCascade finds no wall of this thickness.");
   const shape = soundShape(session, session.hold(maker.Shape()));
+  requireDescribable(session, shape);
   const cavity = named(session, shape, `${id}/inner`, (give) => {
     solid.faces.shapes.forEach((face, f) => {
       give(session.shapes(maker.Generated(face)), `${id}/inner ${solid.origins[f]}`);
     });
   });
   return combined(session, "cut", solid, [cavity]);
+}
+
+/** Transforms a solid, and the pieces that arrays may repeat. */
+function allTransformed(session: Session, { solid, pieces }: Before, motion: gp_Trsf): NamedSolid {
+  const whole = transformed(session, solid, motion);
+  for (const [id, { piece, operation }] of [...pieces])
+    pieces.set(id, { piece: transformed(session, piece, motion), operation });
+  return whole;
 }
 
 interface Axis {

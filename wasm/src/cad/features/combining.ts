@@ -57,7 +57,7 @@ function booleanOf(
   pieces: readonly NamedSolid[],
   isSimplified: boolean,
 ): NamedSolid | undefined {
-  const maker = session.hold(new session.kernel[MAKERS[operation]]());
+  const maker = session.reused(operation, () => new session.kernel[MAKERS[operation]]());
   const solidsOf = ({ shape }: NamedSolid) => session.parts(shape, "solid");
   maker.SetArguments(session.list(solidsOf(solid)));
   maker.SetTools(session.list(pieces.flatMap(solidsOf)));
@@ -87,7 +87,17 @@ function beside(session: Session, solids: readonly NamedSolid[]): NamedSolid {
 
 /** Returns a solid moved, turned or mirrored. */
 export function transformed(session: Session, solid: NamedSolid, motion: gp_Trsf): NamedSolid {
-  const maker = session.hold(new session.kernel.BRepBuilderAPI_Transform(solid.shape, motion, false, false));
+  if (motion.IsNegative()) return mirrored(session, solid, motion);
+  const location = session.hold(new session.kernel.TopLoc_Location(motion));
+  const moved = (shape: TopoDS_Shape) => session.hold(shape.Moved(location, false));
+  return named(session, moved(solid.shape), "", (give) => {
+    solid.faces.shapes.forEach((face, f) => give([moved(face)], solid.origins[f] ?? ""));
+  });
+}
+
+function mirrored(session: Session, solid: NamedSolid, motion: gp_Trsf): NamedSolid {
+  const { BRepBuilderAPI_Transform } = session.kernel;
+  const maker = session.hold(new BRepBuilderAPI_Transform(solid.shape, motion, false, false));
   const shape = soundShape(session, session.hold(maker.Shape()));
   return named(session, shape, "", (give) => giveOldNames(session, maker, [solid], give));
 }

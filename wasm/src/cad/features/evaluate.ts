@@ -7,7 +7,7 @@ import type { TopoDS_Shape } from "replicad-opencascadejs";
 import { changed, type Pieces } from "./changes.js";
 import { combined } from "./combining.js";
 import type { Feature, FeatureOf, Piece } from "./feature.js";
-import { faceNames, type NamedEdge, namedEdges, type NamedSolid, renamed } from "./named-solid.js";
+import { faceNames, namedEdges, type NamedSolid, renamed } from "./named-solid.js";
 import { pieceOf } from "./pieces.js";
 import { FeatureError, type FeatureKernel, Session } from "./session.js";
 import { lengthOf, minus } from "../../base/vectors.js";
@@ -98,6 +98,7 @@ function solidOf(
       if (feature.isOff !== true) solid = after(session, feature, solid, pieces);
     } catch (failure) {
       pieces.delete(feature.id);
+      if (!(failure instanceof FeatureError)) session.forgetReused();
       failures.push(reportOf(session.kernel, feature, failure));
       if (failure instanceof KernelSpent || isCrash(failure)) throw new KernelSpent();
     }
@@ -202,18 +203,6 @@ function edgesOf(session: Session, solid: NamedSolid): EdgeLine[] {
   return namedEdges(session, solid).map(({ edge, name, faces }) => ({
     name,
     faces,
-    points: pointsOn(session, edge, distance),
+    points: session.positionsOn(edge, SHOWN_ANGLE, distance),
   }));
-}
-
-function pointsOn(session: Session, edge: NamedEdge["edge"], distance: number): Float64Array {
-  const { BRepAdaptor_Curve, GCPnts_TangentialDeflection } = session.kernel;
-  const curve = session.hold(new BRepAdaptor_Curve(edge));
-  const divided = session.hold(new GCPnts_TangentialDeflection(curve, SHOWN_ANGLE, distance, 2, 1e-9, 1e-7));
-  const points = new Float64Array(3 * divided.NbPoints());
-  for (let p = 0; p < divided.NbPoints(); p++) {
-    const point = session.hold(divided.Value(p + 1));
-    points.set([point.X(), point.Y(), point.Z()], 3 * p);
-  }
-  return points;
 }

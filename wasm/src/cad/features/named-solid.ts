@@ -91,7 +91,7 @@ export function renamed(solid: NamedSolid, rename: (name: string) => string): Na
  * closed, not valid or without volume. Solids inside out are turned.
  */
 export function soundShape(session: Session, shape: TopoDS_Shape): TopoDS_Shape {
-  const { BRepCheck_Analyzer, BRep_Tool } = session.kernel;
+  const { BRep_Tool } = session.kernel;
   if (shape.IsNull()) throw new FeatureError("Nothing is left of the solid.");
   const solids = session.parts(shape, "solid");
   if (solids.length === 0) throw new FeatureError("Nothing is left of the solid.");
@@ -104,9 +104,20 @@ export function soundShape(session: Session, shape: TopoDS_Shape): TopoDS_Shape 
     return volume > 0 ? solid : session.hold(solid.Reversed());
   });
   const whole = session.together(outward);
-  if (!session.hold(new BRepCheck_Analyzer(whole, true, false, false)).IsValid())
-    throw new FeatureError("The surface of the solid would intersect itself.");
+  if (!session.isValid(whole)) throw new FeatureError("The surface of the solid would intersect itself.");
   return whole;
+}
+
+/** Throws if the surface of a face is of a kind that a TrimmedModel does not describe. */
+export function requireDescribable(session: Session, shape: TopoDS_Shape): void {
+  const { BRepAdaptor_Surface, GeomAbs_SurfaceType } = session.kernel;
+  const { GeomAbs_OffsetSurface, GeomAbs_OtherSurface } = GeomAbs_SurfaceType;
+  for (const face of session.parts(shape, "face")) {
+    const surface = session.hold(new BRepAdaptor_Surface(session.face(face), false));
+    const kind = surface.GetType();
+    if (kind === GeomAbs_OffsetSurface || kind === GeomAbs_OtherSurface)
+      throw new FeatureError("A face would be an offset surface, which cannot be meshed.");
+  }
 }
 
 /** Returns the names of the faces, with numbers where several have the same. */

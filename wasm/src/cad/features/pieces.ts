@@ -11,7 +11,14 @@ import { dot, lengthOf, scaled, type Vector } from "../../base/vectors.js";
 import { combined } from "./combining.js";
 import type { FeatureOf, Piece, PieceKinds, Placement, Profile } from "./feature.js";
 import { flatFace, frameOf, polygon, type Wire, wireOf } from "./loops.js";
-import { facesAlong, type GiveName, named, type NamedSolid, soundShape } from "./named-solid.js";
+import {
+  facesAlong,
+  type GiveName,
+  named,
+  type NamedSolid,
+  requireDescribable,
+  soundShape,
+} from "./named-solid.js";
 import { FeatureError, type Session } from "./session.js";
 
 /** Makes the solid of a feature with a list of its own. */
@@ -135,6 +142,7 @@ const MAKERS: Makers = {
   },
   import: (session, { id, brep }) => {
     const shape = soundShape(session, session.hold(session.kernel.BRepToolsWrapper.Read(brep)));
+    requireDescribable(session, shape);
     return named(session, shape, "", (give) => {
       session.parts(shape, "face").forEach((face, f) => give([face], `${id}/face ${f + 1}`));
     });

@@ -1,8 +1,14 @@
 /** The kernel during one evaluation: all its objects that are made on the way are freed at the end. */
 import type {
+  BRepAlgoAPI_Common,
+  BRepAlgoAPI_Cut,
+  BRepAlgoAPI_Fuse,
+  BRepCheck_Analyzer,
+  GCPnts_TangentialDeflection,
   NCollection_List_TopoDS_Shape,
   OpenCascadeInstance,
   TopAbs_ShapeEnum,
+  TopoDS_Edge,
   TopoDS_Shape,
 } from "replicad-opencascadejs";
 
@@ -30,6 +36,17 @@ export class FeatureError extends Error {
 }
 
 type Part = "solid" | "shell" | "face" | "edge" | "vertex";
+
+/** Objects of each kernel that are used again and again: the kernel loses 50 to 400 kB with each that is freed. */
+const kept = new WeakMap<FeatureKernel, Partial<Reusable>>();
+
+interface Reusable {
+  readonly analyzer: BRepCheck_Analyzer;
+  readonly divider: GCPnts_TangentialDeflection;
+  readonly join: BRepAlgoAPI_Fuse;
+  readonly cut: BRepAlgoAPI_Cut;
+  readonly intersect: BRepAlgoAPI_Common;
+}
 
 export class Session {
   readonly kernel: FeatureKernel;
@@ -133,6 +150,40 @@ export class Session {
     const properties = this.hold(new this.kernel.GProp_GProps());
     this.kernel.BRepGProp.VolumeProperties(shape, properties, false, false, false);
     return properties.Mass();
+  }
+
+  /** Returns an object that is used again and again; it has the state in which it was left. */
+  reused<Name extends keyof Reusable>(name: Name, make: () => Reusable[Name]): Reusable[Name] {
+    const objects = kept.get(this.kernel) ?? {};
+    const object = objects[name] ?? make();
+    kept.set(this.kernel, { ...objects, [name]: object });
+    return object;
+  }
+
+  /** Leaves behind the objects that are used again, whose state is unknown after an exception. */
+  forgetReused(): void {
+    kept.delete(this.kernel);
+  }
+
+  /** Returns whether the kernel finds no error in a shape, such as faces that intersect themselves. */
+  isValid(shape: TopoDS_Shape): boolean {
+    const { BRepCheck_Analyzer } = this.kernel;
+    const analyzer = this.reused("analyzer", () => new BRepCheck_Analyzer(shape, true, false, false));
+    analyzer.Init(shape, true);
+    return analyzer.IsValid();
+  }
+
+  /** Returns positions along an edge, x y z each, so that straight lines between them are within an angle and a distance. */
+  positionsOn(edge: TopoDS_Edge, angle: number, distance: number): Float64Array {
+    const { BRepAdaptor_Curve, GCPnts_TangentialDeflection } = this.kernel;
+    const divider = this.reused("divider", () => new GCPnts_TangentialDeflection());
+    divider.Initialize(this.hold(new BRepAdaptor_Curve(edge)), angle, distance, 2, 1e-9, 1e-7);
+    const points = new Float64Array(3 * divider.NbPoints());
+    for (let p = 0; p < divider.NbPoints(); p++) {
+      const point = this.hold(divider.Value(p + 1));
+      points.set([point.X(), point.Y(), point.Z()], 3 * p);
+    }
+    return points;
   }
 
   /** Returns the lowest and the highest coordinates of a shape, with some margin. */
