@@ -1,0 +1,140 @@
+/**
+ * The features of a solid, as a project file stores them: plain data without classes. Lengths are in the unit of the
+ * project, angles in degrees, positions and directions are [x, y, z]. Directions need not be unit vectors.
+ */
+import type { Vector } from "../../base/vectors.js";
+
+/**
+ * What a piece does to the solid of the features before it:
+ * - `new`: stands beside it, as a solid of its own
+ * - `join`: united with it
+ * - `cut`: removed from it
+ * - `intersect`: only the common volume remains
+ */
+export type Operation = "new" | "join" | "cut" | "intersect";
+
+/** A position and the direction z; x is made perpendicular to it, and chosen if it is not given. */
+export interface Placement {
+  readonly position: Vector;
+  readonly axis: Vector;
+  readonly x?: Vector;
+}
+
+/**
+ * A piece of a loop. An arc runs through its second point; a closed spline returns to its first point, which is given
+ * once. A circle runs counter-clockwise about its axis.
+ */
+export type LoopCurve =
+  | { readonly kind: "line"; readonly points: readonly [Vector, Vector] }
+  | { readonly kind: "arc"; readonly points: readonly [Vector, Vector, Vector] }
+  | { readonly kind: "spline"; readonly points: readonly Vector[]; readonly isClosed?: boolean }
+  | { readonly kind: "circle"; readonly center: Vector; readonly axis: Vector; readonly radius: number };
+
+/** Curves one after the other: each begins where the one before it ends. */
+export type Loop = readonly LoopCurve[];
+
+/** A plane surface within a closed loop, in either direction, with holes. */
+export interface Profile {
+  readonly outer: Loop;
+  readonly holes?: readonly Loop[];
+}
+
+interface Rotation {
+  readonly position: Vector;
+  readonly axis: Vector;
+  readonly angle: number;
+}
+
+/** The kinds of features that have a piece, which an operation combines with the solid. */
+export interface PieceKinds {
+  /** From the position along x, y and z. */
+  readonly box: Placement & { readonly size: Vector };
+  /** The position is the centre of the bottom. */
+  readonly cylinder: Placement & { readonly radius: number; readonly height: number };
+  /** One of the radii may be 0. */
+  readonly cone: Placement & {
+    readonly radius: number;
+    readonly topRadius: number;
+    readonly height: number;
+  };
+  readonly sphere: Placement & { readonly radius: number };
+  /** The angle is 360 if it is not given. */
+  readonly torus: Placement & {
+    readonly majorRadius: number;
+    readonly minorRadius: number;
+    readonly angle?: number;
+  };
+  /** A regular polygon, extruded; its first corner is at the radius in the direction x. */
+  readonly prism: Placement & { readonly sides: number; readonly radius: number; readonly height: number };
+  /** A box whose top has another length in the direction x; 0 makes it an edge. */
+  readonly wedge: Placement & { readonly size: Vector; readonly topLength: number };
+  /** The vector is direction and length. */
+  readonly extrude: { readonly profile: Profile; readonly vector: Vector };
+  readonly revolve: { readonly profile: Profile } & Rotation;
+  /** All sections have equally many holes. */
+  readonly loft: { readonly sections: readonly Profile[]; readonly isRuled?: boolean };
+  /** The path begins at the profile. */
+  readonly sweep: { readonly profile: Profile; readonly path: Loop };
+  /** The text of a BREP file. */
+  readonly import: { readonly brep: string };
+  /** The solid of another list of features. */
+  readonly boolean: { readonly tool: readonly Feature[] };
+}
+
+export type EdgeName = string;
+export type FaceName = string;
+
+/** The kinds of features that change the solid. */
+export interface ChangeKinds {
+  /** The axis points into the material. Without a depth, the hole goes through all. */
+  readonly hole: {
+    readonly position: Vector;
+    readonly axis: Vector;
+    readonly diameter: number;
+    readonly depth?: number;
+    readonly counterbore?: { readonly diameter: number; readonly depth: number };
+    readonly countersink?: { readonly diameter: number; readonly angle: number };
+  };
+  readonly fillet: { readonly edges: readonly EdgeName[]; readonly radius: number };
+  readonly chamfer: { readonly edges: readonly EdgeName[]; readonly distance: number };
+  /** The wall is inside of the faces; without open faces, the solid becomes hollow. */
+  readonly shell: { readonly openFaces: readonly FaceName[]; readonly thickness: number };
+  /** First turned, then moved. */
+  readonly move: { readonly translation?: Vector; readonly rotation?: Rotation };
+  readonly mirror: {
+    readonly position: Vector;
+    readonly normal: Vector;
+    readonly keepOriginal?: boolean;
+  };
+  /** The count includes the original; without features, the whole solid is repeated. */
+  readonly "linear-array": {
+    readonly step: Vector;
+    readonly count: number;
+    readonly features?: readonly number[];
+  };
+  /** The angle is that between two neighbours. */
+  readonly "circular-array": Rotation & { readonly count: number; readonly features?: readonly number[] };
+}
+
+interface Common {
+  /** A positive integer, unique in its list: the names of faces begin with it. */
+  readonly id: number;
+  readonly name?: string;
+  /** Whether the feature is left out. */
+  readonly isOff?: boolean;
+}
+
+export type Piece = {
+  [Type in keyof PieceKinds]: Common & {
+    readonly type: Type;
+    readonly operation: Operation;
+  } & PieceKinds[Type];
+}[keyof PieceKinds];
+
+export type Change = {
+  [Type in keyof ChangeKinds]: Common & { readonly type: Type } & ChangeKinds[Type];
+}[keyof ChangeKinds];
+
+export type Feature = Piece | Change;
+
+export type FeatureOf<Type extends Feature["type"]> = Extract<Feature, { readonly type: Type }>;
