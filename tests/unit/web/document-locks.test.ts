@@ -27,7 +27,8 @@ describe("locks that tabs agree on", () => {
     release?.();
     expect(await second.acquire("part", 100)).not.toBeNull();
     second.close();
-    expect(await first.acquire("part", 100)).not.toBeNull();
+    // What the second tab has said last may arrive after its end.
+    expect(await first.acquire("part", 1000)).not.toBeNull();
   });
 
   it("waits for a tab that is about to leave the document", async () => {
