@@ -3,7 +3,7 @@ import type { Project } from "tetrafront/project";
 import { emptyProject } from "../document/create";
 import { isEmptyProject } from "../document/entities";
 import { DocumentLibrary, type LockedDocument } from "../session/document-library";
-import { BrowserLocks } from "../session/document-locks";
+import { documentLocks } from "../session/document-locks";
 import { BrowserStorage } from "../session/document-storage";
 import { newDocument } from "../session/document-store";
 import { loadGallery, loadModel, type Gallery } from "../session/gallery";
@@ -12,21 +12,24 @@ import { startPage } from "../session/start-page";
 import { BrowserTabMemory } from "../session/tab-memory";
 import { strings } from "../strings";
 import { workerStrings } from "../strings/passing";
-import { onWorkerLost } from "../workers/worker-client";
+import { maxFailedStarts, onWorkerLost } from "../workers/worker-client";
 import { App, type PageOptions } from "./app";
 
 /** What a new app shows first. */
 export type Intent =
   /**
-   * The document that this tab had before a reload, or the document used last; if there is none, another one: null
+   * The document that this tab had before a reload, or the reader's own used last; if there is none, another one: null
    * for the opening model of the gallery.
    */
-  | { readonly kind: "continue"; readonly otherwise: Start | null }
+  | { readonly kind: "continue"; readonly isReload: boolean; readonly otherwise: Start | null }
   | Start
   | { readonly kind: "project"; readonly project: Project };
 
-/** A document that does not depend on what was open before: a model of the gallery, or an empty project. */
-export type Start = { readonly kind: "model"; readonly id: string } | { readonly kind: "new" };
+/** A document that does not depend on what was open before: a model of the gallery, or an empty project, also for a lesson. */
+export type Start =
+  | { readonly kind: "model"; readonly id: string }
+  | { readonly kind: "new" }
+  | { readonly kind: "lesson"; readonly number: number };
 
 export interface AppOptions {
   /**
@@ -58,7 +61,7 @@ export async function createApp(options: AppOptions): Promise<App> {
   const noteFailure = (error: unknown): void => void failures.push(String(error));
 
   const tab = autosave === null ? null : new BrowserTabMemory(autosave);
-  const library = tab && new DocumentLibrary(new BrowserStorage(), new BrowserLocks(), tab);
+  const library = tab && new DocumentLibrary(new BrowserStorage(), documentLocks(), tab);
   const gallery = await loadGallery().catch((error: unknown) => {
     noteFailure(error);
     return noGallery;
@@ -100,7 +103,7 @@ export async function createApp(options: AppOptions): Promise<App> {
 /** If the gallery does not have the model, keep the last document. */
 function knownIntent(intent: Intent, { models }: Gallery): Intent {
   const isKnown = intent.kind !== "model" || models.some(({ id }) => id === intent.id);
-  return isKnown ? intent : { kind: "continue", otherwise: null };
+  return isKnown ? intent : { kind: "continue", isReload: false, otherwise: null };
 }
 
 interface FirstDocument extends Pick<LockedDocument, "document"> {
@@ -117,11 +120,12 @@ async function firstDocument(
   if (intent.kind === "project") return { document: newDocument(intent.project) };
   if (intent.kind === "continue") {
     // Without storage, for example in a private window, there is nothing to continue.
-    const resumed = await library?.resume().catch(() => null);
+    const resumed = await library?.resume(intent.isReload).catch(() => null);
     if (resumed) return resumed;
   }
   const start = intent.kind === "continue" ? intent.otherwise : intent;
   if (start?.kind === "new") return { document: newDocument(emptyProject()) };
+  if (start?.kind === "lesson") return { document: { ...newDocument(emptyProject()), lesson: start.number } };
   const model =
     gallery.models.find(({ id }) => id === start?.id) ??
     gallery.models.find(({ id }) => id === gallery.opening);
@@ -147,13 +151,13 @@ function keepUnmeshed({ documents, run, shell }: App, tab: BrowserTabMemory): vo
   }
 }
 
-/** Says that a worker has ended by itself. Its client starts another one; runs report the end of the engine. */
+/** Says that a worker has ended by itself. Its client starts others, but not for ever; runs report the end of the engine. */
 function reportLostWorkers({ shell }: App): void {
-  onWorkerLost((reason) =>
+  onWorkerLost((reason, isReplaced) =>
     showNotice(shell, {
       key: "worker",
       tone: "warning",
-      text: workerStrings.lost(reason),
+      text: isReplaced ? workerStrings.lost(reason) : workerStrings.notStarted(reason, maxFailedStarts),
       action: { label: workerStrings.understood, run: () => undefined },
     }),
   );

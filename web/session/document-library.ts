@@ -80,16 +80,17 @@ export class DocumentLibrary {
   }
 
   /**
-   * Returns the document to continue with: the one that this tab had open before a reload; in a new tab, the one used
-   * last, unless other tabs are open; else null.
+   * Returns the document to continue with: after a reload, the one that this tab had open; on another visit, the reader's own
+   * that it had open last, not the model of a lesson; in a new tab, the own one used last, unless other tabs are open; else
+   * null.
    */
-  async resume(): Promise<LockedDocument | null> {
-    const own = this.#tab.read();
-    if (own === null) return this.#takeLast();
-    const taken = await this.take(own);
+  async resume(isReload = true): Promise<LockedDocument | null> {
+    const last = isReload ? this.#tab.read() : this.#tab.readOwn();
+    if (last === null) return this.#takeLast();
+    const taken = await this.take(last);
     if (typeof taken !== "string") return taken;
     // A duplicated tab has the memory of the original tab.
-    return taken === "open-in-another-tab" ? this.#copy(own) : null;
+    return taken === "open-in-another-tab" ? this.#copy(last) : null;
   }
 
   /** Returns whether another tab has a document open. */
@@ -103,7 +104,7 @@ export class DocumentLibrary {
    * lock it.
    */
   async unsaved(): Promise<{ readonly id: string; readonly name: string } | null> {
-    const id = this.#tab.read() ?? (await this.#lastId());
+    const id = this.#tab.readOwn() ?? (await this.#lastId());
     const document = id === null ? "missing" : await this.#read(id);
     if (typeof document === "string") return null;
     const { project } = document.history.present;
@@ -114,11 +115,26 @@ export class DocumentLibrary {
    * Records that this tab has a document open instead of the previous one. Without a `release`, locks the
    * document.
    */
-  keepOpen(id: string, release?: () => void): void {
+  keepOpen({ id, lesson }: Pick<OpenDocument, "id" | "lesson">, release?: () => void): void {
     const before = this.#open;
     this.#open = { id, release: release ? Promise.resolve(release) : this.#locks.acquire(id, newLockTime) };
-    this.#tab.write(id);
+    this.#tab.write(id, lesson === null);
     if (before) this.#released = before.release.then((releaseBefore) => releaseBefore?.());
+  }
+
+  /**
+   * Removes the unchanged documents of the name and content of one that was just opened, unless a tab has them open: of a file
+   * that is opened again, lists have one entry.
+   */
+  async removeTwins({ id, savedKey, history }: OpenDocument): Promise<void> {
+    const { name } = history.present.project;
+    const [heads, openIds] = await Promise.all([this.storage.heads(), this.#locks.openIds()]);
+    const twins = heads.filter(
+      (head) => head.isUnchanged === true && head.savedKey === savedKey && head.name === name,
+    );
+    await this.storage.remove(
+      twins.map((twin) => twin.id).filter((twin) => twin !== id && !openIds.has(twin)),
+    );
   }
 
   /** Removes unchanged documents, and the oldest ones beyond the limit, unless a tab has them open. */
@@ -142,11 +158,12 @@ export class DocumentLibrary {
     return typeof taken === "string" ? null : taken;
   }
 
-  /** Returns the document used last; null if other tabs are open. */
+  /** Returns the own document used last; null if other tabs are open. */
   async #lastId(): Promise<string | null> {
-    if ((await this.#locks.openIds()).size > 0) return null;
-    const [last] = await this.storage.list();
-    return last?.id ?? null;
+    if (await this.isOpenElsewhere()) return null;
+    const [listed, heads] = await Promise.all([this.storage.list(), this.storage.heads()]);
+    const ofLessons = new Set(heads.flatMap(({ id, lesson }) => (lesson === undefined ? [] : [id])));
+    return listed.find(({ id }) => !ofLessons.has(id))?.id ?? null;
   }
 
   async #copy(id: string): Promise<LockedDocument | null> {

@@ -9,6 +9,8 @@ export interface DocumentStorage {
   readonly list: () => Promise<readonly DocumentSummary[]>;
   /** Returns the ids of documents that were never changed, which may be removed. */
   readonly listUntouched: () => Promise<readonly string[]>;
+  /** Returns what is stored of all documents besides their contents, in no particular order. */
+  readonly heads: () => Promise<readonly DocumentHead[]>;
   readonly read: (id: string) => Promise<KeptDocument | undefined>;
   /**
    * Writes what a document lacks. Rejects a change if the storage does not have the content that it continues. If the storage is open, the whole transaction is issued
@@ -81,6 +83,10 @@ export class BrowserStorage implements DocumentStorage {
 
   async listUntouched(): Promise<readonly string[]> {
     return (await this.#open()).getAllKeysFromIndex("documents", "recent", IDBKeyRange.upperBound([1], true));
+  }
+
+  async heads(): Promise<readonly DocumentHead[]> {
+    return (await this.#open()).getAll("documents");
   }
 
   async read(id: string): Promise<KeptDocument | undefined> {

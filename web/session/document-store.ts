@@ -24,6 +24,8 @@ export interface OpenDocument {
   readonly savedKey: string;
   /** Null until the user has chosen a file, and in browsers that do not reveal it. */
   readonly file: ProjectFile | null;
+  /** Number of the lesson that has opened its model in this document; null for a document of the reader's own. */
+  readonly lesson: number | null;
 }
 
 export interface DocumentState extends OpenDocument {
@@ -54,6 +56,7 @@ export function newDocument(
     history: startHistory<DocumentContent>({ project, ...(meshVersion !== undefined && { meshVersion }) }),
     savedKey: documentKey(project),
     file,
+    lesson: null,
   };
 }
 
@@ -233,13 +236,13 @@ export class DocumentStore {
   }
 
   /** Cancels the current gesture, shows another document, and returns the previous one. */
-  show({ id, history, savedKey, file }: OpenDocument): DocumentState {
+  show({ id, history, savedKey, file, lesson }: OpenDocument): DocumentState {
     this.#gesture?.cancel();
     const before = this.state.getState();
     this.#left.abort();
     this.#left = new AbortController();
     for (const forget of this.#leaving) forget();
-    this.state.setState({ id, history, savedKey, file, left: this.left });
+    this.state.setState({ id, history, savedKey, file, lesson, left: this.left });
     return before;
   }
 
@@ -248,7 +251,9 @@ export class DocumentStore {
    * changed meanwhile.
    */
   markSaved(id: string, project: Project, file: ProjectFile | null): void {
-    if (this.state.getState().id === id) this.state.setState({ savedKey: documentKey(project), file });
+    if (this.state.getState().id !== id) return;
+    // Saved, the model of a lesson is the reader's own.
+    this.state.setState({ savedKey: documentKey(project), file, lesson: null });
   }
 
   /** Calls back whenever the project changes, and for every document that is shown. Returns a function that stops this. */

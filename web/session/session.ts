@@ -7,7 +7,7 @@ import { BodyCheck } from "./body-check";
 import type { DocumentLibrary, LockedDocument, OpenFailure } from "./document-library";
 import {
   DocumentStore,
-  isUntouched,
+  isListed,
   newDocument,
   type DocumentState,
   type OpenDocument,
@@ -48,7 +48,7 @@ export class Session {
   constructor({ first: { document, release }, mesher, previewMesher, library }: SessionOptions) {
     this.documents = new DocumentStore(document.history.present.project);
     this.documents.show(document);
-    library?.keepOpen(document.id, release);
+    library?.keepOpen(document, release);
     this.operations = new Operations(this.documents, this.view);
     this.bodies = new BodyFeed(this.documents, previewMesher);
     this.run = new MeshRun(this.documents, mesher, {
@@ -76,15 +76,20 @@ export class Session {
   }
 
   /**
-   * Shows a project as a new document. Returns the previous document, which Recent lists if it was changed.
+   * Shows a project as a new document, or the model of a lesson. Returns the previous document, which Recent lists if it was
+   * changed or made of a file.
    */
-  showProject(project: Project, file: ProjectFile | null = null): DocumentState {
-    return this.#show(newDocument(project, file));
+  showProject(
+    project: Project,
+    file: ProjectFile | null = null,
+    lesson: number | null = null,
+  ): DocumentState {
+    return this.#showNew({ ...newDocument(project, file), lesson });
   }
 
   /** Shows a project with a mesh that no run makes of it, as a new document. Returns the previous document. */
   showMesh(project: Project, mesh: ShownMesh): DocumentState {
-    const before = this.#show(newDocument(project, null, this.run.keep(project, mesh)));
+    const before = this.#showNew(newDocument(project, null, this.run.keep(project, mesh)));
     this.run.logOpening();
     return before;
   }
@@ -108,10 +113,16 @@ export class Session {
     return this.#show(document, release);
   }
 
+  #showNew(document: OpenDocument): DocumentState {
+    const before = this.#show(document);
+    this.library?.removeTwins(document).catch(() => undefined);
+    return before;
+  }
+
   #show(document: OpenDocument, release?: () => void): DocumentState {
     const before = this.documents.show(document);
     this.#leave(before);
-    this.library?.keepOpen(document.id, release);
+    this.library?.keepOpen(document, release);
     this.view.reset();
     this.view.setCut({ enabled: false });
     return before;
@@ -119,7 +130,7 @@ export class Session {
 
   /** Stores the document that is about to be replaced, unless it is an unchanged model of the gallery. */
   #leave(state: DocumentState): void {
-    if (state.file === null && isUntouched(state)) {
+    if (!isListed(state)) {
       this.autosave?.forget(state.id);
       this.library?.storage.remove([state.id]).catch(() => undefined);
     } else void this.autosave?.flush();

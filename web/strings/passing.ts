@@ -57,6 +57,8 @@ export const workerStrings = {
   understood: "OK",
   lost: (reason: string) =>
     `${reason}. Another one was started. If a result is missing, repeat the last step.`,
+  notStarted: (reason: string, tries: number) =>
+    `${reason}. It was started ${tries} times, and has ended each time before it was running. Your project is kept: close other tabs and programs to free memory, check the network, then reload the page.`,
 } as const;
 
 export const startStrings = {

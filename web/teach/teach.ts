@@ -18,8 +18,8 @@ addPaletteItems(teachingItems);
 export interface TeachingAddress {
   /** Whether the front of the first document is recorded, so that it is not meshed too. */
   readonly showsFront: boolean;
-  /** Whether the first document is an empty one: a lesson opens its own model. */
-  readonly opensLesson: boolean;
+  /** Number of the lesson that is opened, which shows its own model; null for none. */
+  readonly lesson: number | null;
   /** Shows what the address asks for in an app. Rejects if it cannot be shown. */
   readonly follow: (app: App) => Promise<void>;
 }
@@ -39,7 +39,7 @@ export function teachingAddress(query: URLSearchParams, hasLink: boolean): Teach
         ),
     ]);
   };
-  return { showsFront: shared !== null, opensLesson: lesson !== null, follow };
+  return { showsFront: shared !== null, lesson: lesson && lesson.number, follow };
 }
 
 async function showProblems(app: App, query: URLSearchParams): Promise<void> {

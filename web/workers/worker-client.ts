@@ -3,6 +3,7 @@
  * each answer to its call by id. Workers answer in the order of the calls unless their handlers are asynchronous.
  */
 
+import { workerStrings } from "../strings/passing";
 import { type LifeReply, type LifeRequest, type LifeWatch, watchLife } from "tetrafront/internal";
 
 /** The calls of a worker: argument and answer of each, by name. */
@@ -13,10 +14,14 @@ export type Protocol<P> = {
 /** Why calls reject when their worker has ended without a word. */
 const killed = "A worker of the app has ended, for example because memory ran out";
 
-type Listener = (reason: string) => void;
+/** Workers of a client that may end one after the other without ever answering: with each, the next one is less likely to. */
+export const maxFailedStarts = 3;
+
+/** `isReplaced`: the next call starts another worker; else too many have not started. */
+type Listener = (reason: string, isReplaced: boolean) => void;
 const listeners = new Set<Listener>();
 
-/** Calls back when a worker of this page has ended by itself. The next call starts another one. */
+/** Calls back when a worker of this page has ended by itself. */
 export function onWorkerLost(listener: Listener): () => void {
   listeners.add(listener);
   return () => listeners.delete(listener);
@@ -47,14 +52,21 @@ export type WorkerPort = Pick<Worker, "postMessage" | "terminate" | "onmessage" 
 
 /**
  * Starts a worker when it is first needed and calls it. A call that fails in its handler rejects alone. If the
- * worker itself fails, for example out of memory, all pending calls reject, and the next call starts a new worker.
+ * worker itself fails, for example out of memory, all pending calls reject, and the next call starts a new worker, unless several
+ * have ended one after the other before they were running.
  */
 export class WorkerClient<P extends Protocol<P>> {
   readonly #startWorker: () => WorkerPort;
   readonly #onLost: () => void;
   #worker: WorkerPort | null = null;
   #life: LifeWatch | undefined;
+  /** Whether the worker has replied. */
+  #isRunning = false;
   #lastId = 0;
+  /** Workers that ended before they were running, since the last one that was. */
+  #failedStarts = 0;
+  /** Why the last of too many workers has ended. */
+  #givenUp: string | null = null;
   readonly #pending = new Map<number, PendingCall>();
 
   /** `onLost` is called when a worker has ended: the next worker has no state of earlier calls. */
@@ -65,7 +77,7 @@ export class WorkerClient<P extends Protocol<P>> {
 
   /** Starts the worker unless it runs already. */
   start(): void {
-    this.#running();
+    if (this.#givenUp === null) this.#running();
   }
 
   /** Calls the worker. The buffers in `transfer` move to it. */
@@ -75,6 +87,7 @@ export class WorkerClient<P extends Protocol<P>> {
     transfer: readonly Transferable[] = [],
   ): Promise<P[K]["answer"]> {
     return new Promise((resolve, reject) => {
+      if (this.#givenUp !== null) throw new Error(workerStrings.notStarted(this.#givenUp, maxFailedStarts));
       const id = ++this.#lastId;
       const call: Call = { id, name, argument };
       this.#running().postMessage(call, [...transfer]);
@@ -91,9 +104,13 @@ export class WorkerClient<P extends Protocol<P>> {
     if (this.#worker) return this.#worker;
     const worker = this.#startWorker();
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#receive(data);
+    this.#isRunning = false;
     const lose = (reason: string): void => {
-      this.#end(reason);
-      for (const listener of listeners) listener(reason);
+      if (!this.#isRunning) this.#failedStarts += 1;
+      const isReplaced = this.#failedStarts < maxFailedStarts;
+      if (!isReplaced) this.#givenUp = reason;
+      this.#end(isReplaced ? reason : workerStrings.notStarted(reason, maxFailedStarts));
+      for (const listener of listeners) listener(reason, isReplaced);
     };
     worker.onerror = (event) => {
       event.preventDefault();
@@ -106,6 +123,8 @@ export class WorkerClient<P extends Protocol<P>> {
   }
 
   #receive(reply: Reply): void {
+    this.#isRunning = true;
+    this.#failedStarts = 0;
     if (reply.kind === "lives") return this.#life?.begin();
     const call = this.#pending.get(reply.id);
     this.#pending.delete(reply.id);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { DocumentLibrary, maxListedDocuments } from "../../../web/session/document-library";
-import { newDocument } from "../../../web/session/document-store";
+import { DocumentStore, newDocument } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 import { keptDocument, MemoryLocks, MemoryStorage, MemoryTab } from "./storage-doubles";
 
@@ -22,6 +22,9 @@ function browser() {
   return { storage, locks, openTab, keep, close };
 }
 
+/** A document of the reader's own. */
+const ownOf = (id: string) => ({ id, lesson: null });
+
 const nameOf = (opened: Awaited<ReturnType<DocumentLibrary["resume"]>>): string | undefined =>
   opened?.document.history.present.project.name;
 
@@ -31,7 +34,7 @@ describe("the library of kept documents", () => {
     const tabs = await Promise.all(
       ["a", "b", "c", "d"].map(async (name, i) => {
         const tab = openTab();
-        tab.library.keepOpen(await keep(name, i));
+        tab.library.keepOpen(ownOf(await keep(name, i)));
         return tab;
       }),
     );
@@ -40,7 +43,7 @@ describe("the library of kept documents", () => {
     for (const { memory } of [...tabs].reverse()) {
       const { library } = openTab(memory);
       const resumed = await library.resume();
-      if (resumed) library.keepOpen(resumed.document.id, resumed.release);
+      if (resumed) library.keepOpen(resumed.document, resumed.release);
       names.push(nameOf(resumed));
     }
     expect(names).toEqual(["d", "c", "b", "a"]);
@@ -53,7 +56,7 @@ describe("the library of kept documents", () => {
     const first = openTab();
     const resumed = await first.library.resume();
     expect(nameOf(resumed)).toBe("last");
-    if (resumed) first.library.keepOpen(resumed.document.id, resumed.release);
+    if (resumed) first.library.keepOpen(resumed.document, resumed.release);
     const second = openTab();
     expect(await second.library.resume()).toBeNull();
     expect(await second.library.take(last)).toBe("open-in-another-tab");
@@ -61,11 +64,57 @@ describe("the library of kept documents", () => {
     expect(nameOf(await second.library.resume())).toBe("last");
   });
 
+  it("brings the reader's own document back after a lesson, and a reload the model of the lesson", async () => {
+    const { openTab, keep, storage, close } = browser();
+    const mine = await keep("mine", 1);
+    const first = openTab();
+    first.library.keepOpen(ownOf(mine));
+    const model = { ...newDocument({ ...cubeProject(), name: "model of a lesson" }), lesson: 3 };
+    await storage.write(keptDocument(model, 2, true));
+    first.library.keepOpen(model);
+    close(first);
+    expect(await openTab(first.memory).library.unsaved()).toBeNull();
+    const reloaded = await openTab(first.memory).library.resume(true);
+    expect(nameOf(reloaded)).toBe("model of a lesson");
+    expect(reloaded?.document.lesson).toBe(3);
+    reloaded?.release();
+    const visited = await openTab(first.memory).library.resume(false);
+    expect(nameOf(visited)).toBe("mine");
+    visited?.release();
+    // A new tab, too, though the model was changed last.
+    expect(nameOf(await openTab().library.resume(false))).toBe("mine");
+  });
+
+  it("lists a file that is opened again once, and keeps what was changed or is open in another tab", async () => {
+    const { openTab, storage } = browser();
+    const [first, second] = [openTab(), openTab()];
+    const opened = async (at: number) => {
+      const document = newDocument({ ...cubeProject(), name: "part" });
+      await storage.write(keptDocument(document, at, true));
+      return document;
+    };
+    const earlier = await opened(1);
+    const elsewhere = await opened(2);
+    second.library.keepOpen(elsewhere);
+    const changed = await opened(3);
+    const documents = new DocumentStore(cubeProject());
+    documents.show(changed);
+    documents.edit({ label: "Rename", change: (draft) => void (draft.project.name = "part, mine") });
+    documents.edit({ label: "Rename", change: (draft) => void (draft.project.name = "part") });
+    await storage.write(keptDocument(documents.state.getState(), 4, true));
+    const again = await opened(5);
+    first.library.keepOpen(again);
+    await first.library.removeTwins(again);
+    const ids = (await first.library.list()).map(({ id }) => id);
+    expect(ids).toEqual([again.id, changed.id, elsewhere.id]);
+    expect(ids).not.toContain(earlier.id);
+  });
+
   it("gives a duplicated tab a copy of its own", async () => {
     const { openTab, keep } = browser();
     const id = await keep("original", 1);
     const first = openTab();
-    first.library.keepOpen(id);
+    first.library.keepOpen(ownOf(id));
     const duplicate = openTab(Object.assign(new MemoryTab(), { id }));
     const resumed = await duplicate.library.resume();
     expect(nameOf(resumed)).toBe("original");
@@ -89,8 +138,8 @@ describe("the library of kept documents", () => {
     const { openTab, keep } = browser();
     const ids = await Promise.all(["other", "own", "closed"].map((name, i) => keep(name, i)));
     const [other, own] = [openTab(), openTab()];
-    other.library.keepOpen(ids[0] ?? "");
-    own.library.keepOpen(ids[1] ?? "");
+    other.library.keepOpen(ownOf(ids[0] ?? ""));
+    own.library.keepOpen(ownOf(ids[1] ?? ""));
     const listed = await own.library.list();
     expect(listed.map(({ name, openIn }) => [name, openIn])).toEqual([
       ["closed", null],
@@ -110,7 +159,8 @@ describe("the library of kept documents", () => {
     // It is not locked.
     expect(nameOf(await tab.library.resume())).toBe("drawn");
     // The document of this tab comes before the one used last.
-    const memory = Object.assign(new MemoryTab(), { id: await keep("mine", 0) });
+    const memory = new MemoryTab();
+    memory.write(await keep("mine", 0), true);
     expect(await openTab(memory).library.unsaved()).toBeNull();
   });
 
@@ -118,8 +168,8 @@ describe("the library of kept documents", () => {
     const { openTab, keep, locks } = browser();
     const [a, b] = [await keep("a", 1), await keep("b", 2)];
     const { library } = openTab();
-    library.keepOpen(a);
-    library.keepOpen(b);
+    library.keepOpen(ownOf(a));
+    library.keepOpen(ownOf(b));
     await Promise.resolve();
     await Promise.resolve();
     expect([...locks.held]).toEqual([b]);
@@ -131,7 +181,7 @@ describe("the library of kept documents", () => {
     await keep("b", 3);
     await keep("untouched", 2, false);
     const { library } = openTab();
-    library.keepOpen(a);
+    library.keepOpen(ownOf(a));
     const listed = (await library.list()).map(({ name, openIn }) => [name, openIn]);
     expect(listed).toEqual([
       ["b", null],
@@ -147,8 +197,8 @@ describe("the library of kept documents", () => {
     await keep("untouched", 5, false);
     const open = await keep("untouched and open", 5, false);
     const [first, second] = [openTab(), openTab()];
-    first.library.keepOpen(oldest);
-    second.library.keepOpen(open);
+    first.library.keepOpen(ownOf(oldest));
+    second.library.keepOpen(ownOf(open));
     await first.library.clean();
     const names = [...storage.documents.values()].map(({ name }) => name);
     expect(names).toHaveLength(maxListedDocuments + 2);
@@ -169,7 +219,7 @@ describe("the library of kept documents", () => {
     const list = storage.list.bind(storage);
     storage.list = async () => {
       const opened = await keep("new", 5, false);
-      second.keepOpen(opened);
+      second.keepOpen(ownOf(opened));
       return list();
     };
     await openTab().library.clean();

@@ -2,6 +2,7 @@ import { openLessonOf } from "../../../web/teach/commands/open-lesson";
 import { playerOf } from "../../../web/teach/commands/player-of";
 import { replayOf } from "../../../web/teach/commands/replay";
 /** The runs of a lesson: always of its own model. */
+import { readFileSync } from "node:fs";
 import type { MeshReport, Mesher } from "tetrafront";
 import { writeProject, type Project } from "tetrafront/project";
 import { readTrace } from "tetrafront/trace";
@@ -12,11 +13,12 @@ import {
   compareRun,
   lessonRuns,
   openLesson,
+  openLessonNumber,
   showLessonModel,
   showStep,
 } from "../../../web/teach/commands/lesson-actions";
 import { commandNamed, commandOfKey, runCommand } from "../../../web/commands/registry";
-import { moveEntity } from "../../../web/document/edits";
+import { moveEntity, renameProject } from "../../../web/document/edits";
 import type { Lesson } from "../../../web/teach/lessons/lesson";
 import { showOwnRun } from "../../../web/teach/lessons/own-run";
 import { newDocument } from "../../../web/session/document-store";
@@ -96,6 +98,41 @@ it("runs the model in the orders of an address, and shows the lesson's own run",
   expect(openLessonOf(app).getState().runs).toEqual(["random", "first-in", "smallest-first"]);
   await showLessonModel(app, lesson);
   expect(openLessonOf(app).getState().runs).toEqual([]);
+});
+
+it("keeps the model of a lesson as the reader has changed it when the page is loaded again", async () => {
+  vi.stubGlobal("fetch", (address: URL) =>
+    Promise.resolve(
+      new Response(
+        /index\.json$/.test(String(address))
+          ? JSON.stringify(["order.md"])
+          : /\.md$/.test(String(address))
+            ? readFileSync("public/lessons/front.md", "utf8")
+            : writeProject(cube),
+      ),
+    ),
+  );
+  const address = { number: 1, runs: [], step: null };
+  await openLessonNumber(app, address);
+  closeLesson(app);
+  app.documents.edit(renameProject("Changed"));
+  const changed = app.documents.state.getState();
+  expect(changed.lesson).toBe(1);
+  // As the page begins after it was loaded again.
+  await app.showAgain(changed);
+  await openLessonNumber(app, address);
+  expect(app.documents.project.name).toBe("Changed");
+  expect(app.documents.state.getState().id).toBe(changed.id);
+  expect(openLessonOf(app).getState().number).toBe(1);
+  expect(lessonRuns(app).getState().isPreparing).toBe(false);
+  // The page of the lesson brings its own model back.
+  const { lesson: opened } = lessonRuns(app).getState();
+  if (opened) await showLessonModel(app, opened);
+  expect(app.documents.project.name).not.toBe("Changed");
+  // The model of another lesson is opened over one that was not changed.
+  app.documents.show({ ...newDocument({ ...cubeProject(), name: "Other" }), lesson: 1 });
+  await openLessonNumber(app, address);
+  expect(app.documents.project.name).toBe("Cube");
 });
 
 it("says how many steps the front has if an address names another one", async () => {

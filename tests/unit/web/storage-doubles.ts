@@ -40,6 +40,10 @@ export class MemoryStorage implements DocumentStorage {
     );
   }
 
+  heads() {
+    return Promise.resolve([...this.documents.values()]);
+  }
+
   read(id: string) {
     return Promise.resolve(structuredClone(this.documents.get(id)));
   }
@@ -144,12 +148,18 @@ export class MemoryLocks implements DocumentLocks {
 
 export class MemoryTab implements TabMemory {
   id: string | null = null;
+  ownId: string | null = null;
 
   read(): string | null {
     return this.id;
   }
 
-  write(id: string): void {
+  readOwn(): string | null {
+    return this.ownId;
+  }
+
+  write(id: string, isOwn: boolean): void {
     this.id = id;
+    if (isOwn) this.ownId = id;
   }
 }

@@ -2,7 +2,7 @@ import { MessageChannel } from "node:worker_threads";
 import { describe, expect, it, vi } from "vitest";
 import { serveCalls, type Handlers, type WorkerScope } from "../../../web/workers/serve-calls";
 import { copyForTransfer } from "../../../web/workers/transfer";
-import { callOnce, WorkerClient, type Call, type WorkerPort } from "../../../web/workers/worker-client";
+import { callOnce, onWorkerLost, WorkerClient, type Call, type WorkerPort } from "../../../web/workers/worker-client";
 
 interface TestProtocol {
   readonly double: { readonly argument: number; readonly answer: number };
@@ -95,6 +95,32 @@ describe("WorkerClient", () => {
     expect(workers[0]?.isTerminated).toBe(true);
     expect(await client.call("double", 3)).toBe(6);
     expect(workers).toHaveLength(2);
+  });
+
+  it("gives up after three workers that have never run, and says what to do; one that has run counts anew", async () => {
+    const { workers, start } = testWorkers();
+    const client = new WorkerClient<TestProtocol>(start);
+    const reports: boolean[] = [];
+    const stop = onWorkerLost((_, isReplaced) => reports.push(isReplaced));
+    const crashed = async (): Promise<string> => {
+      const call = client.call("later", "never");
+      workers.at(-1)?.crash();
+      return call.catch((error: unknown) => String(error));
+    };
+    await crashed();
+    await crashed();
+    expect(await client.call("double", 2)).toBe(4);
+    workers.at(-1)?.crash();
+    await crashed();
+    expect(reports).toEqual([true, true, true, true]);
+    await crashed();
+    expect(await crashed()).toMatch(/started 3 times.*reload the page/);
+    expect(reports).toEqual([true, true, true, true, true, false]);
+    expect(workers).toHaveLength(6);
+    client.start();
+    await expect(client.call("double", 2)).rejects.toThrow("reload the page");
+    expect(workers).toHaveLength(6);
+    stop();
   });
 
   it("ends its worker after a single call, whether the call succeeds or fails", async () => {

@@ -1,4 +1,4 @@
-import { live, type LifeRequest } from "../calls/worker-life.js";
+import { receiveWatched, type LifeRequest } from "../calls/worker-life.js";
 import type { CadPort } from "./cad-port.js";
 import type { CreateKernel } from "./kernel.js";
 import { type CreateOpenCascade, QUIET } from "./opencascade.js";
@@ -15,10 +15,8 @@ const scope = globalThis as unknown as WorkerScope;
 
 export const cadPort: CadPort = {
   onRequest: (handle) => {
-    scope.onmessage = ({ data }) => {
-      if ("lock" in data) live(data, () => scope.postMessage({ kind: "lives" }, []));
-      else handle(data);
-    };
+    const receive = receiveWatched(handle, (reply) => scope.postMessage(reply, []));
+    scope.onmessage = ({ data }) => receive(data);
   },
   post: (reply, transfer) => scope.postMessage(reply, [...transfer]),
   library: async ({ script, wasm }) => {

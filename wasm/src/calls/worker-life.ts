@@ -64,7 +64,7 @@ export function watchLife(onEnd: () => void): LifeWatch | undefined {
 }
 
 /** In a worker: holds the lock from now on. `onHeld` is called when it is held. */
-export function live({ lock }: LifeRequest, onHeld: () => void): void {
+function live({ lock }: LifeRequest, onHeld: () => void): void {
   void locks()?.request(lock, () => {
     onHeld();
     return new Promise(() => undefined);

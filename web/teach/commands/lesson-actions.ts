@@ -13,7 +13,7 @@ import { rulesNamed } from "../lessons/run-rules";
 import { firstState } from "../player/phases";
 import type { PlayerState } from "../player/player";
 import type { RecordingChoices } from "../player/recording";
-import { settledProject } from "../../session/document-store";
+import { isUntouched, settledProject } from "../../session/document-store";
 import { untilState } from "../../session/until-state";
 import { strings } from "../../strings";
 import { addressStrings } from "../strings/address";
@@ -92,12 +92,25 @@ export async function openLessonNumber(
     const { lessons } = await course();
     const lesson = lessons[number - 1];
     if (lesson) {
-      await openLesson(app, lesson, number, runs);
+      if (isEditedModel(app, number)) continueLesson(app, lesson, number);
+      else await openLesson(app, lesson, number, runs);
       if (step !== null && shownRun(app)) showStep(app, step);
     } else showAddressProblems(app, [addressStrings.noLesson(asWritten, lessons.length)]);
   } catch {
     // The panel says why, and offers to try again.
   }
+}
+
+/** Returns whether the document is the model of a lesson that the reader has changed, before the page was loaded again. */
+function isEditedModel({ documents }: App, number: number): boolean {
+  const state = documents.state.getState();
+  return state.lesson === number && !isUntouched(state);
+}
+
+/** Opens a lesson beside its model as the reader has changed it. The page of the lesson offers to bring its own model back. */
+function continueLesson(app: App, lesson: Lesson, number: number): void {
+  openLessonOf(app).setState({ number });
+  lessonRuns(app).setState({ lesson, model: null, runs: [] });
 }
 
 /** Shows the list of the lessons. The model that is open can be edited. */
@@ -137,7 +150,7 @@ export async function showLessonModel(
     const project = await loadLessonModel(lesson, app.gallery);
     // Another lesson was opened meanwhile, or this one again.
     if (!isPresent()) return;
-    showModel(app, project);
+    showModel(app, project, openLessonOf(app).getState().number);
     const model = shownModel(app);
     store.setState({ model });
     app.view.setTool("select");
