@@ -122,14 +122,16 @@ TEST(ModelCurve, APointOfAHermiteLineMovesFourPiecesOnly) {
   const Curve before(LineType::kHermite, points);
   // A move around the axis through the neighbours keeps the chords, so that the parameters stay.
   const Vec3 axis = points[3] - points[1];
-  const Vec3 foot = points[1] + (glm::dot(points[2] - points[1], axis) / glm::dot(axis, axis)) * axis;
+  const Vec3 foot =
+      points[1] + (glm::dot(points[2] - points[1], axis) / glm::dot(axis, axis)) * axis;
   points[2] = foot - (points[2] - foot);
   const Curve after(LineType::kHermite, points);
   for (int i = 0; i <= 64; ++i) {
     const double t = before.knots()[4] + (1.0 - before.knots()[4]) * (i / 64.0);
     EXPECT_LT(glm::length(before.position(t) - after.position(t)), 1e-13);
   }
-  EXPECT_GT(glm::length(before.position(before.knots()[2]) - after.position(after.knots()[2])), 0.01);
+  EXPECT_GT(glm::length(before.position(before.knots()[2]) - after.position(after.knots()[2])),
+            0.01);
 }
 
 TEST(ModelCurve, GivenTangentsAreThoseOfTheEnds) {

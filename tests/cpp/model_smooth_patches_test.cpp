@@ -115,19 +115,20 @@ TEST(ModelSmoothPatches, TangentsAreContinuousUpToTheCorners) {
 
 TEST(ModelSmoothPatches, ThePositionMovesWithTheLines) {
   // Weights of positions sum to one, and those of directions to zero: a translation moves all, a rotation and scaling too.
-  forManySmoothPatches([](const ResolvedModel& resolved, const UnitSurface& surface, Random& random) {
-    Model image = resolved.model();
-    const Vec3 shift = random.inBox(5.0);
-    for (Vec3& point : image.points) point = 3.0 * Vec3(-point.y, point.x, point.z) + shift;
-    const ResolvedModel resolvedImage(image);
-    const UnitSurface moved = unitSurface(resolvedImage, image.patches[0]);
-    for (int i = 0; i < 5; ++i) {
-      const Vec2 unit = randomInDomain(random, surface.shape());
-      const Vec3 p = surface.evaluate(unit).position;
-      const Vec3 expected = 3.0 * Vec3(-p.y, p.x, p.z) + shift;
-      EXPECT_LT(glm::length(moved.evaluate(unit).position - expected), 1e-11);
-    }
-  });
+  forManySmoothPatches(
+      [](const ResolvedModel& resolved, const UnitSurface& surface, Random& random) {
+        Model image = resolved.model();
+        const Vec3 shift = random.inBox(5.0);
+        for (Vec3& point : image.points) point = 3.0 * Vec3(-point.y, point.x, point.z) + shift;
+        const ResolvedModel resolvedImage(image);
+        const UnitSurface moved = unitSurface(resolvedImage, image.patches[0]);
+        for (int i = 0; i < 5; ++i) {
+          const Vec2 unit = randomInDomain(random, surface.shape());
+          const Vec3 p = surface.evaluate(unit).position;
+          const Vec3 expected = 3.0 * Vec3(-p.y, p.x, p.z) + shift;
+          EXPECT_LT(glm::length(moved.evaluate(unit).position - expected), 1e-11);
+        }
+      });
 }
 
 TEST(ModelSmoothPatches, LoopsMayBeginAnywhereAndRunEitherWay) {
@@ -150,15 +151,16 @@ TEST(ModelSmoothPatches, LoopsMayBeginAnywhereAndRunEitherWay) {
         const Vec2 unit = randomInDomain(random, surface.shape());
         const Vec3 position = surface.evaluate(unit).position;
         const Vec2 mirrored(unit.y, unit.x);
-        const Vec2 rotated(unit.y, surface.shape() == UnitShape::kSquare
-                                       ? 1.0 - unit.x
-                                       : (1.0 - unit.x) - unit.y);
-        EXPECT_LT(glm::length(unitSurface(resolvedOther, other.patches[0]).evaluate(mirrored).position -
-                              position),
-                  1e-12);
-        EXPECT_LT(glm::length(unitSurface(resolvedLater, later.patches[0]).evaluate(rotated).position -
-                              position),
-                  1e-12);
+        const Vec2 rotated(
+            unit.y, surface.shape() == UnitShape::kSquare ? 1.0 - unit.x : (1.0 - unit.x) - unit.y);
+        EXPECT_LT(
+            glm::length(unitSurface(resolvedOther, other.patches[0]).evaluate(mirrored).position -
+                        position),
+            1e-12);
+        EXPECT_LT(
+            glm::length(unitSurface(resolvedLater, later.patches[0]).evaluate(rotated).position -
+                        position),
+            1e-12);
       }
     }
   }
@@ -197,7 +199,8 @@ TEST(ModelSmoothPatches, StraightLinesOfAPlaneQuadrilateralOrTriangleGiveItsAffi
     Random random(5);
     for (int i = 0; i < 20; ++i) {
       const Vec2 unit = randomInDomain(random, surface.shape());
-      EXPECT_LT(glm::length(surface.evaluate(unit).position - (a + unit.x * u + unit.y * v)), 1e-14);
+      EXPECT_LT(glm::length(surface.evaluate(unit).position - (a + unit.x * u + unit.y * v)),
+                1e-14);
     }
   }
 }
@@ -249,7 +252,8 @@ TEST(ModelSmoothPatches, AlongGreatCirclesTheNormalsAreThoseOfTheSphere) {
       for (std::size_t i = 0; i < count; ++i) {
         for (int step = 1; step < 32; ++step) {
           const Vec2 unit = unitBorder(surface.shape(), i, step / 32.0);
-          EXPECT_LT(angleBetween(unitNormal(surface, unit), surface.evaluate(unit).position), 1e-12);
+          EXPECT_LT(angleBetween(unitNormal(surface, unit), surface.evaluate(unit).position),
+                    1e-12);
         }
       }
       // Between the lines the patch is not the sphere, but near it: a Barnhill-Gregory-Nielson triangle lies 14 % inside.
@@ -389,14 +393,14 @@ TEST(ModelSmoothPatches, APlanarPatchKeepsTheTangentsOfItsLines) {
   std::array<std::uint32_t, 4> spokes{};
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3& next = corners[(i + 1) % 4];
-    floor.push_back({builder.line(LineType::kHermite,
-                                  {corners[i], 0.6 * (corners[i] + next), next}),
-                     false});
+    floor.push_back(
+        {builder.line(LineType::kHermite, {corners[i], 0.6 * (corners[i] + next), next}), false});
     spokes[i] = builder.line(LineType::kHermite, {corners[i], top});
   }
   builder.patch(PatchType::kPlanar, {floor});
   for (std::size_t i = 0; i < 4; ++i)
-    builder.patch(PatchType::kNielson, {{floor[i], {spokes[(i + 1) % 4], false}, {spokes[i], true}}});
+    builder.patch(PatchType::kNielson,
+                  {{floor[i], {spokes[(i + 1) % 4], false}, {spokes[i], true}}});
   EXPECT_TRUE(diagnoseModel(builder.model).empty());
   compareAlongLines(builder.model, 32, [&](std::uint32_t line, double t, double angle) {
     if (std::ranges::find(spokes, line) != spokes.end()) {

@@ -177,8 +177,8 @@ class ModelChecker {
     }
     for (const Vec3& tangent : {drawn.startTangent, drawn.endTangent}) {
       if (isFinite(tangent)) continue;
-      report(diagnose<DiagnosticCode::kNotFinite>(refusedCoordinate(tangent))
-                 .about({entityOf(line)}));
+      report(
+          diagnose<DiagnosticCode::kNotFinite>(refusedCoordinate(tangent)).about({entityOf(line)}));
       isUsable = false;
     }
     return isUsable && checkPositions(line);

@@ -250,8 +250,7 @@ class PatchCheck {
           before[side] = *t;
           continue;
         }
-        report(diagnose<DiagnosticCode::kMisplacedSection>(), {LineId(section.line)},
-               ends[side]);
+        report(diagnose<DiagnosticCode::kMisplacedSection>(), {LineId(section.line)}, ends[side]);
         return false;
       }
     }

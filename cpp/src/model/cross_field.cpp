@@ -115,7 +115,8 @@ CrossField::Blend CrossField::tangentShare(double t) const {
   const double toFirst = std::max(0.0, 1.0 - t / first);
   const double fromFinal = std::max(0.0, 1.0 - (1.0 - t) / final);
   blend.value = start_.ofTangent * toFirst * toFirst + end_.ofTangent * fromFinal * fromFinal;
-  blend.slope = -2.0 * start_.ofTangent * toFirst / first + 2.0 * end_.ofTangent * fromFinal / final;
+  blend.slope =
+      -2.0 * start_.ofTangent * toFirst / first + 2.0 * end_.ofTangent * fromFinal / final;
   return blend;
 }
 

@@ -103,7 +103,8 @@ class CubicSpline {
     Sample result;
     result.value = (a * values_[i] + b * values_[i + 1]) + (weight * (a * a * a - a)) * left +
                    (weight * (b * b * b - b)) * right;
-    result.first = (values_[i + 1] - values_[i]) / step - (step * (3.0 * a * a - 1.0) / 6.0) * left +
+    result.first = (values_[i + 1] - values_[i]) / step -
+                   (step * (3.0 * a * a - 1.0) / 6.0) * left +
                    (step * (3.0 * b * b - 1.0) / 6.0) * right;
     result.second = a * left + b * right;
     return result;

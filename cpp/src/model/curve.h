@@ -78,7 +78,7 @@ class Curve {
   double chords_ = 0.0;       ///< sum of the lengths of the chords, for a spline or Hermite line
   CubicSpline<Vec3> spline_;  ///< for a spline
   HermiteCubics hermite_;     ///< for a Hermite line
-  CircularArc arc_;                      ///< for an arc or a circle
+  CircularArc arc_;           ///< for an arc or a circle
   FlatAxes flat_;
   double length_ = 0.0;
 };

@@ -32,8 +32,7 @@ using End = std::uint32_t;
 
 Vec3 unitOrZero(const Vec3& vector) {
   // Squares of large or small components are out of range.
-  const double largest =
-      std::max({std::fabs(vector.x), std::fabs(vector.y), std::fabs(vector.z)});
+  const double largest = std::max({std::fabs(vector.x), std::fabs(vector.y), std::fabs(vector.z)});
   if (!(largest > 0.0)) return Vec3(0.0);
   return glm::normalize(vector / largest);
 }
@@ -313,12 +312,13 @@ class TangentSolver {
   const Model* model_;
   std::vector<std::uint8_t> usable_;
   std::vector<EndTangents>* tangents_;
-  std::vector<std::uint8_t> isFree_;   ///< per end
-  std::vector<std::uint8_t> isMoved_;  ///< per end: has a tangent that is not given
-  std::vector<Vec3> directions_;       ///< per end: unit tangent away from its point
-  std::vector<std::uint32_t> uses_;    ///< per line: patches at it
+  std::vector<std::uint8_t> isFree_;                ///< per end
+  std::vector<std::uint8_t> isMoved_;               ///< per end: has a tangent that is not given
+  std::vector<Vec3> directions_;                    ///< per end: unit tangent away from its point
+  std::vector<std::uint32_t> uses_;                 ///< per line: patches at it
   std::vector<std::vector<std::uint32_t>> planes_;  ///< per line: planar patches at it
-  std::vector<std::vector<End>> beside_;  ///< per end: the other ends at the corners of smooth patches
+  std::vector<std::vector<End>>
+      beside_;  ///< per end: the other ends at the corners of smooth patches
   std::vector<Corner> corners_;
   std::vector<std::vector<Link>> links_;     ///< per corner
   std::vector<std::vector<Vec3>> planesAt_;  ///< per end: normals of the planes it should lie in

@@ -13,8 +13,7 @@ HermiteCubics::HermiteCubics(std::vector<double> knots, std::vector<Vec3> points
   for (std::size_t i = 1; i < last; ++i)
     slopes_[i] = besselSlope(chordSlope(i - 1), step(i - 1), chordSlope(i), step(i));
   if (points_.front() == points_.back()) {
-    slopes_.front() =
-        besselSlope(chordSlope(last - 1), step(last - 1), chordSlope(0), step(0));
+    slopes_.front() = besselSlope(chordSlope(last - 1), step(last - 1), chordSlope(0), step(0));
     slopes_.back() = slopes_.front();
     return;
   }

@@ -70,8 +70,8 @@ LoftSurface::Across LoftSurface::splineAt(const Vec2& unit) const {
   std::vector<Vec3> sidesBy(count, Vec3(0.0));
   for (std::size_t i = 1; i < last; ++i) {
     sidesBy[i] = 6.0 * (chordsBy[i] - chordsBy[i - 1]) -
-                 (stepsBy[i - 1] * seconds[i - 1] + 2.0 * (stepsBy[i - 1] + stepsBy[i]) * seconds[i] +
-                  stepsBy[i] * seconds[i + 1]);
+                 (stepsBy[i - 1] * seconds[i - 1] +
+                  2.0 * (stepsBy[i - 1] + stepsBy[i]) * seconds[i] + stepsBy[i] * seconds[i + 1]);
   }
   const std::vector<Vec3> secondsBy = equations.solve(std::move(sidesBy));
 
@@ -87,8 +87,8 @@ LoftSurface::Across LoftSurface::splineAt(const Vec2& unit) const {
   const Vec3 bend = cubic(a) * seconds[i] + cubic(b) * seconds[i + 1];
   Across result;
   result.value = (a * values[i] + b * values[i + 1]) + weight * bend;
-  const Vec3 byB = (values[i + 1] - values[i]) +
-                   weight * ((3.0 * b * b - 1.0) * seconds[i + 1] - (3.0 * a * a - 1.0) * seconds[i]);
+  const Vec3 byB = (values[i + 1] - values[i]) + weight * ((3.0 * b * b - 1.0) * seconds[i + 1] -
+                                                           (3.0 * a * a - 1.0) * seconds[i]);
   result.byEta = byB / step;
   result.byXi = (a * valuesBy[i] + b * valuesBy[i + 1]) + weightBy * bend +
                 weight * (cubic(a) * secondsBy[i] + cubic(b) * secondsBy[i + 1]) + bBy * byB;

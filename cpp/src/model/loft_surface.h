@@ -36,14 +36,15 @@ class LoftSurface {
   };
   [[nodiscard]] Across splineAt(const Vec2& unit) const;
 
-  std::array<OrientedCurve, 2> sides_;  ///< F4 and F2
-  std::vector<OrientedCurve> rows_;     ///< F1, the sections, F3
-  std::vector<double> firstKnots_;      ///< of the rows on F4
-  std::vector<double> secondKnots_;     ///< of the rows on F2
+  std::array<OrientedCurve, 2> sides_;     ///< F4 and F2
+  std::vector<OrientedCurve> rows_;        ///< F1, the sections, F3
+  std::vector<double> firstKnots_;         ///< of the rows on F4
+  std::vector<double> secondKnots_;        ///< of the rows on F2
   std::array<CubicSpline<Vec3>, 2> ends_;  ///< through the ends of the rows
 };
 
 /// Returns the parameter at which a line passes one of its points at a position between its ends; none if it does not.
-[[nodiscard]] std::optional<double> parameterOfPoint(const OrientedCurve& line, const Vec3& position);
+[[nodiscard]] std::optional<double> parameterOfPoint(const OrientedCurve& line,
+                                                     const Vec3& position);
 
 }  // namespace tetrafront

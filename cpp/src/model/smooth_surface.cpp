@@ -81,7 +81,6 @@ GregorySurface::GregorySurface(std::span<const OrientedCurve> loop)
   }
 }
 
-
 SurfacePoint GregorySurface::evaluate(const Vec2& unit) const {
   const double xi = unit.x;
   const double eta = unit.y;
@@ -114,10 +113,14 @@ SurfacePoint GregorySurface::evaluate(const Vec2& unit) const {
   const std::array<double, 2> fromXi{xi, 1.0 - xi};
   const std::array<double, 2> fromEta{eta, 1.0 - eta};
   const std::array<double, 2> sign{1.0, -1.0};
-  const std::array<std::array<double, 2>, 2> atX{{{hx.start, hx.startSlope}, {hx.end, hx.endSlope}}};
-  const std::array<std::array<double, 2>, 2> byX{{{dx.start, dx.startSlope}, {dx.end, dx.endSlope}}};
-  const std::array<std::array<double, 2>, 2> atY{{{hy.start, hy.startSlope}, {hy.end, hy.endSlope}}};
-  const std::array<std::array<double, 2>, 2> byY{{{dy.start, dy.startSlope}, {dy.end, dy.endSlope}}};
+  const std::array<std::array<double, 2>, 2> atX{
+      {{hx.start, hx.startSlope}, {hx.end, hx.endSlope}}};
+  const std::array<std::array<double, 2>, 2> byX{
+      {{dx.start, dx.startSlope}, {dx.end, dx.endSlope}}};
+  const std::array<std::array<double, 2>, 2> atY{
+      {{hy.start, hy.startSlope}, {hy.end, hy.endSlope}}};
+  const std::array<std::array<double, 2>, 2> byY{
+      {{dy.start, dy.startSlope}, {dy.end, dy.endSlope}}};
   for (std::size_t i = 0; i < 2; ++i) {
     const OrientedCurve& column = lines_[i == 0 ? 3 : 1];
     for (std::size_t j = 0; j < 2; ++j) {
@@ -137,7 +140,8 @@ SurfacePoint GregorySurface::evaluate(const Vec2& unit) const {
       const auto& [py, sy] = atY[j];
       const auto& [pxBy, sxBy] = byX[i];
       const auto& [pyBy, syBy] = byY[j];
-      result.position -= px * (py * up.position + sy * up.derivative) + sx * (py * along + sy * twist);
+      result.position -=
+          px * (py * up.position + sy * up.derivative) + sx * (py * along + sy * twist);
       result.alongXi -= pxBy * (py * up.position + sy * up.derivative) +
                         sxBy * (py * along + sy * twist) +
                         (sx * sy * sign[i] * byFromXi) * difference;
@@ -171,7 +175,7 @@ NielsonSurface::NielsonSurface(std::span<const OrientedCurve> loop)
     : lines_{loop[0], loop[1], loop[2]}, across_(triangleFields(loop)) {}
 
 NielsonSurface::Departure NielsonSurface::departureFrom(std::size_t corner, double s,
-                                                       const CrossField::Sample& arrival) const {
+                                                        const CrossField::Sample& arrival) const {
   const OrientedCurve& leaving = lines_[corner];
   const OrientedCurve& arriving = lines_[(corner + 2) % 3];
   const Vec3 toNext = slopeAt(leaving, 0.0);
@@ -193,9 +197,9 @@ NielsonSurface::Departure NielsonSurface::departureFrom(std::size_t corner, doub
   const double sizeBy = (ratioLast - ratioNext) * arrivalLength +
                         ratio * glm::dot(arrival.across, arrival.change) / arrivalLength;
   const Vec3 direction = departure.slope / length;
-  departure.change = sizeBy * direction + (size / length) * (departure.change -
-                                                             glm::dot(direction, departure.change) *
-                                                                 direction);
+  departure.change =
+      sizeBy * direction +
+      (size / length) * (departure.change - glm::dot(direction, departure.change) * direction);
   departure.slope = size * direction;
   return departure;
 }

@@ -7,9 +7,8 @@
 namespace tetrafront {
 
 UnitShape unitShapeOf(PatchType type) {
-  const bool triangle =
-      type == PatchType::kIsoparametricTriangle || type == PatchType::kBarnhillGregoryNielson ||
-      type == PatchType::kNielson;
+  const bool triangle = type == PatchType::kIsoparametricTriangle ||
+                        type == PatchType::kBarnhillGregoryNielson || type == PatchType::kNielson;
   return triangle ? UnitShape::kTriangle : UnitShape::kSquare;
 }
 

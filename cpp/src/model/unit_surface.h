@@ -47,9 +47,9 @@ class UnitSurface {
   [[nodiscard]] SurfacePoint evaluate(const Vec2& unit) const;
 
  private:
-  using Surface = std::variant<IsoparametricTriangle, SerendipitySurface,
-                               BarnhillGregoryNielsonSurface, CoonsSurface, TubeSurface,
-                               GregorySurface, NielsonSurface, LoftSurface>;
+  using Surface =
+      std::variant<IsoparametricTriangle, SerendipitySurface, BarnhillGregoryNielsonSurface,
+                   CoonsSurface, TubeSurface, GregorySurface, NielsonSurface, LoftSurface>;
   static Surface makeSurface(PatchType type, std::span<const OrientedCurve> loop,
                              std::span<const OrientedCurve> sections);
 
