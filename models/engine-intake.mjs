@@ -15,6 +15,16 @@ const shoulderAt = 3.1; // end of the elliptic nose
 const shoulderRadius = 0.36;
 const hubRadius = 0.46;
 
+/** The lines along the intake: those of 1988, or Hermite lines, which continue each other. */
+const lengthwise = (kind) => (kind === "smooth" ? "hermite" : "spline");
+const fourLines = (kind) => (kind === "smooth" ? "gregory" : "coons");
+
+/** A part of a circle: the spline of 1988 through some places, or the exact arc. */
+const ringPart = (builder, kind, places, name) =>
+  kind === "smooth"
+    ? builder.line("arc", [places[0], places[(places.length - 1) / 2], places.at(-1)], name)
+    : builder.spline(places, name);
+
 /** Positions along a quarter of an ellipse in the plane of the axis and `across`, from tip to shoulder. */
 const noseProfile = (across) =>
   spread(0, 90, 7).map((degrees) => {
@@ -30,7 +40,7 @@ const bodyProfile = (across) =>
   });
 
 /** From the corners of the inlet to the corresponding positions on the circle. */
-function ductEdges(builder) {
+function ductEdges(builder, kind) {
   const corners = [[0, -1], [1, -1], [1, 1], [0, 1]]; // prettier-ignore
   const names = ["keel", "lower edge", "upper edge", "crown"];
   return corners.map(([y, z], i) => {
@@ -40,11 +50,11 @@ function ductEdges(builder) {
       const between = (from, to) => from * inletHalf + (to - from * inletHalf) * s;
       return [roundFrom * t, between(y, yEnd), between(z, zEnd)];
     });
-    return builder.spline(places, names[i]);
+    return builder.line(lengthwise(kind), places, names[i]);
   });
 }
 
-function duct(builder) {
+function duct(builder, kind) {
   const sides = ["bottom", "side", "top"];
   const inlet = [[0, 0, -1], [0, 1, -1], [0, 1, 1], [0, 0, 1]] // prettier-ignore
     .map((at) => at.map((c) => c * inletHalf));
@@ -52,55 +62,60 @@ function duct(builder) {
   const angles = [[-90, -45], [-45, 45], [45, 90]]; // prettier-ignore
   const section = (x, label) =>
     angles.map(([from, to], i) =>
-      builder.spline(
+      ringPart(
+        builder,
+        kind,
         arc([x, 0, 0], outletRadius, yAxis, zAxis, from, to, to - from > 45 ? 7 : 5),
         `${label} ${sides[i]}`,
       ),
     );
   const throat = section(roundFrom, "throat");
   const outlet = section(length, "outlet");
-  const edges = ductEdges(builder);
+  const edges = ductEdges(builder, kind);
   const barrel = [-90, -45, 45, 90].map((degrees, i) =>
-    builder.straight(
-      onCircle([roundFrom, 0, 0], outletRadius, yAxis, zAxis, degrees),
-      onCircle([length, 0, 0], outletRadius, yAxis, zAxis, degrees),
+    builder.line(
+      kind === "smooth" ? "hermite" : "straight",
+      [roundFrom, length].map((x) => onCircle([x, 0, 0], outletRadius, yAxis, zAxis, degrees)),
       `barrel line ${i + 1}`,
     ),
   );
   const inletMid = builder.straight(inlet[3], inlet[0], "inlet midline");
   builder.planar("inlet", turned([...inletLines, inletMid]));
-  ruledRow(builder, inletLines, throat, edges, sides.map((side) => `duct ${side}`)); // prettier-ignore
-  ruledRow(builder, throat, outlet, barrel, sides.map((side) => `barrel ${side}`)); // prettier-ignore
+  const type = fourLines(kind);
+  ruledRow(builder, inletLines, throat, edges, sides.map((side) => `duct ${side}`), { type }); // prettier-ignore
+  ruledRow(builder, throat, outlet, barrel, sides.map((side) => `barrel ${side}`), { type }); // prettier-ignore
   return { outlet, inletMid, crown: [edges[3], barrel[3]], keel: [edges[0], barrel[0]] };
 }
 
-function centrebody(builder) {
+function centrebody(builder, kind) {
   const down = zAxis.map((c) => -c);
   const ring = (x, radius, label) => [
-    builder.spline(arc([x, 0, 0], radius, yAxis, zAxis, -90, 0, 7), `${label} below`),
-    builder.spline(arc([x, 0, 0], radius, yAxis, zAxis, 0, 90, 7), `${label} above`),
+    ringPart(builder, kind, arc([x, 0, 0], radius, yAxis, zAxis, -90, 0, 7), `${label} below`),
+    ringPart(builder, kind, arc([x, 0, 0], radius, yAxis, zAxis, 0, 90, 7), `${label} above`),
   ];
   const shoulder = ring(shoulderAt, shoulderRadius, "shoulder");
   const hub = ring(length, hubRadius, "hub");
   const [noseDown, noseSide, noseUp] = [down, yAxis, zAxis].map((across, i) =>
-    builder.spline(noseProfile(across), `nose ${["below", "beside", "above"][i]}`),
+    builder.line(lengthwise(kind), noseProfile(across), `nose ${["below", "beside", "above"][i]}`),
   );
   const ribs = [down, yAxis, zAxis].map((across, i) =>
-    builder.spline(bodyProfile(across), `centrebody ${["below", "beside", "above"][i]}`),
+    builder.line(lengthwise(kind), bodyProfile(across), `centrebody ${["below", "beside", "above"][i]}`),
   );
   // The quarter of the shoulder opposite the tip is the second line, which eq. (14) treats differently from the
   // other two.
-  builder.patch("barnhill-gregory-nielson", "nose below", [noseDown, shoulder[0], -noseSide]);
-  builder.patch("barnhill-gregory-nielson", "nose above", [noseSide, shoulder[1], -noseUp]);
-  ruledRow(builder, shoulder, hub, ribs, ["centrebody below", "centrebody above"], materialAround);
+  const threeLines = kind === "smooth" ? "nielson" : "barnhill-gregory-nielson";
+  builder.patch(threeLines, "nose below", [noseDown, shoulder[0], -noseSide]);
+  builder.patch(threeLines, "nose above", [noseSide, shoulder[1], -noseUp]);
+  const around = { ...materialAround, type: fourLines(kind) };
+  ruledRow(builder, shoulder, hub, ribs, ["centrebody below", "centrebody above"], around);
   return { hub, above: [noseUp, ribs[2]], below: [noseDown, ribs[0]] };
 }
 
-function engineIntake() {
+function engineIntake(kind) {
   const builder = new ProjectBuilder();
   builder.point([noseAt, 0, 0], "nose of the centrebody");
-  const { outlet, inletMid, crown, keel } = duct(builder);
-  const { hub, above, below } = centrebody(builder);
+  const { outlet, inletMid, crown, keel } = duct(builder, kind);
+  const { hub, above, below } = centrebody(builder, kind);
   const gap = (sign, name) =>
     builder.straight([length, 0, sign * outletRadius], [length, 0, sign * hubRadius], name);
   const upper = gap(1, "outlet midline above");
@@ -123,6 +138,14 @@ export const models = [
     blurb:
       "Half an intake with a centrebody that begins inside, from a square inlet to a round outlet. The first example of Löhner and Parikh, finest at the nose.",
     group: "The paper's examples",
-    build: engineIntake,
+    build: () => engineIntake("paper"),
+  },
+  {
+    id: "smooth-intake",
+    title: "Engine intake, smooth",
+    blurb:
+      "The same intake without kinks: Hermite lines continue each other, circles are exact, and neighbouring patches have one normal along their common lines. Turn on the zebra stripes to compare it with the one of 1988.",
+    group: "The paper's examples",
+    build: () => engineIntake("smooth"),
   },
 ];

@@ -2,6 +2,7 @@
 
 #include "bindings.h"
 #include "tetrafront/covering_grid.h"
+#include "tetrafront/curvature_samples.h"
 #include "tetrafront/grid_from_mesh.h"
 #include "tetrafront/mesh_inspection.h"
 #include "tetrafront/node_placement.h"
@@ -22,7 +23,7 @@ EMSCRIPTEN_BINDINGS(tools) {
                 BodySurfaces, GivenRegions, ModelTriangles>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
                 PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples,
-                NodePlacement, SecondOrderMesh>();
+                CurvatureSamples, NodePlacement, SecondOrderMesh>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -45,6 +46,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(
       "SizeSampling", "sampleSizes");
+  registerTool<CurvatureSampler, Model>("CurvatureSampling", "sampleCurvature");
   registerTool<MeshGridBuilder, VolumeMesh, Doubles>("BackgroundFromMesh", "backgroundFromMesh");
   function("memoryBytes", &memoryBytes);
 }

@@ -42,6 +42,7 @@ const PUBLIC_HEADERS = {
   "second_order.h": "curved",
   "covering_grid.h": "preview",
   "size_samples.h": "preview",
+  "curvature_samples.h": "preview",
   "size_proposals.h": "preview",
   "preview.h": "preview",
   "surface_tools.h": "repair",

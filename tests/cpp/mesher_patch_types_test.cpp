@@ -48,7 +48,7 @@ double exactVolume(const Model& model) {
   const ResolvedModel resolved(model);
   double volume = 0.0;
   for (const Patch& patch : model.patches)
-    volume += fluxThrough(UnitSurface(patch.type, curvesOf(resolved, patch.loops.front())), inside);
+    volume += fluxThrough(unitSurface(resolved, patch), inside);
   return volume;
 }
 
@@ -75,8 +75,8 @@ void expectMeshes(const Model& model) {
 }
 
 TEST(MesherPatchTypes, TetrahedraOfTriangularPatchesMeshToTheirVolume) {
-  for (const PatchType type :
-       {PatchType::kIsoparametricTriangle, PatchType::kBarnhillGregoryNielson}) {
+  for (const PatchType type : {PatchType::kIsoparametricTriangle,
+                               PatchType::kBarnhillGregoryNielson, PatchType::kNielson}) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       SCOPED_TRACE(static_cast<int>(type) * 100 + static_cast<int>(seed));
       expectMeshes(randomBentTetrahedron(seed, 0.15, type));
@@ -85,7 +85,8 @@ TEST(MesherPatchTypes, TetrahedraOfTriangularPatchesMeshToTheirVolume) {
 }
 
 TEST(MesherPatchTypes, BoxesOfQuadrilateralPatchesMeshToTheirVolume) {
-  for (const PatchType type : {PatchType::kSerendipity, PatchType::kCoons}) {
+  for (const PatchType type :
+       {PatchType::kSerendipity, PatchType::kCoons, PatchType::kGregory, PatchType::kLoft}) {
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
       SCOPED_TRACE(static_cast<int>(type) * 100 + static_cast<int>(seed));
       expectMeshes(randomBentBox(seed, 0.2, type));

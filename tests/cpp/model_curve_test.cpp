@@ -28,6 +28,14 @@ std::vector<Curve> randomCurves(std::uint64_t seed) {
   curves.emplace_back(LineType::kParabolic, randomPoints(random, 3));
   for (int count = 3; count < 9; ++count)
     curves.emplace_back(LineType::kSpline, randomPoints(random, count));
+  for (int count = 2; count < 6; ++count) {
+    curves.emplace_back(LineType::kHermite, randomPoints(random, count));
+    EndTangents tangents;
+    if (random.coin()) tangents.start = glm::normalize(random.inBox());
+    if (random.coin()) tangents.end = glm::normalize(random.inBox());
+    curves.emplace_back(LineType::kHermite, randomPoints(random, count), tangents);
+    if (count > 2) curves.emplace_back(LineType::kSpline, randomPoints(random, count), tangents);
+  }
   curves.emplace_back(LineType::kArc, randomPoints(random, 3));
   std::vector<Vec3> circle = randomPoints(random, 3);
   circle.push_back(circle.front());
@@ -65,6 +73,102 @@ TEST(ModelCurve, SplineThroughThreePointsIsTheNaturalOne) {
     const Vec3 expected(side * (2.0 * t - 1.0), 3.0 * toEnd - 4.0 * toEnd * toEnd * toEnd, 0.0);
     EXPECT_LT(glm::length(curve.position(t) - expected), 1e-14) << t;
   }
+}
+
+TEST(ModelCurve, SecondDerivativesAreTheLimitOfDifferences) {
+  constexpr double kStep = 1e-6;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (const Curve& curve : randomCurves(seed)) {
+      SCOPED_TRACE(static_cast<int>(curve.type()));
+      for (const double t : {0.013, 0.27, 0.511, 0.87}) {
+        const Vec3 difference =
+            (curve.derivative(t + kStep) - curve.derivative(t - kStep)) / (2.0 * kStep);
+        EXPECT_LT(glm::length(curve.secondDerivative(t) - difference),
+                  1e-7 * (100.0 + glm::length(difference)));
+      }
+    }
+  }
+}
+
+TEST(ModelCurve, HermiteLinesPassTheirPointsWithContinuousTangents) {
+  constexpr double kBeside = 1e-9;
+  Random random(21);
+  for (int count = 3; count < 9; ++count) {
+    const std::vector<Vec3> points = randomPoints(random, count);
+    const Curve curve(LineType::kHermite, points);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const double t = curve.knots()[i];
+      EXPECT_LT(glm::length(curve.position(t) - points[i]), 1e-13);
+      EXPECT_LT(glm::length(curve.derivative(t - kBeside) - curve.derivative(t + kBeside)), 1e-5);
+    }
+    // Without given tangents, the ends are natural.
+    EXPECT_LT(glm::length(curve.secondDerivative(0.0)), 1e-9);
+    EXPECT_LT(glm::length(curve.secondDerivative(1.0)), 1e-9);
+  }
+}
+
+TEST(ModelCurve, AHermiteLineThroughPointsOfAParabolaIsTheParabolaInside) {
+  // The points lie at equal chords only nearly; with exact chord-length parameters the slopes are those of the parabola
+  // through three points, and a cubic with the ends and slopes of a quadratic is the quadratic.
+  const Curve curve(LineType::kHermite, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
+  for (int i = 0; i <= 12; ++i)
+    EXPECT_LT(glm::length(curve.position(i / 12.0) - Vec3(i / 4.0, 0, 0)), 1e-15);
+  EXPECT_TRUE(curve.isStraight());
+}
+
+TEST(ModelCurve, APointOfAHermiteLineMovesFourPiecesOnly) {
+  Random random(22);
+  std::vector<Vec3> points = randomPoints(random, 9);
+  const Curve before(LineType::kHermite, points);
+  // A move around the axis through the neighbours keeps the chords, so that the parameters stay.
+  const Vec3 axis = points[3] - points[1];
+  const Vec3 foot =
+      points[1] + (glm::dot(points[2] - points[1], axis) / glm::dot(axis, axis)) * axis;
+  points[2] = foot - (points[2] - foot);
+  const Curve after(LineType::kHermite, points);
+  for (int i = 0; i <= 64; ++i) {
+    const double t = before.knots()[4] + (1.0 - before.knots()[4]) * (i / 64.0);
+    EXPECT_LT(glm::length(before.position(t) - after.position(t)), 1e-13);
+  }
+  EXPECT_GT(glm::length(before.position(before.knots()[2]) - after.position(after.knots()[2])),
+            0.01);
+}
+
+TEST(ModelCurve, GivenTangentsAreThoseOfTheEnds) {
+  Random random(23);
+  for (const LineType type : {LineType::kSpline, LineType::kHermite}) {
+    for (int i = 0; i < 20; ++i) {
+      const EndTangents tangents{glm::normalize(random.inBox()), glm::normalize(random.inBox())};
+      const Curve curve(type, randomPoints(random, 3 + i % 4), tangents);
+      EXPECT_LT(glm::length(glm::normalize(curve.derivative(0.0)) - *tangents.start), 1e-13);
+      EXPECT_LT(glm::length(glm::normalize(curve.derivative(1.0)) - *tangents.end), 1e-13);
+      if (type == LineType::kHermite) continue;
+      for (std::size_t k = 1; k + 1 < curve.knots().size(); ++k) {
+        const double t = curve.knots()[k];
+        EXPECT_LT(glm::length(curve.secondDerivative(t - 1e-9) - curve.secondDerivative(t + 1e-9)),
+                  1e-4);
+      }
+    }
+  }
+}
+
+TEST(ModelCurve, ASplineWithTheTangentsOfACircleIsNearIt) {
+  // Clamped splines converge with the fourth power of the distance of their points, natural ones only with the second.
+  const auto deviation = [](int count, bool clamped) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= count; ++i) {
+      const double angle = 0.5 * std::numbers::pi * i / count;
+      points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    }
+    const Curve curve(LineType::kSpline, points,
+                      clamped ? EndTangents{Vec3(0, 1, 0), Vec3(-1, 0, 0)} : EndTangents{});
+    double worst = 0.0;
+    for (int i = 0; i <= 1000; ++i)
+      worst = std::max(worst, std::fabs(glm::length(curve.position(i / 1000.0)) - 1.0));
+    return worst;
+  };
+  EXPECT_GT(deviation(4, true) / deviation(8, true), 12.0);
+  EXPECT_LT(deviation(8, true), 0.02 * deviation(8, false));
 }
 
 TEST(ModelCurve, SplineKnotsAreProportionalToTheChords) {

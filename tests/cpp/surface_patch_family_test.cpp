@@ -54,6 +54,9 @@ std::string nameOf(const ::testing::TestParamInfo<PatchType>& type) {
       return "BarnhillGregoryNielson";
     case PatchType::kTube:
       return "Tube";
+    case PatchType::kGregory:
+    case PatchType::kNielson:
+    case PatchType::kLoft:
     case PatchType::kCoons:
       break;
   }

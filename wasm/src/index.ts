@@ -12,6 +12,7 @@ export type {
   PatchSplit,
   ProjectCheck,
   SizeProposal,
+  CurvatureSamples,
   SizeSamples,
   SurfaceSizeProposal,
 } from "./api/mesher-interface.js";

@@ -15,6 +15,7 @@ import {
 } from "../document/create";
 import { offerSplit } from "../document/grid-edits";
 import type { Entity } from "../document/entities";
+import { offerLoft, offerSmooth } from "../document/smooth";
 import { offerLineSplit } from "../document/splits/split-line";
 
 /** Creates something from the selection. Each maker is a command and a button in the inspector. */
@@ -65,6 +66,7 @@ export const lineMakers: readonly Maker[] = [
   },
   lineMaker("arc", "shift+Q"),
   lineMaker("circle", "C"),
+  lineMaker("hermite", null),
 ];
 
 export const patchMakers: readonly Maker[] = [
@@ -75,7 +77,27 @@ export const patchMakers: readonly Maker[] = [
   patchMaker("serendipity", null),
   patchMaker("barnhill-gregory-nielson", null),
   patchMaker("tube", null),
+  patchMaker("gregory", null),
+  patchMaker("nielson", null),
 ];
+
+const loftMaker: Maker = {
+  id: "loft",
+  label: commandLabels.loftLines,
+  key: null,
+  from: "line",
+  quiet: true,
+  offer: offerLoft,
+};
+
+const smoothMaker: Maker = {
+  id: "make-smooth",
+  label: commandLabels.smooth,
+  key: null,
+  from: "patch",
+  quiet: true,
+  offer: offerSmooth,
+};
 
 const holeMaker: Maker = {
   id: "hole",
@@ -107,6 +129,8 @@ const splitMaker: Maker = {
 export const makers: readonly Maker[] = [
   ...lineMakers,
   ...patchMakers,
+  loftMaker,
+  smoothMaker,
   holeMaker,
   tetrahedronMaker,
   splitMaker,
@@ -179,6 +203,8 @@ export const createMenu: readonly Command[] = [
     enabled: (app) => app.view.state.getState().selection.some(({ kind }) => kind === "line"),
   }),
   ...patchMakers.map((maker) => commandOf(maker, 3)),
+  commandOf(loftMaker, 3),
+  commandOf(smoothMaker, 3),
   commandOf(holeMaker, 3),
   define("create", 4)("new-node", commandLabels.newNode, (app) => app.shell.setState({ dialog: "new-node" })),
   commandOf(tetrahedronMaker, 4),

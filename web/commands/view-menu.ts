@@ -1,5 +1,5 @@
 import type { App } from "../app/app";
-import type { CutAxis, Layer, Shading } from "../document/selection";
+import type { CutAxis, Layer, Shading, Smoothness } from "../document/selection";
 import { schemes } from "../session/shell";
 import type { StandardView } from "../viewer/camera";
 import { commandLabels } from "../strings";
@@ -21,6 +21,7 @@ const standardViews: readonly (readonly [StandardView, key: string])[] = [
 ];
 
 const layers: readonly Layer[] = ["points", "lines", "patches", "background", "sources", "mesh"];
+const smoothnesses: readonly Smoothness[] = ["none", "zebra", "gaussian", "largest"];
 const shadings: readonly Shading[] = ["radius-ratio", "dihedral", "region", "plain"];
 
 const cutAxes: readonly CutAxis[] = ["x", "y", "z"];
@@ -97,6 +98,16 @@ export const viewMenu: readonly Command[] = [
       (app) => app.view.state.setState({ shading }),
       {
         checked: (app) => viewState(app).shading === shading,
+      },
+    ),
+  ),
+  ...smoothnesses.map((smoothness) =>
+    define("view", 5)(
+      `patches-${smoothness}`,
+      commandLabels.smoothness[smoothness],
+      (app) => app.view.state.setState({ smoothness }),
+      {
+        checked: (app) => viewState(app).smoothness === smoothness,
       },
     ),
   ),

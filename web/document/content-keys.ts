@@ -71,7 +71,14 @@ const fieldsOf = <Record>(fields: { readonly [Field in keyof Required<Record>]: 
   Object.keys(fields);
 
 const pointFields = fieldsOf<ProjectPoint>({ id: true, name: true, position: true });
-const lineFields = fieldsOf<ProjectLine>({ id: true, name: true, type: true, points: true });
+const lineFields = fieldsOf<ProjectLine>({
+  id: true,
+  name: true,
+  type: true,
+  points: true,
+  startTangent: true,
+  endTangent: true,
+});
 const patchFields = fieldsOf<ProjectPatch>({ id: true, name: true, type: true, loops: true });
 const sourceFields = fieldsOf<ProjectSource>({
   id: true,

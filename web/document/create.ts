@@ -128,6 +128,9 @@ export function offerLine(project: Project, selection: readonly Entity[], type: 
     case "spline":
       if (points.length < 3) return refuse(selectionHints.spline);
       return offer(addLines(project, type, [points]));
+    case "hermite":
+      if (points.length < 2) return refuse(selectionHints.straightLine);
+      return offer(addLines(project, type, [points]));
   }
 }
 
@@ -155,7 +158,7 @@ export function offerPatch(project: Project, selection: readonly Entity[], type:
 export function offerHole(project: Project, selection: readonly Entity[]): Offer {
   const [patchId, ...others] = idsOf(selection, "patch");
   const patch = patchId === undefined ? undefined : findRecord(project, "patch", patchId);
-  if (!patch || others.length > 0) return refuse(selectionHints.hole);
+  if (!patch || others.length > 0 || patch.type === "loft") return refuse(selectionHints.hole);
   const found = orderLoops(project, idsOf(selection, "line"));
   if (!found.success) return refuse(found.reason);
   const loops = [...patch.loops, ...found.loops];

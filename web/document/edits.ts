@@ -2,7 +2,7 @@ import type { Project, ProjectLine, ProjectPatch } from "tetrafront/project";
 import { stepNames } from "../strings";
 import { finderIn, listOf, nounOf, recordOf, type Axis, type ProjectDraft } from "./draft-records";
 import type { DraftEdit, ProjectEdit } from "./edit";
-import { pointsForType } from "./line-types";
+import { pointsForType, runsThroughMany } from "./line-types";
 import { dependentFinder, entityKey, type DrawnKind, type Entity } from "./entities";
 
 /**
@@ -68,6 +68,9 @@ export function changeLineTypes(
     if (!line) continue;
     line.points = [...pointsForType(line.points, line.type, type)];
     line.type = type;
+    if (runsThroughMany(type)) continue;
+    delete line.startTangent;
+    delete line.endTangent;
   }
 }
 
@@ -77,6 +80,24 @@ export function setLinePoints(id: number, points: readonly number[]): ProjectEdi
     change: ({ project }) => {
       const line = recordOf(project.lines, id);
       if (line && line.points.join() !== points.join()) line.points = [...points];
+    },
+  };
+}
+
+/** Gives an end of a spline or Hermite line a tangent; null removes it. */
+export function setTangent(
+  id: number,
+  end: "startTangent" | "endTangent",
+  tangent: readonly [number, number, number] | null,
+): ProjectEdit {
+  return {
+    label: stepNames.setTangent(id),
+    mergeKey: `tangent-${id}-${end}`,
+    change: ({ project }) => {
+      const line = recordOf(project.lines, id);
+      if (!line) return;
+      if (tangent) line[end] = [...tangent];
+      else delete line[end];
     },
   };
 }

@@ -133,11 +133,17 @@ class LineInsertion {
   }
 
   /** The signed id of a line, which is added with its points unless the project has it. */
-  insert({ type, points }: ShapeLine): number {
+  insert({ type, points, startTangent, endTangent }: ShapeLine): number {
     const shared = this.#sharedLine({ type, points });
     if (shared !== undefined) return shared;
     const id = this.#nextLine++;
-    this.newLines.push({ id, type, points: points.map((point) => this.idOf(point)) });
+    this.newLines.push({
+      id,
+      type,
+      points: points.map((point) => this.idOf(point)),
+      ...(startTangent && { startTangent }),
+      ...(endTangent && { endTangent }),
+    });
     return id;
   }
 

@@ -1,4 +1,5 @@
 import type { LineType } from "tetrafront/project";
+import { runsThroughMany } from "./line-types";
 import { arcThrough, circleThrough, onArc } from "./arcs";
 import type { Position } from "./position";
 import { addScaled, dot, length, scale, subtract } from "./vectors";
@@ -27,6 +28,7 @@ export function sameCourse(
       return true;
     case "parabolic":
     case "spline":
+    case "hermite":
       return a.length === b.length && a.every((p, i) => isSame(p, b[i] ?? p));
     case "arc":
     case "circle":
@@ -63,7 +65,7 @@ export function closedDirection(
   isSame: (p: Position, q: Position) => boolean,
 ): 1 | -1 | 0 {
   if (type === "circle") return circleDirection(a, b, isSame);
-  if (type !== "spline" || a.length !== b.length) return 0;
+  if (!runsThroughMany(type) || a.length !== b.length) return 0;
   const [first, ...further] = a.slice(0, -1);
   const count = further.length + 1;
   const start = first ? b.findIndex((position) => isSame(position, first)) : -1;

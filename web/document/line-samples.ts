@@ -5,8 +5,8 @@ import type { Position } from "./position";
 import { addScaled, scale } from "./vectors";
 
 /**
- * Positions along lines, without the engine: for planes, areas and hits of patches. Splines are sampled at their points
- * only.
+ * Positions along lines, without the engine: for planes, areas and hits of patches. Splines and Hermite lines are
+ * sampled at their points only.
  */
 
 /** Sides per curved line. */
@@ -26,6 +26,7 @@ export function samplesAlong(type: LineType, points: readonly Position[]): reado
   switch (type) {
     case "straight":
     case "spline":
+    case "hermite":
       return points;
     case "parabolic":
       if (!a || !b || !c) return points;

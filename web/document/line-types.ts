@@ -7,7 +7,11 @@ export const lineTypes = [
   "circle",
   "parabolic",
   "spline",
+  "hermite",
 ] as const satisfies readonly LineType[];
+
+/** Whether lines of a type run through any number of points, and may end where they begin. */
+export const runsThroughMany = (type: LineType): boolean => type === "spline" || type === "hermite";
 
 /** Types of lines with their points: a circle names its first point twice. */
 const isCircle = (type: LineType): boolean => type === "circle";
@@ -23,6 +27,6 @@ export function pointsForType(
 ): readonly number[] {
   const isClosed = points.length > 1 && points[0] === points.at(-1);
   if (isCircle(after) && !isClosed && points.length === 3) return [...points, ...points.slice(0, 1)];
-  if (isCircle(before) && isClosed && after !== "spline") return points.slice(0, -1);
+  if (isCircle(before) && isClosed && !runsThroughMany(after)) return points.slice(0, -1);
   return points;
 }

@@ -19,6 +19,9 @@ export const patchRules: { readonly [P in PatchType]: PatchRule } = {
   serendipity: { lines: 4, lineType: "parabolic", loops: null },
   "barnhill-gregory-nielson": { lines: 3, lineType: null, loops: null },
   coons: { lines: 4, lineType: null, loops: null },
+  gregory: { lines: 4, lineType: null, loops: null },
+  nielson: { lines: 3, lineType: null, loops: null },
+  loft: { lines: 4, lineType: null, loops: null },
   tube: { lines: null, lineType: null, loops: 2 },
 };
 

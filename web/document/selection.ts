@@ -11,6 +11,8 @@ import { principalPlane, type WorkPlane } from "./work-plane";
 
 export type Layer = "points" | "lines" | "patches" | "bodies" | "background" | "sources" | "mesh";
 export type CutAxis = "x" | "y" | "z";
+/** What the view shows of the smoothness of patches. */
+export type Smoothness = "none" | "zebra" | "gaussian" | "largest";
 export type Shading = "radius-ratio" | "dihedral" | "region" | "plain";
 
 export interface Cut {
@@ -50,6 +52,8 @@ export interface ViewState {
   readonly hiddenRegions: ReadonlySet<number>;
   readonly cut: Cut;
   readonly shading: Shading;
+  /** What the view shows on the patches, instead of the mesh: how smooth they are. */
+  readonly smoothness: Smoothness;
   /** Whether the view shows the target sizes instead of the mesh, and on which plane. */
   readonly sizes: { readonly enabled: boolean; readonly plane: SizePlane | null };
   /** Where the quality of a stretched mesh is measured, wherever the page shows it. */
@@ -98,6 +102,7 @@ const initialView: ViewState = {
   hiddenRegions: new Set(),
   cut: { enabled: false, axis: "x", position: 0.5, flipped: false },
   shading: "radius-ratio",
+  smoothness: "none",
   sizes: { enabled: false, plane: { axis: "z", position: 0.5 } },
   qualitySpace: "metric",
   edges: true,

@@ -15,6 +15,8 @@ export interface Shape<P = Position> {
 export interface ShapeLine {
   readonly type: LineType;
   readonly points: readonly number[];
+  readonly startTangent?: Position | undefined;
+  readonly endTangent?: Position | undefined;
 }
 
 export interface ShapePatch {

@@ -19,6 +19,7 @@ import { PreviewFeed } from "./preview";
 import { ProblemList } from "./problems";
 import { MeshRun, regionCount } from "./run";
 import { SizeFeed } from "./size-feed";
+import { SmoothnessFeed } from "./smoothness-feed";
 import type { ShownMesh } from "./shown-mesh";
 
 export interface SessionOptions {
@@ -42,6 +43,7 @@ export class Session {
   readonly bodies: BodyFeed;
   readonly problems: ProblemList;
   readonly sizes: SizeFeed;
+  readonly smoothness: SmoothnessFeed;
   readonly library: DocumentLibrary | null;
   readonly autosave: Autosave | null;
 
@@ -59,6 +61,7 @@ export class Session {
     const check = new BodyCheck(this.documents, previewMesher, this.bodies);
     this.problems = new ProblemList({ ...this, check });
     this.sizes = new SizeFeed(this, previewMesher);
+    this.smoothness = new SmoothnessFeed(this, previewMesher);
     this.library = library;
     this.autosave = library && new Autosave(this.documents, library.storage);
     this.documents.state.subscribe(({ history, gestureStart }, before) => {

@@ -73,6 +73,7 @@ export const commandLabels = {
     closed: "Closed spline through points",
     arc: "Arc through three points",
     circle: "Circle through three points",
+    hermite: "Hermite line through points",
   },
   patches: {
     any: "Patch within lines",
@@ -82,7 +83,12 @@ export const commandLabels = {
     serendipity: "Serendipity patch",
     "barnhill-gregory-nielson": "Barnhill–Gregory–Nielson patch",
     tube: "Tube between two loops",
+    gregory: "Smooth quadrilateral",
+    nielson: "Smooth triangle",
+    loft: "Loft within four lines",
   },
+  smooth: "Make patches smooth",
+  loftLines: "Loft through lines",
   hole: "Hole in the patch",
   tetrahedron: "Background tetrahedron",
   split: "Split background tetrahedra",
@@ -111,6 +117,12 @@ export const commandLabels = {
     dihedral: "Shade by smallest dihedral angle",
     region: "Shade by region",
     plain: "Plain shading",
+  },
+  smoothness: {
+    none: "Plain patches",
+    zebra: "Zebra stripes on patches",
+    gaussian: "Patches by Gaussian curvature",
+    largest: "Patches by largest curvature",
   },
   elementEdges: "Element edges",
 

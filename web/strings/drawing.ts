@@ -48,6 +48,7 @@ export const drawingStrings = {
       "Click the centre, then a place on the circle, or type the radius. The circle lies in the work plane.",
     circleThrough: "Click three places on the circle.",
     spline: "Click places, then Enter. The first place closes the spline.",
+    hermite: "Click places, then Enter. The first place closes the line.",
     patch: "Click into a loop of lines, or click its lines and press Enter.",
     node: "Click places or nodes of the background grid. Four of them make a tetrahedron.",
     source: {

@@ -44,6 +44,7 @@ export const lineTypeNames = {
   spline: "cubic spline",
   arc: "arc",
   circle: "circle",
+  hermite: "Hermite line",
 } as const;
 
 export const patchTypeNames = {
@@ -53,6 +54,9 @@ export const patchTypeNames = {
   serendipity: "serendipity",
   "barnhill-gregory-nielson": "Barnhill–Gregory–Nielson",
   tube: "tube",
+  gregory: "smooth quadrilateral (Gregory)",
+  nielson: "smooth triangle (Nielson)",
+  loft: "loft",
 } as const;
 
 /** The lines that each type of patch needs. */
@@ -63,6 +67,9 @@ export const patchTypeHints = {
   serendipity: "Four parabolic lines: a curved quadrilateral with eight nodes. Holes allowed.",
   "barnhill-gregory-nielson":
     "Three lines of any type; the second, F2, is weighted differently. Holes allowed.",
+  gregory: "Four lines of any type; joins other smooth patches without an edge. Holes allowed.",
+  nielson: "Three lines of any type; joins other smooth patches without an edge. Holes allowed.",
+  loft: "Four lines of any type, and sections from the fourth to the second: a surface through all of them.",
   tube: "Two loops of any lines, joined by straight rulings: a cylinder between two circles.",
 } as const;
 

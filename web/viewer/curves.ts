@@ -1,5 +1,6 @@
 import { CatmullRomCurve3, Vector3 } from "three";
 import type { LineType } from "tetrafront/project";
+import { runsThroughMany } from "../document/line-types";
 import { samplesAlong } from "../document/line-samples";
 import type { Position } from "../document/position";
 
@@ -13,7 +14,7 @@ const segments = 24;
 export function sampledCurve(type: LineType, through: readonly Position[]): readonly Position[] {
   const [a] = through;
   if (!a || through.length < 3) return through;
-  if (type !== "spline") return samplesAlong(type, through);
+  if (!runsThroughMany(type)) return samplesAlong(type, through);
   const last = through.at(-1) ?? a;
   const closed = through.length > 3 && a.every((x, k) => x === last[k]);
   const points = (closed ? through.slice(0, -1) : through).map((position) => new Vector3(...position));

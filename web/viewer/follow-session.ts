@@ -9,6 +9,7 @@ import type { PreviewFeed } from "../session/preview";
 import type { ProblemList } from "../session/problems";
 import { isOfOtherBodies, isStale, type MeshRun, type RunState } from "../session/run";
 import type { SizeFeed } from "../session/size-feed";
+import type { SmoothnessFeed } from "../session/smoothness-feed";
 import type { SampledProject, ShownState } from "./scene-state";
 import { shownBodies } from "./shown-bodies";
 import type { Viewer } from "./viewer";
@@ -22,6 +23,7 @@ export interface SessionStores {
   readonly run: MeshRun;
   readonly view: ViewStore;
   readonly sizes: SizeFeed;
+  readonly smoothness: SmoothnessFeed;
 }
 
 /** What the viewer shows of the stores, in parts that change together. */
@@ -32,11 +34,12 @@ const partsOf = (stores: SessionStores) =>
     run: derived((read) => runState(stores, read)),
     problems: problemsOf(stores),
     sizes: derived((read) => ({ shownSizes: read(stores.sizes.state).shown })),
+    smoothness: derived((read) => ({ shownSmoothness: read(stores.smoothness.state).shown })),
   }) as const;
 
 /** Returns the state of the stores as the viewer shows it. */
 export function shownState(stores: SessionStores): ShownState {
-  const { project, preview, run, problems, sizes } = partsOf(stores);
+  const { project, preview, run, problems, sizes, smoothness } = partsOf(stores);
   return {
     ...stores.view.state.getState(),
     ...project.getState(),
@@ -44,6 +47,7 @@ export function shownState(stores: SessionStores): ShownState {
     ...run.getState(),
     ...problems.getState(),
     ...sizes.getState(),
+    ...smoothness.getState(),
     isReplaying: false,
   };
 }

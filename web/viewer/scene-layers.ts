@@ -14,6 +14,7 @@ import { LinesLayer } from "./layers/lines-layer";
 import { MeshLayer, type MeshLayerEvents } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
 import { SizesLayer } from "./layers/sizes-layer";
+import { SmoothnessLayer } from "./layers/smoothness-layer";
 import { SourcesLayer } from "./layers/sources-layer";
 import type { MeshQueryClient } from "./queries/mesh-query-client";
 import type { SceneChanges, Viewport } from "./scene-state";
@@ -54,9 +55,9 @@ export class SceneLayers {
   }
 
   update(changes: SceneChanges): void {
-    const { isReplaying, isOtherModel, shownSizes } = changes.state;
+    const { isReplaying, isOtherModel, shownSizes, shownSmoothness } = changes.state;
     this.#isReplaying = isReplaying;
-    this.#replaced.visible = !isReplaying && shownSizes === null;
+    this.#replaced.visible = !isReplaying && shownSizes === null && shownSmoothness === null;
     this.#bodies.root.visible = !isReplaying;
     this.#entities.visible = !isOtherModel;
     for (const layer of this.#all) layer.update(changes);
@@ -125,6 +126,6 @@ export class SceneLayers {
     const entities = [this.#lines, this.#points, this.#grid, this.#sources];
     this.#entities.add(...entities.map(({ root }) => root));
     this.#scene.add(this.#entities);
-    return [new GroundLayer(), this.axes, ...surfaces, new SizesLayer(), ...entities];
+    return [new GroundLayer(), this.axes, ...surfaces, new SizesLayer(), new SmoothnessLayer(), ...entities];
   }
 }

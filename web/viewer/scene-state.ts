@@ -5,6 +5,7 @@ import type { Defects } from "../document/validate";
 import type { ViewerColors } from "./colors";
 import type { Position } from "../document/position";
 import type { ShownSizes } from "../session/size-feed";
+import type { ShownSmoothness } from "../session/smoothness-feed";
 import type { ShownBody } from "./shown-bodies";
 
 /** Lines and patches of a project, sampled by the engine. */
@@ -45,6 +46,8 @@ export interface ShownState extends ViewState {
   readonly tints: ReadonlyMap<string, readonly [number, number, number]>;
   /** Target sizes that are shown instead of the surfaces; null for none. */
   readonly shownSizes: ShownSizes | null;
+  /** Stripes or curvatures that are shown on the patches, instead of the mesh; null for none. */
+  readonly shownSmoothness: ShownSmoothness | null;
   /** A recorded front is shown instead of the surfaces of the model and its mesh. */
   readonly isReplaying: boolean;
 }

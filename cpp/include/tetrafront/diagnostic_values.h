@@ -174,6 +174,7 @@ constexpr DiagnosticValues valuesOf(DiagnosticCode code) {
     case DiagnosticCode::kCoincidentPoints:
     case DiagnosticCode::kCollinearPoints:
     case DiagnosticCode::kOpenCircle:
+    case DiagnosticCode::kMisplacedSection:
     case DiagnosticCode::kZeroLengthLine:
     case DiagnosticCode::kWrongLineType:
     case DiagnosticCode::kLoopNotClosed:

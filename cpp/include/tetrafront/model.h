@@ -15,13 +15,17 @@ namespace tetrafront {
 enum class LineType : std::uint8_t {
   kStraight = 0,   ///< two points
   kParabolic = 1,  ///< three points: start, the point at mid-parameter, end
-  /// Four or more points, interpolated with chord-length parameters and natural ends. If the first point is also
-  /// the last, the curve is periodic: its curvature is continuous there too.
+  /// Three or more points, interpolated with chord-length parameters and continuous curvature (C2). An end is natural, or
+  /// has a given tangent. If the first point is also the last, the curve is periodic: its curvature is continuous there too.
   kSpline = 2,
   kArc = 3,  ///< three points: start, a point between, end of a part of a circle
   /// Four points, of which the last is the first: the circle through the three, in their order. It begins and ends at
   /// the first point.
   kCircle = 4,
+  /// Two or more points, interpolated with chord-length parameters and continuous tangents (C1): between the parabolas
+  /// through neighbouring points. An end without a given tangent continues another Hermite line that ends there, and lies in
+  /// the tangent plane of the smooth patches there; see endTangents(). Else it is natural.
+  kHermite = 5,
 };
 
 /// Surface type of a patch over the lines F1, F2, ... of its outer loop, in the order of the loop (Löhner &
@@ -38,11 +42,27 @@ enum class PatchType : std::uint8_t {
   /// Two loops of any number of lines of any type, joined by straight rulings: its rims. Positions are matched by equal
   /// parts of the rims' lengths, such that the rulings are shortest; see matchRims().
   kTube = 5,
+  /// Four lines of any type. Its normals along a line depend on this line and on the tangent planes at its ends only, so that
+  /// patches of this and of the next type join smoothly at a line if they have common tangents at its ends.
+  kGregory = 6,
+  kNielson = 7,  ///< three lines of any type, with the same normals
+  /// Four lines of any type, and sections: lines from points of the fourth line to points of the second. The surface
+  /// follows all of them, with continuous curvature across the sections.
+  kLoft = 8,
 };
+
+/// Returns whether patches of a type join others smoothly.
+[[nodiscard]] constexpr bool isSmooth(PatchType type) {
+  return type == PatchType::kGregory || type == PatchType::kNielson;
+}
 
 struct Line {
   LineType type = LineType::kStraight;
   std::vector<std::uint32_t> points;  ///< indices into Model::points, in the line's direction
+  /// Tangents at the ends of a spline or Hermite line, of any length, in the line's direction; zero for none. Ignored by
+  /// lines of other types and closed ones.
+  Vec3 startTangent{0.0};
+  Vec3 endTangent{0.0};
 };
 
 /// A line of a loop, with its direction in the loop.
@@ -58,6 +78,8 @@ struct Patch {
   PatchType type = PatchType::kPlanar;
   std::vector<Loop>
       loops;  ///< the outer loop, then the holes, or the two rims; each in either direction
+  /// Lines of a loft, from its first line to its third; each from the fourth to the second. They carry no nodes.
+  std::vector<OrientedLine> sections{};
 };
 
 struct Model {

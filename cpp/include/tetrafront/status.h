@@ -88,6 +88,9 @@ enum class DiagnosticCode : std::uint16_t {
   kDuplicatePoints = 27,   ///< two points at one position; a warning unless patches use both
   kSizeTooLarge = 28,      ///< warning: no size of a model is below its extent
   kOpenCircle = 29,        ///< circle whose last point is not its first
+  /// Loft, line: a section that does not run from a point of the fourth line to a point of the second, beyond the section
+  /// before it.
+  kMisplacedSection = 30,
   // Closed boundary
   kOpenEdge = 40,       ///< line (and its patch) or triangle with one triangle only at an edge
   kDanglingSheet = 41,  ///< triangle (and its patch) with the same region on both sides

@@ -38,7 +38,11 @@ PatchRule ruleOf(PatchType type) {
       return {3, false};
     case PatchType::kTube:
       return {0, false};
+    case PatchType::kNielson:
+      return {3, false};
     case PatchType::kCoons:
+    case PatchType::kGregory:
+    case PatchType::kLoft:
       break;
   }
   return {4, false};
@@ -171,6 +175,12 @@ class ModelChecker {
       report(diagnose<DiagnosticCode::kIndexOutOfRange>(point.value).about({entityOf(line)}));
       isUsable = false;
     }
+    for (const Vec3& tangent : {drawn.startTangent, drawn.endTangent}) {
+      if (isFinite(tangent)) continue;
+      report(
+          diagnose<DiagnosticCode::kNotFinite>(refusedCoordinate(tangent)).about({entityOf(line)}));
+      isUsable = false;
+    }
     return isUsable && checkPositions(line);
   }
 
@@ -183,6 +193,8 @@ class ModelChecker {
         return line.points.size() == 3;
       case LineType::kCircle:
         return line.points.size() == 4;
+      case LineType::kHermite:
+        return line.points.size() >= 2;
       case LineType::kSpline:
         break;
     }
@@ -294,6 +306,8 @@ class ModelChecker {
     for (const Loop& loop : drawn.loops)
       for (const OrientedLine& line : loop)
         isUsable = isUsable && found_.usableLines[line.line] != 0;
+    for (const OrientedLine& section : drawn.sections)
+      isUsable = isUsable && found_.usableLines[section.line] != 0;
     return isUsable && checkShape(resolved, patch);
   }
 
@@ -318,13 +332,16 @@ class ModelChecker {
 
   bool checkLineIndices(PatchId patch) {
     bool exist = true;
-    for (const Loop& loop : model_->patches[patch.index()].loops) {
-      for (const OrientedLine& line : loop) {
+    const auto check = [&](const Loop& lines) {
+      for (const OrientedLine& line : lines) {
         if (line.line < model_->lines.size()) continue;
         report(diagnose<DiagnosticCode::kIndexOutOfRange>(line.line).about({entityOf(patch)}));
         exist = false;
       }
-    }
+    };
+    const Patch& drawn = model_->patches[patch.index()];
+    for (const Loop& loop : drawn.loops) check(loop);
+    check(drawn.sections);
     return exist;
   }
 

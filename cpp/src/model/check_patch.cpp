@@ -164,8 +164,8 @@ class PatchCheck {
   // ---- curved ----------------------------------------------------------------------------------
 
   bool checkCurved() {
-    if (!checkSeams() || !checkCorners()) return false;
-    const UnitSurface surface(drawn_->type, curvesOf(*model_, drawn_->loops.front()));
+    if (!checkSeams() || !checkCorners() || !checkSections()) return false;
+    const UnitSurface surface = unitSurface(*model_, *drawn_);
     const SmoothCorners corners =
         isIsoparametric() ? SmoothCorners::kFold : SmoothCorners::kAllowed;
     const std::optional<SurfaceDefect> defect =
@@ -231,6 +231,28 @@ class PatchCheck {
       report(diagnose<DiagnosticCode::kLoopsIntersect>(),
              {LineId(loop[i].line), LineId(loop[k].line)}, model_->curve(loop[i]).start());
       return false;
+    }
+    return true;
+  }
+
+  /// Checks that the sections of a loft run from its fourth line to its second, each further along than the one before.
+  bool checkSections() {
+    if (drawn_->type != PatchType::kLoft) return true;
+    const Loop& loop = drawn_->loops.front();
+    const OrientedCurve sides[2] = {model_->curve(loop[3]).reverse(), model_->curve(loop[1])};
+    double before[2] = {0.0, 0.0};
+    for (const OrientedLine& section : drawn_->sections) {
+      const OrientedCurve curve = model_->curve(section);
+      const Vec3 ends[2] = {curve.position(0.0), curve.position(1.0)};
+      for (int side = 0; side < 2; ++side) {
+        const std::optional<double> t = parameterOfPoint(sides[side], ends[side]);
+        if (t && *t > before[side] && *t < 1.0) {
+          before[side] = *t;
+          continue;
+        }
+        report(diagnose<DiagnosticCode::kMisplacedSection>(), {LineId(section.line)}, ends[side]);
+        return false;
+      }
     }
     return true;
   }

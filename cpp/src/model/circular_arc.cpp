@@ -22,8 +22,7 @@ CircularArc::CircularArc(const Vec3& start, const Vec3& second, const Vec3& thir
 
 CircularArc CircularArc::through(const Vec3& start, const Vec3& middle, const Vec3& end) {
   CircularArc arc(start, middle, end);
-  const Vec3 toEnd = arc.radius_ + (end - start);
-  arc.angle_ = angleOf({glm::dot(toEnd, arc.radius_), glm::dot(toEnd, arc.forward_)});
+  arc.angle_ = arc.angleAt(end);
   return arc;
 }
 
@@ -33,6 +32,13 @@ CircularArc CircularArc::circleThrough(const Vec3& start, const Vec3& second, co
   return circle;
 }
 
+double CircularArc::angleAt(const Vec3& position) const {
+  const Vec3 fromCentre = radius_ + (position - start_);
+  return angleOf({glm::dot(fromCentre, radius_), glm::dot(fromCentre, forward_)});
+}
+
+double CircularArc::parameterOf(const Vec3& position) const { return angleAt(position) / angle_; }
+
 Vec3 CircularArc::position(double t) const {
   const auto [sine, cosine] = sineCosine(0.5 * t * angle_);
   return start_ + (2.0 * sine) * (cosine * forward_ - sine * radius_);
@@ -41,6 +47,11 @@ Vec3 CircularArc::position(double t) const {
 Vec3 CircularArc::derivative(double t) const {
   const auto [sine, cosine] = sineCosine(t * angle_);
   return angle_ * (cosine * forward_ - sine * radius_);
+}
+
+Vec3 CircularArc::secondDerivative(double t) const {
+  const auto [sine, cosine] = sineCosine(t * angle_);
+  return (-angle_ * angle_) * (sine * forward_ + cosine * radius_);
 }
 
 }  // namespace tetrafront

@@ -20,10 +20,14 @@ class CircularArc {
   [[nodiscard]] Vec3 position(double t) const;
   /// Derivative with respect to t.
   [[nodiscard]] Vec3 derivative(double t) const;
+  [[nodiscard]] Vec3 secondDerivative(double t) const;
+  /// The parameter of a position on the circle, from 0.
+  [[nodiscard]] double parameterOf(const Vec3& position) const;
   [[nodiscard]] double length() const { return angle_ * glm::length(radius_); }
 
  private:
   CircularArc(const Vec3& start, const Vec3& second, const Vec3& third);
+  [[nodiscard]] double angleAt(const Vec3& position) const;
 
   Vec3 start_{0.0};
   Vec3 radius_{0.0};   ///< from the centre to the start

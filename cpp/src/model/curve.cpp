@@ -1,6 +1,5 @@
 // Lines as functions of a parameter. Only + - * / sqrt are used, so that every platform places the
-// same nodes. The spline's second derivatives solve the usual tridiagonal system for a continuous
-// slope (for example de Boor 1978), with natural ends; closed splines have no ends.
+// same nodes.
 
 #include "model/curve.h"
 
@@ -26,42 +25,18 @@ constexpr int kPiecesPerSpan = 8;
 
 }  // namespace
 
-/// Equations that couple the second derivatives i - 1, i, i + 1 at the inner knots. They are
-/// diagonally dominant, so elimination needs no pivoting.
-class Curve::SplineEquations {
- public:
-  explicit SplineEquations(std::span<const double> knots)
-      : knots_(knots), pivots_(knots.size(), 1.0) {
-    for (std::size_t i = 1; i + 1 < knots.size(); ++i)
-      pivots_[i] = 2.0 * (step(i - 1) + step(i)) - (i > 1 ? step(i - 1) * upper(i - 1) : 0.0);
-  }
-
-  /// Replaces right-hand sides at the inner knots by solutions; those at the ends are zero.
-  template <class Value>
-  [[nodiscard]] std::vector<Value> solve(std::vector<Value> values) const {
-    const std::size_t last = values.size() - 1;
-    values.front() = Value(0.0);
-    values.back() = Value(0.0);
-    for (std::size_t i = 1; i < last; ++i)
-      values[i] = (values[i] - step(i - 1) * values[i - 1]) / pivots_[i];
-    for (std::size_t i = last - 1; i >= 1; --i) values[i] -= upper(i) * values[i + 1];
-    return values;
-  }
-
- private:
-  [[nodiscard]] double step(std::size_t i) const { return knots_[i + 1] - knots_[i]; }
-  [[nodiscard]] double upper(std::size_t i) const { return step(i) / pivots_[i]; }
-
-  std::span<const double> knots_;
-  std::vector<double> pivots_;
-};
-
-Curve::Curve(LineType type, std::vector<Vec3> points)
-    : type_(type), points_(std::move(points)), flat_(points_) {
-  if (type_ == LineType::kSpline)
+Curve::Curve(LineType type, std::vector<Vec3> points, const EndTangents& tangents)
+    : type_(type), points_(std::move(points)), tangents_(tangents), flat_(points_) {
+  for (const std::optional<Vec3>& tangent : {tangents.start, tangents.end})
+    if (tangent) flat_.restrictToDirection(*tangent);
+  if (type_ == LineType::kSpline) {
     fitSpline();
-  else
+  } else if (type_ == LineType::kHermite) {
+    fitKnots();
+    hermite_ = HermiteCubics(knots_, points_, endSlope(tangents_.start), endSlope(tangents_.end));
+  } else {
     knots_ = {0.0, 1.0};
+  }
   if (type_ == LineType::kArc) arc_ = CircularArc::through(points_[0], points_[1], points_[2]);
   if (type_ == LineType::kCircle)
     arc_ = CircularArc::circleThrough(points_[0], points_[1], points_[2]);
@@ -70,44 +45,27 @@ Curve::Curve(LineType type, std::vector<Vec3> points)
 
 bool Curve::isClosed() const { return points_.front() == points_.back(); }
 
-void Curve::fitSpline() {
+void Curve::fitKnots() {
   const std::size_t count = points_.size();
   knots_.assign(count, 0.0);
   for (std::size_t i = 1; i < count; ++i)
     knots_[i] = knots_[i - 1] + glm::length(points_[i] - points_[i - 1]);
-  const double total = knots_.back();
-  for (double& knot : knots_) knot /= total;
+  chords_ = knots_.back();
+  for (double& knot : knots_) knot /= chords_;
   knots_.back() = 1.0;
-
-  std::vector<Vec3> slopeChanges(count, Vec3(0.0));
-  for (std::size_t i = 1; i + 1 < count; ++i)
-    slopeChanges[i] = 6.0 * (chordSlope(i) - chordSlope(i - 1));
-  const SplineEquations equations(knots_);
-  secondDerivatives_ = equations.solve(std::move(slopeChanges));
-  if (isClosed()) closeSpline(equations);
 }
 
-Vec3 Curve::chordSlope(std::size_t piece) const {
-  return (points_[piece + 1] - points_[piece]) / (knots_[piece + 1] - knots_[piece]);
+void Curve::fitSpline() {
+  fitKnots();
+  spline_ = isClosed() ? CubicSpline<Vec3>::closed(knots_, points_)
+                       : CubicSpline<Vec3>(knots_, points_, endSlope(tangents_.start),
+                                           endSlope(tangents_.end));
 }
 
-void Curve::closeSpline(const SplineEquations& equations) {
-  // A second derivative m at the seam adds a multiple of `influence` to all others; the equation at
-  // the seam then gives m.
-  const std::size_t last = points_.size() - 1;
-  const double first = knots_[1] - knots_[0];
-  const double final = knots_[last] - knots_[last - 1];
-  std::vector<double> ends(points_.size(), 0.0);
-  ends[1] -= first;
-  ends[last - 1] -= final;
-  const std::vector<double> influence = equations.solve(std::move(ends));
-  const Vec3 slopeChange = 6.0 * (chordSlope(0) - chordSlope(last - 1));
-  const Vec3 m =
-      (slopeChange - first * secondDerivatives_[1] - final * secondDerivatives_[last - 1]) /
-      (2.0 * (first + final) + first * influence[1] + final * influence[last - 1]);
-  for (std::size_t i = 1; i < last; ++i) secondDerivatives_[i] += influence[i] * m;
-  secondDerivatives_.front() = m;
-  secondDerivatives_.back() = m;
+std::optional<Vec3> Curve::endSlope(const std::optional<Vec3>& tangent) const {
+  // The derivative with respect to the length of the chords has the length 1.
+  if (!tangent) return std::nullopt;
+  return chords_ * *tangent;
 }
 
 Curve::Sample Curve::sample(double t) const {
@@ -126,10 +84,15 @@ Curve::Sample Curve::sampleByType(double t) const {
     case LineType::kArc:
     case LineType::kCircle:
       return {arc_.position(t), arc_.derivative(t)};
+    case LineType::kHermite: {
+      const HermiteCubics::Sample sample = hermite_.sample(t);
+      return {sample.value, sample.first};
+    }
     case LineType::kSpline:
       break;
   }
-  return sampleSpline(t);
+  const CubicSpline<Vec3>::Sample sample = spline_.sample(t);
+  return {sample.value, sample.first};
 }
 
 Curve::Sample Curve::sampleParabola(double t) const {
@@ -142,21 +105,43 @@ Curve::Sample Curve::sampleParabola(double t) const {
           (4.0 * t - 3.0) * a + (4.0 - 8.0 * t) * m + (4.0 * t - 1.0) * b};
 }
 
-Curve::Sample Curve::sampleSpline(double t) const {
-  const auto above = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, t);
-  const auto i = static_cast<std::size_t>(above - knots_.begin()) - 1;
-  const double step = knots_[i + 1] - knots_[i];
-  const double a = (knots_[i + 1] - t) / step;
-  const double b = (t - knots_[i]) / step;
-  const Vec3& left = secondDerivatives_[i];
-  const Vec3& right = secondDerivatives_[i + 1];
-  const double weight = step * step / 6.0;
-  Sample result;
-  result.position = (a * points_[i] + b * points_[i + 1]) + (weight * (a * a * a - a)) * left +
-                    (weight * (b * b * b - b)) * right;
-  result.derivative = (points_[i + 1] - points_[i]) / step -
-                      (step * (3.0 * a * a - 1.0) / 6.0) * left +
-                      (step * (3.0 * b * b - 1.0) / 6.0) * right;
+double Curve::parameterOfPoint(std::size_t index) const {
+  switch (type_) {
+    case LineType::kParabolic:
+      return 0.5 * static_cast<double>(index);
+    case LineType::kArc:
+    case LineType::kCircle:
+      // The ends of a circle are one point, of which both ends of the angle are parameters.
+      if (index + 1 == points_.size()) return 1.0;
+      return arc_.parameterOf(points_[index]);
+    case LineType::kStraight:
+    case LineType::kSpline:
+    case LineType::kHermite:
+      break;
+  }
+  return knots_[index];
+}
+
+Vec3 Curve::secondDerivative(double t) const {
+  Vec3 result(0.0);
+  switch (type_) {
+    case LineType::kStraight:
+      break;
+    case LineType::kParabolic:
+      result = 4.0 * points_[0] - 8.0 * points_[1] + 4.0 * points_[2];
+      break;
+    case LineType::kArc:
+    case LineType::kCircle:
+      result = arc_.secondDerivative(t);
+      break;
+    case LineType::kSpline:
+      result = spline_.sample(t).second;
+      break;
+    case LineType::kHermite:
+      result = hermite_.sample(t).second;
+      break;
+  }
+  flat_.settleDirection(result);
   return result;
 }
 
@@ -190,11 +175,13 @@ double Curve::length(double from, double to) const {
 bool Curve::isStraight() const {
   const Vec3 chord = end() - start();
   const double squared = glm::dot(chord, chord);
-  return std::ranges::all_of(points_,
-                             [&](const Vec3& point) {
-                               return glm::length(glm::cross(chord, point - start())) <=
-                                      Tolerance::kCoincidence * squared;
-                             }) &&
+  const auto isAlong = [&](const Vec3& direction, double limit) {
+    return glm::length(glm::cross(chord, direction)) <= Tolerance::kCoincidence * limit;
+  };
+  for (const std::optional<Vec3>& tangent : {tangents_.start, tangents_.end})
+    if (tangent && !isAlong(*tangent, glm::length(chord))) return false;
+  return std::ranges::all_of(
+             points_, [&](const Vec3& point) { return isAlong(point - start(), squared); }) &&
          squared > 0.0;
 }
 

@@ -27,6 +27,17 @@ class FlatAxes {
     for (int k = 0; k < 3; ++k) flat_[k] = flat_[k] && point[k] == value_[k];
   }
 
+  /// Removes the axes that are not flat in `other`, or along which it has another coordinate.
+  void restrictTo(const FlatAxes& other) {
+    for (int k = 0; k < 3; ++k)
+      flat_[k] = flat_[k] && other.flat_[k] && other.value_[k] == value_[k];
+  }
+
+  /// Removes the axes along which `direction` has a component.
+  void restrictToDirection(const Vec3& direction) {
+    for (int k = 0; k < 3; ++k) flat_[k] = flat_[k] && direction[k] == 0.0;
+  }
+
   /// Restores the flat coordinates of a computed position.
   void settle(Vec3& position) const {
     for (int k = 0; k < 3; ++k)

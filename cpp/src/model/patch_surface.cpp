@@ -18,8 +18,9 @@ constexpr std::uint32_t kSurfaceLoopSamples = 16;
 
 // ---- curved ------------------------------------------------------------------------------------
 
-MappedSurface::MappedSurface(PatchType type, std::span<const OrientedCurve> loop)
-    : surface_(type, loop) {
+MappedSurface::MappedSurface(PatchType type, std::span<const OrientedCurve> loop,
+                             std::span<const OrientedCurve> sections)
+    : surface_(type, loop, sections) {
   if (surface_.shape() == UnitShape::kTriangle) {
     plane_ = StretchedPlane::ofTriangle(loop[0].length(), loop[2].length(), loop[1].length());
     return;
@@ -75,16 +76,17 @@ Vec2 MappedSurface::clamped(const Vec2& plane) const {
 
 PatchSurface::PatchSurface(const ResolvedModel& model, const Patch& patch)
     : model_(&model), patch_(&patch), surface_(makeSurface(model, patch)) {
-  flat_ = FlatAxes(model.curve(patch.loops.front().front()).points());
+  flat_ = model.curve(patch.loops.front().front()).flatAxes();
   for (const Loop& loop : spanningLoops(patch))
-    for (const OrientedLine& line : loop)
-      for (const Vec3& point : model.curve(line).points()) flat_.restrictTo(point);
+    for (const OrientedLine& line : loop) flat_.restrictTo(model.curve(line).flatAxes());
+  for (const OrientedLine& line : patch.sections) flat_.restrictTo(model.curve(line).flatAxes());
 }
 
 PatchSurface::Surface PatchSurface::makeSurface(const ResolvedModel& model, const Patch& patch) {
   const Loop& outer = patch.loops.front();
   if (patch.type == PatchType::kTube) return MappedSurface(tubeSurface(model, patch));
-  if (patch.type != PatchType::kPlanar) return MappedSurface(patch.type, curvesOf(model, outer));
+  if (patch.type != PatchType::kPlanar)
+    return MappedSurface(patch.type, curvesOf(model, outer), curvesOf(model, patch.sections));
   const LoopPlane plane = loopPlane(model, outer);
   return PlanarSurface(plane.origin, plane.areaVector, plane.firstDirection);
 }
@@ -119,6 +121,10 @@ Vec2 PatchSurface::clamped(const Vec2& plane) const {
 
 TubeSurface tubeSurface(const ResolvedModel& model, const Patch& patch) {
   return {Rim(curvesOf(model, patch.loops[0])), Rim(curvesOf(model, patch.loops[1]))};
+}
+
+UnitSurface unitSurface(const ResolvedModel& model, const Patch& patch) {
+  return {patch.type, curvesOf(model, patch.loops.front()), curvesOf(model, patch.sections)};
 }
 
 std::vector<OrientedCurve> curvesOf(const ResolvedModel& model, const Loop& loop) {

@@ -22,7 +22,8 @@ namespace tetrafront {
 class MappedSurface {
  public:
   /// Arguments as for UnitSurface.
-  MappedSurface(PatchType type, std::span<const OrientedCurve> loop);
+  MappedSurface(PatchType type, std::span<const OrientedCurve> loop,
+                std::span<const OrientedCurve> sections = {});
   explicit MappedSurface(TubeSurface tube);
 
   [[nodiscard]] const UnitSurface& unitSurface() const { return surface_; }
@@ -83,6 +84,9 @@ class PatchSurface {
 
 /// Returns the surface of a tube, which must have two closed loops.
 [[nodiscard]] TubeSurface tubeSurface(const ResolvedModel& model, const Patch& patch);
+
+/// Returns the surface of a usable patch that is neither planar nor a tube.
+[[nodiscard]] UnitSurface unitSurface(const ResolvedModel& model, const Patch& patch);
 
 /// Returns the curves of a loop in its direction.
 [[nodiscard]] std::vector<OrientedCurve> curvesOf(const ResolvedModel& model, const Loop& loop);

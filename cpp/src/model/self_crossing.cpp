@@ -212,6 +212,7 @@ std::optional<Vec3> findSelfCrossing(const Curve& curve) {
       return std::nullopt;
     case LineType::kParabolic:
     case LineType::kSpline:
+    case LineType::kHermite:
       break;
   }
   return CrossingSearch(curve).run();

@@ -7,8 +7,8 @@
 namespace tetrafront {
 
 UnitShape unitShapeOf(PatchType type) {
-  const bool triangle =
-      type == PatchType::kIsoparametricTriangle || type == PatchType::kBarnhillGregoryNielson;
+  const bool triangle = type == PatchType::kIsoparametricTriangle ||
+                        type == PatchType::kBarnhillGregoryNielson || type == PatchType::kNielson;
   return triangle ? UnitShape::kTriangle : UnitShape::kSquare;
 }
 
@@ -27,13 +27,15 @@ Vec2 unitBorder(UnitShape shape, std::size_t position, double t) {
   return border[position];
 }
 
-UnitSurface::UnitSurface(PatchType type, std::span<const OrientedCurve> loop)
-    : shape_(unitShapeOf(type)), surface_(makeSurface(type, loop)) {}
+UnitSurface::UnitSurface(PatchType type, std::span<const OrientedCurve> loop,
+                         std::span<const OrientedCurve> sections)
+    : shape_(unitShapeOf(type)), surface_(makeSurface(type, loop, sections)) {}
 
 UnitSurface::UnitSurface(TubeSurface tube)
     : shape_(UnitShape::kSquare), surface_(std::move(tube)) {}
 
-UnitSurface::Surface UnitSurface::makeSurface(PatchType type, std::span<const OrientedCurve> loop) {
+UnitSurface::Surface UnitSurface::makeSurface(PatchType type, std::span<const OrientedCurve> loop,
+                                              std::span<const OrientedCurve> sections) {
   switch (type) {
     case PatchType::kIsoparametricTriangle:
       return IsoparametricTriangle(loop);
@@ -41,6 +43,12 @@ UnitSurface::Surface UnitSurface::makeSurface(PatchType type, std::span<const Or
       return SerendipitySurface(loop);
     case PatchType::kBarnhillGregoryNielson:
       return BarnhillGregoryNielsonSurface(loop);
+    case PatchType::kGregory:
+      return GregorySurface(loop);
+    case PatchType::kNielson:
+      return NielsonSurface(loop);
+    case PatchType::kLoft:
+      return LoftSurface(loop, sections);
     case PatchType::kPlanar:
     case PatchType::kTube:
     case PatchType::kCoons:

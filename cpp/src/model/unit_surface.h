@@ -1,13 +1,16 @@
 #pragma once
 
 /// @file A curved patch of any type over the unit triangle or square: the step xi, eta -> x, y, z
-/// of the paper's mappings (Löhner & Parikh 1988, section 5.2 and appendix, eq. 11-15).
+/// of the paper's mappings (Löhner & Parikh 1988, section 5.2 and appendix, eq. 11-15), and those that
+/// were added.
 
 #include <cstdint>
 #include <span>
 #include <variant>
 
 #include "model/isoparametric_surface.h"
+#include "model/loft_surface.h"
+#include "model/smooth_surface.h"
 #include "model/transfinite_surface.h"
 #include "model/tube_surface.h"
 
@@ -29,8 +32,9 @@ enum class UnitShape : std::uint8_t { kTriangle, kSquare };
 class UnitSurface {
  public:
   /// The lines of the patch's outer loop, in its direction. `type` must not be planar or a tube and
-  /// must accept their types and number. Their curves must outlive this.
-  UnitSurface(PatchType type, std::span<const OrientedCurve> loop);
+  /// must accept their types and number. Only lofts have sections. Their curves must outlive this.
+  UnitSurface(PatchType type, std::span<const OrientedCurve> loop,
+              std::span<const OrientedCurve> sections = {});
   /// A tube over the unit square: lines xi = 0 and xi = 1 are the same.
   explicit UnitSurface(TubeSurface tube);
 
@@ -43,9 +47,11 @@ class UnitSurface {
   [[nodiscard]] SurfacePoint evaluate(const Vec2& unit) const;
 
  private:
-  using Surface = std::variant<IsoparametricTriangle, SerendipitySurface,
-                               BarnhillGregoryNielsonSurface, CoonsSurface, TubeSurface>;
-  static Surface makeSurface(PatchType type, std::span<const OrientedCurve> loop);
+  using Surface =
+      std::variant<IsoparametricTriangle, SerendipitySurface, BarnhillGregoryNielsonSurface,
+                   CoonsSurface, TubeSurface, GregorySurface, NielsonSurface, LoftSurface>;
+  static Surface makeSurface(PatchType type, std::span<const OrientedCurve> loop,
+                             std::span<const OrientedCurve> sections);
 
   UnitShape shape_;
   Surface surface_;

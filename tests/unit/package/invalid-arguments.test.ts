@@ -201,6 +201,7 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   previewProject: { project, options: { size: 1, innerShells: "cavities" }, control },
   coverProject: { project, options: { size: 1, shape: "box" }, control },
   proposeSizes: { project, options: { minSize: 0.5 }, control },
+  sampleCurvature: { project, control },
   sampleSizes: {
     project: { ...project, bodies: [body] },
     positions: new Float64Array(6),

@@ -28,6 +28,7 @@ export function sceneState(change: Partial<SceneState> = {}): SceneState {
       bodies: new Map(),
     },
     shownSizes: null,
+    shownSmoothness: null,
     tints: new Map(),
     isReplaying: false,
     isOtherModel: false,

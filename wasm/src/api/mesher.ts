@@ -25,6 +25,7 @@ import type {
   PatchSplit,
   ProjectCheck,
   SizeProposal,
+  CurvatureSamples,
   SizeSamples,
   SurfaceSizeProposal,
 } from "./mesher-interface.js";
@@ -158,6 +159,10 @@ class WorkerMesher implements Mesher {
   ): Promise<SizeSamples> {
     beginCall(this.#client, control);
     return sampleSizes(this.#client, project, positions, options, control);
+  }
+
+  async sampleCurvature(project: Project, control: RunControl = {}): Promise<CurvatureSamples> {
+    return this.#projects.curvature(project, control);
   }
 
   async backgroundFromMesh(

@@ -3,7 +3,7 @@ import type { RunControl } from "../engine/control.js";
 import { gridByIndex } from "../diagnostics/entity-names.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import type { EngineClient } from "../engine/engine-client.js";
-import { modelWithBodyBoxes } from "../project/arrays.js";
+import { modelArrays, modelWithBodyBoxes } from "../project/arrays.js";
 import {
   backgroundFrom,
   backgroundOf,
@@ -17,7 +17,7 @@ import type { Project, ProjectBackground } from "../project/project-types.js";
 import { bodyProblems, hasBodies } from "./body-preparation.js";
 import { beginCall } from "./call-checks.js";
 import { checkProject, drawnArrays, nothingToCover } from "./input-checks.js";
-import type { SizeProposal } from "./mesher-interface.js";
+import type { CurvatureSamples, SizeProposal } from "./mesher-interface.js";
 import type { CoverOptions, PreviewOptions, ProposalOptions } from "./option-types.js";
 import {
   checkCoverOptions,
@@ -68,6 +68,12 @@ export class ProjectTools {
     if (grid.tetrahedra.length === 0) refuse([nothingToCover()]);
     const { sources } = backgroundOf(project);
     return { ...projectBackground(grid), ...(sources && { sources }) };
+  }
+
+  async curvature(project: Project, control: RunControl): Promise<CurvatureSamples> {
+    beginCall(this.#client, control);
+    refuse(checkProject(project));
+    return this.#client.ask("sampleCurvature", [modelArrays(project)], control);
   }
 
   async propose(project: Project, options: ProposalOptions, control: RunControl): Promise<SizeProposal> {

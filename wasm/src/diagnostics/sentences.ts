@@ -152,6 +152,12 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       `${the("patch")} is a tube, which has two loops, but it has ${plural(data.loops, "loop")}`,
     remedy: "Give it the loops of its two rims, or choose another patch type.",
   },
+  "misplaced-section": {
+    message: ({ the }) =>
+      `${the("line")} is a section of ${the("patch")}, but does not run from an inner point of its fourth line to one of its second, beyond the section before it`,
+    remedy:
+      "Draw the patch's fourth and second line through the ends of its sections, and list the sections from its first line to its third; a negative id reverses a line.",
+  },
   "loop-not-closed": {
     message: ({ the, at }) =>
       `A loop of ${the("patch")} is not closed: the next line does not begin where ${the("line")} ends${at}`,

@@ -11,6 +11,7 @@ export const CALLS = {
   cover: { module: "tools" },
   propose: { module: "tools" },
   sampleSizes: { module: "tools" },
+  sampleCurvature: { module: "tools" },
   backgroundFromMesh: { module: "tools" },
   inspectSurface: { module: "tools", hasTriangles: true },
   locateRegions: { module: "tools", hasTriangles: true },

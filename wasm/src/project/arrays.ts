@@ -3,7 +3,7 @@ import { numbersOf } from "../base/enums.js";
 import { type GridArrays, LINE_TYPES, type ModelArrays, PATCH_TYPES } from "../generated/constants.js";
 import { bodyBox } from "./bodies.js";
 import { backgroundOf, NOWHERE, projectGrid } from "./grid-arrays.js";
-import type { Project } from "./project-types.js";
+import type { Project, ProjectPatch } from "./project-types.js";
 
 /** A project as it crosses into the engine. */
 export interface ProjectArrays {
@@ -14,6 +14,9 @@ export interface ProjectArrays {
 const LINE_TYPE_NUMBERS = numbersOf(LINE_TYPES);
 const PATCH_TYPE_NUMBERS = numbersOf(PATCH_TYPES);
 
+/** A tangent that is not given. */
+const NO_TANGENT = [0, 0, 0] as const;
+
 /** Converts a project. References to missing entities become indices out of range. O(size). */
 export function projectArrays(project: Project): ProjectArrays {
   return { model: modelArrays(project), grid: projectGrid(backgroundOf(project)) };
@@ -23,8 +26,13 @@ export function projectArrays(project: Project): ProjectArrays {
 export function modelArrays({ points, lines, patches }: Project): ModelArrays {
   const pointAt = indexById(points);
   const lineAt = indexById(lines);
-  const loops = patches.flatMap((patch) => patch.loops);
-  const loopLines = loops.flat();
+  const orientedLines = (signed: readonly number[]) => ({
+    line: Uint32Array.from(signed, (id) => lineAt.get(Math.abs(id)) ?? NOWHERE),
+    reversed: Uint8Array.from(signed, (id) => Number(id < 0)),
+  });
+  const loopsOf = (patch: ProjectPatch) => (patch.type === "loft" ? patch.loops.slice(0, 1) : patch.loops);
+  const sectionsOf = (patch: ProjectPatch) => (patch.type === "loft" ? patch.loops.slice(1).flat() : []);
+  const loops = patches.flatMap(loopsOf);
   return {
     points: Float64Array.from(points.flatMap((point) => point.position)),
     lines: {
@@ -33,18 +41,18 @@ export function modelArrays({ points, lines, patches }: Project): ModelArrays {
         lengths: lengthsOf(lines.map((line) => line.points)),
         items: Uint32Array.from(lines.flatMap((line) => line.points.map((id) => pointAt.get(id) ?? NOWHERE))),
       },
+      startTangent: Float64Array.from(lines.flatMap((line) => line.startTangent ?? NO_TANGENT)),
+      endTangent: Float64Array.from(lines.flatMap((line) => line.endTangent ?? NO_TANGENT)),
     },
     patches: {
       type: Uint8Array.from(patches, (patch) => PATCH_TYPE_NUMBERS[patch.type]),
       loops: {
-        lengths: lengthsOf(patches.map((patch) => patch.loops)),
-        items: {
-          lengths: lengthsOf(loops),
-          items: {
-            line: Uint32Array.from(loopLines, (signed) => lineAt.get(Math.abs(signed)) ?? NOWHERE),
-            reversed: Uint8Array.from(loopLines, (signed) => Number(signed < 0)),
-          },
-        },
+        lengths: lengthsOf(patches.map(loopsOf)),
+        items: { lengths: lengthsOf(loops), items: orientedLines(loops.flat()) },
+      },
+      sections: {
+        lengths: lengthsOf(patches.map(sectionsOf)),
+        items: orientedLines(patches.flatMap(sectionsOf)),
       },
     },
   };

@@ -47,9 +47,13 @@ export interface ProjectLine {
   /**
    * Points along the line: two for a straight line; start, middle and end of a parabola; start, a point between and end of an
    * arc; three points of a circle and the first again; three or more for a spline, or four or more if the last equals the
-   * first, which closes it.
+   * first, which closes it; two or more for a Hermite line, which closes in the same way.
    */
   readonly points: readonly PointId[];
+  /** Tangent at the start of a spline or Hermite line, in the line's direction, of any length but zero. */
+  readonly startTangent?: readonly [number, number, number] | undefined;
+  /** Tangent at its end, in the line's direction. */
+  readonly endTangent?: readonly [number, number, number] | undefined;
 }
 
 /** A patch and the loops of lines that bound it. */
@@ -58,7 +62,7 @@ export interface ProjectPatch {
   readonly name?: string | undefined;
   readonly type: PatchType;
   /**
-   * Outer loop first, then holes; the two rims of a tube. Lines are in order; a negative id traverses its line from the last
+   * Outer loop first, then holes; the two rims of a tube; after the outer loop of a loft, its sections, one line each. Lines are in order; a negative id traverses its line from the last
    * point to the first.
    */
   readonly loops: readonly (readonly LineId[])[];

@@ -56,6 +56,8 @@ const lineSchema = v.pipe(
     name,
     type: v.picklist(LINE_TYPES),
     points: described(WORDS.linePoints, v.pipe(v.array(reference), v.minLength(2), v.readonly())),
+    startTangent: v.optional(described(WORDS.startTangent, threeNumbers)),
+    endTangent: v.optional(described(WORDS.endTangent, threeNumbers)),
   }),
   v.readonly(),
 );

@@ -15,11 +15,14 @@ export const WORDS = {
   name: "Name given by the user",
   position: "x y z, in model units",
   linePoints:
-    "Point ids along the line: two for a straight line; start, middle and end of a parabola; start, a point between and end of an arc; three points of a circle and the first again; three or more for a spline, or four or more if the last equals the first, which closes it",
+    "Point ids along the line: two for a straight line; start, middle and end of a parabola; start, a point between and end of an arc; three points of a circle and the first again; three or more for a spline, or four or more if the last equals the first, which closes it; two or more for a Hermite line",
+  startTangent: "Tangent at the start of a spline or Hermite line, in its direction; any length except 0",
+  endTangent: "Tangent at the end of a spline or Hermite line, in its direction; any length except 0",
   loop: "Line ids in order; a negative id traverses its line from the last point to the first",
   patchType:
-    "In barnhill-gregory-nielson, the loop's second line is weighted differently from the others; a tube joins two loops by straight rulings",
-  loops: "Outer loop first, then holes; the two rims of a tube",
+    "In barnhill-gregory-nielson, the loop's second line is weighted differently from the others; a tube joins two loops by straight rulings; gregory and nielson join other patches smoothly",
+  loops:
+    "Outer loop first, then holes; the two rims of a tube; after the outer loop of a loft, its sections, one line each",
   nodeSize: `Target edge length in model units, above 0, up to ${LENGTH}`,
   stretching: "Target edge length along `direction`, divided by `size`; 1 to 1e6",
   direction: "Direction of stretching; any length except 0",

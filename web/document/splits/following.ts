@@ -1,5 +1,6 @@
 import type { Project, ProjectLine } from "tetrafront/project";
 import { coordinatesOf } from "../expression-edits";
+import { runsThroughMany } from "../line-types";
 import type { Position } from "../position";
 import {
   addQuantities,
@@ -23,7 +24,7 @@ export function expressionsOnLine(
   linePoints: readonly Position[],
   positions: readonly Position[],
 ): readonly (readonly (string | null)[])[] {
-  if (type === "spline" || !project.expressions) return [];
+  if (runsThroughMany(type) || !project.expressions) return [];
   const corners = points
     .slice(0, 3)
     .map((id, i) => quantityPosition(linePoints[i] ?? [0, 0, 0], coordinatesOf(project, id)));

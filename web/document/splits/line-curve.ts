@@ -29,6 +29,9 @@ export function lineCurve(type: LineType, points: readonly Position[]): LineCurv
     }
     case "spline":
       return splineCurve(points);
+    case "hermite":
+      // Close enough to find a place on it: its tangents at the ends depend on its neighbours.
+      return points.length < 3 ? { at: (t) => between(a, b, t), knots: [0, 1] } : splineCurve(points);
   }
 }
 

@@ -241,8 +241,10 @@ class LineSplit {
     );
     this.cut = point ?? points[inner] ?? this.#add(place);
     const [from, to] = [points[0] ?? 0, points.at(-1) ?? 0];
+    const { startTangent, endTangent, ...kept } = this.#line;
     const part = (id: number, own: readonly number[], kind = type): ProjectLine => ({
-      ...(id === this.#line.id ? this.#line : {}),
+      ...(id === this.#line.id ? { ...kept, ...(startTangent && { startTangent }) } : {}),
+      ...(id === this.secondId && endTangent && { endTangent }),
       id,
       type: kind,
       points: [...own],
@@ -266,6 +268,16 @@ class LineSplit {
           part(this.#line.id, [from, ...this.#splinePoints(0, t), this.cut]),
           part(this.secondId, [this.cut, ...this.#splinePoints(t, 1), to]),
         ];
+      case "hermite": {
+        // Both parts continue each other at the cut.
+        const own = this.#curve.knots.map((knot, i) => ({ knot, id: points[i] ?? 0 })).slice(1, -1);
+        const idsOn = (isBefore: boolean): readonly number[] =>
+          own.filter(({ knot, id }) => id !== this.cut && knot < t === isBefore).map(({ id }) => id);
+        return [
+          part(this.#line.id, [from, ...idsOn(true), this.cut]),
+          part(this.secondId, [this.cut, ...idsOn(false), to]),
+        ];
+      }
     }
   }
 

@@ -1,3 +1,4 @@
+import type { ProjectLine } from "tetrafront/project";
 import { noRotation, type Quaternion } from "../placement";
 import type { Quantity } from "../../expressions/quantity";
 import type { Position } from "../position";
@@ -28,6 +29,20 @@ export interface TypedAffine {
 /** Returns the image of a direction: without the offset. */
 export function mapDirection({ columns: [x, y, z] }: Affine, direction: Position): Position {
   return add(add(scale(x, direction[0]), scale(y, direction[1])), scale(z, direction[2]));
+}
+
+/** Returns a line after a map: its tangents are directions. */
+export function mapTangents<Line extends Pick<ProjectLine, "startTangent" | "endTangent">>(
+  map: Affine,
+  line: Line,
+): Line {
+  const { startTangent, endTangent } = line;
+  if (!startTangent && !endTangent) return line;
+  return {
+    ...line,
+    ...(startTangent && { startTangent: mapDirection(map, startTangent) }),
+    ...(endTangent && { endTangent: mapDirection(map, endTangent) }),
+  };
 }
 
 /** A coordinate below this share of the terms that it is the sum of is the rounding error of a 0. */

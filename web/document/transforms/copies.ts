@@ -5,7 +5,7 @@ import { bodiesOf, entityKey, type Entity } from "../entities";
 import { insertion, withInsertion, type Insertion } from "../insert-shape";
 import { mapPoints, type Shape } from "../shape";
 import type { KeptExpression } from "../expression-edits";
-import { determinant, mapPosition, type Affine } from "./affine";
+import { determinant, mapPosition, mapTangents, type Affine } from "./affine";
 import { keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, shapeOf, type SelectedParts } from "./selected-parts";
 import { movedPlacement, movedSource, type TransformOptions } from "./transform";
@@ -14,7 +14,8 @@ const texts = operationStrings.refusals;
 
 /** Returns a shape after a map. A map that mirrors also reverses the loops, so that patches keep their outer side. */
 export function mappedShape(shape: Shape, map: Affine): Shape {
-  const moved = mapPoints(shape, (position) => mapPosition(map, position));
+  const placed = mapPoints(shape, (position) => mapPosition(map, position));
+  const moved = { ...placed, lines: placed.lines.map((line) => mapTangents(map, line)) };
   if (determinant(map) > 0) return moved;
   const patches = moved.patches.map((patch) => ({
     ...patch,

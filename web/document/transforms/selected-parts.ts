@@ -48,7 +48,12 @@ export function shapeOf({
   const lineAt = new Map(lines.map(({ id }, index) => [id, index + 1]));
   return {
     points: points.map(({ position }) => position),
-    lines: lines.map((line) => ({ type: line.type, points: line.points.map((id) => pointAt.get(id) ?? 0) })),
+    lines: lines.map(({ type, points: own, startTangent, endTangent }) => ({
+      type,
+      points: own.map((id) => pointAt.get(id) ?? 0),
+      ...(startTangent && { startTangent }),
+      ...(endTangent && { endTangent }),
+    })),
     patches: patches.map(({ type, loops, name }) => ({
       type,
       loops: loops.map((loop) => loop.map((step) => Math.sign(step) * (lineAt.get(Math.abs(step)) ?? 0))),

@@ -4,7 +4,15 @@ import { nounOf } from "../draft-records";
 import { existingIn, type Entity } from "../entities";
 import { combined, noRotation } from "../placement";
 import { operationStrings, stepNames } from "../../strings";
-import { determinant, keepsCircles, mapDirection, mapPosition, meanFactor, type Affine } from "./affine";
+import {
+  determinant,
+  keepsCircles,
+  mapDirection,
+  mapPosition,
+  mapTangents,
+  meanFactor,
+  type Affine,
+} from "./affine";
 import { joinPoints } from "./join-points";
 import { forgotten, hasExpressions, keptInstead, mappedExpressions, type Image } from "./mapped-expressions";
 import { hasParts, selectedParts, type SelectedParts } from "./selected-parts";
@@ -103,13 +111,16 @@ function movedImages(
 }
 
 /** Returns a function that maps parts of a project: the places of the parts in its lists are found once. */
-function mover({ points, bodies = [], background }: Project, parts: SelectedParts) {
+function mover({ points, lines, bodies = [], background }: Project, parts: SelectedParts) {
+  const directed = parts.lines.filter(({ startTangent, endTangent }) => startTangent ?? endTangent);
+  const changeLines = recordChanger(lines, new Set(directed.map(({ id }) => id)));
   const changePoints = recordChanger(points, new Set(parts.points.map(({ id }) => id)));
   const changeBodies = recordChanger(bodies, parts.bodies);
   const changeNodes = recordChanger(background.nodes, parts.nodes);
   const changeSources = recordChanger(background.sources ?? [], parts.sources);
   return (map: Affine): Partial<Project> => ({
     points: changePoints((point) => ({ ...point, position: mapPosition(map, point.position) })),
+    ...(directed.length > 0 && { lines: changeLines((line) => mapTangents(map, line)) }),
     ...(parts.bodies.size > 0 && {
       bodies: changeBodies((body) => ({ ...body, placement: movedPlacement(body.placement, map) })),
     }),

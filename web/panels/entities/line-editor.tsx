@@ -1,12 +1,14 @@
 import { Switch } from "@mantine/core";
 import type { Project, ProjectLine } from "tetrafront/project";
 import { setLinePoints, setLineType } from "../../document/edits";
-import { lineTypes } from "../../document/line-types";
+import { isClosed } from "../../document/line-courses";
+import { lineTypes, runsThroughMany } from "../../document/line-types";
 import { FieldRow } from "../../ui/fields/field-row";
 import { ListField } from "../../ui/fields/list-field";
 import { lineTypeNames, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { refuseIds } from "./refuse-ids";
+import { TangentFields } from "./tangent-fields";
 import { TypeSelect } from "./type-select";
 
 const types = lineTypes.map((value) => ({ value, label: lineTypeNames[value] }));
@@ -40,8 +42,9 @@ export function LineEditor({ line, project }: { readonly line: ProjectLine; read
           testId="line-points"
           onCommit={setPoints}
         />
-        {type === "spline" && <ClosedSwitch points={points} onChange={setPoints} />}
+        {runsThroughMany(type) && <ClosedSwitch points={points} onChange={setPoints} />}
       </FieldRow>
+      {runsThroughMany(type) && !isClosed(line) && <TangentFields line={line} project={project} />}
     </>
   );
 }

@@ -31,7 +31,7 @@ export function PatchEditor({ patch, project }: PatchEditorProps) {
       {loops.map((loop, index) => (
         <LoopFields key={`${patch.id}-${index}`} patch={patch} project={project} loop={loop} index={index} />
       ))}
-      {patchRules[patch.type].loops === null && (
+      {patchRules[patch.type].loops === null && patch.type !== "loft" && (
         <Text size="xs" c="dimmed" mb={6}>
           {strings.inspector.holeHint}
         </Text>
@@ -88,7 +88,12 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
   const setLoops = (loops: readonly (readonly number[])[]): void =>
     void app.documents.edit(setPatchLoops(patch.id, loops));
   const isRim = patch.type === "tube";
-  const named = index === 0 ? strings.inspector.outerLoop : strings.inspector.hole(index);
+  const isSection = patch.type === "loft";
+  const further = isSection ? strings.inspector.section(index) : strings.inspector.hole(index);
+  const named = index === 0 ? strings.inspector.outerLoop : further;
+  const removeFurther = isSection
+    ? strings.inspector.removeSection(index)
+    : strings.inspector.removeHole(index);
   const label = isRim ? strings.inspector.rim(index + 1) : named;
   const hasRoles = index === 0 && patch.type === "barnhill-gregory-nielson" && loop.length === 3;
   const list = (
@@ -108,7 +113,7 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
         <div className={styles["hole"]}>
           {list}
           <IconButton
-            label={isRim ? strings.inspector.removeRim : strings.inspector.removeHole(index)}
+            label={isRim ? strings.inspector.removeRim : removeFurther}
             size={28}
             onClick={() => setLoops(patch.loops.filter((_, other) => other !== index))}
           >

@@ -21,6 +21,7 @@ const lineIcons: { readonly [T in LineType]: typeof IconLine } = {
   spline: IconVectorSpline,
   arc: IconEaseOut,
   circle: IconCircle,
+  hermite: IconVectorSpline,
 };
 
 /** The icon of an entity's kind; for lines, of their type. */

@@ -1,6 +1,6 @@
 import { Button, SegmentedControl, Switch } from "@mantine/core";
 import { IconArrowsExchange } from "@tabler/icons-react";
-import type { Layer, Shading } from "../../document/selection";
+import type { Layer, Shading, Smoothness } from "../../document/selection";
 import { FieldRow } from "../../ui/fields/field-row";
 import { measureNames, strings } from "../../strings";
 import { useApp, useRegions, useView } from "../shared/app-context";
@@ -26,6 +26,8 @@ export function DisplayPanel() {
       <LayerSwitches />
       <SectionTitle>{strings.display.shading}</SectionTitle>
       <ShadingControls />
+      <SectionTitle>{strings.display.patchColors}</SectionTitle>
+      <SmoothnessChoice />
       <SectionTitle>{strings.display.mouse}</SectionTitle>
       <MouseChoice />
       <SectionTitle>{strings.display.cut}</SectionTitle>
@@ -90,6 +92,24 @@ function ShadingControls() {
         onChange={(event) => app.view.state.setState({ edges: event.currentTarget.checked })}
       />
     </>
+  );
+}
+
+const smoothnesses: readonly Smoothness[] = ["none", "zebra", "gaussian", "largest"];
+
+function SmoothnessChoice() {
+  const app = useApp();
+  const smoothness = useView((state) => state.smoothness);
+  return (
+    <SegmentedControl
+      size="xs"
+      fullWidth
+      aria-label={strings.display.patchColors}
+      data-testid="smoothness"
+      data={smoothnesses.map((value) => ({ value, label: strings.display.smoothness[value] }))}
+      value={smoothness}
+      onChange={(value) => app.view.state.setState({ smoothness: value })}
+    />
   );
 }
 

@@ -2,6 +2,7 @@ import { useStore } from "zustand";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import { formatShort } from "../../strings/format";
+import type { ShownSmoothness } from "../../session/smoothness-feed";
 import { shownBodies } from "../../viewer/shown-bodies";
 import { viridis } from "../../ui/theme/viridis";
 import {
@@ -25,10 +26,37 @@ export function Legend() {
   const { Legend: ReplayLegend } = useSlots();
   const showsDeviation = useDeviationShown();
   const sizes = useStore(app.sizes.state, (state) => state.shown);
+  const smoothness = useStore(app.smoothness.state, (state) => state.shown);
   if (isReplaying) return <ReplayLegend />;
+  if (smoothness) return <SmoothnessLegend shown={smoothness} />;
   if (sizes) return <SizeLegend range={sizes.range} />;
   if (showsDeviation) return <DeviationLegend />;
   return <MeshLegend />;
+}
+
+/** The colour scale of a curvature; what the zebra stripes mean. */
+function SmoothnessLegend({ shown: { by, range } }: { readonly shown: ShownSmoothness }) {
+  const { units } = useProject();
+  if (by === "zebra") {
+    return (
+      <figure className={styles["legend"]} aria-label={strings.display.zebra} data-testid="zebra-legend">
+        <figcaption>{strings.display.zebra}</figcaption>
+      </figure>
+    );
+  }
+  const [low, high] = range;
+  const name = strings.display.curvature[by];
+  const unit = units === undefined ? "" : ` (1/${units}${by === "gaussian" ? "²" : ""})`;
+  const values = low === high ? [low] : ticks.map((tick) => low + tick * (high - low));
+  const middle = viridis[(viridis.length - 1) / 2];
+  return (
+    <ScaleLegend
+      name={`${name}${unit}`}
+      testId="curvature-legend"
+      ticks={values.map((value) => formatShort(Number(value.toPrecision(3))))}
+      {...(low === high && middle !== undefined && { background: middle })}
+    />
+  );
 }
 
 /** Returns whether the view shows the deviation of new triangles of a body. */

@@ -2,6 +2,7 @@ import type { LineType } from "tetrafront/project";
 import { circleThrough, middleOfArc, onArc, quantityMiddleOfArc } from "../../document/arcs";
 import { drawLine, placeAt, quantitiesAt, samePlace, type Place } from "../../document/draw";
 import { findRecord } from "../../document/entities";
+import { runsThroughMany } from "../../document/line-types";
 import { turned } from "../../document/circles";
 import { planeOfPatch } from "../../document/patch-planes";
 import type { Position } from "../../document/position";
@@ -31,6 +32,7 @@ const counts: { readonly [T in LineType]: { readonly min: number; readonly max: 
   straight: { min: 2, max: 2 },
   parabolic: { min: 3, max: 3 },
   spline: { min: 3, max: Infinity },
+  hermite: { min: 2, max: Infinity },
   arc: { min: 3, max: 3 },
   // The centre, and a place on the circle.
   circle: { min: 2, max: 2 },
@@ -119,7 +121,8 @@ export class LineTool extends DrawingTool {
     const before = this.#places.at(-1);
     if (before && samePlace(before, place)) return;
     const [first] = this.#places;
-    const closes = this.#type === "spline" && first && this.#places.length >= 3 && samePlace(first, place);
+    const closes =
+      runsThroughMany(this.#type) && first && this.#places.length >= 3 && samePlace(first, place);
     this.#places = [...this.#places, place];
     if (this.#isStraightCircle()) {
       this.#places = this.#places.slice(0, -1);
@@ -166,7 +169,7 @@ export class LineTool extends DrawingTool {
   }
 
   protected finish(): void {
-    if (this.#type === "spline" && this.#places.length >= counts.spline.min) this.#add();
+    if (runsThroughMany(this.#type) && this.#places.length >= counts[this.#type].min) this.#add();
     this.#drop();
   }
 

@@ -1,0 +1,33 @@
+#pragma once
+
+/// @file Normals and curvatures of drawn patches, for display: how smooth a surface is and where it bends.
+
+#include <cstdint>
+#include <vector>
+
+#include "tetrafront/model.h"
+#include "tetrafront/sliced_tool.h"
+
+namespace tetrafront {
+
+/// Triangles of all patches, with the normals and curvatures of the patches themselves. Patches share no vertices.
+struct CurvatureSamples {
+  std::vector<double> points;    ///< x y z per vertex
+  std::vector<double> normals;   ///< x y z per vertex, of length 1; on the same side within a patch
+  std::vector<double> gaussian;  ///< per vertex: product of the principal curvatures, 1 / length^2
+  std::vector<double>
+      largest;  ///< per vertex: the larger magnitude of the principal curvatures, 1 / length
+  /// Triangles of patch p: triangles[3t..3t+2] for t in patchOffsets[p] .. patchOffsets[p+1]-1, vertices. A patch that
+  /// cannot be evaluated has none.
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> patchOffsets;
+};
+
+/// Samples the normals and curvatures of a drawn model, which may have problems, in slices. About 4000 evaluations per curved
+/// patch; in patches with holes, of each vertex of their triangles too.
+class CurvatureSampler : public SlicedTool<CurvatureSamples> {
+ public:
+  explicit CurvatureSampler(Model model);
+};
+
+}  // namespace tetrafront
