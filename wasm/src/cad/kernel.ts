@@ -127,9 +127,18 @@ export function triangulatedText(
   return withHeld((hold) => {
     const shape = shapeIn(kernel, file, hold);
     if (shape === undefined) return undefined;
-    triangulate(kernel, shape, deflection, hold);
-    return kernel.BRepToolsWrapper.Write(shape);
+    return textOfShape(kernel, shape, deflection, hold);
   });
+}
+
+/** Returns a shape of the kernel as the text of a BREP file, with triangles within a distance of its faces. */
+export function triangulatedShape(kernel: CadKernel, shape: Shape, deflection: Deflection): string {
+  return withHeld((hold) => textOfShape(kernel, shape, deflection, hold));
+}
+
+function textOfShape(kernel: CadKernel, shape: Shape, deflection: Deflection, hold: Hold): string {
+  triangulate(kernel, shape, deflection, hold);
+  return kernel.BRepToolsWrapper.Write(shape);
 }
 
 /** Triangulates each solid by itself, and the faces that bound none: a relative distance depends on the box of each. */

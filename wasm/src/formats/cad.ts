@@ -24,7 +24,7 @@ import { inUtf8 } from "./utf16.js";
  * side of a box is at most its diagonal / √3. With this angle, a circle has 63 edges and loses 0.17 % of its area.
  */
 const PER_DIAGONAL = 5000;
-const DEFLECTION: Deflection = { distance: Math.sqrt(3) / PER_DIAGONAL, isRelative: true, angle: 0.1 };
+export const DEFLECTION: Deflection = { distance: Math.sqrt(3) / PER_DIAGONAL, isRelative: true, angle: 0.1 };
 
 const NAMES: Readonly<Record<CadFormat, string>> = { step: "STEP", iges: "IGES", brep: "BREP" };
 

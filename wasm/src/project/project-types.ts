@@ -1,6 +1,7 @@
 /**
  * A project, as the app edits and saves it (docs/FORMAT.md). `schema.ts` checks files against these types.
  */
+import type { SolidFeature } from "./feature-schema.js";
 import type { Placement } from "../base/placement.js";
 import type {
   FrontOrder,
@@ -76,6 +77,8 @@ export interface ProjectBodyPatch {
   readonly color?: readonly [number, number, number] | undefined;
   /** Name of the solid that the patch bounds, in a body of several solids. */
   readonly solid?: string | undefined;
+  /** The face of a feature from which the patch comes: `3/top` is the top of feature 3. */
+  readonly origin?: string | undefined;
 }
 
 /** What is done to the triangles of a body before it is filled. */
@@ -120,6 +123,8 @@ export interface ProjectBody {
   readonly surface?: BodySurface | undefined;
   readonly remeshing?: BodyRemeshing | undefined;
   readonly placement?: BodyPlacement | undefined;
+  /** The features from which the solid is made; its triangles and faces are what they have given. */
+  readonly features?: readonly SolidFeature[] | undefined;
   /** Base64 of the faces of the CAD file of the body, on which a remeshed surface gets its nodes. */
   readonly trueFaces?: string | undefined;
   /** What repairs have changed in the given surface; for information. */

@@ -7,6 +7,7 @@ import * as v from "valibot";
 import { LIMITS } from "../base/limits.js";
 import { objectWith, parsedBy } from "../calls/schemas.js";
 import { entityLabel } from "../diagnostics/entity-names.js";
+import { featuresSchema } from "./feature-schema.js";
 import {
   FRONT_ORDERS,
   INNER_SHELLS,
@@ -80,6 +81,7 @@ const bodyPatchSchema = v.pipe(
     name,
     color: v.optional(described(WORDS.patchColor, color)),
     solid: v.optional(described(WORDS.patchSolid, v.string())),
+    origin: v.optional(described(WORDS.patchOrigin, v.string())),
   }),
   v.readonly(),
 );
@@ -145,6 +147,7 @@ export const bodySchema: v.GenericSchema<unknown, ProjectBody> = v.pipe(
     surface: v.optional(described(WORDS.bodySurface, v.picklist(BODY_SURFACES))),
     remeshing: v.optional(described(WORDS.remeshing, remeshingSchema)),
     placement: v.optional(described(WORDS.placement, placementSchema)),
+    features: v.optional(featuresSchema),
     repairs: v.optional(described(WORDS.repairs, listOf(repairSchema))),
     repairDeviation: v.optional(described(WORDS.repairDeviation, v.pipe(number, v.minValue(0)))),
   }),

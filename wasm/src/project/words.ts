@@ -47,6 +47,9 @@ export const WORDS = {
   bodies: "Closed triangulated surfaces beside the drawn patches",
   bodyPoints: "Nodes of the given triangles: base64 of x y z per node, as little-endian doubles",
   bodyTriangles: "Given triangles: base64 of three node indices each, as little-endian 32-bit integers",
+  features:
+    "The list of features from which the solid is made: pieces that are joined, cut or intersected, and changes such as fillets. Lengths in model units, angles in degrees",
+  patchOrigin: "The face of a feature from which the patch comes, such as 3/top: the top of feature 3",
   trueFaces:
     "The faces of the CAD file of the body, in base64: nodes of a remeshed surface are placed on them. Made by readers of CAD files",
   trianglePatch:

@@ -1,0 +1,39 @@
+/** The solid of a list of features as a surface: its faces are patches, named by origin. */
+import { inSteps } from "../calls/yielder.js";
+import { cadShapesOf } from "../cad/cad-shapes.js";
+import { type EdgeLine, type FeatureFailure, withShape } from "../cad/features/evaluate.js";
+import type { Feature } from "../cad/features/feature.js";
+import type { FeatureKernel } from "../cad/features/session.js";
+import { type CadKernel, triangulatedShape } from "../cad/kernel.js";
+import type { Mesh } from "../mesh/mesh.js";
+import { DEFLECTION } from "./cad.js";
+import { joinedSurface } from "./shape-surface.js";
+
+export interface FeatureSolid {
+  /** With its true faces; undefined if the features give no solid. */
+  readonly surface: Mesh | undefined;
+  readonly edges: readonly EdgeLine[];
+  /** The features that were left out, and why. */
+  readonly failures: readonly FeatureFailure[];
+  /** Whether the kernel must not be used again. */
+  readonly isKernelSpent: boolean;
+}
+
+/** Evaluates features in the kernel of the caller. Its exceptions that are no feature's are thrown. */
+export async function featureSolid(
+  kernel: FeatureKernel,
+  features: readonly Feature[],
+): Promise<FeatureSolid> {
+  const { result, faces, edges, failures, isKernelSpent } = withShape(kernel, features, (shape) =>
+    triangulatedShape(kernel as unknown as CadKernel, shape as never, DEFLECTION),
+  );
+  if (result === undefined) return { surface: undefined, edges, failures, isKernelSpent };
+  let face = 0;
+  const shapes = cadShapesOf(result, undefined).map((shape) => ({
+    ...shape,
+    faces: shape.faces.map((own) => ({ ...own, name: faces[face++] })),
+  }));
+  const { mesh } = await inSteps(joinedSurface(shapes));
+  const trueFaces = shapes.flatMap(({ trueFaces: own }) => own ?? []).map(({ missing: _, ...own }) => own);
+  return { surface: { ...mesh, trueFaces }, edges, failures, isKernelSpent };
+}
