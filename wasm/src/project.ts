@@ -35,6 +35,7 @@ export {
   type SourceId,
 } from "./project/project-types.js";
 export type { LineType, PatchType, SourceType } from "./generated/constants.js";
+export type { SolidFeature } from "./project/feature-schema.js";
 export { liveNotes } from "./project/live-notes.js";
 export { EXPRESSION_KINDS, GROUP_KINDS } from "./project/project-types.js";
 export { PROJECT_VERSION } from "./project/versions.js";

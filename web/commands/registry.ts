@@ -3,6 +3,7 @@ import { keyWords } from "../strings";
 import { booleanCommands } from "./boolean-commands";
 import type { Command } from "./command";
 import { createMenu } from "./create-menu";
+import { solidCommands } from "./solid-commands";
 import { editMenu } from "./edit-menu";
 import { fileMenu } from "./file-menu";
 import { helpMenu } from "./help-menu";
@@ -32,6 +33,7 @@ const all: Command[] = [
     ...toolCommands.filter(({ menu }) => menu === "create"),
     ...createMenu,
     ...pieceCommands,
+    ...solidCommands,
     ...sweepCommands,
   ]),
   ...viewMenu,

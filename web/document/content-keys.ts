@@ -99,7 +99,13 @@ const meshingFields = fieldsOf<ProjectMeshing>({
   optimization: true,
 });
 
-const bodyPatchFields = fieldsOf<ProjectBodyPatch>({ id: true, name: true, color: true, solid: true });
+const bodyPatchFields = fieldsOf<ProjectBodyPatch>({
+  id: true,
+  name: true,
+  color: true,
+  solid: true,
+  origin: true,
+});
 const remeshingFields = fieldsOf<BodyRemeshing>({
   size: true,
   minSize: true,

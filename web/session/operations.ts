@@ -6,12 +6,16 @@ import {
   type FieldValue,
   type FieldValues,
   type Operation,
+  type SolidMaker,
   type Subject,
   type TypedNumber,
 } from "../document/operations/operation";
 import type { ViewStore } from "../document/selection";
 import { isDrawingTool, type ToolName } from "../document/tools";
+import type { Offer } from "../document/create";
 import { settledProject, type DocumentStore, type Gesture } from "./document-store";
+import { failureText } from "./failure-text";
+import { LatestTask } from "./latest-task";
 
 /** An operation whose panel is open. */
 export interface OpenOperation {
@@ -21,7 +25,9 @@ export interface OpenOperation {
   readonly expressions: FieldExpressions;
   /** The project without the operation, and the selection in it. */
   readonly subject: Subject;
-  /** Why the values give nothing; null if the view shows what they give. */
+  /** Whether what the values give is being computed. */
+  readonly isPending: boolean;
+  /** Why the values give nothing; null if the view shows what they give, or will. */
   readonly reason: string | null;
   /** What the user should know about what the values give; empty if there is nothing to know. */
   readonly note: string;
@@ -42,11 +48,16 @@ export class Operations {
   readonly state: StoreApi<OperationState> = createStore<OperationState>(() => ({ open: null }));
   readonly #documents: DocumentStore;
   readonly #view: ViewStore;
+  readonly #solids: SolidMaker;
+  readonly #task = new LatestTask();
   #gesture: Gesture | null = null;
+  /** Whether the open operation is accepted as soon as it is computed. */
+  #isAccepted = false;
 
-  constructor(documents: DocumentStore, view: ViewStore) {
+  constructor(documents: DocumentStore, view: ViewStore, solids: SolidMaker) {
     this.#documents = documents;
     this.#view = view;
+    this.#solids = solids;
     documents.state.subscribe(({ gestureStart }, before) => {
       if (gestureStart !== before.gestureStart && before.gestureStart !== null) this.#close();
     });
@@ -84,10 +95,17 @@ export class Operations {
     this.#show({ ...open, values: { ...open.values, [key]: value }, expressions });
   }
 
-  /** Accepts what the open operation gives, and selects it. Returns false if it gives nothing. */
+  /**
+   * Accepts what the open operation gives, and selects it; as soon as it is computed, if that takes time. Returns false if it gives
+   * nothing.
+   */
   accept(): boolean {
     const { open } = this.state.getState();
     if (!open || open.reason !== null) return false;
+    if (open.isPending) {
+      this.#isAccepted = true;
+      return true;
+    }
     const gesture = this.#gesture;
     this.#close();
     gesture?.commit();
@@ -103,6 +121,8 @@ export class Operations {
   }
 
   #close(): void {
+    this.#task.cancel();
+    this.#isAccepted = false;
     this.#gesture = null;
     if (this.state.getState().open) this.state.setState({ open: null });
   }
@@ -113,18 +133,31 @@ export class Operations {
     this.#show({ ...open, subject: { ...subject, selection: existingIn(subject.project, selection) } });
   }
 
-  #show({
-    operation,
-    values,
-    expressions,
-    subject,
-  }: Omit<OpenOperation, "reason" | "note" | "entities">): void {
-    const offer = operation.make(subject, values, expressions);
+  #show(given: Omit<OpenOperation, "reason" | "note" | "entities" | "isPending">): void {
+    const { operation, values, expressions, subject } = given;
+    this.#task.cancel();
+    const offer = operation.make(subject, values, expressions, this.#solids);
+    if (!(offer instanceof Promise)) return this.#showOffer(given, offer);
+    const entities = this.state.getState().open?.entities ?? [];
+    this.state.setState({ open: { ...given, isPending: true, reason: null, note: "", entities } });
+    // The view keeps what the values before have given until the new ones are computed.
+    this.#task
+      .run(
+        () => offer,
+        (made) => this.#showOffer(given, made),
+      )
+      .catch((failure: unknown) => {
+        this.#showOffer(given, { possible: false, reason: failureText(failure) });
+      });
+  }
+
+  #showOffer(given: Omit<OpenOperation, "reason" | "note" | "entities" | "isPending">, offer: Offer): void {
     const entities = offer.possible ? offer.creation.entities : [];
     const reason = offer.possible ? null : offer.reason;
     const note = (offer.possible && offer.creation.note) || "";
-    this.state.setState({ open: { operation, values, expressions, subject, reason, note, entities } });
+    this.state.setState({ open: { ...given, isPending: false, reason, note, entities } });
     this.#gesture?.update(offer.possible ? offer.creation.edit : { change: () => undefined });
+    if (this.#isAccepted) this.accept();
   }
 }
 

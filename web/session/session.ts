@@ -19,6 +19,7 @@ import { PreviewFeed } from "./preview";
 import { ProblemList } from "./problems";
 import { MeshRun, regionCount } from "./run";
 import { SizeFeed } from "./size-feed";
+import { Solids } from "./solids";
 import { SmoothnessFeed } from "./smoothness-feed";
 import type { ShownMesh } from "./shown-mesh";
 
@@ -41,6 +42,7 @@ export class Session {
   readonly run: MeshRun;
   readonly previews: PreviewFeed;
   readonly bodies: BodyFeed;
+  readonly solids: Solids;
   readonly problems: ProblemList;
   readonly sizes: SizeFeed;
   readonly smoothness: SmoothnessFeed;
@@ -51,8 +53,9 @@ export class Session {
     this.documents = new DocumentStore(document.history.present.project);
     this.documents.show(document);
     library?.keepOpen(document, release);
-    this.operations = new Operations(this.documents, this.view);
     this.bodies = new BodyFeed(this.documents, previewMesher);
+    this.solids = new Solids(this.bodies);
+    this.operations = new Operations(this.documents, this.view, this.solids);
     this.run = new MeshRun(this.documents, mesher, {
       allOf: (project) => this.bodies.preparations.allOf(project),
       keep: (project, prepared) => void this.bodies.keepPrepared(project, prepared),

@@ -15,6 +15,8 @@ function listed(names: readonly string[]): string {
 
 /** Names of the steps of undo. */
 export const bodyStepNames = {
+  features: "Change features",
+  explode: "Explode solid",
   setUnit: (id: number) => `Set unit of body ${id}`,
   addMany: (count: number) => `Add ${count} bodies`,
   surface: (body: string) => `Change treatment of ${body}`,

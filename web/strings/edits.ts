@@ -3,6 +3,7 @@ import { LIMITS } from "tetrafront";
 
 /** Names of the steps of undo: verb and object. */
 export const stepNames = {
+  change: (noun: string) => `Change ${noun}`,
   move: (entity: string) => `Move ${entity}`,
   rotate: (entity: string) => `Rotate ${entity}`,
   scale: (entity: string) => `Scale ${entity}`,

@@ -7,8 +7,11 @@ import { setCadLibrary } from "tetrafront";
 
 const absolute = (address: string) => new URL(address, import.meta.url).href;
 
+/** Where this site has the kernel. */
+export const kernelFiles = { script: absolute(kernelScript), wasm: absolute(kernelWasm) };
+
 setCadLibrary({
   script: absolute(script),
   wasm: absolute(wasm),
-  kernel: { script: absolute(kernelScript), wasm: absolute(kernelWasm) },
+  kernel: kernelFiles,
 });

@@ -18,21 +18,20 @@ import {
 import {
   bodyWithPatches,
   mergePatches,
-  bodySurface,
   createBodies,
   createBody,
   type ProjectBody,
 } from "tetrafront/project";
 import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
 import { hasInnerSolid } from "../document/inner-solids";
-import { meaningOf, patchValues, type PatchMeaning } from "../document/patch-colors";
+import type { PatchMeaning } from "../document/patch-colors";
 import { strings } from "../strings";
 import "./cad-library";
-import { buffersOfPacked, packedBody } from "./packed-bodies";
+import { buffersOfNew, loadedFrom, newBody } from "./new-bodies";
+import { packedBody } from "./packed-bodies";
 import { replacedBody } from "./replaced-body";
 import { serveCalls, type Answer } from "./serve-calls";
-import type { PatchArrays } from "../document/patch-arrays";
-import type { LoadedSurface, PackedNewBody, SurfaceProtocol } from "./surface-files";
+import type { PackedNewBody, SurfaceProtocol } from "./surface-files";
 
 serveCalls<SurfaceProtocol>({
   read: async ({ file, others, head }) => {
@@ -55,16 +54,16 @@ serveCalls<SurfaceProtocol>({
     const isInner = hasInnerSolid(solids, surfaceRegions);
     return {
       answer: { success: true, made, unit, hasInnerSolid: isInner, notes, mesh: null },
-      transfer: made.flatMap(buffersOf),
+      transfer: made.flatMap(buffersOfNew),
     };
   },
   load: (body) => {
     const answer = newBody(body);
-    return { answer, transfer: buffersOf(answer) };
+    return { answer, transfer: buffersOfNew(answer) };
   },
   replace: (given) => {
     const replaced = newBody(replacedBody(given));
-    return { answer: replaced, transfer: buffersOf(replaced) };
+    return { answer: replaced, transfer: buffersOfNew(replaced) };
   },
   split: ({ body, split, nextPatchId, isPreview }) =>
     withSameTriangles(bodyWithPatches(body, split, nextPatchId), isPreview ? "patch" : undefined),
@@ -150,12 +149,8 @@ async function readVolume(
       notes,
       mesh: { mesh, patchShapes },
     },
-    transfer: [...buffersOf(made), ...buffers],
+    transfer: [...buffersOfNew(made), ...buffers],
   };
-}
-
-function newBody(body: ProjectBody): PackedNewBody {
-  return { packed: packedBody(body), loaded: loadedFrom(body) };
 }
 
 /** Omits the texts of points and triangles, which the page has. */
@@ -163,29 +158,5 @@ function withSameTriangles(body: ProjectBody, meaning?: PatchMeaning): Answer<Pa
   const { trueFaces: _, ...others } = body;
   const packed = packedBody({ ...others, points: "", triangles: "" });
   const answer = { packed, loaded: loadedFrom(body, meaning) };
-  return { answer, transfer: buffersOf(answer) };
-}
-
-/** Returns the arrays of a body where they were given: the view moves them. */
-function loadedFrom(
-  { placement: _, ...body }: ProjectBody,
-  meaning: PatchMeaning = meaningOf(body.patches),
-): LoadedSurface {
-  const { patches } = body;
-  const surface = withPatches(bodySurface(body));
-  const values = patchValues(surface.trianglePatch, patches, meaning);
-  return { surface, drawn: drawnSurface(surface, patches.length, values) };
-}
-
-function withPatches({ points, triangles, trianglePatch }: SurfaceInput): PatchArrays {
-  return { points, triangles, trianglePatch: trianglePatch ?? new Uint32Array(triangles.length / 3) };
-}
-
-function buffersOf({ packed, loaded: { surface, drawn } }: PackedNewBody): ArrayBuffer[] {
-  const arrays = [surface.points, surface.triangles, surface.trianglePatch];
-  return [
-    ...arrays.map(({ buffer }) => buffer as ArrayBuffer),
-    ...buffersOfDrawn(drawn),
-    ...buffersOfPacked([packed]),
-  ];
+  return { answer, transfer: buffersOfNew(answer) };
 }

@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront/project";
+import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
 import type { Offer } from "../create";
 import type { Entity } from "../entities";
 import { quantity, type Quantity } from "../../expressions/quantity";
@@ -70,6 +70,8 @@ export const typedPosition = (
 interface FieldBase {
   readonly key: string;
   readonly label: string;
+  /** Default: `operation-` and the key. */
+  readonly testId?: string;
 }
 
 export interface NumberSpec extends FieldBase {
@@ -123,6 +125,20 @@ export interface Subject {
   readonly selection: readonly Entity[];
 }
 
+/** Makes solids of features, which takes a moment. */
+export interface SolidMaker {
+  /** Returns the body of features: a given one, changed, or a new one. Rejects with a sentence if there is nothing left. */
+  bodyOf(
+    project: Project,
+    before: ProjectBody | { readonly name: string },
+    features: readonly SolidFeature[],
+  ): Promise<ProjectBody>;
+  /** Returns the edges of the solid, each with the origins of the faces beside it. */
+  edgesOf(
+    features: readonly SolidFeature[],
+  ): Promise<readonly { readonly name: string; readonly faces: readonly [string, string] }[]>;
+}
+
 /** An operation with its fields. `Values` is a type of the same keys as the fields. */
 export interface Operation<Values extends FieldValues = FieldValues> {
   readonly id: string;
@@ -142,5 +158,10 @@ export interface Operation<Values extends FieldValues = FieldValues> {
   /** What the user should know about the result before accepting it. */
   note?(values: Values, subject: Subject, expressions?: FieldExpressions): string;
   /** What the values give. The project keeps the expressions, if the numbers that they give can be computed from them. */
-  make(subject: Subject, values: Values, expressions?: FieldExpressions): Offer;
+  make(
+    subject: Subject,
+    values: Values,
+    expressions?: FieldExpressions,
+    solids?: SolidMaker,
+  ): Offer | Promise<Offer>;
 }

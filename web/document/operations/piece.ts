@@ -1,4 +1,4 @@
-import type { Project } from "tetrafront/project";
+import type { Project, SolidFeature } from "tetrafront/project";
 import { negative, quantity, valueOf, type Quantities, type Quantity } from "../../expressions/quantity";
 import { operationStrings, stepNames } from "../../strings";
 import type { Offer } from "../create";
@@ -28,6 +28,15 @@ import {
   type Subject,
 } from "./operation";
 import { pieceExtent, withSizes } from "./sizes";
+import {
+  addedFeature,
+  changedSolid,
+  solidIn,
+  solidNote,
+  type PieceUse,
+  type Solid,
+  type SolidForm,
+} from "./solids";
 import { startOf } from "./start";
 
 const texts = operationStrings.fields;
@@ -40,6 +49,8 @@ export type PiecePlacement = {
   readonly join: boolean;
   /** Whether planar faces that overlap faces of the model are shared with it. */
   readonly share: boolean;
+  /** Whether it becomes patches, a solid of its own, or changes a solid. */
+  readonly makes: PieceUse;
 };
 
 /** A handle for a length of a piece whose axis is z and whose base is at the origin. */
@@ -67,12 +78,74 @@ export interface PieceKind<Sizes extends FieldValues> {
   readonly refuse?: (sizes: Sizes) => string | null;
   /** The handles of its lengths. */
   readonly handles: (sizes: Sizes) => readonly LengthHandle<Sizes>[];
+  /** The piece as a feature of a solid; undefined if it is patches only. */
+  readonly feature?: SolidForm<Sizes>;
   /** The piece with its axis along z and its base at the origin. */
   readonly shape: (sizes: Quantities<Sizes>) => Shape<QuantityPosition>;
 }
 
+/** The operation that creates a kind of solid piece. */
+export interface PieceOperation<Values extends FieldValues = FieldValues> extends Operation<Values> {
+  /** Returns the operation that changes such a feature of a solid; null for features of other kinds. */
+  edit(solid: Solid, feature: SolidFeature): Operation<Values> | null;
+}
+
 /** Defines the operation that creates a kind of solid piece. */
 export function pieceOperation<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+): PieceOperation<Sizes & PiecePlacement> {
+  const operation = createOperation(kind);
+  return {
+    ...operation,
+    edit: (solid, feature) => {
+      const { feature: form } = kind;
+      const read = form?.read(feature);
+      if (!form || !read || !("operation" in feature) || !("axis" in feature)) return null;
+      const { sizes, position } = read;
+      return {
+        ...operation,
+        id: `edit-${kind.id}`,
+        title: operationStrings.edit(kind.noun),
+        step: stepNames.change(kind.noun),
+        action: operationStrings.apply,
+        initial: () => ({
+          ...sizes,
+          position,
+          axis: feature.axis,
+          anchor: "base",
+          join: false,
+          share: false,
+          makes: feature.operation,
+        }),
+        fields: (values, subject) => {
+          const all = operation.fields(values, subject);
+          // The first feature of a solid has nothing to be combined with.
+          return solid.features[0]?.id === feature.id
+            ? all.filter(({ key }) => key !== "makes")
+            : [...all.map(withoutPatches)];
+        },
+        note: () => "",
+        make: async ({ project }, values, _expressions, solids) => {
+          const reason = refusalOf(kind, values);
+          if (reason !== null || !solids) return { possible: false, reason: reason ?? "" };
+          const made = form.make(values, frameOf(kind, values));
+          const changed = { ...feature, ...made, operation: values.makes } as SolidFeature;
+          const features = solid.features.map((one) => (one.id === feature.id ? changed : one));
+          const edit = await changedSolid({ project, solids, solid }, features, stepNames.change(kind.noun));
+          return { possible: true, creation: { entities: [{ kind: "body", id: solid.id }], edit } };
+        },
+      };
+    },
+  };
+}
+
+/** A feature stays one. */
+const withoutPatches = (field: FieldSpec): FieldSpec =>
+  field.kind === "choice" && field.key === "makes"
+    ? { ...field, choices: field.choices.filter(({ value }) => value !== "patches") }
+    : field;
+
+function createOperation<Sizes extends FieldValues>(
   kind: PieceKind<Sizes>,
 ): Operation<Sizes & PiecePlacement> {
   return {
@@ -87,26 +160,49 @@ export function pieceOperation<Sizes extends FieldValues>(
       anchor: "base" as const,
       join: true,
       share: false,
+      makes: (kind.feature && solidIn({ project, selection }) ? "join" : "patches") as PieceUse,
     }),
-    fields: (values, { project }) => {
+    fields: (values, { project, selection }) => {
       const hasBase = valueOf(kind.middle(sizesOf(values))) > 0;
       const position = hasBase && values.anchor === "base" ? texts.base : texts.centre;
+      const arePatches = values.makes === "patches";
       return [
+        ...(kind.feature ? [useField(solidIn({ project, selection }) !== undefined)] : []),
         ...kind.fields,
         ...(hasBase ? [anchorField] : []),
         { kind: "position", key: "position", label: position },
         { kind: "direction", key: "axis", label: texts.axis },
-        { kind: "switch", key: "join", label: texts.join },
-        ...(canShare(kind, project, values)
+        ...(arePatches ? [{ kind: "switch", key: "join", label: texts.join } as const] : []),
+        ...(arePatches && canShare(kind, project, values)
           ? [{ kind: "switch", key: "share", label: texts.share } as const]
           : []),
       ];
     },
     handles: (values) => handlesOf(kind, values),
-    note: (values, subject, expressions = {}) => noteOf(kind, values, subject, expressions),
-    make: (subject, values, expressions = {}) => makePiece(kind, subject, values, expressions),
+    note: (values, subject, expressions = {}) =>
+      values.makes === "patches"
+        ? noteOf(kind, values, subject, expressions)
+        : solidNote(values.makes, subject),
+    make: (subject, values, expressions = {}, solids) => {
+      if (values.makes === "patches" || !kind.feature || !solids)
+        return makePiece(kind, subject, values, expressions);
+      const reason = refusalOf(kind, values);
+      if (reason !== null) return { possible: false, reason };
+      const made = kind.feature.make(values, frameOf(kind, values));
+      return addedFeature({ subject, solids, noun: kind.noun, use: values.makes }, made);
+    },
   };
 }
+
+const useField = (hasSolid: boolean): FieldSpec => ({
+  kind: "choice",
+  key: "makes",
+  label: texts.makes,
+  testId: "piece-operation",
+  choices: (["patches", "new", ...(hasSolid ? (["join", "cut", "intersect"] as const) : [])] as const).map(
+    (value) => ({ value, label: texts.operations[value] }),
+  ),
+});
 
 const anchorField: FieldSpec = {
   kind: "choice",

@@ -7,10 +7,11 @@ import { prism } from "../pieces/prism";
 import { sphere } from "../pieces/sphere";
 import { torus } from "../pieces/torus";
 import { wing } from "../pieces/wing";
-import { worldFrame, zero } from "../vectors";
+import type { Position } from "../position";
+import { cross, frameAlong, fromFrame, worldFrame, zero, type Frame } from "../vectors";
 import { angleBetween, positiveLength, wholeNumber } from "./number-specs";
-import type { FieldSpec, Operation } from "./operation";
-import { pieceOperation } from "./piece";
+import type { FieldSpec } from "./operation";
+import { pieceOperation, type PieceOperation } from "./piece";
 
 const { fields: texts, pieces, refusals } = operationStrings;
 const { x, y, z } = worldFrame;
@@ -23,6 +24,27 @@ const length = (key: string, label: string): FieldSpec => ({
   unit: "length",
   refuse: (value) => (value >= 0 ? null : operationStrings.notNegative),
 });
+
+/** Returns where a feature is whose own origin is at a position of a frame. */
+const placementIn = (frame: Frame, at: Position = zero) => ({
+  position: fromFrame(frame, at),
+  axis: frame.z,
+  x: frame.x,
+});
+
+/** Returns a position of the frame of a feature. */
+function fromPlacement(
+  {
+    position,
+    axis,
+    x,
+  }: { readonly position: Position; readonly axis: Position; readonly x?: Position | undefined },
+  at: Position,
+): Position {
+  const { z, ...along } = frameAlong(axis);
+  const across = x ?? along.x;
+  return fromFrame({ origin: position, x: across, y: cross(z, across), z }, at);
+}
 
 const createBox = pieceOperation({
   id: "create-box",
@@ -40,6 +62,18 @@ const createBox = pieceOperation({
     { key: "height", from: zero, along: z },
   ],
   shape: ({ width, depth, height }) => box(width, depth, height),
+  feature: {
+    make: ({ width, depth, height }, frame) => ({
+      type: "box",
+      size: [width, depth, height],
+      ...placementIn(frame, [-width / 2, -depth / 2, 0]),
+    }),
+    read: (feature) => {
+      if (feature.type !== "box") return null;
+      const [width, depth, height] = feature.size;
+      return { sizes: { width, depth, height }, position: fromPlacement(feature, [width / 2, depth / 2, 0]) };
+    },
+  },
 });
 
 const createCylinder = pieceOperation({
@@ -53,6 +87,13 @@ const createCylinder = pieceOperation({
     { key: "height", from: zero, along: z },
   ],
   shape: ({ radius, height }) => cylinder(radius, radius, height),
+  feature: {
+    make: ({ radius, height }, frame) => ({ type: "cylinder", radius, height, ...placementIn(frame) }),
+    read: (feature) =>
+      feature.type === "cylinder"
+        ? { sizes: { radius: feature.radius, height: feature.height }, position: feature.position }
+        : null,
+  },
 });
 
 const createSphere = pieceOperation({
@@ -63,6 +104,11 @@ const createSphere = pieceOperation({
   middle: () => 0,
   handles: () => [{ key: "radius", from: zero, along: x }],
   shape: ({ radius }) => sphere(radius),
+  feature: {
+    make: ({ radius }, frame) => ({ type: "sphere", radius, ...placementIn(frame) }),
+    read: (feature) =>
+      feature.type === "sphere" ? { sizes: { radius: feature.radius }, position: feature.position } : null,
+  },
 });
 
 const createCone = pieceOperation({
@@ -82,6 +128,20 @@ const createCone = pieceOperation({
   ],
   shape: ({ radius, topRadius, height }) =>
     topRadius === 0 ? cone(radius, height) : cylinder(radius, topRadius, height),
+  feature: {
+    make: ({ radius, topRadius, height }, frame) => ({
+      type: "cone",
+      radius,
+      topRadius,
+      height,
+      ...placementIn(frame),
+    }),
+    read: (feature) => {
+      if (feature.type !== "cone") return null;
+      const { radius, topRadius, height, position } = feature;
+      return { sizes: { radius, topRadius, height }, position };
+    },
+  },
 });
 
 const createTorus = pieceOperation({
@@ -100,6 +160,20 @@ const createTorus = pieceOperation({
     { key: "tubeRadius", from: [radius, 0, 0], along: z },
   ],
   shape: ({ radius, tubeRadius, angle }) => torus(radius, tubeRadius, angle),
+  feature: {
+    make: ({ radius, tubeRadius, angle }, frame) => ({
+      type: "torus",
+      majorRadius: radius,
+      minorRadius: tubeRadius,
+      angle,
+      ...placementIn(frame),
+    }),
+    read: (feature) => {
+      if (feature.type !== "torus") return null;
+      const { majorRadius, minorRadius, angle = 360, position } = feature;
+      return { sizes: { radius: majorRadius, tubeRadius: minorRadius, angle }, position };
+    },
+  },
 });
 
 const createPrism = pieceOperation({
@@ -117,6 +191,20 @@ const createPrism = pieceOperation({
     { key: "height", from: zero, along: z },
   ],
   shape: ({ sides, radius, height }) => prism(valueOf(sides), radius, height),
+  feature: {
+    make: ({ sides, radius, height }, frame) => ({
+      type: "prism",
+      sides,
+      radius,
+      height,
+      ...placementIn(frame),
+    }),
+    read: (feature) => {
+      if (feature.type !== "prism") return null;
+      const { sides, radius, height, position } = feature;
+      return { sizes: { sides, radius, height }, position };
+    },
+  },
 });
 
 const createWing = pieceOperation({
@@ -142,7 +230,7 @@ const createWing = pieceOperation({
 });
 
 /** The operations that create solid pieces, in the order of the menu. */
-export const pieceOperations: readonly Operation[] = [
+export const pieceOperations: readonly PieceOperation[] = [
   createBox,
   createCylinder,
   createSphere,

@@ -22,6 +22,8 @@ import { BodyProblems } from "./body-problems";
 import { BodyRepairs } from "./body-repairs";
 import { BodyTreatment } from "./body-treatment";
 import { BodyUnit } from "./body-unit";
+import { isSolid } from "../../document/operations/solids";
+import { FeatureList } from "./feature-list";
 import styles from "./bodies.module.css";
 import { useBody } from "./use-body";
 
@@ -46,6 +48,7 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
           </Text>
         )
       )}
+      {isSolid(body) && <FeatureList solid={body} />}
       <div className={styles["unit"]}>
         <BodyUnit body={body} />
       </div>

@@ -28,7 +28,7 @@ export function OperationField({ spec, open }: OperationFieldProps) {
   const setCoordinate = (before: Position, axis: 0 | 1 | 2, x: number, expression: string | null): void =>
     set(withCoordinate(before, axis, x), { field: `${key}.${axis}`, expression });
   const expressions = [0, 1, 2].map((axis) => open.expressions[`${key}.${axis}`]);
-  const testId = `operation-${key}`;
+  const testId = spec.testId ?? `operation-${key}`;
   switch (spec.kind) {
     case "number":
       return typeof value === "number" && <NumberValue spec={spec} value={value} open={open} onSet={set} />;

@@ -20,7 +20,7 @@ export function OperationPanel({ ref }: { readonly ref: Ref<HTMLElement> }) {
 
 function OperationForm({ ref, open }: { readonly ref: Ref<HTMLElement>; readonly open: OpenOperation }) {
   const app = useApp();
-  const { operation, values, expressions, subject, reason, entities } = open;
+  const { operation, values, expressions, subject, reason, entities, isPending } = open;
   const notes = [operation.note?.(values, subject, expressions) ?? "", open.note].filter(
     (note) => note !== "",
   );
@@ -39,6 +39,7 @@ function OperationForm({ ref, open }: { readonly ref: Ref<HTMLElement>; readonly
       aria-label={operation.title}
       data-testid="operation"
       data-operation={operation.id}
+      data-pending={isPending || undefined}
       onKeyDown={onKeyDown}
     >
       <div className={styles["content"]} data-presented>
@@ -55,7 +56,7 @@ function OperationForm({ ref, open }: { readonly ref: Ref<HTMLElement>; readonly
             </Text>
           )}
           <Text className={styles["result"]} role="status" data-refused={reason !== null || undefined}>
-            {reason ?? operationStrings.result(entities)}
+            {isPending ? operationStrings.computing : (reason ?? operationStrings.result(entities))}
           </Text>
           <Group justify="flex-end" gap="xs" className={styles["actions"]}>
             <Button size="xs" variant="default" onClick={() => app.operations.cancel()}>

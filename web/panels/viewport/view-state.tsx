@@ -18,7 +18,9 @@ export function ViewState({ container }: { readonly container: RefObject<HTMLDiv
   const drawnFront = useRun((state) => state.front && state.front.length / 9);
   const stale = useStale();
   const pending = useAutosavePending();
-  const { points, lines, patches } = useProject();
+  const { points, lines, patches, bodies } = useProject();
+  // Solids have true faces: those of features, and of CAD files.
+  const solids = bodies?.filter(({ trueFaces }) => trueFaces !== undefined).length ?? 0;
   const problems = useProblems((state) => state.problems.length);
   const tool = useView((state) => state.tool);
   useEffect(() => {
@@ -40,9 +42,10 @@ export function ViewState({ container }: { readonly container: RefObject<HTMLDiv
     data["points"] = String(points.length);
     data["lines"] = String(lines.length);
     data["patches"] = String(patches.length);
+    data["solids"] = String(solids);
     data["problems"] = String(problems);
     data["tool"] = tool;
-  }, [container, points, lines, patches, problems, tool]);
+  }, [container, points, lines, patches, solids, problems, tool]);
   useReplayState(container);
   return null;
 }

@@ -29,7 +29,7 @@ export interface EdgeLine {
 }
 
 export interface Evaluation {
-  /** The name of each face, in the order in which `triangulatedModelOfBrep` lists them. Empty without a solid. */
+  /** The name of each face, in the order in which `partsOfBrep` lists them. Empty without a solid. */
   readonly faces: readonly string[];
   readonly edges: readonly EdgeLine[];
   readonly failures: readonly FeatureFailure[];

@@ -17,7 +17,7 @@ export type Operation = "new" | "join" | "cut" | "intersect";
 export interface Placement {
   readonly position: Vector;
   readonly axis: Vector;
-  readonly x?: Vector;
+  readonly x?: Vector | undefined;
 }
 
 /**
@@ -27,7 +27,7 @@ export interface Placement {
 export type LoopCurve =
   | { readonly kind: "line"; readonly points: readonly [Vector, Vector] }
   | { readonly kind: "arc"; readonly points: readonly [Vector, Vector, Vector] }
-  | { readonly kind: "spline"; readonly points: readonly Vector[]; readonly isClosed?: boolean }
+  | { readonly kind: "spline"; readonly points: readonly Vector[]; readonly isClosed?: boolean | undefined }
   | { readonly kind: "circle"; readonly center: Vector; readonly axis: Vector; readonly radius: number };
 
 /** Curves one after the other: each begins where the one before it ends. */
@@ -36,7 +36,7 @@ export type Loop = readonly LoopCurve[];
 /** A plane surface within a closed loop, in either direction, with holes. */
 export interface Profile {
   readonly outer: Loop;
-  readonly holes?: readonly Loop[];
+  readonly holes?: readonly Loop[] | undefined;
 }
 
 interface Rotation {
@@ -62,7 +62,7 @@ export interface PieceKinds {
   readonly torus: Placement & {
     readonly majorRadius: number;
     readonly minorRadius: number;
-    readonly angle?: number;
+    readonly angle?: number | undefined;
   };
   /** A regular polygon, extruded; its first corner is at the radius in the direction x. */
   readonly prism: Placement & { readonly sides: number; readonly radius: number; readonly height: number };
@@ -72,7 +72,7 @@ export interface PieceKinds {
   readonly extrude: { readonly profile: Profile; readonly vector: Vector };
   readonly revolve: { readonly profile: Profile } & Rotation;
   /** All sections have equally many holes. */
-  readonly loft: { readonly sections: readonly Profile[]; readonly isRuled?: boolean };
+  readonly loft: { readonly sections: readonly Profile[]; readonly isRuled?: boolean | undefined };
   /** The path begins at the profile. */
   readonly sweep: { readonly profile: Profile; readonly path: Loop };
   /** The text of a BREP file. */
@@ -91,37 +91,40 @@ export interface ChangeKinds {
     readonly position: Vector;
     readonly axis: Vector;
     readonly diameter: number;
-    readonly depth?: number;
-    readonly counterbore?: { readonly diameter: number; readonly depth: number };
-    readonly countersink?: { readonly diameter: number; readonly angle: number };
+    readonly depth?: number | undefined;
+    readonly counterbore?: { readonly diameter: number; readonly depth: number } | undefined;
+    readonly countersink?: { readonly diameter: number; readonly angle: number } | undefined;
   };
   readonly fillet: { readonly edges: readonly EdgeName[]; readonly radius: number };
   readonly chamfer: { readonly edges: readonly EdgeName[]; readonly distance: number };
   /** The wall is inside of the faces; without open faces, the solid becomes hollow. */
   readonly shell: { readonly openFaces: readonly FaceName[]; readonly thickness: number };
   /** First turned, then moved. */
-  readonly move: { readonly translation?: Vector; readonly rotation?: Rotation };
+  readonly move: { readonly translation?: Vector | undefined; readonly rotation?: Rotation | undefined };
   readonly mirror: {
     readonly position: Vector;
     readonly normal: Vector;
-    readonly keepOriginal?: boolean;
+    readonly keepOriginal?: boolean | undefined;
   };
   /** The count includes the original; without features, the whole solid is repeated. */
   readonly "linear-array": {
     readonly step: Vector;
     readonly count: number;
-    readonly features?: readonly number[];
+    readonly features?: readonly number[] | undefined;
   };
   /** The angle is that between two neighbours. */
-  readonly "circular-array": Rotation & { readonly count: number; readonly features?: readonly number[] };
+  readonly "circular-array": Rotation & {
+    readonly count: number;
+    readonly features?: readonly number[] | undefined;
+  };
 }
 
 interface Common {
   /** A positive integer, unique in its list: the names of faces begin with it. */
   readonly id: number;
-  readonly name?: string;
+  readonly name?: string | undefined;
   /** Whether the feature is left out. */
-  readonly isOff?: boolean;
+  readonly isOff?: boolean | undefined;
 }
 
 export type Piece = {

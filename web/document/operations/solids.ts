@@ -1,0 +1,95 @@
+import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
+import { addBodies, replaceBody } from "../body-edits";
+import type { Offer } from "../create";
+import { bodiesOf, bodyLabel, type Entity } from "../entities";
+import { bodyStepNames, operationStrings, stepNames } from "../../strings";
+import type { Frame } from "../vectors";
+import type { SolidMaker, Subject } from "./operation";
+
+const texts = operationStrings.fields;
+
+/** What a piece becomes: patches, a solid of its own, or a change of a solid. */
+export type PieceUse = "patches" | "new" | "join" | "cut" | "intersect";
+
+type Piece = Extract<SolidFeature, { readonly operation: unknown }>;
+type WithoutHead<One> = One extends unknown ? Omit<One, "id" | "name" | "isOff" | "operation"> : never;
+/** A feature that has not been added to a list. */
+export type NewPiece = WithoutHead<Piece>;
+
+/** How a piece is a feature of a solid. */
+export interface SolidForm<Sizes> {
+  /** Returns the feature of sizes, with its base at the origin of a frame and its axis along z. */
+  make(sizes: Sizes, frame: Frame): NewPiece;
+  /** Returns the sizes and the place of the base of such a feature. */
+  read(feature: SolidFeature): { readonly sizes: Sizes; readonly position: Frame["origin"] } | null;
+}
+
+/** A body with a list of features. */
+export type Solid = ProjectBody & { readonly features: readonly SolidFeature[] };
+
+export const isSolid = (body: ProjectBody): body is Solid => body.features !== undefined;
+
+/** Returns the solids of a project. */
+export const solidsOf = (project: Project): Solid[] => bodiesOf(project).filter(isSolid);
+
+/** Returns the solid that a selection means: the selected one, that of selected patches, or the only one. */
+export function solidIn({ project, selection }: Subject): Solid | undefined {
+  const solids = solidsOf(project);
+  const selected = solids.find((solid) => selection.some((entity) => isPartOf(solid, entity)));
+  return selected ?? (solids.length === 1 ? solids[0] : undefined);
+}
+
+function isPartOf(solid: Solid, { kind, id }: Entity): boolean {
+  if (kind === "body") return solid.id === id;
+  return kind === "body-patch" && solid.patches.some((patch) => patch.id === id);
+}
+
+export function solidNote(use: Exclude<PieceUse, "patches">, subject: Subject): string {
+  if (use === "new") return texts.solidNote.new;
+  const solid = solidIn(subject);
+  return solid ? texts.solidNote[use](bodyLabel(solid)) : "";
+}
+
+/** Returns the next id of a list of features. */
+export const nextFeatureId = (features: readonly SolidFeature[]): number =>
+  features.reduce((highest, { id }) => Math.max(highest, id), 0) + 1;
+
+interface Addition {
+  readonly subject: Subject;
+  readonly solids: SolidMaker;
+  /** "box". */
+  readonly noun: string;
+  readonly use: Exclude<PieceUse, "patches">;
+}
+
+/** Makes a new solid of a piece, or adds it to the features of the solid of the selection. */
+export async function addedFeature(
+  { subject, solids, noun, use }: Addition,
+  piece: NewPiece,
+): Promise<Offer> {
+  const { project } = subject;
+  const solid = use === "new" ? undefined : solidIn(subject);
+  const features = solid?.features ?? [];
+  const id = nextFeatureId(features);
+  const added = { ...piece, id, operation: solid ? use : "new" } as SolidFeature;
+  if (solid) {
+    const edit = await changedSolid({ project, solids, solid }, [...features, added], stepNames.add(noun));
+    return { possible: true, creation: { entities: [{ kind: "body", id: solid.id }], edit } };
+  }
+  const body = await solids.bodyOf(project, { name: noun }, [added]);
+  const edit = { ...addBodies(project, [body]), label: stepNames.add(noun) };
+  return { possible: true, creation: { entities: [{ kind: "body", id: body.id }], edit } };
+}
+
+/** Returns the edit that gives a solid other features. */
+export async function changedSolid(
+  {
+    project,
+    solids,
+    solid,
+  }: { readonly project: Project; readonly solids: SolidMaker; readonly solid: Solid },
+  features: readonly SolidFeature[],
+  label: string = bodyStepNames.features,
+) {
+  return replaceBody(project, label, await solids.bodyOf(project, solid, features));
+}

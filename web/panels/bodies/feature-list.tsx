@@ -1,0 +1,118 @@
+import { Checkbox, Text } from "@mantine/core";
+import { IconArrowDown, IconArrowUp, IconPencil, IconTrash } from "@tabler/icons-react";
+import type { SolidFeature } from "tetrafront/project";
+import { useStore } from "zustand";
+import { editFeature, explodeSolid, setFeatures } from "../../commands/solid-commands";
+import type { Solid } from "../../document/operations/solids";
+import { operationStrings } from "../../strings";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { IconButton } from "../../ui/icon-button";
+import { TextButton } from "../../ui/text-button";
+import { useApp } from "../shared/app-context";
+import styles from "./bodies.module.css";
+
+const texts = operationStrings.features;
+
+const labelOf = ({ id, type, name }: SolidFeature): string => name ?? texts.label(type.replace("-", " "), id);
+
+/** The features of a solid: each can be edited, switched off, moved and deleted. */
+export function FeatureList({ solid }: { readonly solid: Solid }) {
+  const app = useApp();
+  const failures = useStore(app.solids.state, (state) => state.failures.get(solid.features)) ?? [];
+  return (
+    <section>
+      <SectionTitle>{texts.title}</SectionTitle>
+      <ol className={styles["features"]} aria-label={texts.list} data-testid="feature-list">
+        {solid.features.map((feature, index) => (
+          <FeatureRow
+            key={feature.id}
+            solid={solid}
+            index={index}
+            failure={failures.find((one) => one.feature === feature.id)}
+          />
+        ))}
+      </ol>
+      <Text size="xs" c="dimmed" my={4}>
+        {texts.hint}
+      </Text>
+      <TextButton title={texts.explodeHint} onClick={() => explodeSolid(app, solid)}>
+        {texts.explode}
+      </TextButton>
+    </section>
+  );
+}
+
+interface FeatureRowProps {
+  readonly solid: Solid;
+  readonly index: number;
+  readonly failure: { readonly message: string; readonly remedy: string } | undefined;
+}
+
+function FeatureRow({ solid, index, failure }: FeatureRowProps) {
+  const app = useApp();
+  const { features } = solid;
+  const feature = features[index];
+  if (!feature) return null;
+  const label = labelOf(feature);
+  const isOff = feature.isOff === true;
+  const set = (next: readonly SolidFeature[]): void => void setFeatures(app, solid, next);
+  const move = (by: 1 | -1): void => set(moved(features, index, by));
+  return (
+    <li
+      className={styles["feature"]}
+      data-testid={`feature-${feature.id}`}
+      data-failed={failure !== undefined || undefined}
+      onDoubleClick={() => editFeature(app, solid, feature)}
+    >
+      <div className={styles["featureHead"]}>
+        <Checkbox
+          size="xs"
+          aria-label={texts.use(label)}
+          checked={!isOff}
+          onChange={() => set(features.map((one) => (one.id === feature.id ? withUse(one, isOff) : one)))}
+        />
+        <span className={styles["featureName"]}>
+          {label}
+          {"operation" in feature && index > 0 && <small> {texts.uses[feature.operation]}</small>}
+        </span>
+        <IconButton size="sm" label={texts.edit(label)} onClick={() => editFeature(app, solid, feature)}>
+          <IconPencil size={14} />
+        </IconButton>
+        <IconButton size="sm" label={texts.earlier(label)} disabled={index === 0} onClick={() => move(-1)}>
+          <IconArrowUp size={14} />
+        </IconButton>
+        <IconButton
+          size="sm"
+          label={texts.later(label)}
+          disabled={index === features.length - 1}
+          onClick={() => move(1)}
+        >
+          <IconArrowDown size={14} />
+        </IconButton>
+        <IconButton
+          size="sm"
+          label={texts.remove(label)}
+          disabled={features.length < 2}
+          onClick={() => set(features.filter((one) => one.id !== feature.id))}
+        >
+          <IconTrash size={14} />
+        </IconButton>
+      </div>
+      {failure && (
+        <Text size="xs" c="var(--tf-error)" role="alert">
+          {failure.message} {failure.remedy}
+        </Text>
+      )}
+    </li>
+  );
+}
+
+function withUse(feature: SolidFeature, isUsed: boolean): SolidFeature {
+  const { isOff: _, ...used } = feature;
+  return isUsed ? (used as SolidFeature) : { ...feature, isOff: true };
+}
+
+function moved(features: readonly SolidFeature[], index: number, by: 1 | -1): readonly SolidFeature[] {
+  const others = features.filter((_, k) => k !== index);
+  return [...others.slice(0, index + by), ...features.slice(index, index + 1), ...others.slice(index + by)];
+}

@@ -1,0 +1,63 @@
+/** Makes solids of features by the kernel, which is loaded with the first one. */
+import { featureSolid, type FeatureKernel } from "tetrafront/internal";
+import { createBodies, type ProjectBody, type ProjectBodyPatch } from "tetrafront/project";
+import { kernelFiles } from "./cad-library";
+import { buffersOfNew, newBody } from "./new-bodies";
+import { serveCalls } from "./serve-calls";
+import type { SolidProtocol, SolidRequest } from "./solids";
+
+let loading: Promise<FeatureKernel> | null = null;
+
+async function loadKernel(): Promise<FeatureKernel> {
+  const { script, wasm } = kernelFiles;
+  const { default: create } = (await import(/* @vite-ignore */ script)) as {
+    readonly default: (options: object) => Promise<FeatureKernel>;
+  };
+  const ignore = (): void => undefined;
+  return create({ locateFile: () => wasm, print: ignore, printErr: ignore });
+}
+
+serveCalls<SolidProtocol>({
+  evaluate: async (request) => {
+    loading ??= loadKernel();
+    let kernel: FeatureKernel;
+    try {
+      kernel = await loading;
+    } catch (failure) {
+      loading = null;
+      throw failure;
+    }
+    const { surface, edges, failures, isKernelSpent } = await featureSolid(kernel, request.features);
+    if (isKernelSpent) loading = null;
+    const made = surface ? newBody(bodyOf(request, surface)) : null;
+    const named = edges.map(({ name, faces }) => ({ name, faces }));
+    return { answer: { made, edges: named, failures }, transfer: made ? buffersOfNew(made) : [] };
+  },
+});
+
+/** Returns the body of features. Patches of an origin that the body had before keep their ids, names and colours. */
+function bodyOf(
+  { features, body: { id, name, patches: before = [] }, nextPatchId }: SolidRequest,
+  surface: Parameters<typeof createBodies>[0],
+): ProjectBody {
+  // Solids of one list are one body, also where they do not touch.
+  const { surfaceRegions: _, ...one } = surface;
+  const [made] = createBodies(one, { id, firstPatchId: nextPatchId, name: name ?? "" });
+  if (!made) throw new Error("The features give no body");
+  const known = new Map(before.map((patch) => [patch.origin, patch]));
+  let next = nextPatchId;
+  const patches = surface.patches.map((patch): ProjectBodyPatch => {
+    const kept = known.get(patch.name);
+    if (kept) return kept;
+    return { id: next++, name: labelOf(patch.name, features), origin: patch.name };
+  });
+  return { ...made, patches, features };
+}
+
+/** Returns the name of a new patch: "top" of `3/top`, with the name of its feature if there are several. */
+function labelOf(origin: string, features: SolidRequest["features"]): string {
+  const [, number = "", face = origin] = /^(\d+)\/(.*)$/s.exec(origin) ?? [];
+  const feature = features.find((one) => one.id === Number(number));
+  if (features.length < 2 || !feature) return face;
+  return `${feature.name ?? `${feature.type} ${feature.id}`} ${face}`;
+}
