@@ -27,9 +27,9 @@ serveCalls<SolidProtocol>({
       loading = null;
       throw failure;
     }
-    const { surface, edges, failures, isKernelSpent } = await featureSolid(kernel, request.features);
+    const { surface, origins, edges, failures, isKernelSpent } = await featureSolid(kernel, request.features);
     if (isKernelSpent) loading = null;
-    const made = surface ? newBody(bodyOf(request, surface)) : null;
+    const made = surface ? newBody(bodyOf(request, surface, origins)) : null;
     const named = edges.map(({ name, faces }) => ({ name, faces }));
     return { answer: { made, edges: named, failures }, transfer: made ? buffersOfNew(made) : [] };
   },
@@ -39,6 +39,7 @@ serveCalls<SolidProtocol>({
 function bodyOf(
   { features, body: { id, name, patches: before = [] }, nextPatchId }: SolidRequest,
   surface: Parameters<typeof createBodies>[0],
+  origins: readonly (string | undefined)[],
 ): ProjectBody {
   // Solids of one list are one body, also where they do not touch.
   const { surfaceRegions: _, ...one } = surface;
@@ -46,10 +47,10 @@ function bodyOf(
   if (!made) throw new Error("The features give no body");
   const known = new Map(before.map((patch) => [patch.origin, patch]));
   let next = nextPatchId;
-  const patches = surface.patches.map((patch): ProjectBodyPatch => {
-    const kept = known.get(patch.name);
-    if (kept) return kept;
-    return { id: next++, name: labelOf(patch.name, features), origin: patch.name };
+  const patches = surface.patches.map((patch, p): ProjectBodyPatch => {
+    const origin = origins[p];
+    if (origin === undefined) return { id: next++, name: patch.name };
+    return known.get(origin) ?? { id: next++, name: labelOf(origin, features), origin };
   });
   return { ...made, patches, features };
 }

@@ -1,90 +1,77 @@
-/** Meshes of CAD files have their nodes on the faces of the file. */
-import { beforeAll, describe, expect, test } from "vitest";
-
-import { meshFile, type Mesh } from "../../../wasm/dist/index.js";
-import { type Kernel, kernelVolume, stepOf, testKernel } from "../../support/kernel-shapes.js";
+/** True faces of bodies: their text in a project, and the nodes of a project's mesh on them. */
+import { beforeAll, expect, test } from "vitest";
+import { createMesher, type Mesher, readSurface } from "../../../wasm/dist/index.js";
+import { createBodies, readProject, writeProject, type Project } from "../../../wasm/dist/project.js";
+import { textOfTrueFaces, trueFacesOfText } from "../../../wasm/dist/project/true-faces-text.js";
+import { drilledSolid, stepFile } from "../../support/step-files.js";
 
 const RADIUS = 3;
-const SIDE = 10;
+const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], RADIUS)]);
 
-let kernel: Kernel;
-let step: Uint8Array;
-let exactVolume = 0;
-
-/** A cube minus a cylinder through its middle, along z. */
+let mesher: Mesher;
+let project: Project;
 beforeAll(async () => {
-  kernel = await testKernel();
-  const box = new kernel.BRepPrimAPI_MakeBox(new kernel.gp_Pnt(0, 0, 0), SIDE, SIDE, SIDE).Shape();
-  const axes = new kernel.gp_Ax2(new kernel.gp_Pnt(SIDE / 2, SIDE / 2, -1), new kernel.gp_Dir(0, 0, 1));
-  const tool = new kernel.BRepPrimAPI_MakeCylinder(axes, RADIUS, SIDE + 2).Shape();
-  const shape = new kernel.BRepAlgoAPI_Cut(box, tool, new kernel.Message_ProgressRange()).Shape();
-  step = stepOf(kernel, shape);
-  exactVolume = kernelVolume(kernel, shape);
-}, 30_000);
+  mesher = await createMesher();
+  const read = await readSurface(plate, { fileName: "plate.step" });
+  if (!read.success) throw new Error("the plate cannot be read");
+  const bodies = createBodies(read.value, { id: 1, firstPatchId: 1, name: "plate" });
+  const empty = { points: [], lines: [], patches: [], background: { nodes: [], tetrahedra: [] } };
+  project = { format: "tetrafront-project", version: 2, name: "plate", ...empty, bodies };
+}, 60_000);
 
-async function meshed(options: Parameters<typeof meshFile>[1] = {}) {
-  const made = await meshFile(step, { fileName: "part.step", ...options });
-  if (!made.success) throw new Error(made.message);
-  return made;
+const copyOf = async (given: Project): Promise<Project> => {
+  const read = await readProject(writeProject(given));
+  if (!read.success) throw new Error(JSON.stringify(read.errors));
+  return read.value;
+};
+
+/** Returns the largest distance from the cylinder of the hole, of the nodes of its patch, about an axis along z. */
+async function largestGap(given: Project, [x, y]: readonly [number, number], radius: number): Promise<number> {
+  const { mesh } = await mesher.meshProject(given);
+  const nodes = new Set<number>();
+  mesh.trianglePatch.forEach((patch, t) => {
+    if (mesh.patches[patch]?.name !== "face 7") return;
+    for (const node of mesh.triangles.subarray(3 * t, 3 * t + 3)) nodes.add(node);
+  });
+  expect(nodes.size).toBeGreaterThan(50);
+  const gaps = [...nodes].map((node) =>
+    Math.abs(Math.hypot((mesh.points[3 * node] ?? 0) - x, (mesh.points[3 * node + 1] ?? 0) - y) - radius),
+  );
+  return Math.max(...gaps);
 }
 
-/** Distance of a position from the nearest face of the cube or the cylinder. `scale`: lengths there / millimetres. */
-function distanceFromFaces([x = 0, y = 0, z = 0]: readonly number[], scale = 1): number {
-  const side = SIDE * scale;
-  const planes = [x, y, z].flatMap((value) => [Math.abs(value), Math.abs(value - side)]);
-  const hole = Math.abs(Math.hypot(x - side / 2, y - side / 2) - RADIUS * scale);
-  return Math.min(hole, ...planes);
-}
+test("the nodes of a project's mesh lie on the faces of the CAD file, also after it was saved", async () => {
+  expect(await largestGap(await copyOf(project), [8, 5], RADIUS)).toBeLessThan(1e-9);
+}, 60_000);
 
-function largestDistance({ points, triangles }: Mesh, scale = 1): number {
-  let largest = 0;
-  for (const node of triangles)
-    largest = Math.max(largest, distanceFromFaces([...points.subarray(3 * node, 3 * node + 3)], scale));
-  return largest;
-}
+test("a body that is moved, turned and scaled takes its faces along", async () => {
+  const [body] = project.bodies ?? [];
+  if (!body) throw new Error("there is no body");
+  // A quarter turn about z, then a move.
+  const rotation = [0, 0, Math.SQRT1_2, Math.SQRT1_2] as const;
+  const placement = { position: [100, 20, 5], rotation, scale: 0.5 } as const;
+  const moved = { ...project, bodies: [{ ...body, placement }] };
+  expect(await largestGap(moved, [100 - 2.5, 20 + 4], RADIUS / 2)).toBeLessThan(1e-9);
+}, 60_000);
 
-const volumeOf = ({ report }: Awaited<ReturnType<typeof meshed>>) =>
-  report.regions.reduce((sum, { volume }) => sum + volume, 0);
+test("a damaged text is refused, with the name of its field", async () => {
+  const [body] = project.bodies ?? [];
+  const text = body?.trueFaces ?? "";
+  expect(text.length).toBeGreaterThan(1000);
+  for (const damaged of ["", "no base64!", text.slice(0, text.length / 2), text.slice(8), "AAAA".repeat(40)]) {
+    expect(trueFacesOfText(damaged)).toBeUndefined();
+    const file = JSON.stringify({ ...project, bodies: [{ ...body, trueFaces: damaged }] });
+    const read = await readProject(file);
+    expect(read.success).toBe(false);
+    expect(read.success ? "" : JSON.stringify(read.errors)).toContain("trueFaces");
+  }
+});
 
-describe("a cube minus a cylinder", () => {
-  test("has all its boundary nodes on the faces", async () => {
-    const { mesh, report, notes } = await meshed();
-    expect(largestDistance(mesh)).toBeLessThan(1e-9 * SIDE);
-    const nodes = new Set(mesh.triangles).size;
-    expect(report.remesh?.placement).toMatchObject({ placed: nodes, unplaced: 0 });
-    expect(notes.join()).toMatch(/ nodes on the true faces \(moved by at most /);
-  });
-
-  test("encloses the volume at second order", async () => {
-    // The automatic tolerance would limit the edges around the hole to the same length in both meshes.
-    const errorAt = async (size: number) =>
-      Math.abs(volumeOf(await meshed({ size, tolerance: 1 })) - exactVolume);
-    const [more, less] = [await errorAt(1.6), await errorAt(0.8)];
-    // Half the size: second order divides the error by 4.
-    expect(less).toBeLessThan(more / 3);
-    expect(less).toBeLessThan(6e-3 * exactVolume);
-  });
-
-  test("has the middles of its curved edges on the faces", async () => {
-    const { mesh } = await meshed();
-    const { edges, middles } = mesh.trueEdges ?? { edges: new Uint32Array(), middles: new Float64Array() };
-    expect(edges.length).toBeGreaterThan(0);
-    expect(middles).toHaveLength((3 * edges.length) / 2);
-    for (let e = 0; e < edges.length / 2; e++) {
-      const middle = [...middles.subarray(3 * e, 3 * e + 3)];
-      const [x = 0, y = 0] = middle;
-      expect(Math.abs(Math.hypot(x - SIDE / 2, y - SIDE / 2) - RADIUS)).toBeLessThan(1e-9 * SIDE);
-    }
-  });
-
-  test("is in other units too", async () => {
-    const { mesh } = await meshed({ units: "m" });
-    expect(largestDistance(mesh, 1e-3)).toBeLessThan(1e-12 * SIDE);
-  });
-
-  test("keeps the triangles of the kernel if they are asked for", async () => {
-    const { report, mesh } = await meshed({ surface: "keep" });
-    expect(report.remesh).toBeUndefined();
-    expect(mesh.trueEdges).toBeUndefined();
-  });
+test("the text keeps what it was made of, apart from the digits of triangles near the faces", () => {
+  const text = project.bodies?.[0]?.trueFaces ?? "";
+  const solids = trueFacesOfText(text) ?? [];
+  expect(solids).toHaveLength(1);
+  expect(solids[0]?.faceCount).toBe(7);
+  expect(textOfTrueFaces([...solids, ...solids])).toHaveLength(2 * text.length);
+  expect(textOfTrueFaces(solids)).toBe(text);
 });

@@ -12,6 +12,8 @@ import { joinedSurface } from "./shape-surface.js";
 export interface FeatureSolid {
   /** With its true faces; undefined if the features give no solid. */
   readonly surface: Mesh | undefined;
+  /** Per patch of the surface: the name of its face by origin; undefined for a face that two solids share. */
+  readonly origins: readonly (string | undefined)[];
   readonly edges: readonly EdgeLine[];
   /** The features that were left out, and why. */
   readonly failures: readonly FeatureFailure[];
@@ -27,13 +29,11 @@ export async function featureSolid(
   const { result, faces, edges, failures, isKernelSpent } = withShape(kernel, features, (shape) =>
     triangulatedShape(kernel as unknown as CadKernel, shape as never, DEFLECTION),
   );
-  if (result === undefined) return { surface: undefined, edges, failures, isKernelSpent };
-  let face = 0;
-  const shapes = cadShapesOf(result, undefined).map((shape) => ({
-    ...shape,
-    faces: shape.faces.map((own) => ({ ...own, name: faces[face++] })),
-  }));
+  if (result === undefined) return { surface: undefined, origins: [], edges, failures, isKernelSpent };
+  const shapes = cadShapesOf(result, undefined);
   const { mesh } = await inSteps(joinedSurface(shapes));
   const trueFaces = shapes.flatMap(({ trueFaces: own }) => own ?? []).map(({ missing: _, ...own }) => own);
-  return { surface: { ...mesh, trueFaces }, edges, failures, isKernelSpent };
+  // The tag of a patch is the number of its face; faces that are shared come after them.
+  const origins = mesh.patches.map(({ tag }) => faces[tag - 1]);
+  return { surface: { ...mesh, trueFaces }, origins, edges, failures, isKernelSpent };
 }

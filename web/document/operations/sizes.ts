@@ -1,3 +1,4 @@
+import { bodyBox } from "tetrafront/internal";
 import type { Project } from "tetrafront/project";
 import type { Offer } from "../create";
 import type {} from "../edit";
@@ -30,8 +31,12 @@ export function extentOf(points: readonly { readonly position: readonly number[]
 }
 
 /** Returns an extent for a new piece: 1 in an empty project. */
-export function pieceExtent({ points, background }: Project): number {
-  const extent = extentOf(points.length > 0 ? points : background.nodes);
+export function pieceExtent({ points, bodies = [], background }: Project): number {
+  // Other bodies may have millions of triangles.
+  const solids = bodies.filter(({ features }) => features !== undefined);
+  const corners = solids.flatMap((body) => bodyBox(body).map((position) => ({ position })));
+  const model = [...points, ...corners];
+  const extent = extentOf(model.length > 0 ? model : background.nodes);
   return extent > 0 ? roundNumber(pieceShare * extent) : 1;
 }
 
