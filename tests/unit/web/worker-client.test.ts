@@ -2,7 +2,13 @@ import { MessageChannel } from "node:worker_threads";
 import { describe, expect, it, vi } from "vitest";
 import { serveCalls, type Handlers, type WorkerScope } from "../../../web/workers/serve-calls";
 import { copyForTransfer } from "../../../web/workers/transfer";
-import { callOnce, onWorkerLost, WorkerClient, type Call, type WorkerPort } from "../../../web/workers/worker-client";
+import {
+  callOnce,
+  onWorkerLost,
+  WorkerClient,
+  type Call,
+  type WorkerPort,
+} from "../../../web/workers/worker-client";
 
 interface TestProtocol {
   readonly double: { readonly argument: number; readonly answer: number };
