@@ -361,6 +361,31 @@ TEST(Work, LeavesTheProgressOfPartsThatEndEarlyToTheOthers) {
   EXPECT_EQ(job.fraction(), 1.0);
 }
 
+struct Attempts {
+  static Task<> failing(Work& work) {
+    work.beginPart(0.2);
+    co_await Parts::leaf(work, 4);
+    work.leaveRest();
+  }
+  static Task<> root(Work& work) {
+    work.beginShare(1.0, 2.0);
+    co_await failing(work);
+    work.beginShare(1.0, 1.0);
+    co_await Parts::leaf(work, 4);
+  }
+};
+
+TEST(Work, LeavesTheRestOfATaskThatEndsEarlyToTheTasksAfterIt) {
+  Job job([](Work& work) { return Attempts::root(work); });
+  EXPECT_FALSE(job.advance(4));
+  // Not at 0.5, as if all its work had been done.
+  EXPECT_DOUBLE_EQ(job.fraction(), 0.1);
+  EXPECT_FALSE(job.advance(2));
+  EXPECT_DOUBLE_EQ(job.fraction(), 0.1 + 0.5 * 0.9);
+  job.finish();
+  EXPECT_EQ(job.fraction(), 1.0);
+}
+
 TEST(Work, DividesItsProgressIntoNestedParts) {
   Job job([](Work& work) { return Parts::root(work); });
   EXPECT_EQ(job.fraction(), 0.0);

@@ -278,7 +278,7 @@ test("a document that an earlier version of the app has stored opens with its st
   await expect.poll(points).toBe("0");
 });
 
-test("without locks, the tab that writes last wins, and the project is never a mixture", async ({
+test("without locks, two tabs have projects of their own, and the last edit of a closed one is kept", async ({
   context,
   page,
 }) => {
@@ -289,13 +289,16 @@ test("without locks, the tab that writes last wins, and the project is never a m
   await kept(app);
   const other = await context.newPage();
   await other.goto("./?test=1");
-  await expect(projectName(other)).toHaveValue("First");
+  await expect(projectName(other)).not.toHaveValue(/^(First|)$/);
   await renameProject(other, "Other");
   await kept(new AppPage(other));
+  await other.close();
   await renameProject(page, "Last");
   await kept(app);
-  await other.reload();
-  await expect(projectName(other)).toHaveValue("Last");
+  await page.reload();
+  await expect(projectName(page)).toHaveValue("Last");
+  const dialog = await openRecentDialog(page);
+  await expect(dialog.getByRole("listitem")).toHaveText([/^Last/, /^Other/]);
 });
 
 /** Makes the database of version 2 with one document, in the page. */

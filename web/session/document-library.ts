@@ -128,13 +128,16 @@ export class DocumentLibrary {
    */
   async removeTwins({ id, savedKey, history }: OpenDocument): Promise<void> {
     const { name } = history.present.project;
-    const [heads, openIds] = await Promise.all([this.storage.heads(), this.#locks.openIds()]);
-    const twins = heads.filter(
-      (head) => head.isUnchanged === true && head.savedKey === savedKey && head.name === name,
-    );
-    await this.storage.remove(
-      twins.map((twin) => twin.id).filter((twin) => twin !== id && !openIds.has(twin)),
-    );
+    const heads = await this.storage.heads();
+    for (const head of heads) {
+      if (head.id === id || head.isUnchanged !== true) continue;
+      if (head.savedKey !== savedKey || head.name !== name) continue;
+      // The document that this one has replaced is just being left.
+      const release = await this.#acquire(head.id);
+      if (!release) continue;
+      await this.storage.remove([head.id]);
+      release();
+    }
   }
 
   /** Removes unchanged documents, and the oldest ones beyond the limit, unless a tab has them open. */

@@ -14,6 +14,8 @@ void Work::beginShare(double work, double remaining) {
   part_ = {fraction_, fraction_ + std::max(0.0, task_.end - fraction_) * work / remaining};
 }
 
+void Work::leaveRest() { part_.end = fraction_; }
+
 void Work::setFraction(double ofPart) {
   // Without rounding at the end, so that a finished job is at exactly 1.
   const double now = ofPart < 1.0 ? part_.begin + ofPart * (part_.end - part_.begin) : part_.end;

@@ -79,6 +79,8 @@ class Work {
   /// The same, for a part whose work is `work` of the `remaining` work of the task, itself included: parts that end early
   /// leave their progress to those after them.
   void beginShare(double work, double remaining);
+  /// Leaves the rest of the running part to the parts after it, because its work has ended early.
+  void leaveRest();
   /// Sets the progress of the running part, 0 to 1. The progress of the job never decreases.
   void setFraction(double ofPart);
   /// Estimated progress of the job, 0 to 1.

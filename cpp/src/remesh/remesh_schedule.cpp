@@ -37,6 +37,10 @@ constexpr double kPassGrowth = 2.8;
 constexpr std::size_t kFewCollapses = 50;
 constexpr int kMaxCollapsePasses = 20;
 constexpr int kMaxFlipPasses = 20;
+/// Work of a pass and those after it / work of the pass, for the progress: each does less than the one before.
+constexpr double kWorkPerPass = 1.6;
+/// Share of smoothing in the work of smoothing and flips.
+constexpr double kSmoothingShare = 0.8;
 /// A node nearer to an edge, in target lengths, is the apex of a cap ...
 constexpr double kCapHeight = 0.25;
 /// ... if its foot is this far from the ends of the edge, relative to its length.
@@ -92,7 +96,10 @@ Task<> RemeshSchedule::coarsen(Work& work) {
 
 Task<> RemeshSchedule::smoothAndFlip(Work& work, int passes) {
   for (int pass = 0; pass < passes; ++pass) {
+    const double left = passes - pass;
+    work.beginShare(kSmoothingShare, left);
     co_await smoothAll(work);
+    work.beginShare(1.0 - kSmoothingShare, left - kSmoothingShare);
     co_await flipAll(work);
   }
 }
@@ -133,6 +140,7 @@ bool RemeshSchedule::collapseIfShort(const Edge& edge, double limit, double long
 /// Collapses edges shorter than `limit`, the shortest first. `longest`: largest length of a new edge.
 Task<> RemeshSchedule::collapseShort(Work& work, double limit, double longest) {
   for (int pass = 0; pass < kMaxCollapsePasses; ++pass) {
+    work.beginShare(1.0, kWorkPerPass);
     collectEdges(limit, kUnlimited);
     stableSort(edges_, [](const Edge& x, const Edge& y) { return x.length < y.length; });
     co_await work.yield();
@@ -256,6 +264,7 @@ bool RemeshSchedule::flipEdges(TriangleId triangle, std::uint32_t since) {
 
 Task<> RemeshSchedule::flipAll(Work& work) {
   for (int pass = 0; pass < kMaxFlipPasses; ++pass) {
+    work.beginShare(1.0, kWorkPerPass);
     const std::uint32_t since = flipped_;
     flipped_ = editor_.nextTime();
     bool made = false;

@@ -121,6 +121,15 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurf
   co_return Dropped::kMade;
 }
 
+/// Simplifies a surface; if that makes none, the progress of this work is left to what follows.
+Task<Dropped> simplifyOrLeave(Work& work, const Remeshing& remeshing, const TrackedSurface& surface,
+                              const DetailRule& rule, SimplifiedSurface& simplified) {
+  work.beginPart(1.0);
+  const Dropped dropped = co_await simplify(work, remeshing, surface, rule, simplified);
+  if (dropped != Dropped::kMade) work.leaveRest();
+  co_return dropped;
+}
+
 /// Returns the rules of a step that has a share of the tolerance.
 PassRules rulesOfShare(double share, double plannedShare) {
   return {.toleranceShare = share, .plannedShare = plannedShare, .samples = false};
@@ -159,9 +168,13 @@ Task<Dropped> remeshWithoutGiven(Work& work, const Remeshing& remeshing,
       .largestShare = kNeedleShare,
   };
   work.beginPart(0.7);
-  const Dropped dropped = co_await simplify(work, remeshing, remeshing.given, rule, surface);
-  work.beginPart(1.0);
-  if (dropped == Dropped::kMade) co_await dropPoorDetails(work, remeshing, surface);
+  const Dropped dropped = co_await simplifyOrLeave(work, remeshing, remeshing.given, rule, surface);
+  if (dropped == Dropped::kMade) {
+    work.beginPart(1.0);
+    co_await dropPoorDetails(work, remeshing, surface);
+  } else {
+    work.leaveRest();
+  }
   co_return dropped;
 }
 
@@ -272,6 +285,7 @@ Task<Dropped> remeshBy(Work& work, Way way, const Remeshing& remeshing,
   } else {
     surface = co_await remeshInSteps(work, remeshing);
   }
+  if (dropped != Dropped::kMade) work.leaveRest();
   co_return dropped;
 }
 
@@ -299,6 +313,9 @@ bool isDue(const Attempt& attempt, const Attempts& made, const Remeshing& remesh
   return false;
 }
 
+/// Work of the attempts that will follow one / work of it, for the progress: most are the last.
+constexpr double kExpectedFurther = 0.5;
+
 /// Returns true if a surface replaces the best one. One that keeps chosen details does not.
 bool replacesBest(const Attempt& attempt, const SimplifiedSurface& surface, const Attempts& made,
                   const Remeshing& remeshing) {
@@ -319,7 +336,8 @@ Task<SimplifiedSurface> remeshAndDrop(Work& work, const Remeshing& remeshing) {
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     const Attempt& attempt = attempts[i];
     if (!isDue(attempt, made, remeshing)) continue;
-    work.beginPart(static_cast<double>(i + 1) / static_cast<double>(attempts.size()));
+    const bool isLast = i + 1 == attempts.size();
+    work.beginShare(1.0, isLast ? 1.0 : 1.0 + kExpectedFurther);
     SimplifiedSurface surface;
     made.last = co_await remeshBy(work, attempt.way, remeshing, surface);
     made.areTried.at(static_cast<std::size_t>(attempt.way)) = true;

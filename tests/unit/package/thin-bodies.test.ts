@@ -5,7 +5,7 @@ import { expect, test } from "vitest";
 import { completeSurface } from "../../../wasm/src/api/carried-mesh.js";
 import { emptyResult } from "../../../wasm/src/api/report.js";
 import { filledSurface } from "../../../wasm/src/api/surface-meshing.js";
-import { thinBodyNotes } from "../../../wasm/src/api/thin-bodies.js";
+import { expectedThinNotes, thinBodyNotes } from "../../../wasm/src/api/thin-bodies.js";
 import { withoutPause } from "../../../wasm/src/base/steps.js";
 import { boxSurface } from "../../support/surfaces.js";
 
@@ -29,12 +29,30 @@ test("thicker bodies, and those whose sizes or layers are chosen, have no note",
   }
 });
 
-test("the note comes before the body is filled, which takes long", async () => {
+test("before the remeshing, the triangles of one layer are estimated from the thickness", () => {
+  // Far from the origin, and of few triangles.
+  const { points, triangles } = boxSurface(2, [5e3, 0, 0], [5.1e3, 100, 0.1]);
+  const given = completeSurface({ points, triangles });
+  const [note] = withoutPause(expectedThinNotes(given, {}));
+  expect(note?.message).toContain("is about 0.1 thick and 140 large");
+  // Two sides of 1e4, in triangles whose edges are about 4 times the thickness.
+  const count = Number(/takes about (\d+) triangles/.exec(note?.message ?? "")?.[1]);
+  expect(count).toBeGreaterThan(1.5e5);
+  expect(count).toBeLessThan(4e5);
+  expect(withoutPause(expectedThinNotes(given, { layers: 0 }))).toEqual([]);
+  const thick = boxSurface(2, [0, 0, 0], [100, 100, 2]);
+  expect(withoutPause(expectedThinNotes(completeSurface(thick), {}))).toEqual([]);
+});
+
+test("the note comes before the body is remeshed and filled, which takes long", async () => {
   const told: string[] = [];
   const { mesh, volume } = plate(0.1);
   const diagnostics = withoutPause(thinBodyNotes({ mesh, volume }, {}));
   const mesher = {
-    remeshSurface: () => Promise.resolve({ mesh, smallestAngle: 30, meanRadiusRatio: 1, diagnostics }),
+    remeshSurface: () => {
+      told.push("remeshed");
+      return Promise.resolve({ mesh, smallestAngle: 30, meanRadiusRatio: 1, diagnostics });
+    },
     fillSurface: () => {
       told.push("filled");
       return Promise.resolve(emptyResult("cancelled"));
@@ -46,5 +64,5 @@ test("the note comes before the body is filled, which takes long", async () => {
     controlOf: () => ({}),
     onTreated: (found) => told.push(...found.map(({ code }) => code)),
   });
-  expect(told).toEqual(["thin-body", "filled"]);
+  expect(told).toEqual(["thin-body", "remeshed", "thin-body", "filled"]);
 });

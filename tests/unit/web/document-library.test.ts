@@ -103,6 +103,8 @@ describe("the library of kept documents", () => {
     documents.edit({ label: "Rename", change: (draft) => void (draft.project.name = "part") });
     await storage.write(keptDocument(documents.state.getState(), 4, true));
     const again = await opened(5);
+    // The first tab leaves the file that it opens again.
+    first.library.keepOpen(earlier);
     first.library.keepOpen(again);
     await first.library.removeTwins(again);
     const ids = (await first.library.list()).map(({ id }) => id);

@@ -39,6 +39,7 @@ import {
   treatedSurface,
   type Treatment,
 } from "./surface-treatment.js";
+import { expectedThinNotes } from "./thin-bodies.js";
 import { isVisiblyChanged } from "./visible-change.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { completeSurface } from "./carried-mesh.js";
@@ -215,7 +216,7 @@ export interface FillingOptions extends SurfaceOrigin {
   readonly controlOf: ControlOf;
   /** Factor on the automatic sizes of a remeshing. Default 1. */
   readonly sizeFactor?: number | undefined;
-  /** Called with what is worth to know of the surface before it is filled, which may take long. */
+  /** Called with what is worth to know of the surface before it is remeshed and before it is filled, which may take long. */
   readonly onTreated?: ((diagnostics: readonly Diagnostic[]) => void) | undefined;
   /** Whether the front is recorded, also one that stalls: then no second surface is tried. Default false. */
   readonly isRecorded?: boolean | undefined;
@@ -340,12 +341,15 @@ async function partsFilled(
   return meshed(result, ready, united, { ...filling, isExact: false });
 }
 
-function treated(
+async function treated(
   mesher: Mesher,
   { surface, treatment }: ReadySurface,
-  { options, sizeFactor, controlOf }: FillingOptions,
+  { options, sizeFactor, controlOf, onTreated }: FillingOptions,
 ): Promise<TreatedSurface> {
   const remeshing = remeshSettings(options);
+  // A remeshing to one layer of a thin body takes minutes.
+  if (treatment.kind === "remesh" && onTreated !== undefined && options.elements === undefined)
+    onTreated(await inSteps(expectedThinNotes(surface, { ...meshPart(options), ...remeshing })));
   const treating = { treatment, remeshing, options: meshPart(options), sizeFactor, controlOf };
   return treatedSurface(mesher, surface, treating);
 }

@@ -238,13 +238,14 @@ export async function meshInput(
 
 /** Notes that say why a run takes long: they are printed before it, once, and not among `others` at its end. */
 function earlyNotes(subject: string, isQuiet: boolean) {
-  const told: string[] = [];
-  const isTold = ({ message }: Diagnostic) => told.includes(message);
+  let isAnyTold = false;
+  // An estimate may have come before the number of triangles.
+  const isTold = ({ code }: Diagnostic) => isAnyTold && code === "thin-body";
   return {
     print: (found: readonly Diagnostic[]) => {
       const fresh = found.filter((one) => one.code === "thin-body" && !isTold(one));
       printDiagnostics(subject, fresh, { isQuiet });
-      told.push(...fresh.map(({ message }) => message));
+      isAnyTold ||= fresh.length > 0;
     },
     others: (found: readonly Diagnostic[]) => found.filter((one) => !isTold(one)),
   };

@@ -73,6 +73,9 @@ export function changesText(alike: readonly RepairChange[]): string {
   return `${summaryOf(change, alike)}: ${examples.join(", ")}${rest > 0 ? ` and ${rest} more` : ""}`;
 }
 
+/** Triangles in a hole up to which its lid cannot differ much from a curved one. */
+const FEW_FLAT = 4;
+
 /** Describes all changes of the kind of the first one. */
 function summaryOf(change: RepairChange, alike: readonly RepairChange[]): string {
   const count = alike.length;
@@ -91,7 +94,9 @@ function summaryOf(change: RepairChange, alike: readonly RepairChange[]): string
       return `split ${triangles} to replace ${have("another", "others")}, which ${have("has", "have")} no area`;
     case "filled-hole": {
       const filled = alike.reduce((sum, one) => sum + (one.kind === "filled-hole" ? one.triangles : 0), 0);
-      return `filled ${have("a hole", `${count} holes`)} with ${plural(filled, "triangle")}`;
+      const lid =
+        filled > FEW_FLAT * count ? ", which span the rim and do not follow a curved surface around it" : "";
+      return `filled ${have("a hole", `${count} holes`)} with ${plural(filled, "triangle")}${lid}`;
     }
     case "flipped-triangle":
       return `flipped ${triangles}`;
