@@ -11,6 +11,7 @@ import { models as bracket } from "../models/bracket.mjs";
 import { models as engineIntake } from "../models/engine-intake.mjs";
 import { models as firstSteps } from "../models/first-steps.mjs";
 import { models as flange } from "../models/flange.mjs";
+import { models as ground } from "../models/ground.mjs";
 import { models as isoparametric } from "../models/isoparametric.mjs";
 import { models as missileLauncher } from "../models/missile-launcher.mjs";
 import { models as pipeAndFlow } from "../models/pipe-and-flow.mjs";
@@ -29,6 +30,7 @@ const models = [
   ...pipes,
   ...flange,
   ...blade,
+  ...ground,
   ...isoparametric,
   ...wing,
   ...bracket,

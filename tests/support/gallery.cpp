@@ -96,11 +96,10 @@ class JsonReader {
 using Numbers = std::map<double, std::uint32_t>;  ///< positions by the file's ids
 
 LineType lineTypeOf(const std::string& name) {
-  static const std::map<std::string, LineType> types{{"straight", LineType::kStraight},
-                                                     {"parabolic", LineType::kParabolic},
-                                                     {"spline", LineType::kSpline},
-                                                     {"arc", LineType::kArc},
-                                                     {"circle", LineType::kCircle}};
+  static const std::map<std::string, LineType> types{
+      {"straight", LineType::kStraight}, {"parabolic", LineType::kParabolic},
+      {"spline", LineType::kSpline},     {"arc", LineType::kArc},
+      {"circle", LineType::kCircle},     {"hermite", LineType::kHermite}};
   return types.at(name);
 }
 
@@ -111,7 +110,10 @@ PatchType patchTypeOf(const std::string& name) {
       {"serendipity", PatchType::kSerendipity},
       {"barnhill-gregory-nielson", PatchType::kBarnhillGregoryNielson},
       {"coons", PatchType::kCoons},
-      {"tube", PatchType::kTube}};
+      {"tube", PatchType::kTube},
+      {"gregory", PatchType::kGregory},
+      {"nielson", PatchType::kNielson},
+      {"loft", PatchType::kLoft}};
   return types.at(name);
 }
 
@@ -140,7 +142,8 @@ GalleryModel modelOf(const Json& project) {
     Patch& drawn = read.model.patches.emplace_back();
     drawn.type = patchTypeOf(patch.at("type").text);
     for (const Json& loop : patch.at("loops").items) {
-      Loop& walked = drawn.loops.emplace_back();
+      const bool isSection = drawn.type == PatchType::kLoft && !drawn.loops.empty();
+      Loop& walked = isSection ? drawn.sections : drawn.loops.emplace_back();
       for (const Json& line : loop.items)
         walked.push_back({lines.at(std::fabs(line.number)), line.number < 0.0});
     }

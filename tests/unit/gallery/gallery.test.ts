@@ -174,11 +174,21 @@ describe("together the models use", () => {
   test("every type of line and of patch, and holes", () => {
     const lines = all.flatMap((project) => project.lines.map(({ type }) => type));
     const patches = all.flatMap((project) => project.patches.map(({ type }) => type));
-    expect([...new Set(lines)].sort()).toEqual(["arc", "circle", "parabolic", "spline", "straight"]);
+    expect([...new Set(lines)].sort()).toEqual([
+      "arc",
+      "circle",
+      "hermite",
+      "parabolic",
+      "spline",
+      "straight",
+    ]);
     expect([...new Set(patches)].sort()).toEqual([
       "barnhill-gregory-nielson",
       "coons",
+      "gregory",
       "isoparametric-triangle",
+      "loft",
+      "nielson",
       "planar",
       "serendipity",
       "tube",
