@@ -136,14 +136,14 @@ export class Operations {
   #show(given: Omit<OpenOperation, "reason" | "note" | "entities" | "isPending">): void {
     const { operation, values, expressions, subject } = given;
     this.#task.cancel();
-    const offer = operation.make(subject, values, expressions, this.#solids);
-    if (!(offer instanceof Promise)) return this.#showOffer(given, offer);
+    const later = operation.makeLater?.(subject, values, this.#solids) ?? null;
+    if (later === null) return this.#showOffer(given, operation.make(subject, values, expressions));
     const entities = this.state.getState().open?.entities ?? [];
     this.state.setState({ open: { ...given, isPending: true, reason: null, note: "", entities } });
     // The view keeps what the values before have given until the new ones are computed.
     this.#task
       .run(
-        () => offer,
+        () => later,
         (made) => this.#showOffer(given, made),
       )
       .catch((failure: unknown) => {

@@ -26,7 +26,11 @@ const copyOf = async (given: Project): Promise<Project> => {
 };
 
 /** Returns the largest distance from the cylinder of the hole, of the nodes of its patch, about an axis along z. */
-async function largestGap(given: Project, [x, y]: readonly [number, number], radius: number): Promise<number> {
+async function largestGap(
+  given: Project,
+  [x, y]: readonly [number, number],
+  radius: number,
+): Promise<number> {
   const { mesh } = await mesher.meshProject(given);
   const nodes = new Set<number>();
   mesh.trianglePatch.forEach((patch, t) => {
@@ -58,7 +62,13 @@ test("a damaged text is refused, with the name of its field", async () => {
   const [body] = project.bodies ?? [];
   const text = body?.trueFaces ?? "";
   expect(text.length).toBeGreaterThan(1000);
-  for (const damaged of ["", "no base64!", text.slice(0, text.length / 2), text.slice(8), "AAAA".repeat(40)]) {
+  for (const damaged of [
+    "",
+    "no base64!",
+    text.slice(0, text.length / 2),
+    text.slice(8),
+    "AAAA".repeat(40),
+  ]) {
     expect(trueFacesOfText(damaged)).toBeUndefined();
     const file = JSON.stringify({ ...project, bodies: [{ ...body, trueFaces: damaged }] });
     const read = await readProject(file);

@@ -1,3 +1,4 @@
+import { noSolids } from "../../support/no-solids";
 import { expect, it } from "vitest";
 import { ViewStore } from "../../../web/document/selection";
 import { DocumentStore } from "../../../web/session/document-store";
@@ -43,7 +44,7 @@ it("takes hold of the handles of a node, unless an operation has a preview", () 
     onDrawn: () => () => undefined,
   };
   const drawing = new Drawing();
-  const operations = new Operations(documents, view);
+  const operations = new Operations(documents, view, noSolids);
   const tool = new HandleTool({ documents, operations, view, drawing, viewer });
   const state = sceneState({ ...view.state.getState(), project });
   tool.overlay().update(new SceneChanges(state, null));

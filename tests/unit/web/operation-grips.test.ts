@@ -1,3 +1,4 @@
+import { noSolids } from "../../support/no-solids";
 import { describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { pieceOperations } from "../../../web/document/operations/pieces";
@@ -82,7 +83,7 @@ it("the nearest place on a line to a ray: the distance is perpendicular to both"
 it("what an operation adds is not selected because undo has removed selected entities of the same ids", () => {
   const documents = new DocumentStore(emptyProject());
   const view = new ViewStore();
-  const operations = new Operations(documents, view);
+  const operations = new Operations(documents, view, noSolids);
   const [box] = pieceOperations;
   if (!box) throw new Error("there is no piece");
   operations.start(box);

@@ -1,3 +1,4 @@
+import { noSolids } from "../../support/no-solids";
 import type { Project } from "tetrafront/project";
 import { makers, sourceMakers } from "../../../web/commands/create-menu";
 import { setCommonNumber } from "../../../web/document/common-edits";
@@ -41,7 +42,7 @@ const manyPoints = 250;
 export class RandomUser {
   readonly documents = new DocumentStore(emptyProject("Random"), () => 0);
   readonly view = new ViewStore();
-  readonly operations = new Operations(this.documents, this.view);
+  readonly operations = new Operations(this.documents, this.view, noSolids);
   readonly #next: () => number;
   readonly #actions: readonly (() => void)[] = [
     () => this.#create(addPoint(this.#project, this.#position())),

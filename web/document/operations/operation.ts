@@ -158,10 +158,7 @@ export interface Operation<Values extends FieldValues = FieldValues> {
   /** What the user should know about the result before accepting it. */
   note?(values: Values, subject: Subject, expressions?: FieldExpressions): string;
   /** What the values give. The project keeps the expressions, if the numbers that they give can be computed from them. */
-  make(
-    subject: Subject,
-    values: Values,
-    expressions?: FieldExpressions,
-    solids?: SolidMaker,
-  ): Offer | Promise<Offer>;
+  make(subject: Subject, values: Values, expressions?: FieldExpressions): Offer;
+  /** What the values give, if the kernel must compute it: null for values that `make` serves. */
+  makeLater?(subject: Subject, values: Values, solids: SolidMaker): Promise<Offer> | null;
 }

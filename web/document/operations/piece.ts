@@ -30,7 +30,7 @@ import {
 import { pieceExtent, withSizes } from "./sizes";
 import {
   addedFeature,
-  changedSolid,
+  offeredSolid,
   solidIn,
   solidNote,
   type PieceUse,
@@ -125,14 +125,13 @@ export function pieceOperation<Sizes extends FieldValues>(
             : [...all.map(withoutPatches)];
         },
         note: () => "",
-        make: async ({ project }, values, _expressions, solids) => {
-          const reason = refusalOf(kind, values);
-          if (reason !== null || !solids) return { possible: false, reason: reason ?? "" };
+        make: (_subject, values) => ({ possible: false, reason: refusalOf(kind, values) ?? "" }),
+        makeLater: ({ project }, values, solids) => {
+          if (refusalOf(kind, values) !== null) return null;
           const made = form.make(values, frameOf(kind, values));
           const changed = { ...feature, ...made, operation: values.makes } as SolidFeature;
           const features = solid.features.map((one) => (one.id === feature.id ? changed : one));
-          const edit = await changedSolid({ project, solids, solid }, features, stepNames.change(kind.noun));
-          return { possible: true, creation: { entities: [{ kind: "body", id: solid.id }], edit } };
+          return offeredSolid({ project, solids, solid }, features, stepNames.change(kind.noun));
         },
       };
     },
@@ -183,13 +182,12 @@ function createOperation<Sizes extends FieldValues>(
       values.makes === "patches"
         ? noteOf(kind, values, subject, expressions)
         : solidNote(values.makes, subject),
-    make: (subject, values, expressions = {}, solids) => {
-      if (values.makes === "patches" || !kind.feature || !solids)
-        return makePiece(kind, subject, values, expressions);
-      const reason = refusalOf(kind, values);
-      if (reason !== null) return { possible: false, reason };
+    make: (subject, values, expressions = {}) => makePiece(kind, subject, values, expressions),
+    makeLater: (subject, values, solids) => {
+      const { makes } = values;
+      if (makes === "patches" || !kind.feature || refusalOf(kind, values) !== null) return null;
       const made = kind.feature.make(values, frameOf(kind, values));
-      return addedFeature({ subject, solids, noun: kind.noun, use: values.makes }, made);
+      return addedFeature({ subject, solids, noun: kind.noun, use: makes }, made);
     },
   };
 }

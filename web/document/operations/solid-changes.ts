@@ -4,7 +4,7 @@ import type { Offer } from "../create";
 import { pieceExtent } from "./sizes";
 import { positiveLength, wholeNumber } from "./number-specs";
 import type { FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
-import { changedSolid, nextFeatureId, solidIn, type Solid } from "./solids";
+import { nextFeatureId, offeredSolid, solidIn, type Solid } from "./solids";
 import { startOf } from "./start";
 
 const texts = operationStrings.solids;
@@ -52,13 +52,21 @@ function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): 
     initial: (subject) => kind.initial(subject, solidIn(subject)),
     fields: (values) => kind.fields(values),
     note: () => kind.note ?? "",
-    make: async (subject, values, _expressions, solids) => {
+    make: () => ({ possible: false, reason: texts.noSolid }),
+    makeLater: (subject, values, solids) => {
       const solid = solidIn(subject);
-      if (!solid || !solids) return { possible: false, reason: texts.noSolid };
-      const made = await kind.feature(values, chosenIn(subject, solid, solids), null);
-      const added = { ...made, id: nextFeatureId(solid.features) } as SolidFeature;
-      return offered(subject, solids, solid, [...solid.features, added], step);
+      return solid ? added(subject, solid, values, solids) : null;
     },
+  };
+  const added = async (
+    subject: Subject,
+    solid: Solid,
+    values: Values,
+    solids: SolidMaker,
+  ): Promise<Offer> => {
+    const made = await kind.feature(values, chosenIn(subject, solid, solids), null);
+    const feature = { ...made, id: nextFeatureId(solid.features) } as SolidFeature;
+    return offeredSolid({ project: subject.project, solids, solid }, [...solid.features, feature], step);
   };
   return {
     ...operation,
@@ -74,28 +82,17 @@ function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): 
           usesSelection: false,
           note: () => "",
           initial: () => values,
-          make: async (subject, changed, _expressions, solids) => {
-            if (!solids) return { possible: false, reason: texts.noSolid };
+          makeLater: async (subject, changed, solids) => {
             const made = await kind.feature(changed, chosenIn(subject, solid, solids), feature);
             const other = { ...made, id: feature.id } as SolidFeature;
             const features = solid.features.map((one) => (one.id === feature.id ? other : one));
-            return offered(subject, solids, solid, features, stepNames.change(kind.noun));
+            const change = { project: subject.project, solids, solid };
+            return offeredSolid(change, features, stepNames.change(kind.noun));
           },
         }
       );
     },
   };
-}
-
-async function offered(
-  { project }: Subject,
-  solids: SolidMaker,
-  solid: Solid,
-  features: readonly SolidFeature[],
-  step: string,
-): Promise<Offer> {
-  const edit = await changedSolid({ project, solids, solid }, features, step);
-  return { possible: true, creation: { entities: [{ kind: "body", id: solid.id }], edit } };
 }
 
 function chosenIn({ selection }: Subject, solid: Solid, solids: SolidMaker): Chosen {

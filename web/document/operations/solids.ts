@@ -72,22 +72,31 @@ export async function addedFeature(
   const features = solid?.features ?? [];
   const id = nextFeatureId(features);
   const added = { ...piece, id, operation: solid ? use : "new" } as SolidFeature;
-  if (solid) {
-    const edit = await changedSolid({ project, solids, solid }, [...features, added], stepNames.add(noun));
-    return { possible: true, creation: { entities: [{ kind: "body", id: solid.id }], edit } };
-  }
+  if (solid) return offeredSolid({ project, solids, solid }, [...features, added], stepNames.add(noun));
   const body = await solids.bodyOf(project, { name: noun }, [added]);
   const edit = { ...addBodies(project, [body]), label: stepNames.add(noun) };
   return { possible: true, creation: { entities: [{ kind: "body", id: body.id }], edit } };
 }
 
+interface SolidChange {
+  readonly project: Project;
+  readonly solids: SolidMaker;
+  readonly solid: Solid;
+}
+
+/** Offers a solid with other features. */
+export async function offeredSolid(
+  given: SolidChange,
+  features: readonly SolidFeature[],
+  label: string,
+): Promise<Offer> {
+  const edit = await changedSolid(given, features, label);
+  return { possible: true, creation: { entities: [{ kind: "body", id: given.solid.id }], edit } };
+}
+
 /** Returns the edit that gives a solid other features. */
 export async function changedSolid(
-  {
-    project,
-    solids,
-    solid,
-  }: { readonly project: Project; readonly solids: SolidMaker; readonly solid: Solid },
+  { project, solids, solid }: SolidChange,
   features: readonly SolidFeature[],
   label: string = bodyStepNames.features,
 ) {

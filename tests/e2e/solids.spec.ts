@@ -1,0 +1,115 @@
+import { expect, test, type Page } from "@playwright/test";
+import { measured } from "../support/mesh-measures";
+import { parseVtu } from "../support/mesh-files";
+import { AppPage } from "./app-page";
+import { downloadMesh } from "./downloads";
+
+const emptyProject = JSON.stringify({
+  format: "tetrafront-project",
+  version: 2,
+  name: "Empty",
+  points: [],
+  lines: [],
+  patches: [],
+});
+
+/** Opens the panel of an operation from the menu. */
+async function choose(page: Page, item: string): Promise<void> {
+  await page.getByRole("button", { name: "Create", exact: true }).click();
+  await page.getByRole("menuitem", { name: item, exact: true }).click();
+  await expect(page.getByTestId("operation")).toBeVisible();
+}
+
+/** Waits until the solid is computed, which begins with loading the kernel. */
+async function computed(page: Page): Promise<void> {
+  await expect(page.getByTestId("operation")).not.toHaveAttribute("data-pending", "true", {
+    timeout: 60_000,
+  });
+}
+
+async function fill(page: Page, values: Readonly<Record<string, string>>): Promise<void> {
+  for (const [key, value] of Object.entries(values)) {
+    await page.getByTestId(`operation-${key}`).fill(value);
+    await page.getByTestId(`operation-${key}`).press("Tab");
+  }
+}
+
+async function accept(page: Page): Promise<void> {
+  await computed(page);
+  await page.getByTestId("accept").click();
+  await expect(page.getByTestId("operation")).toBeHidden();
+}
+
+const volume = async (page: Page): Promise<number> =>
+  parseFloat((await page.getByTestId("body-volume").textContent()) ?? "");
+
+test("a box, a hole cut by a cylinder and rounded edges are features that stay editable", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.openFile("empty.json", emptyProject);
+  await choose(page, "Box…");
+  await page.getByTestId("piece-operation").getByText("New").click();
+  await computed(page);
+  await fill(page, { width: "2", depth: "2", height: "1" });
+  await accept(page);
+  await expect(app.viewport).toHaveAttribute("data-solids", "1");
+  await expect(app.viewport).toHaveAttribute("data-patches", "0");
+  await expect.poll(() => volume(page)).toBeCloseTo(4, 9);
+
+  await choose(page, "Cylinder…");
+  await page.getByTestId("piece-operation").getByText("Cut").click();
+  await fill(page, { radius: "0.5", height: "1" });
+  await accept(page);
+  const list = page.getByTestId("feature-list");
+  await expect(list.getByRole("listitem")).toHaveCount(2);
+  const hole = Math.PI * 0.25;
+  await expect.poll(() => volume(page)).toBeCloseTo(4 - hole, 2);
+
+  // The cylinder still knows its radius; the top face keeps its name.
+  await page.getByTestId("feature-2").dblclick();
+  await expect(page.getByTestId("operation-radius")).toHaveValue("0.5");
+  await fill(page, { radius: "0.25" });
+  await accept(page);
+  await expect.poll(() => volume(page)).toBeCloseTo(4 - hole / 4, 2);
+
+  await choose(page, "Fillet…");
+  await fill(page, { radius: "0.1" });
+  await accept(page);
+  await expect(list.getByRole("listitem")).toHaveCount(3);
+  const rounded = await volume(page);
+  expect(rounded).toBeLessThan(4 - hole / 4 - 0.01);
+
+  // What fails is said at its feature, and the rest stays.
+  await page.getByTestId("feature-3").dblclick();
+  await fill(page, { radius: "5" });
+  await accept(page);
+  await expect(page.getByTestId("feature-3").getByRole("alert")).toContainText("smaller radius");
+  await expect.poll(() => volume(page)).toBeCloseTo(4 - hole / 4, 2);
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => volume(page)).toBeCloseTo(rounded, 6);
+
+  await page.getByTestId("feature-2").getByRole("checkbox").click();
+  await expect.poll(() => volume(page)).toBeGreaterThan(rounded + 0.1);
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => volume(page)).toBeCloseTo(rounded, 6);
+
+  await app.generate();
+  const mesh = parseVtu(await downloadMesh(page, /VTU/));
+  const { points } = mesh;
+  const { volume: filled, ...defects } = measured(mesh);
+  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+  expect(Math.abs(filled / rounded - 1)).toBeLessThan(5e-3);
+  // The nodes of the hole lie on the cylinder itself.
+  const radii: number[] = [];
+  for (let n = 0; n < points.length; n += 3) {
+    const [x = 0, y = 0, z = 0] = points.subarray(n, n + 3);
+    const radius = Math.hypot(x, y);
+    if (radius < 0.3 && z > 0.15 && z < 0.85) radii.push(radius);
+  }
+  expect(radii.length).toBeGreaterThan(10);
+  expect(
+    Math.max(...radii.map((radius) => Math.abs(radius - 0.25)).filter((gap) => gap < 1e-3)),
+  ).toBeLessThan(1e-9);
+});
