@@ -15,7 +15,7 @@ const pixel = 1e-12;
 
 function opened(operation: Operation, values: FieldValues = {}) {
   const documents = new DocumentStore(emptyProject());
-  const operations = new Operations(documents, new ViewStore());
+  const operations = new Operations(documents, new ViewStore(), noSolids);
   operations.start(operation);
   for (const [key, value] of Object.entries(values)) operations.set(key, value);
   const valuesNow = () => operations.state.getState().open?.values ?? {};
