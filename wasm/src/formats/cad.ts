@@ -3,8 +3,9 @@
  * face a patch, in millimetres.
  */
 import { askForCad, isSmallFile, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
+import { DEFLECTION, PER_DIAGONAL } from "../cad/deflection.js";
 import { GENERIC } from "../cad/opencascade.js";
-import type { CadFormat, CadReply, CadShape, Deflection } from "../cad/protocol.js";
+import type { CadFormat, CadReply, CadShape } from "../cad/protocol.js";
 import type { Steps } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Mesh, TrueFaces } from "../mesh/mesh.js";
@@ -18,13 +19,6 @@ import { joinedSurface } from "./shape-surface.js";
 import { productSolids, productsOf } from "./step-products.js";
 import { damagedStep, stepNotes, stepText } from "./step-text.js";
 import { inUtf8 } from "./utf16.js";
-
-/**
- * The distance is at most 1/5000 of the diagonal of each part, far below the remesher's tolerance of 1/250; the mean
- * side of a box is at most its diagonal / √3. With this angle, a circle has 63 edges and loses 0.17 % of its area.
- */
-const PER_DIAGONAL = 5000;
-export const DEFLECTION: Deflection = { distance: Math.sqrt(3) / PER_DIAGONAL, isRelative: true, angle: 0.1 };
 
 const NAMES: Readonly<Record<CadFormat, string>> = { step: "STEP", iges: "IGES", brep: "BREP" };
 

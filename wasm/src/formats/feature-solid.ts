@@ -1,12 +1,12 @@
 /** The solid of a list of features as a surface: its faces are patches, named by origin. */
 import { inSteps } from "../calls/yielder.js";
 import { cadShapesOf } from "../cad/cad-shapes.js";
+import { DEFLECTION } from "../cad/deflection.js";
 import { type EdgeLine, type FeatureFailure, withShape } from "../cad/features/evaluate.js";
 import type { Feature } from "../cad/features/feature.js";
 import type { FeatureKernel } from "../cad/features/session.js";
 import { type CadKernel, triangulatedShape } from "../cad/kernel.js";
 import type { Mesh } from "../mesh/mesh.js";
-import { DEFLECTION } from "./cad.js";
 import { joinedSurface } from "./shape-surface.js";
 
 export interface FeatureSolid {
