@@ -4,21 +4,7 @@ import { measured } from "../support/mesh-measures";
 import { countActions, expectActions } from "./actions";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
-
-/** Opens a command by the palette. */
-async function start(page: Page, command: string): Promise<void> {
-  await page.keyboard.press("Control+k");
-  const search = page.getByRole("dialog").getByRole("textbox", { name: "Search commands" });
-  await expect(search).toBeFocused();
-  await page.keyboard.type(command);
-  await page.keyboard.press("Enter");
-  await expect(page.getByTestId("operation")).toBeVisible();
-}
-
-async function accept(page: Page): Promise<void> {
-  await page.getByTestId("accept").click();
-  await expect(page.getByTestId("operation")).toBeHidden();
-}
+import { acceptOperation, startOperation } from "./operations";
 
 async function openEmpty(page: Page): Promise<AppPage> {
   await countActions(page);
@@ -44,19 +30,19 @@ test("a wing is subtracted from a box: the result is said to be a body, is meshe
   page,
 }) => {
   const app = await openEmpty(page);
-  await start(page, "Box…");
+  await startOperation(page, "Box…");
   for (const key of ["width", "depth", "height"]) await page.getByTestId(`operation-${key}`).fill("3");
-  await accept(page);
-  await start(page, "NACA wing…");
+  await acceptOperation(page);
+  await startOperation(page, "NACA wing…");
   await page.getByTestId("operation-chord").fill("1");
   await page.getByTestId("operation-tipChord").fill("0.6");
   await page.getByTestId("operation-span").fill("1.5");
-  await accept(page);
+  await acceptOperation(page);
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Control+a");
-  await start(page, "Difference of two bodies");
+  await startOperation(page, "Difference of two bodies");
   await expect(page.getByTestId("operation-note")).toContainText("triangulated boundary");
-  await accept(page);
+  await acceptOperation(page);
   await expect(app.viewport).toHaveAttribute("data-patches", "0");
   const volume = await checkedVolume(app, "Wing cut out of a box");
   expect(volume).toBeLessThan(27);
@@ -73,16 +59,16 @@ test("a wing is subtracted from a box: the result is said to be a body, is meshe
 
 test("a box is cut out of a box: points, lines and patches again, as one step of undo", async ({ page }) => {
   const app = await openEmpty(page);
-  await start(page, "Box…");
-  await accept(page);
-  await start(page, "Box…");
+  await startOperation(page, "Box…");
+  await acceptOperation(page);
+  await startOperation(page, "Box…");
   await page.getByTestId("operation-width").fill("1/2");
   await page.getByTestId("operation-depth").fill("1/2");
   await page.getByTestId("operation-height").fill("1");
-  await accept(page);
+  await acceptOperation(page);
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Control+a");
-  await start(page, "Difference of two bodies");
+  await startOperation(page, "Difference of two bodies");
   await expect(page.getByTestId("operation-note")).toContainText("planar patches again");
   // The chosen operation has the focus, and no name of one is cut off.
   await expect(page.getByRole("radio", { name: "Difference" })).toBeFocused();
@@ -91,7 +77,7 @@ test("a box is cut out of a box: points, lines and patches again, as one step of
     .locator("label")
     .evaluateAll((labels) => labels.filter((label) => label.scrollWidth > label.clientWidth).length);
   expect(clipped).toBe(0);
-  await accept(page);
+  await acceptOperation(page);
   await expect(app.viewport).toHaveAttribute("data-points", "16");
   await expect(app.viewport).toHaveAttribute("data-lines", "24");
   await expect(app.viewport).toHaveAttribute("data-patches", "10");

@@ -3,22 +3,7 @@ import { measured } from "../support/mesh-measures";
 import { parseVtu } from "../support/mesh-files";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
-
-const emptyProject = JSON.stringify({
-  format: "tetrafront-project",
-  version: 2,
-  name: "Empty",
-  points: [],
-  lines: [],
-  patches: [],
-});
-
-/** Opens the panel of an operation from the menu. */
-async function choose(page: Page, item: string): Promise<void> {
-  await page.getByRole("button", { name: "Create", exact: true }).click();
-  await page.getByRole("menuitem", { name: item, exact: true }).click();
-  await expect(page.getByTestId("operation")).toBeVisible();
-}
+import { acceptOperation, startOperation } from "./operations";
 
 /** Waits until the solid is computed, which begins with loading the kernel. */
 async function computed(page: Page): Promise<void> {
@@ -36,8 +21,7 @@ async function fill(page: Page, values: Readonly<Record<string, string>>): Promi
 
 async function accept(page: Page): Promise<void> {
   await computed(page);
-  await page.getByTestId("accept").click();
-  await expect(page.getByTestId("operation")).toBeHidden();
+  await acceptOperation(page);
 }
 
 const volume = async (page: Page): Promise<number> =>
@@ -47,9 +31,9 @@ test("a box, a hole cut by a cylinder and rounded edges are features that stay e
   page,
 }) => {
   const app = new AppPage(page);
-  await app.openCube();
-  await app.openFile("empty.json", emptyProject);
-  await choose(page, "Box…");
+  await page.goto("./?test=1&new=1");
+  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+  await startOperation(page, "Box…");
   await page.getByTestId("piece-operation").getByText("New").click();
   await computed(page);
   await fill(page, { width: "2", depth: "2", height: "1" });
@@ -58,7 +42,7 @@ test("a box, a hole cut by a cylinder and rounded edges are features that stay e
   await expect(app.viewport).toHaveAttribute("data-patches", "0");
   await expect.poll(() => volume(page)).toBeCloseTo(4, 9);
 
-  await choose(page, "Cylinder…");
+  await startOperation(page, "Cylinder…");
   await page.getByTestId("piece-operation").getByText("Cut").click();
   await fill(page, { radius: "0.5", height: "1" });
   await accept(page);
@@ -74,7 +58,7 @@ test("a box, a hole cut by a cylinder and rounded edges are features that stay e
   await accept(page);
   await expect.poll(() => volume(page)).toBeCloseTo(4 - hole / 4, 2);
 
-  await choose(page, "Fillet…");
+  await startOperation(page, "Fillet…");
   await fill(page, { radius: "0.1" });
   await accept(page);
   await expect(list.getByRole("listitem")).toHaveCount(3);
