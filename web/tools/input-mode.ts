@@ -5,8 +5,8 @@
 export type InputMode = "field" | "dialog" | "view";
 
 const dialogs = '[role="dialog"], [role="menu"]';
-/** A choice among radio buttons takes no text. */
-const fields = 'input:not([type="radio"]), textarea, select, [contenteditable]';
+/** Radio buttons, check boxes and switches take no text. */
+const fields = 'input:not([type="radio"], [type="checkbox"]), textarea, select, [contenteditable]';
 
 /** Returns whether a dialog or a menu is open. */
 export const hasDialog = (): boolean => document.querySelector(dialogs) !== null;
@@ -20,7 +20,7 @@ export function inputMode(target: EventTarget | null): InputMode {
 
 /** Widgets in which keys do something of their own, which no script handles. */
 const widgets: Readonly<Record<string, string>> = {
-  " ": 'button, a, summary, [role="region"], [role="log"]',
+  " ": 'button, a, summary, input[type="checkbox"], [role="region"], [role="log"]',
   Home: '[role="region"], [role="log"]',
   End: '[role="region"], [role="log"]',
 };
