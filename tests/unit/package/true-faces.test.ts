@@ -11,7 +11,7 @@ const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], RA
 let mesher: Mesher;
 let project: Project;
 beforeAll(async () => {
-  mesher = await createMesher();
+  mesher = createMesher();
   const read = await readSurface(plate, { fileName: "plate.step" });
   if (!read.success) throw new Error("the plate cannot be read");
   const bodies = createBodies(read.value, { id: 1, firstPatchId: 1, name: "plate" });
@@ -19,8 +19,8 @@ beforeAll(async () => {
   project = { format: "tetrafront-project", version: 2, name: "plate", ...empty, bodies };
 }, 60_000);
 
-const copyOf = async (given: Project): Promise<Project> => {
-  const read = await readProject(writeProject(given));
+const copyOf = (given: Project): Project => {
+  const read = readProject(writeProject(given));
   if (!read.success) throw new Error(JSON.stringify(read.errors));
   return read.value;
 };
@@ -45,7 +45,7 @@ async function largestGap(
 }
 
 test("the nodes of a project's mesh lie on the faces of the CAD file, also after it was saved", async () => {
-  expect(await largestGap(await copyOf(project), [8, 5], RADIUS)).toBeLessThan(1e-9);
+  expect(await largestGap(copyOf(project), [8, 5], RADIUS)).toBeLessThan(1e-9);
 }, 60_000);
 
 test("a body that is moved, turned and scaled takes its faces along", async () => {
@@ -58,7 +58,7 @@ test("a body that is moved, turned and scaled takes its faces along", async () =
   expect(await largestGap(moved, [100 - 2.5, 20 + 4], RADIUS / 2)).toBeLessThan(1e-9);
 }, 60_000);
 
-test("a damaged text is refused, with the name of its field", async () => {
+test("a damaged text is refused, with the name of its field", () => {
   const [body] = project.bodies ?? [];
   const text = body?.trueFaces ?? "";
   expect(text.length).toBeGreaterThan(1000);
@@ -71,7 +71,7 @@ test("a damaged text is refused, with the name of its field", async () => {
   ]) {
     expect(trueFacesOfText(damaged)).toBeUndefined();
     const file = JSON.stringify({ ...project, bodies: [{ ...body, trueFaces: damaged }] });
-    const read = await readProject(file);
+    const read = readProject(file);
     expect(read.success).toBe(false);
     expect(read.success ? "" : JSON.stringify(read.errors)).toContain("trueFaces");
   }

@@ -159,14 +159,14 @@ function createOperation<Sizes extends FieldValues>(
       anchor: "base" as const,
       join: true,
       share: false,
-      makes: (kind.feature && solidIn({ project, selection }) ? "join" : "patches") as PieceUse,
+      makes: kind.feature && solidIn({ project, selection }) ? "join" : "patches",
     }),
     fields: (values, { project, selection }) => {
       const hasBase = valueOf(kind.middle(sizesOf(values))) > 0;
       const position = hasBase && values.anchor === "base" ? texts.base : texts.centre;
       const arePatches = values.makes === "patches";
       return [
-        ...(kind.feature ? [useField(solidIn({ project, selection }) !== undefined)] : []),
+        ...(kind.feature ? [makesField(solidIn({ project, selection }) !== undefined)] : []),
         ...kind.fields,
         ...(hasBase ? [anchorField] : []),
         { kind: "position", key: "position", label: position },
@@ -192,7 +192,7 @@ function createOperation<Sizes extends FieldValues>(
   };
 }
 
-const useField = (hasSolid: boolean): FieldSpec => ({
+const makesField = (hasSolid: boolean): FieldSpec => ({
   kind: "choice",
   key: "makes",
   label: texts.makes,

@@ -175,7 +175,7 @@ const hole = changeOperation({
     const { position, axis } = startOf(subject.project, subject.selection);
     const diameter = share(0.2)(subject, solid);
     const inward: readonly [number, number, number] = [0 - axis[0], 0 - axis[1], 0 - axis[2]];
-    return { position, axis: inward, diameter, through: true as boolean, depth: 2 * diameter };
+    return { position, axis: inward, diameter, through: true, depth: 2 * diameter };
   },
   fields: ({ through }) => [
     { kind: "position", key: "position", label: texts.position },
@@ -243,7 +243,7 @@ const mirror = changeOperation({
   initial: () => ({
     position: origin,
     normal: [1, 0, 0] as readonly [number, number, number],
-    keepOriginal: true as boolean,
+    keepOriginal: true,
   }),
   fields: () => [
     { kind: "position", key: "position", label: texts.point },

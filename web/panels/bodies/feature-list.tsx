@@ -109,7 +109,7 @@ function FeatureRow({ solid, index, failure }: FeatureRowProps) {
 
 function withUse(feature: SolidFeature, isUsed: boolean): SolidFeature {
   const { isOff: _, ...used } = feature;
-  return isUsed ? (used as SolidFeature) : { ...feature, isOff: true };
+  return isUsed ? used : { ...feature, isOff: true };
 }
 
 function moved(features: readonly SolidFeature[], index: number, by: 1 | -1): readonly SolidFeature[] {
