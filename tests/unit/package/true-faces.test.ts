@@ -11,7 +11,7 @@ const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], RA
 let mesher: Mesher;
 let project: Project;
 beforeAll(async () => {
-  mesher = createMesher();
+  mesher = await createMesher();
   const read = await readSurface(plate, { fileName: "plate.step" });
   if (!read.success) throw new Error("the plate cannot be read");
   const bodies = createBodies(read.value, { id: 1, firstPatchId: 1, name: "plate" });

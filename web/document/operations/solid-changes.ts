@@ -1,6 +1,7 @@
 import type { SolidFeature } from "tetrafront/project";
 import { operationStrings, stepNames } from "../../strings";
 import type { Offer } from "../create";
+import type { Position } from "../position";
 import { pieceExtent } from "./sizes";
 import { positiveLength, wholeNumber } from "./number-specs";
 import type { FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
@@ -167,7 +168,15 @@ const shell = changeOperation({
   read: (feature) => (feature.type === "shell" ? { thickness: feature.thickness } : null),
 });
 
-const hole = changeOperation({
+type HoleValues = {
+  readonly position: Position;
+  readonly axis: Position;
+  readonly diameter: number;
+  readonly through: boolean;
+  readonly depth: number;
+};
+
+const hole = changeOperation<HoleValues>({
   id: "hole",
   ...texts.drilled,
   usesSelection: false,
@@ -236,7 +245,13 @@ const circular = changeOperation({
   },
 });
 
-const mirror = changeOperation({
+type MirrorValues = {
+  readonly position: Position;
+  readonly normal: Position;
+  readonly keepOriginal: boolean;
+};
+
+const mirror = changeOperation<MirrorValues>({
   id: "mirror",
   ...texts.mirrored,
   usesSelection: false,
