@@ -78,6 +78,7 @@ export const operationStrings = {
       cut: "Cut",
       intersect: "Intersect",
     },
+    numbersOnly: "Features keep the numbers: they do not follow parameters.",
     solidNote: {
       patches: "Points, lines and patches, which can be edited one by one.",
       new: "A solid of its own, with true faces and a list of features.",

@@ -30,6 +30,7 @@ import {
 import { pieceExtent, withSizes } from "./sizes";
 import {
   addedFeature,
+  numbersNote,
   offeredSolid,
   solidIn,
   solidNote,
@@ -124,7 +125,7 @@ export function pieceOperation<Sizes extends FieldValues>(
             ? all.filter(({ key }) => key !== "makes")
             : [...all.map(withoutPatches)];
         },
-        note: () => "",
+        note: (_values, _subject, expressions) => numbersNote(expressions),
         make: (_subject, values) => ({ possible: false, reason: refusalOf(kind, values) ?? "" }),
         makeLater: ({ project }, values, solids) => {
           if (refusalOf(kind, values) !== null) return null;
@@ -181,7 +182,7 @@ function createOperation<Sizes extends FieldValues>(
     note: (values, subject, expressions = {}) =>
       values.makes === "patches"
         ? noteOf(kind, values, subject, expressions)
-        : solidNote(values.makes, subject),
+        : solidNote(values.makes, subject, expressions),
     make: (subject, values, expressions = {}) => makePiece(kind, subject, values, expressions),
     makeLater: (subject, values, solids) => {
       const { makes } = values;

@@ -5,7 +5,7 @@ import type { Position } from "../position";
 import { pieceExtent } from "./sizes";
 import { positiveLength, wholeNumber } from "./number-specs";
 import type { FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
-import { nextFeatureId, offeredSolid, solidIn, type Solid } from "./solids";
+import { nextFeatureId, numbersNote, offeredSolid, solidIn, type Solid } from "./solids";
 import { startOf } from "./start";
 
 const texts = operationStrings.solids;
@@ -52,7 +52,8 @@ function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): 
     usesSelection: kind.usesSelection,
     initial: (subject) => kind.initial(subject, solidIn(subject)),
     fields: (values) => kind.fields(values),
-    note: () => kind.note ?? "",
+    note: (_values, _subject, expressions) =>
+      [kind.note ?? "", numbersNote(expressions)].filter((note) => note !== "").join(" "),
     make: () => ({ possible: false, reason: texts.noSolid }),
     makeLater: (subject, values, solids) => {
       const solid = solidIn(subject);
@@ -81,7 +82,7 @@ function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): 
           step: stepNames.change(kind.noun),
           action: operationStrings.apply,
           usesSelection: false,
-          note: () => "",
+          note: (_values, _subject, expressions) => numbersNote(expressions),
           initial: () => values,
           makeLater: async (subject, changed, solids) => {
             const made = await kind.feature(changed, chosenIn(subject, solid, solids), feature);

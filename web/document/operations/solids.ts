@@ -4,7 +4,7 @@ import type { Offer } from "../create";
 import { bodiesOf, bodyLabel, type Entity } from "../entities";
 import { bodyStepNames, operationStrings, stepNames } from "../../strings";
 import type { Frame } from "../vectors";
-import type { SolidMaker, Subject } from "./operation";
+import type { FieldExpressions, SolidMaker, Subject } from "./operation";
 
 const texts = operationStrings.fields;
 
@@ -44,11 +44,19 @@ function isPartOf(solid: Solid, { kind, id }: Entity): boolean {
   return kind === "body-patch" && solid.patches.some((patch) => patch.id === id);
 }
 
-export function solidNote(use: Exclude<PieceUse, "patches">, subject: Subject): string {
-  if (use === "new") return texts.solidNote.new;
-  const solid = solidIn(subject);
-  return solid ? texts.solidNote[use](bodyLabel(solid)) : "";
+export function solidNote(
+  use: Exclude<PieceUse, "patches">,
+  subject: Subject,
+  expressions: FieldExpressions,
+): string {
+  const solid = use === "new" ? undefined : solidIn(subject);
+  const what = solid && use !== "new" ? texts.solidNote[use](bodyLabel(solid)) : texts.solidNote.new;
+  return [what, numbersNote(expressions)].filter((note) => note !== "").join(" ");
 }
+
+/** Says that expressions are not kept, if there are any. */
+export const numbersNote = (expressions: FieldExpressions = {}): string =>
+  Object.keys(expressions).length > 0 ? texts.numbersOnly : "";
 
 /** Returns the next id of a list of features. */
 export const nextFeatureId = (features: readonly SolidFeature[]): number =>

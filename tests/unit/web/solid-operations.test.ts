@@ -1,0 +1,137 @@
+/** Pieces and changes as features of solids: what panels make of values, and read from features again. */
+import { expect, test } from "vitest";
+import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
+import { emptyProject } from "../../../web/document/create";
+import type { FieldValues, Operation, SolidMaker } from "../../../web/document/operations/operation";
+import { pieceOperations } from "../../../web/document/operations/pieces";
+import { changeOperations } from "../../../web/document/operations/solid-changes";
+import { isSolid, solidIn, type Solid } from "../../../web/document/operations/solids";
+
+/** Notes the features that it is asked for. */
+class NotedSolids implements SolidMaker {
+  features: readonly SolidFeature[] = [];
+  readonly #edges = [
+    { name: "1/top|1/front", faces: ["1/top", "1/front"] },
+    { name: "1/top|1/left", faces: ["1/top", "1/left"] },
+    { name: "1/front|1/left", faces: ["1/front", "1/left"] },
+    { name: "1/top|1/top", faces: ["1/top", "1/top"] },
+  ] as const;
+
+  bodyOf(_: Project, before: ProjectBody | { readonly name: string }, features: readonly SolidFeature[]) {
+    this.features = features;
+    return Promise.resolve(bodyWith(features, "id" in before ? before : undefined));
+  }
+
+  edgesOf() {
+    return Promise.resolve(this.#edges);
+  }
+}
+
+const bodyWith = (features: readonly SolidFeature[], before?: ProjectBody): Solid => ({
+  id: 1,
+  points: "",
+  triangles: "",
+  patches: ["top", "front", "left"].map((face, p) => ({ id: p + 1, origin: `1/${face}` })),
+  ...before,
+  features,
+});
+
+const box: SolidFeature = {
+  id: 1,
+  type: "box",
+  operation: "new",
+  position: [0, 0, 0],
+  axis: [0, 0, 1],
+  size: [1, 1, 1],
+};
+
+const withSolid = (solid: Solid): Project => ({ ...emptyProject("solid"), bodies: [solid] });
+
+/** Returns the features that an operation gives, with some of its values changed. */
+async function featuresOf(
+  operation: Operation,
+  subject: Parameters<Operation["make"]>[0],
+  change: FieldValues,
+): Promise<readonly SolidFeature[]> {
+  const solids = new NotedSolids();
+  const values = { ...operation.initial(subject), ...change };
+  const offer = await operation.makeLater?.(subject, values, solids);
+  expect(offer?.possible).toBe(true);
+  return solids.features;
+}
+
+const solidPieces = pieceOperations.filter(({ id }) => id !== "create-wing");
+
+test.each(solidPieces)("$id becomes a feature that its panel reads again", async (operation) => {
+  const subject = { project: emptyProject(), selection: [] };
+  const place = { position: [1, 2, 3], axis: [0, 1, 0] } as const;
+  const [feature] = await featuresOf(operation, subject, { ...place, makes: "new", anchor: "base" });
+  if (!feature) throw new Error("no feature");
+  expect(feature).toMatchObject({ id: 1, operation: "new" });
+  const solid = bodyWith([feature]);
+  const edit = operation.edit(solid, feature);
+  if (!edit) throw new Error("no panel");
+  const project = withSolid(solid);
+  const [same] = await featuresOf(edit, { project, selection: [] }, {});
+  for (const [key, value] of Object.entries(feature)) {
+    const again: unknown = (same as unknown as Record<string, unknown>)[key];
+    const isVector = Array.isArray(value);
+    if (isVector) value.forEach((x, k) => expect((again as number[])[k]).toBeCloseTo(Number(x), 12));
+    else expect(again).toEqual(value);
+  }
+  expect(pieceOperations.filter((other) => other.edit(solid, feature) !== null)).toEqual([operation]);
+});
+
+test("a wing is patches only", () => {
+  const wing = pieceOperations.find(({ id }) => id === "create-wing");
+  const subject = { project: withSolid(bodyWith([box])), selection: [] };
+  const values = wing?.initial(subject) ?? {};
+  expect(wing?.fields(values, subject).map(({ key }) => key)).not.toContain("makes");
+});
+
+test("beside a solid, a piece joins it, and can cut it; the ids of features differ", async () => {
+  const solid = bodyWith([box, { ...box, id: 7, operation: "join" }]);
+  const subject = { project: withSolid(solid), selection: [] };
+  const cylinder = solidPieces.find(({ id }) => id === "create-cylinder");
+  if (!cylinder) throw new Error("no cylinder");
+  expect(cylinder.initial(subject)["makes"]).toBe("join");
+  const features = await featuresOf(cylinder, subject, { makes: "cut" });
+  expect(features.map(({ id }) => id)).toEqual([1, 7, 8]);
+  expect(features[2]).toMatchObject({ type: "cylinder", operation: "cut" });
+});
+
+test.each([
+  ["all", [], ["1/top|1/front", "1/top|1/left", "1/front|1/left"]],
+  ["those around one patch", [1], ["1/top|1/front", "1/top|1/left"]],
+  ["those between several", [1, 3], ["1/top|1/left"]],
+])("the edges of a fillet are %s, without seams", async (_, patches, edges) => {
+  const fillet = changeOperations.find(({ id }) => id === "solid-fillet");
+  if (!fillet) throw new Error("no fillet");
+  const selection = patches.map((id) => ({ kind: "body-patch", id }) as const);
+  const project = withSolid(bodyWith([box]));
+  const features = await featuresOf(fillet, { project, selection }, {});
+  expect(features[1]).toMatchObject({ type: "fillet", edges });
+});
+
+test.each(changeOperations)("$id is read again by its panel, and needs a solid", async (operation) => {
+  const subject = { project: withSolid(bodyWith([box])), selection: [] };
+  const features = await featuresOf(operation, subject, {});
+  const feature = features[1];
+  if (!feature) throw new Error("no feature");
+  const solid = bodyWith(features);
+  const edit = operation.edit(solid, feature);
+  if (!edit) throw new Error("no panel");
+  expect(await featuresOf(edit, { ...subject, project: withSolid(solid) }, {})).toEqual(features);
+  const nothing = { project: emptyProject(), selection: [] };
+  expect(operation.makeLater?.(nothing, operation.initial(nothing), new NotedSolids())).toBeNull();
+  expect(operation.make(nothing, operation.initial(nothing)).possible).toBe(false);
+});
+
+test("of several solids, the selected one is meant", () => {
+  const [one, other] = [bodyWith([box]), { ...bodyWith([box]), id: 2, patches: [{ id: 9 }] }];
+  const project: Project = { ...emptyProject(), bodies: [one, other] };
+  expect(isSolid(one)).toBe(true);
+  expect(solidIn({ project, selection: [] })).toBeUndefined();
+  expect(solidIn({ project, selection: [{ kind: "body", id: 2 }] })).toBe(other);
+  expect(solidIn({ project, selection: [{ kind: "body-patch", id: 2 }] })).toBe(one);
+});
