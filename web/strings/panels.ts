@@ -236,7 +236,7 @@ export const panelStrings = {
     plain: "Plain",
     dihedral: "Dihedral",
     patchColors: "Patches",
-    smoothness: { none: "Plain", zebra: "Zebra", gaussian: "Gaussian", largest: "Curvature" },
+    smoothness: { none: "Off", zebra: "Zebra", gaussian: "Gaussian", largest: "Curvature" },
     curvature: { gaussian: "Gaussian curvature", largest: "largest curvature" },
     zebra: "zebra stripes: a kink of a stripe is a kink of the surface",
     edges: "Element edges",
