@@ -39,7 +39,7 @@ test("zebra stripes and curvatures replace the mesh, with a legend", async ({ pa
   await page.getByRole("tab", { name: "Display" }).click();
   await page.getByTestId("smoothness").getByText("Gaussian").click();
   await expect(page.getByTestId("curvature-legend")).toContainText("Gaussian curvature");
-  await page.getByTestId("smoothness").getByText("Plain").click();
+  await page.getByTestId("smoothness").getByText("Off").click();
   await expect(page.getByTestId("curvature-legend")).toHaveCount(0);
   await app.drawn();
 });
