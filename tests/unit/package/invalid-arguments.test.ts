@@ -59,6 +59,7 @@ const prepared = {
   body: 1,
   ...api.bodySurface(body),
   origin: Uint32Array.from({ length: 12 }, (_, t) => t),
+  trueEdges: { edges: Uint32Array.of(0, 1), middles: Float64Array.of(0.5, 0, 0) },
   diagnostics: [],
 };
 const control = { signal: new AbortController().signal, onProgress: () => undefined };
@@ -181,12 +182,12 @@ const functions: Readonly<Record<string, Arguments>> = {
 const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   meshProject: {
     project: { ...project, bodies: [body] },
-    options: { growth: 0.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared], elementOrder: 2 },
     control,
   },
   checkProject: {
     project: { ...project, bodies: [body] },
-    options: { growth: 0.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared], elementOrder: 2 },
     control,
   },
   fillSurface: { surface: { ...box, surfaceRegions }, options: { growth: 0.3, background }, control },
@@ -205,7 +206,7 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   sampleSizes: {
     project: { ...project, bodies: [body] },
     positions: new Float64Array(6),
-    options: { growth: 0.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared], elementOrder: 2 },
     control,
   },
   backgroundFromMesh: { mesh: block, options: { sizes: new Float64Array(8).fill(1) }, control },
@@ -219,7 +220,7 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   },
   meshSurface: {
     surface: { ...surfaceFile, surfaceRegions },
-    options: { size: 1, surface: "auto", splitPatches: 40, background: sourcesOnly },
+    options: { size: 1, surface: "auto", splitPatches: 40, background: sourcesOnly, elementOrder: 2 },
     control,
   },
   remeshSurface: {
