@@ -45,7 +45,10 @@ test("a dropped STEP file is meshed, shown and saved with curved second-order el
   expect((await app.stillView()).equals(before)).toBe(false);
   expectCurved(await downloadMesh(page, /VTU/, { secondOrder: true }), tets);
 
-  await section.getByRole("button", { name: /^Element/ }).first().click();
+  await section
+    .getByRole("button", { name: /^Element/ })
+    .first()
+    .click();
   await expect(section.getByRole("button", { pressed: true })).toHaveCount(1);
   await section.getByRole("switch", { name: "Second order" }).uncheck({ force: true });
   await expect(bars).toBeHidden();

@@ -144,7 +144,8 @@ export const panelStrings = {
   secondOrder: {
     title: "Second order",
     hint: "Shows the elements with a node at the middle of every edge, on the faces of the CAD file where the surface is curved.",
-    straight: "The edges are straight, because the surface consists of triangles without faces of a CAD file.",
+    straight:
+      "The edges are straight, because the surface consists of triangles without faces of a CAD file.",
     scaledJacobian: "Scaled Jacobian",
     meaning:
       "The least value of the Jacobian determinant in an element, divided by the largest: 1 with straight edges. The element is valid if it is above 0.",

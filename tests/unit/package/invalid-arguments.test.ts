@@ -335,6 +335,9 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
  * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader; units of solids are tested in solid-units.test.ts.
  */
 const TESTED_ELSEWHERE = [
+  // Their callers have checked what they pass.
+  "featureSolid",
+  "inOrder",
   "MesherError",
   "createMesher",
   "loadTrace",

@@ -69,11 +69,20 @@ function holeEdges({ points, ...mesh }: Mesh, [x, y]: readonly [number, number])
     const [from, to] = [at(points, edges[2 * e] ?? 0), at(points, edges[2 * e + 1] ?? 0)];
     const middle = at(middles, e);
     const halfway: Position = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2, (from[2] + to[2]) / 2];
-    return { from, to, radius: radiusOf(middle), offset: distance(middle, halfway), length: distance(from, to) };
+    return {
+      from,
+      to,
+      radius: radiusOf(middle),
+      offset: distance(middle, halfway),
+      length: distance(from, to),
+    };
   }).filter(({ from, to }) => [from, to].every((end) => Math.abs(radiusOf(end) - RADIUS) < 1e-6));
 }
 
-function expectCurved({ mesh, report }: Pick<MeshResult, "mesh" | "report">, axes: readonly [number, number][]) {
+function expectCurved(
+  { mesh, report }: Pick<MeshResult, "mesh" | "report">,
+  axes: readonly [number, number][],
+) {
   expect(report.status).toBe("done");
   expect(report.secondOrder?.minScaledJacobian).toBeGreaterThan(0);
   expect(report.secondOrder?.minScaledJacobian).toBeLessThan(1);
@@ -105,7 +114,9 @@ test("of bodies beside drawn patches, whose nodes come first", async () => {
     patches: body.patches.map((patch, p) => ({ ...patch, id: 100 * id + p })),
     placement: { position: [x, 0, 0], rotation: [0, 0, 0, 1], scale: 1 },
   });
-  const result = await mesher.meshProject(projectOf([placed(1, 50), placed(2, 100)], drawnCube()), { elementOrder: 2 });
+  const result = await mesher.meshProject(projectOf([placed(1, 50), placed(2, 100)], drawnCube()), {
+    elementOrder: 2,
+  });
   expectCurved(result, [
     [58, 5],
     [108, 5],

@@ -53,7 +53,10 @@ it("curved faces are drawn with 16 triangles, the others with one", () => {
 it("the triangles of a closed surface have no gaps, face outward, and pass through the middles", () => {
   const curved = new CurvedFaces(tetrahedron([0.7, 0.7, -0.1]), tetrahedron([0.7, 0.7, -0.1]).curvedEdges);
   const { corners } = curved.trianglesOf(Uint32Array.of(0, 1, 2, 3), [0, 0, 0]);
-  const keyOf = (corner: number): string => at(corners, corner).map((x) => x.toFixed(6)).join();
+  const keyOf = (corner: number): string =>
+    at(corners, corner)
+      .map((x) => x.toFixed(6))
+      .join();
   const keys = Array.from({ length: corners.length / 3 }, (_, corner) => keyOf(corner));
   expect(keys).toContain([0.7, 0.7, -0.1].map((x) => Math.fround(x).toFixed(6)).join());
   // Both triangles at an edge pass it in opposite directions; only straight edges may have several pieces on one side.

@@ -59,6 +59,8 @@ const meshEntries = {
 
 const meshSchema = objectWith(meshEntries);
 
+const noEdges = { edges: new Uint32Array(), middles: new Float64Array() };
+
 const preparedList = v.array(
   v.pipe(
     v.object({
@@ -70,6 +72,11 @@ const preparedList = v.array(
       diagnostics: v.array(v.object({ severity: v.string() })),
     }),
     v.check(({ triangles, trianglePatch }) => triangles.length === 3 * trianglePatch.length),
+    v.check(({ points, trueEdges: { edges, middles } = noEdges }) => {
+      const nodes = points.length / 3;
+      const isComplete = 3 * edges.length === 2 * middles.length;
+      return isComplete && edges.every((node) => node < nodes) && middles.every(Number.isFinite);
+    }),
   ),
 );
 

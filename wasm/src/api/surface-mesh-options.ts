@@ -28,14 +28,7 @@ const SETTINGS = [
 /** Options of what is done to a surface before `fillSurface`. */
 const BEFORE_FILLING: ReadonlySet<string> = new Set<
   Exclude<keyof SurfaceMeshOptions, keyof MeshOptions | keyof OrderOptions>
->([
-  ...SETTINGS,
-  "surface",
-  "repair",
-  "weld",
-  "fillHoles",
-  "splitPatches",
-]);
+>([...SETTINGS, "surface", "repair", "weld", "fillHoles", "splitPatches"]);
 
 /** Options that neither `fillSurface` nor a preparation of the surface has. */
 const AFTER_FILLING: ReadonlySet<string> = new Set<keyof OrderOptions>(["elementOrder"]);
@@ -44,7 +37,9 @@ const AFTER_FILLING: ReadonlySet<string> = new Set<keyof OrderOptions>(["element
 export function meshPart(options: SurfaceMeshOptions): MeshOptions {
   // Anything else is for the check.
   if (typeof options !== "object" || (options as unknown) === null) return options;
-  const own = Object.entries(options).filter(([name]) => !BEFORE_FILLING.has(name) && !AFTER_FILLING.has(name));
+  const own = Object.entries(options).filter(
+    ([name]) => !BEFORE_FILLING.has(name) && !AFTER_FILLING.has(name),
+  );
   return Object.fromEntries(own);
 }
 

@@ -17,7 +17,9 @@ const texts = strings.secondOrder;
 const ticks = [0, 0.25, 0.5, 0.75, 1];
 const valueText = (value: number): string => value.toFixed(3);
 const colorOf = (value: number): string =>
-  viridisAt(scalePosition(Math.max(value * bestValue["radius-ratio"], worstShown["radius-ratio"]), "radius-ratio"));
+  viridisAt(
+    scalePosition(Math.max(value * bestValue["radius-ratio"], worstShown["radius-ratio"]), "radius-ratio"),
+  );
 
 /** Chooses second-order elements, and says what they are like. */
 export function SecondOrderSection() {
@@ -68,7 +70,9 @@ function ScaledJacobians({ quality }: { readonly quality: SecondOrderQuality }) 
         testId="chart-scaled-jacobian"
         label={strings.quality.histogram(texts.scaledJacobian)}
         colorOf={colorOf}
-        describe={(count, from, to) => strings.quality.bar(formatCount(count), from.toFixed(2), to.toFixed(2))}
+        describe={(count, from, to) =>
+          strings.quality.bar(formatCount(count), from.toFixed(2), to.toFixed(2))
+        }
         facts={[
           [strings.quality.min, valueText(minScaledJacobian)],
           [strings.quality.mean, valueText(meanScaledJacobian)],
