@@ -34,14 +34,39 @@ export function parseVtu(bytes: Uint8Array): Mesh {
   const offsets = [...new Int32Array(bytesOf("offsets"))];
   const cells = offsets.map((end, c) => connectivity.slice(c === 0 ? 0 : offsets[c - 1], end));
   const types = new Uint8Array(bytesOf("types"));
-  const ofType = <T>(values: readonly T[], type: number) => values.filter((_, c) => types[c] === type);
+  const ofType = <T>(values: readonly T[], ...wanted: number[]) =>
+    values.filter((_, c) => wanted.includes(types[c] ?? 0));
+  // The types of first and of second order.
+  const [tetrahedron, triangle] = [
+    [10, 24],
+    [5, 22],
+  ] as const;
   return {
     points: new Float64Array(bytesOf("Points")),
-    tetrahedra: ofType(cells, 10),
-    regions: ofType([...new Int32Array(bytesOf("region"))], 10),
-    triangles: ofType(cells, 5),
-    patches: ofType([...new Int32Array(bytesOf("patch"))], 5),
+    tetrahedra: ofType(cells, ...tetrahedron),
+    regions: ofType([...new Int32Array(bytesOf("region"))], ...tetrahedron),
+    triangles: ofType(cells, ...triangle),
+    patches: ofType([...new Int32Array(bytesOf("patch"))], ...triangle),
   };
+}
+
+/**
+ * Returns how far the middle nodes of second-order triangles lie from a cylinder along z, of the edges between two nodes on it;
+ * Infinity for triangles without middle nodes.
+ */
+export function middlesOnCylinder(
+  { points, triangles }: Pick<Mesh, "points" | "triangles">,
+  [x, y]: readonly [number, number],
+  radius: number,
+): number[] {
+  const gapOf = (node = NaN): number =>
+    Math.abs(Math.hypot((points[3 * node] ?? Infinity) - x, (points[3 * node + 1] ?? Infinity) - y) - radius);
+  return triangles.flatMap((nodes) =>
+    [0, 1, 2].flatMap((corner) => {
+      const areOn = [nodes[corner], nodes[(corner + 1) % 3]].every((node) => gapOf(node) < 1e-6);
+      return areOn ? [gapOf(nodes[3 + corner])] : [];
+    }),
+  );
 }
 
 export interface GmshGroup {

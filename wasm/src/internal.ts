@@ -34,6 +34,7 @@ export {
   type MeshWithBoundary,
 } from "./api/given-mesh.js";
 export { patchNames } from "./api/generated-mesh.js";
+export { inOrder } from "./api/second-order-mesh.js";
 export type { MeshShapes } from "./mesh/improvement.js";
 export type {
   ElementQuality,

@@ -16,7 +16,10 @@ export async function downloadMesh(
   if (!mesh) return;
   try {
     const fileName = `${fileStem(project.name)}.${extension}`;
-    const files = await writeMeshFiles(mesh.mesh, project, { fileName, elementOrder, unit });
+    // Without faces of a CAD file, all edges are straight.
+    const isCurved = elementOrder === 2 && mesh.mesh.trueEdges !== undefined;
+    const written = isCurved ? await app.secondOrder.curved(mesh) : mesh;
+    const files = await writeMeshFiles(written.mesh, project, { fileName, elementOrder, unit });
     for (const { fileName: name, content } of files) download([content], name, "application/octet-stream");
   } catch (error) {
     showMessage(app, strings.messages.downloadFailed, [String(error)]);

@@ -392,6 +392,14 @@ export class MeshRun {
     return key;
   }
 
+  /** Shows another form of the shown mesh, with the same elements; nothing if another mesh is shown by now. */
+  exchange(before: MeshResult, after: MeshResult): void {
+    const { mesh, outcome } = this.state.getState();
+    if (mesh !== before) return;
+    const isOfOutcome = outcome?.result === before;
+    this.state.setState({ mesh: after, outcome: isOfOutcome ? { ...outcome, result: after } : outcome });
+  }
+
   cancel(): void {
     this.#active?.cancel();
   }

@@ -18,6 +18,7 @@ import { Operations } from "./operations";
 import { PreviewFeed } from "./preview";
 import { ProblemList } from "./problems";
 import { MeshRun, regionCount } from "./run";
+import { SecondOrder } from "./second-order";
 import { SizeFeed } from "./size-feed";
 import { Solids } from "./solids";
 import { SmoothnessFeed } from "./smoothness-feed";
@@ -40,6 +41,7 @@ export class Session {
   readonly view = new ViewStore();
   readonly operations: Operations;
   readonly run: MeshRun;
+  readonly secondOrder: SecondOrder;
   readonly previews: PreviewFeed;
   readonly bodies: BodyFeed;
   readonly solids: Solids;
@@ -60,6 +62,7 @@ export class Session {
       allOf: (project) => this.bodies.preparations.allOf(project),
       keep: (project, prepared) => void this.bodies.keepPrepared(project, prepared),
     });
+    this.secondOrder = new SecondOrder(this.run, previewMesher);
     this.previews = new PreviewFeed(this.documents, previewMesher);
     const check = new BodyCheck(this.documents, previewMesher, this.bodies);
     this.problems = new ProblemList({ ...this, check });

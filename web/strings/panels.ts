@@ -141,6 +141,18 @@ export const panelStrings = {
     bar: (count: string, from: string, to: string) => `${count} tetrahedra from ${from} to ${to}`,
     histogram: (measure: string) => `Histogram of the ${measure.toLowerCase()}`,
   },
+  secondOrder: {
+    title: "Second order",
+    hint: "Shows the elements with a node at the middle of every edge, on the faces of the CAD file where the surface is curved.",
+    straight:
+      "The edges are straight, because the surface consists of triangles without faces of a CAD file.",
+    scaledJacobian: "Scaled Jacobian",
+    meaning:
+      "The least value of the Jacobian determinant in an element, divided by the largest: 1 with straight edges. The element is valid if it is above 0.",
+    straightened: "Straightened edges",
+    worst: "Worst curved elements",
+    element: (number: string) => `Element ${number}`,
+  },
   improvement: {
     title: "Improvement",
     improve: "Improve mesh",

@@ -14,7 +14,7 @@ import {
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import { withSecondOrder } from "../../../wasm/src/api/second-order-mesh.js";
+import { inOrder } from "../../../wasm/src/api/second-order-mesh.js";
 import { tetrafront } from "../../support/command-line.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { stlBinary } from "../../support/surface-files.js";
@@ -81,7 +81,8 @@ async function judged(mesh: Mesh, fileName: string): Promise<Verdict> {
 
 async function ball(rings: number) {
   const result = await mesher.fillSurface(sphereSurface(rings));
-  return withSecondOrder(mesher, result, curvedEdgesOf(result.mesh, onSphere), {});
+  const mesh = { ...result.mesh, trueEdges: curvedEdgesOf(result.mesh, onSphere) };
+  return inOrder(mesher, { ...result, mesh }, { elementOrder: 2 }, {});
 }
 
 if (canJudge) {

@@ -59,6 +59,7 @@ const prepared = {
   body: 1,
   ...api.bodySurface(body),
   origin: Uint32Array.from({ length: 12 }, (_, t) => t),
+  trueEdges: { edges: Uint32Array.of(0, 1), middles: Float64Array.of(0.5, 0, 0) },
   diagnostics: [],
 };
 const control = { signal: new AbortController().signal, onProgress: () => undefined };
@@ -181,12 +182,12 @@ const functions: Readonly<Record<string, Arguments>> = {
 const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   meshProject: {
     project: { ...project, bodies: [body] },
-    options: { growth: 0.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared], elementOrder: 2 },
     control,
   },
   checkProject: {
     project: { ...project, bodies: [body] },
-    options: { growth: 0.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared], elementOrder: 2 },
     control,
   },
   fillSurface: { surface: { ...box, surfaceRegions }, options: { growth: 0.3, background }, control },
@@ -205,7 +206,7 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   sampleSizes: {
     project: { ...project, bodies: [body] },
     positions: new Float64Array(6),
-    options: { growth: 0.3, background, preparedBodies: [prepared] },
+    options: { growth: 0.3, background, preparedBodies: [prepared], elementOrder: 2 },
     control,
   },
   backgroundFromMesh: { mesh: block, options: { sizes: new Float64Array(8).fill(1) }, control },
@@ -219,7 +220,7 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   },
   meshSurface: {
     surface: { ...surfaceFile, surfaceRegions },
-    options: { size: 1, surface: "auto", splitPatches: 40, background: sourcesOnly },
+    options: { size: 1, surface: "auto", splitPatches: 40, background: sourcesOnly, elementOrder: 2 },
     control,
   },
   remeshSurface: {
@@ -334,6 +335,10 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
  * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader; units of solids are tested in solid-units.test.ts.
  */
 const TESTED_ELSEWHERE = [
+  // Their callers have checked what they pass.
+  "bodyBox",
+  "featureSolid",
+  "inOrder",
   "MesherError",
   "createMesher",
   "loadTrace",

@@ -432,6 +432,7 @@ describe("the layer of the mesh", () => {
     faces: Uint32Array.from([0]),
     onBoundary: Uint8Array.from([1]),
     corners: new Float32Array(9),
+    shares: new Uint8Array(),
     values: new Float32Array(3),
   };
 

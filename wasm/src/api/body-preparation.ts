@@ -9,7 +9,7 @@ import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import { invalidOption, sentence } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import type { BodySurfaceArrays } from "../generated/constants.js";
-import type { SurfaceInput } from "../mesh/mesh.js";
+import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import { bodyArrays, bodyTrueFaces } from "../project/body-arrays.js";
@@ -113,8 +113,9 @@ async function treated(
       control,
       name,
     );
-    const { points, triangles, trianglePatch } = mesh;
-    return { points, triangles, trianglePatch, origin, ...figures, diagnostics: named(diagnostics) };
+    const { points, triangles, trianglePatch, trueEdges } = mesh;
+    const made = { points, triangles, trianglePatch, ...(trueEdges && { trueEdges }) };
+    return { ...made, origin, ...figures, diagnostics: named(diagnostics) };
   }
   const { innerShells } = options;
   const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
@@ -302,6 +303,27 @@ export function joinedBodies({ bodies = [] }: Project, prepared: readonly Prepar
     nodes += body.points.length / 3;
   }
   return { points, triangles, trianglePatch, patches };
+}
+
+/**
+ * Returns the mesh of a run with the edges of its bodies that bend. `surfaceNodes`: number of its surface nodes, of which those of
+ * the joined bodies are the last.
+ */
+export function withBodyEdges(mesh: Mesh, surfaceNodes: number, prepared: readonly PreparedBody[]): Mesh {
+  const own = prepared.flatMap(({ trueEdges }) => trueEdges ?? []);
+  if (own.length === 0) return mesh;
+  const edges = new Uint32Array(own.reduce((sum, one) => sum + one.edges.length, 0));
+  const middles = new Float64Array((3 * edges.length) / 2);
+  let end = 0;
+  let node = surfaceNodes - prepared.reduce((sum, { points }) => sum + points.length / 3, 0);
+  for (const { points, trueEdges } of prepared) {
+    if (trueEdges !== undefined) {
+      middles.set(trueEdges.middles, (3 * end) / 2);
+      for (const corner of trueEdges.edges) edges[end++] = node + corner;
+    }
+    node += points.length / 3;
+  }
+  return { ...mesh, trueEdges: { edges, middles } };
 }
 
 /** Returns whether there is a body; callers without type checks may preview anything. */

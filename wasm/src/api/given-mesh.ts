@@ -230,14 +230,15 @@ export function improvedResult(
   checkArgument("inspection", inspection, inspected);
   const { mesh, nodeOrigin } = improvement;
   const { metricShapes: _, recording: __, ...rest } = result;
-  const diagnostics = result.report.diagnostics.filter(({ code }) => code !== "poor-elements");
+  const { secondOrder: _s, ...report } = result.report;
+  const diagnostics = report.diagnostics.filter(({ code }) => code !== "poor-elements");
   return {
     ...rest,
     mesh,
     front: new Uint32Array(),
     sides: renumbered(result.sides, nodeOrigin, result.mesh.points.length / 3),
     report: {
-      ...result.report,
+      ...report,
       ...figuresOf(inspection),
       regions: regionsOf(mesh, inspection.quality),
       fingerprint: "",

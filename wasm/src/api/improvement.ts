@@ -80,12 +80,16 @@ export function carriedVolume(given: VolumeInput, improved: ImprovedElements): M
     invertedTetrahedra: _i,
     duplicateTetrahedra: _d,
     curvedEdges: _c,
+    trueEdges,
     ...rest
   } = given;
   return {
     ...rest,
     points,
     triangles: renumbered(triangles, nodeOrigin, given.points.length / 3),
+    ...(trueEdges && {
+      trueEdges: { ...trueEdges, edges: renumbered(trueEdges.edges, nodeOrigin, given.points.length / 3) },
+    }),
     ...patchesIn({ ...given, triangles }),
     tetrahedra,
     tetrahedronRegion,

@@ -24,7 +24,7 @@ import type { SurfaceMeshOptions } from "./option-types.js";
 import { checkOptions } from "./mesh-options.js";
 import { readingNotes, unmeshedNotes } from "./reading-notes.js";
 import { emptyReport } from "./report.js";
-import { checkSurfaceMeshOptions, meshPart, surfaceOption } from "./surface-mesh-options.js";
+import { checkSurfaceMeshOptions, projectPart, surfaceOption } from "./surface-mesh-options.js";
 import { meshedSurface as surfaceMeshed } from "./surface-meshing.js";
 import type { RefinementCounts, RemeshReport } from "./meshed-surface.js";
 import { refinementText, remeshText, repairText, splitText } from "./treatment-texts.js";
@@ -179,7 +179,7 @@ async function meshedProject(
     const message = `\`${option}\` is for surfaces, but the file is a project`;
     return failed([invalidOption(option, message, "Omit it: each body has a treatment of its own.")]);
   }
-  const result = await mesher.meshProject(project, meshPart(options), control);
+  const result = await mesher.meshProject(project, projectPart(options), control);
   return outcome(result);
 }
 

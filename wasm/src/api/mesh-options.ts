@@ -28,6 +28,7 @@ import {
 import type {
   ImproveOptions,
   MeshOptions,
+  OrderOptions,
   PreviewOptions,
   ProjectMeshOptions,
   RefineOptions,
@@ -58,6 +59,8 @@ const meshEntries = {
 
 const meshSchema = objectWith(meshEntries);
 
+const noEdges = { edges: new Uint32Array(), middles: new Float64Array() };
+
 const preparedList = v.array(
   v.pipe(
     v.object({
@@ -65,14 +68,25 @@ const preparedList = v.array(
       points: doubles(3),
       triangles: integers(3),
       trianglePatch: integers(),
+      trueEdges: v.optional(v.object({ edges: integers(2), middles: doubles(3) })),
       diagnostics: v.array(v.object({ severity: v.string() })),
     }),
     v.check(({ triangles, trianglePatch }) => triangles.length === 3 * trianglePatch.length),
+    v.check(({ points, trueEdges: { edges, middles } = noEdges }) => {
+      const nodes = points.length / 3;
+      const isComplete = 3 * edges.length === 2 * middles.length;
+      return isComplete && edges.every((node) => node < nodes) && middles.every(Number.isFinite);
+    }),
   ),
 );
 
+const orderOption = option("order of the elements", "1 or 2", v.picklist([1, 2]), undefined);
+
+const orderSchema = objectWith({ elementOrder: orderOption } satisfies EntriesOf<OrderOptions>);
+
 const projectMeshSchema = objectWith({
   ...meshEntries,
+  elementOrder: orderOption,
   preparedBodies: option(
     "list of prepared bodies",
     "a list of results of prepareBody",
@@ -116,6 +130,10 @@ const improveSchema = objectWith({
 export function checkOptions(options: MeshOptions, others: readonly string[] = []): Diagnostic[] {
   return [...checkWithBackground(options, meshSchema, others), ...twoSizes(options)];
 }
+
+/** Checks the order of elements. */
+export const checkOrder = ({ elementOrder }: OrderOptions): Diagnostic[] =>
+  checkAgainst({ elementOrder }, orderSchema);
 
 export function checkProjectOptions(options: ProjectMeshOptions): Diagnostic[] {
   return [...checkWithBackground(options, projectMeshSchema), ...twoSizes(options)];

@@ -1,5 +1,6 @@
 /** Options of the calls of a mesher. */
 import type { CoverShape, FrontOrder, InnerShells, Optimization } from "../generated/constants.js";
+import type { ElementOrder } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 
@@ -219,8 +220,18 @@ export interface MeshOptions extends SizeOptions {
   readonly exactFillOnly?: boolean | undefined;
 }
 
+/** Order of the elements of a mesh. */
+export interface OrderOptions {
+  /**
+   * 2 for second-order elements: `curvedEdges` of the mesh then has the middle nodes of edges that follow curved faces of CAD files,
+   * and `secondOrder` of the report the shapes of the elements. Edges of triangles without such faces stay straight. `writeMesh` has an
+   * option of the same name. Default 1.
+   */
+  readonly elementOrder?: ElementOrder | undefined;
+}
+
 /** Options of `meshProject`. */
-export interface ProjectMeshOptions extends MeshOptions {
+export interface ProjectMeshOptions extends MeshOptions, OrderOptions {
   /**
    * Results of `prepareBody` for bodies that have not changed since, with the same sizes. The others are prepared by the
    * run.
@@ -234,7 +245,7 @@ export const SURFACE_TREATMENTS = ["auto", "keep", "refine", "remesh"] as const;
 export type SurfaceTreatment = (typeof SURFACE_TREATMENTS)[number];
 
 /** Options of `meshSurface`. */
-export interface SurfaceMeshOptions extends MeshOptions, RemeshSettings {
+export interface SurfaceMeshOptions extends MeshOptions, OrderOptions, RemeshSettings {
   /**
    * What becomes of the triangles. Default `auto`, for CAD files `remesh`.
    *

@@ -15,12 +15,14 @@ import {
   hasBodies,
   preparedBodies,
   preparedBody,
+  withBodyEdges,
 } from "./body-preparation.js";
 import { unlessFailed } from "./best-repair.js";
 import { beginCall } from "./call-checks.js";
 import type { FinerPart } from "./element-count.js";
 import { checkProject } from "./input-checks.js";
 import type { Mesher, ProjectCheck } from "./mesher-interface.js";
+import { inOrder } from "./second-order-mesh.js";
 import { checkedRun, refused, settledRun } from "./project-run.js";
 import { ballOf, largestSize, pointsOf, scaledMeshOptions, scaledProject, withBall } from "./scaled-sizes.js";
 import { sampleSizes } from "./size-samples.js";
@@ -42,7 +44,7 @@ interface ProjectParts {
   readonly runs: MeshRuns;
   readonly surfaces: SurfaceTools;
   readonly projects: ProjectTools;
-  readonly mesher: Pick<Mesher, "proposeSurfaceSizes">;
+  readonly mesher: Pick<Mesher, "curveMesh" | "proposeSurfaceSizes">;
 }
 
 export class ProjectMesher {
@@ -57,9 +59,19 @@ export class ProjectMesher {
     if (early !== undefined) return early;
     const { settled, known, elements, errors } = settledRun(project, options);
     if (errors.length > 0) return emptyResult("invalid-input", errors);
-    return elements === undefined
-      ? this.#meshSettled(project, settled, known, control)
-      : this.#meshToElements(project, settled, { elements, known }, control);
+    const result =
+      elements === undefined
+        ? await this.#meshSettled(project, settled, known, control)
+        : await this.#meshToElements(project, settled, { elements, known }, control);
+    const { signal } = control;
+    try {
+      return await inOrder(this.#parts.mesher, result, options, { signal });
+    } catch (failure) {
+      const { total } = result.report.seconds;
+      if (failure instanceof MesherError && failure.code === "cancelled")
+        return emptyResult("cancelled", [], total);
+      throw failure;
+    }
   }
 
   async check(project: Project, options: ProjectMeshOptions, control: RunControl): Promise<ProjectCheck> {
@@ -194,8 +206,9 @@ export class ProjectMesher {
       const result = await this.#parts.runs.ofModel(project, options, later, joinedBodies(project, bodies));
       const { report } = withBodyDeviations(result, project, bodies);
       const own = withoutBodyNotes(report.diagnostics, project);
+      const mesh = withBodyEdges(result.mesh, result.surfaceNodes, bodies);
       return withPreparation(
-        { ...result, report: { ...report, diagnostics: own } },
+        { ...result, mesh, report: { ...report, diagnostics: own } },
         preparation,
         diagnostics,
       );

@@ -36,7 +36,7 @@ export interface SettledRun {
 export function settledRun(project: Project, options: ProjectMeshOptions): SettledRun {
   const unusable = [...checkProject(project), ...checkProjectOptions(options)];
   if (unusable.length > 0) return { settled: {}, known: [], elements: undefined, errors: unusable };
-  const { preparedBodies: all = [], ...own } = options;
+  const { preparedBodies: all = [], elementOrder: _, ...own } = options;
   const known = all.filter(({ sizeFactor }) => sizeFactor === undefined);
   const settled = withSettings(own, project);
   return { settled, known, elements: wantedElements(own, project), errors: checkOptions(settled) };

@@ -14,6 +14,7 @@ import type { CurvedMesh, SecondOrderQuality } from "../mesh/second-order.js";
 import { beginCall } from "./call-checks.js";
 import { checkCurvedEdges, checkImproveInput, unreadableMesh } from "./input-checks.js";
 import type { Mesher } from "./mesher-interface.js";
+import type { OrderOptions } from "./option-types.js";
 
 type EngineCurved = AnswerOf<"curveEdges">;
 
@@ -52,18 +53,19 @@ export async function curveMesh(
 }
 
 /**
- * Returns the result of a run for second-order elements: with curved edges, and with their quality in its report. `boundary`:
- * the edges of the boundary and of interfaces, with middles on the surface that was meshed; undefined if it consists of triangles, whose
- * edges stay straight. A mesh that is not finished stays as it is. The other parts of the report describe the mesh of the run.
+ * Returns the result of a run for elements of an order: of order 2 with curved edges, and with their quality in its report. They
+ * follow `trueEdges` of the mesh; without those, the surface consists of triangles, whose edges stay straight. A mesh that is not
+ * finished stays as it is. The other parts of the report describe the mesh of the run. Rejects as `curveMesh`.
  */
-export async function withSecondOrder<Result extends MeshResult>(
+export async function inOrder<Result extends MeshResult>(
   mesher: Pick<Mesher, "curveMesh">,
   result: Result,
-  boundary: CurvedEdges | undefined,
+  { elementOrder }: OrderOptions,
   control: RunControl,
 ): Promise<Result> {
   const { mesh, report } = result;
-  if (report.status !== "done") return result;
+  if (elementOrder !== 2 || report.status !== "done") return result;
+  const { trueEdges: boundary } = mesh;
   const curved = await mesher.curveMesh(mesh, boundary ?? NO_EDGES, control);
   const written = boundary === undefined ? mesh : curved.mesh;
   return { ...result, mesh: written, report: { ...report, secondOrder: curved.secondOrder } };
@@ -105,9 +107,9 @@ function qualityOf(found: EngineCurved, points: Float64Array): SecondOrderQualit
   };
 }
 
-/** Says what second-order elements are like. `boundary`: as for `withSecondOrder`. */
-export function secondOrderText(quality: SecondOrderQuality, boundary: CurvedEdges | undefined): string {
-  if (boundary === undefined) {
+/** Says what the second-order elements of a mesh are like. */
+export function secondOrderText(quality: SecondOrderQuality, { trueEdges }: Mesh): string {
+  if (trueEdges === undefined) {
     return "second-order elements have straight edges, because the surface consists of triangles";
   }
   const { minScaledJacobian: min, meanScaledJacobian: mean, straightened } = quality;

@@ -20,7 +20,7 @@ export async function sampleSizes(
   control: RunControl,
 ): Promise<SizeSamples> {
   refuse([...checkProject(project), ...checkPositions(positions), ...checkProjectOptions(options)]);
-  const { preparedBodies: known = [], ...own } = options;
+  const { preparedBodies: known = [], elementOrder: _, ...own } = options;
   const settled = withSettings(own, project);
   refuse(checkOptions(settled));
   const { bodies = [] } = project;

@@ -3,10 +3,12 @@ import { shown } from "../base/values.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { SURFACE_TREATMENTS } from "./option-types.js";
-import { checkOptions, excludedSize } from "./mesh-options.js";
+import { checkOptions, checkOrder, excludedSize } from "./mesh-options.js";
 import { checkRemeshOptions, checkRepairOptions, checkSplitOptions } from "./surface-options.js";
 import type {
   MeshOptions,
+  OrderOptions,
+  ProjectMeshOptions,
   RemeshSettings,
   RepairOptions,
   SplitOptions,
@@ -23,22 +25,27 @@ const SETTINGS = [
   "dropDetails",
 ] as const satisfies (keyof RemeshSettings)[];
 
-/** Options that `fillSurface` does not have. */
-const BEFORE_FILLING: ReadonlySet<string> = new Set<Exclude<keyof SurfaceMeshOptions, keyof MeshOptions>>([
-  ...SETTINGS,
-  "surface",
-  "repair",
-  "weld",
-  "fillHoles",
-  "splitPatches",
-]);
+/** Options of what is done to a surface before `fillSurface`. */
+const BEFORE_FILLING: ReadonlySet<string> = new Set<
+  Exclude<keyof SurfaceMeshOptions, keyof MeshOptions | keyof OrderOptions>
+>([...SETTINGS, "surface", "repair", "weld", "fillHoles", "splitPatches"]);
+
+/** Options that neither `fillSurface` nor a preparation of the surface has. */
+const AFTER_FILLING: ReadonlySet<string> = new Set<keyof OrderOptions>(["elementOrder"]);
 
 /** Returns the options of the mesh itself, among them unknown ones. */
 export function meshPart(options: SurfaceMeshOptions): MeshOptions {
   // Anything else is for the check.
   if (typeof options !== "object" || (options as unknown) === null) return options;
-  const own = Object.entries(options).filter(([name]) => !BEFORE_FILLING.has(name));
+  const own = Object.entries(options).filter(
+    ([name]) => !BEFORE_FILLING.has(name) && !AFTER_FILLING.has(name),
+  );
   return Object.fromEntries(own);
+}
+
+/** Returns the options of a project, among them unknown ones. */
+export function projectPart(options: SurfaceMeshOptions): ProjectMeshOptions {
+  return { ...meshPart(options), elementOrder: options.elementOrder };
 }
 
 /** Returns the options of a remeshing that the mesh does not have. */
@@ -70,7 +77,7 @@ export function givenRemeshSetting(options: SurfaceMeshOptions): keyof RemeshSet
 
 /** Returns a diagnostic per invalid option. */
 export function checkSurfaceMeshOptions(options: SurfaceMeshOptions): Diagnostic[] {
-  const wrong = checkOptions(meshPart(options), [...BEFORE_FILLING]);
+  const wrong = checkOptions(meshPart(options), [...BEFORE_FILLING, ...AFTER_FILLING]);
   if (wrong.length > 0) return wrong;
   const repair = repairPart(options);
   const split = splitPart(options);
@@ -80,6 +87,7 @@ export function checkSurfaceMeshOptions(options: SurfaceMeshOptions): Diagnostic
   if (options.elements !== undefined && limits.length > 0) return limits.map(excludedSize);
   return [
     ...wrongSwitches(options),
+    ...checkOrder(options),
     ...checkRemeshOptions({ ...remeshSettings(options), size, growth, maxVolume, innerShells, background }),
     ...(repair === undefined ? [] : checkRepairOptions(repair)),
     ...(split === undefined ? [] : checkSplitOptions(split)),

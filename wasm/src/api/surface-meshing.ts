@@ -43,6 +43,7 @@ import { expectedThinNotes } from "./thin-bodies.js";
 import { isVisiblyChanged } from "./visible-change.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { completeSurface } from "./carried-mesh.js";
+import { inOrder } from "./second-order-mesh.js";
 import { hasNamedPatches } from "./generated-mesh.js";
 import { withInterfacePatches } from "./interface-patches.js";
 
@@ -222,8 +223,23 @@ export interface FillingOptions extends SurfaceOrigin {
   readonly isRecorded?: boolean | undefined;
 }
 
-/** As `filledOnce`, until the mesh has the number of elements, if that is asked for. */
+/** As `filledOnce`, with the number of elements and in the order that are asked for. */
 export async function filledSurface(
+  mesher: Mesher,
+  given: Mesh,
+  ready: ReadySurface,
+  filling: FillingOptions,
+): Promise<MeshedSurface> {
+  const made = await filledLinear(mesher, given, ready, filling);
+  try {
+    return await inOrder(mesher, made, filling.options, filling.controlOf("curve"));
+  } catch (failure) {
+    return cancelled(failure, ready);
+  }
+}
+
+/** As `filledOnce`, until the mesh has the number of elements, if that is asked for. */
+async function filledLinear(
   mesher: Mesher,
   given: Mesh,
   ready: ReadySurface,

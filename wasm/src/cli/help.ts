@@ -86,8 +86,8 @@ Surfaces
 
 Element order
   --element-order 2 writes second-order elements, with a node at the middle of every edge, as VTU, VTK, MSH,
-  INP or BDF. The edges of a surface that consists of triangles stay straight. The report has the scaled
-  Jacobian of the elements.
+  INP or BDF. Edges follow the curved faces of CAD files, also of those in a project. The edges of a surface
+  that consists of triangles stay straight. The report has the scaled Jacobian of the elements.
 
 Element shapes
   --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking

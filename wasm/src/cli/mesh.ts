@@ -4,9 +4,9 @@ import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
 import { checkGradation, growthOf } from "../api/mesh-options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
-import { checkSurfaceMeshOptions, meshPart, repairPart, splitPart } from "../api/surface-mesh-options.js";
+import { checkSurfaceMeshOptions, projectPart, repairPart, splitPart } from "../api/surface-mesh-options.js";
 import { withControl } from "../api/surface-mesher.js";
-import { secondOrderText, withSecondOrder } from "../api/second-order-mesh.js";
+import { secondOrderText } from "../api/second-order-mesh.js";
 import { filledSurface, type ReadySurface, readySurface } from "../api/surface-meshing.js";
 import type { MeshedSurface, RefinementCounts, RemeshReport } from "../api/meshed-surface.js";
 import { refinementText, remeshText, splitText } from "../api/treatment-texts.js";
@@ -195,18 +195,9 @@ export async function meshInput(
     const all = await withGrid(mesher, meshOptions, grid);
     const control = (step?: string) => ({ ...controlOf(step), ...recording });
     if (control().signal.aborted) return { result: emptyResult("cancelled"), model: given, found: read };
-    const inOrder = async <Result extends MeshResult>(result: Result) => {
-      const boundary = result.mesh.trueEdges;
-      if (options.elementOrder !== "2") return result;
-      const ordered = await withSecondOrder(mesher, result, boundary, controlOf("curve"));
-      const { secondOrder } = ordered.report;
-      if (secondOrder !== undefined && !isQuiet)
-        print(`${subject}: ${secondOrderText(secondOrder, boundary)}`);
-      return ordered;
-    };
     if (given.kind === "project") {
-      const result = await mesher.meshProject(given.project, meshPart(all), control());
-      return { result: await inOrder(result), model: given, found: read };
+      const result = await mesher.meshProject(given.project, projectPart(all), control());
+      return { result, model: given, found: read };
     }
     const { surface } = given;
     const isCad = isAnyCad(input, options);
@@ -227,9 +218,12 @@ export async function meshInput(
       throw failure;
     });
     const model = { kind: "surface", surface: made.surface } as const;
-    return { result: await inOrder(made), model, found: [...read, ...made.diagnostics], made };
+    return { result: made, model, found: [...read, ...made.diagnostics], made };
   }).catch((failure: unknown) => cancelledOr(failure, given, read));
   if (meshed.made !== undefined) printMade(subject, meshed.made, isQuiet);
+  const { secondOrder } = meshed.result.report;
+  if (secondOrder !== undefined && !isQuiet)
+    print(`${subject}: ${secondOrderText(secondOrder, meshed.result.mesh)}`);
   const { diagnostics } = meshed.result.report;
   const shown = early.others([...meshed.found, ...diagnostics]);
   printWithGrid({ input: subject, background: options.background }, shown, isQuiet);
@@ -342,6 +336,7 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOp
     order: options.order,
     filters: options.filters,
     optimization: options.optimize,
+    elementOrder: options.elementOrder === "2" ? 2 : undefined,
     surface: options.surface,
     repair: options.repair,
     weld: numberIn(options.weld),

@@ -1,6 +1,7 @@
 /** Surface of a body, ready to be filled. */
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import type { SurfaceRemesh } from "./inspection.js";
+import type { CurvedEdges } from "./mesh.js";
 
 /**
  * Placed surface of a body with the triangles that will be meshed. It becomes out of date with every change of the body
@@ -17,6 +18,8 @@ export interface PreparedBody extends Partial<Omit<SurfaceRemesh, "mesh" | "orig
   readonly trianglePatch: Uint32Array;
   /** Per triangle: index of a given triangle of the same patch, near it. */
   readonly origin: Uint32Array;
+  /** Edges of triangles that bend, if the nodes were placed on true faces: as `trueEdges` of a `Mesh`. */
+  readonly trueEdges?: CurvedEdges | undefined;
   /** Factor on all sizes, if a number of elements was reached with it; the run of another number cannot use the body. */
   readonly sizeFactor?: number | undefined;
   /** Warnings; a surface with errors cannot be prepared. */

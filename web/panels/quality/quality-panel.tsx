@@ -12,6 +12,7 @@ import { viridisAt } from "../../ui/theme/viridis";
 import { useApp, useProject, useQualitySpace, useRun, useStale, useView } from "../shared/app-context";
 import { useHistogram } from "./use-histogram";
 import { ImproveButton } from "./improvement";
+import { SecondOrderSection } from "./second-order";
 import { Facts } from "../../ui/facts";
 import styles from "./quality-panel.module.css";
 
@@ -56,6 +57,7 @@ export function QualityPanel() {
       )}
       {measured && <MeasureHistogram mesh={mesh} />}
       <ReportFacts report={mesh.report} measured={measured} />
+      {mesh.report.status === "done" && measured && <SecondOrderSection />}
       {measured && (
         <Group gap={8} mt={10}>
           <Button

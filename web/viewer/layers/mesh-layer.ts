@@ -13,12 +13,15 @@ import { PatchFinder } from "../patch-finder";
 import type { Position } from "../../document/position";
 import { drawsMesh, type SceneChanges, type SceneState } from "../scene-state";
 import type { Screen } from "../screen";
+import { shareUnit } from "../queries/curved-faces";
 import { faceNodes } from "../queries/topology";
 import { TriangleTree, type TriangleHit } from "../triangle-tree";
 import { addOrigin, type Hit, type HittableLayer, type Target } from "./layer";
 
 /** How far an out-of-date mesh fades towards the background. */
 const staleFading = 0.62;
+
+const noFaces = { corners: new Float32Array(), shares: new Uint8Array(), values: new Float32Array() };
 
 export interface MeshLayerEvents {
   /** Called when the drawn faces or the required ones have changed. */
@@ -112,7 +115,7 @@ export class MeshLayer implements HittableLayer {
     return this.#drawn.request === this.#request;
   }
 
-  /** Number of faces drawn. */
+  /** Number of triangles drawn. */
   get faceCount(): number {
     return this.#drawn.faces?.faces.length ?? 0;
   }
@@ -198,15 +201,17 @@ export class MeshLayer implements HittableLayer {
   }
 
   #show(request: FaceRequest, faces: DrawnFaces | null): void {
-    const { corners, values } = faces ?? { corners: new Float32Array(), values: new Float32Array() };
+    const { corners, shares, values } = faces ?? noFaces;
     this.#drawn = { request, faces, tree: faces && new TriangleTree(corners) };
     setNumber(this.#material, "shaded", values.length > 0 ? 1 : 0);
+    setNumber(this.#material, "curved", shares.length > 0 ? shareUnit : 0);
     this.#setScale();
     this.root.geometry.dispose();
     this.root.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
     // It only decides the order of drawing. The renderer would compute it from all corners.
     this.root.geometry.boundingSphere = new Sphere();
     if (values.length > 0) this.root.geometry.setAttribute("value", new BufferAttribute(values, 1));
+    if (shares.length > 0) this.root.geometry.setAttribute("share", new BufferAttribute(shares, 3));
     this.#setVisibility();
     this.#move();
     // Build no tree while a cut moves: the next faces would wait for it.

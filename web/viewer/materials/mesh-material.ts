@@ -3,12 +3,14 @@ import { edgeStrength, facetLight } from "./glsl";
 
 const vertexShader = /* glsl */ `
   attribute float value;
+  attribute vec3 share;
+  uniform float curved;
   varying float vValue;
   varying vec3 vViewPosition;
   varying vec3 vBarycentric;
   void main() {
     int corner = gl_VertexID % 3;
-    vBarycentric = vec3(corner == 0, corner == 1, corner == 2);
+    vBarycentric = curved > 0.0 ? share * curved : vec3(corner == 0, corner == 1, corner == 2);
     vValue = value;
     vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);
     vViewPosition = viewPosition.xyz;
@@ -43,6 +45,7 @@ const fragmentShader = /* glsl */ `
 /**
  * Faces of tetrahedra without an index: shaded by a value per corner, with element edges drawn in the same pass. With
  * a colour ramp, the value is a position on it, 0 to 1. With a palette of `hues` colours, it is the index of a colour.
+ * With `curved` above 0, triangles are pieces of faces, and `share` times `curved` are the coordinates of a corner in its face.
  */
 export function createMeshMaterial(): ShaderMaterial {
   return new ShaderMaterial({
@@ -60,6 +63,7 @@ export function createMeshMaterial(): ShaderMaterial {
       fadedColor: { value: new Color() },
       shaded: { value: 1 },
       edges: { value: 1 },
+      curved: { value: 0 },
       edgeWidth: { value: 0.6 },
       fading: { value: 0 },
     },

@@ -13,6 +13,7 @@ import {
 import type { Mesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../../document/selection";
 import type { Position } from "../../document/position";
+import { CurvedFaces, type CurvedTriangles } from "./curved-faces";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,
@@ -25,7 +26,7 @@ import {
 
 /** The arrays of a mesh that the queries use. */
 export interface QueriedMesh extends MeasuredMesh {
-  readonly mesh: Elements & Pick<Mesh, "tetrahedronRegion">;
+  readonly mesh: Elements & Pick<Mesh, "tetrahedronRegion" | "curvedEdges">;
 }
 
 /** Which faces of a mesh are drawn, and how. */
@@ -42,12 +43,14 @@ export interface ViewOptions {
 
 /** The triangles of a mesh to draw, in flat arrays. */
 export interface DrawnFaces {
-  /** Per triangle 4t + f: face f of tetrahedron t, opposite its node f. */
+  /** Per triangle 4t + f: face f of tetrahedron t, opposite its node f. A curved face has several triangles. */
   readonly faces: Uint32Array<ArrayBuffer>;
   /** Per triangle: 1 if it lies on the boundary of its region, 0 if only the cut exposes it. */
   readonly onBoundary: Uint8Array<ArrayBuffer>;
   /** Nine per triangle: x y z of three corners, counter-clockwise from outside. */
   readonly corners: Float32Array<ArrayBuffer>;
+  /** As in `CurvedTriangles`; empty if no edge is curved, so that every triangle is a face. */
+  readonly shares: Uint8Array<ArrayBuffer>;
   /**
    * Per corner: the position of its element on the colour scale, 0 to 1, or the index of its region, depending on
    * the shading; empty with plain shading.
@@ -63,6 +66,7 @@ export class MeshQueries {
   readonly #mesh: QueriedMesh["mesh"];
   readonly #measured: MeasuredMesh;
   #neighbours: Int32Array | null = null;
+  #curved: CurvedFaces | null = null;
   /** Scratch space with an entry per face 4t + f, because every face may become visible. */
   #faces = new Uint32Array();
   /** Per tetrahedron: 1 if it is not drawn. */
@@ -83,15 +87,24 @@ export class MeshQueries {
     if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
     hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
     const count = collectVisibleFaces(neighbours, this.#hidden, this.#faces);
-    const faces = this.#faces.slice(0, count);
-    const corners = new Float32Array(9 * count);
-    writeCorners(this.#mesh, faces, count, origin, corners);
+    const { faces, corners, shares } = this.#trianglesOf(this.#faces.slice(0, count), origin);
     const onBoundary = Uint8Array.from(faces, (face) => Number(this.#endsRegion(face, neighbours)));
-    return { faces, onBoundary, corners, values: this.#valuesOf(faces, shading, qualitySpace) };
+    return { faces, onBoundary, corners, shares, values: this.#valuesOf(faces, shading, qualitySpace) };
   }
 
   histogram(measure: QualityMeasure, space: QualitySpace, barCount: number): Histogram {
     return histogramOf(this.#qualitiesBy(measure, space), measure, barCount);
+  }
+
+  #trianglesOf(faces: Uint32Array<ArrayBuffer>, origin: Position): CurvedTriangles {
+    const { curvedEdges } = this.#mesh;
+    if (curvedEdges !== undefined && curvedEdges.edges.length > 0) {
+      this.#curved ??= new CurvedFaces(this.#mesh, curvedEdges);
+      return this.#curved.trianglesOf(faces, origin);
+    }
+    const corners = new Float32Array(9 * faces.length);
+    writeCorners(this.#mesh, faces, faces.length, origin, corners);
+    return { faces, corners, shares: new Uint8Array() };
   }
 
   #cachedNeighbours(): Int32Array {

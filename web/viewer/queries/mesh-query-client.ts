@@ -94,11 +94,12 @@ export class MeshQueryClient {
   /** Copies a mesh in slices and posts it, after the one before. */
   async #send(mesh: QueriedMesh, before: Promise<void>): Promise<void> {
     await before.catch(() => undefined);
-    const { points, tetrahedra, tetrahedronRegion } = mesh.mesh;
+    const { points, tetrahedra, tetrahedronRegion, curvedEdges } = mesh.mesh;
     const elements = await copyForTransfer({ points, tetrahedra, tetrahedronRegion });
     const shapes = mesh.metricShapes && (await copyForTransfer(mesh.metricShapes));
-    const copy = { mesh: elements.copy, metricShapes: shapes?.copy };
-    const buffers = [...elements.buffers, ...(shapes?.buffers ?? [])];
+    const curved = curvedEdges && (await copyForTransfer(curvedEdges));
+    const copy = { mesh: { ...elements.copy, curvedEdges: curved?.copy }, metricShapes: shapes?.copy };
+    const buffers = [elements, shapes, curved].flatMap((part) => part?.buffers ?? []);
     // If this call fails, the query after it fails too.
     this.#worker.call("setMesh", copy, buffers).catch(() => undefined);
   }

@@ -18,8 +18,9 @@ serveCalls<MeshQueryProtocol>({
   },
   faces: (options) => {
     const answer = queries.facesOf(options);
-    const { faces, onBoundary, corners, values } = answer;
-    return { answer, transfer: [faces.buffer, onBoundary.buffer, corners.buffer, values.buffer] };
+    const { faces, onBoundary, corners, shares, values } = answer;
+    const arrays = [faces, onBoundary, corners, shares, values];
+    return { answer, transfer: arrays.map(({ buffer }) => buffer) };
   },
   cut: ({ element, toEye }) => ({ answer: cutToElement(shown.mesh, element, toEye) }),
   picture: async ({ view, size }) => ({ answer: await smallPicture(view, size) }),
