@@ -97,7 +97,7 @@ test("a plain page reads a CAD file by the library beside the package; without i
   writeFileSync(path.join(folder, "cad.html"), '<script type="module" src="cad.js"></script>');
   writeFileSync(path.join(folder, "cad.js"), READ_CAD_FILE);
   const policy = STRICT.replace("'wasm-unsafe-eval'", "'wasm-unsafe-eval' 'unsafe-eval'");
-  const missing = new Set<string>(["occt-import-js.wasm"]);
+  const missing = new Set<string>(["occt-import-js.wasm", "replicad_single.wasm"]);
   await page.goto(`${await served(folder, policy, missing)}cad.html`);
   await expect(page).toHaveTitle(/^missing-library .* setCadLibrary\(\)/);
   missing.clear();

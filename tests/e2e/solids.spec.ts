@@ -65,12 +65,21 @@ test("a box, a hole cut by a cylinder and rounded edges are features that stay e
   const rounded = await volume(page);
   expect(rounded).toBeLessThan(4 - hole / 4 - 0.01);
 
-  // What fails is said at its feature, and the rest stays.
   await page.getByTestId("feature-3").dblclick();
   await fill(page, { radius: "5" });
+  await computed(page);
+  await expect(page.getByTestId("operation").getByRole("status")).toContainText("smaller radius");
+  await expect(page.getByTestId("accept")).toBeDisabled();
+  await page.keyboard.press("Escape");
+
+  // What fails after a change of another feature is said there, and the rest stays.
+  await page.getByTestId("feature-1").dblclick();
+  await fill(page, { height: "0.1" });
+  await computed(page);
+  await expect(page.getByTestId("operation-note")).toContainText("feature 3");
   await accept(page);
   await expect(page.getByTestId("feature-3").getByRole("alert")).toContainText("smaller radius");
-  await expect.poll(() => volume(page)).toBeCloseTo(4 - hole / 4, 2);
+  await expect.poll(() => volume(page)).toBeCloseTo((4 - hole / 4) / 10, 2);
   await page.keyboard.press("Control+z");
   await expect.poll(() => volume(page)).toBeCloseTo(rounded, 6);
 

@@ -32,13 +32,32 @@ export function editFeature(app: App, solid: Solid, feature: SolidFeature): bool
   return true;
 }
 
-/** Gives a solid other features, as one step of undo. A solid that was changed meanwhile stays as it is. */
-export async function setFeatures(app: App, solid: Solid, features: readonly SolidFeature[]): Promise<void> {
+/** The change of features that each app makes last: the next one begins after it. */
+const lastChange = new WeakMap<App, Promise<void>>();
+
+/** Changes the features of a solid, as one step of undo, after the changes that are being made. */
+export function setFeatures(
+  app: App,
+  id: number,
+  change: (features: readonly SolidFeature[]) => readonly SolidFeature[],
+): Promise<void> {
   app.operations.cancel();
+  const next = (lastChange.get(app) ?? Promise.resolve()).then(() => changeNow(app, id, change));
+  lastChange.set(app, next);
+  return next;
+}
+
+async function changeNow(
+  app: App,
+  id: number,
+  change: (features: readonly SolidFeature[]) => readonly SolidFeature[],
+): Promise<void> {
   const { project } = app.documents;
+  const solid = solidsOf(project).find((one) => one.id === id);
+  if (!solid) return;
   try {
-    const edit = await changedSolid({ project, solids: app.solids, solid }, features);
-    if (bodiesOf(app.documents.project).find(({ id }) => id === solid.id) === solid) app.documents.edit(edit);
+    const edit = await changedSolid({ project, solids: app.solids, solid }, change(solid.features));
+    if (bodiesOf(app.documents.project).find((one) => one.id === id) === solid) app.documents.edit(edit);
   } catch (error) {
     showFailure(app, operationStrings.features.title, error);
   }

@@ -91,6 +91,7 @@ export class Operations {
   set(key: string, value: FieldValue, typed?: TypedNumber): void {
     const { open } = this.state.getState();
     if (!open) return;
+    this.#isAccepted = false;
     const expressions = changedExpressions(open.expressions, key, [open.values[key], value], typed);
     this.#show({ ...open, values: { ...open.values, [key]: value }, expressions });
   }
@@ -157,7 +158,9 @@ export class Operations {
     const note = (offer.possible && offer.creation.note) || "";
     this.state.setState({ open: { ...given, isPending: false, reason, note, entities } });
     this.#gesture?.update(offer.possible ? offer.creation.edit : { change: () => undefined });
-    if (this.#isAccepted) this.accept();
+    const isAccepted = this.#isAccepted;
+    this.#isAccepted = false;
+    if (isAccepted) this.accept();
   }
 }
 

@@ -2,12 +2,14 @@ import type { FeatureFailure } from "tetrafront/internal";
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
+import type { MadeSolid } from "../document/operations/operation";
+import { operationStrings } from "../strings";
 import { SolidClient, type SolidAnswer } from "../workers/solids";
 import type { NewBody } from "../workers/surface-files";
 import type { BodyFeed } from "./bodies";
 
 /** Time after which a computation of the kernel is ended, in milliseconds; the first one loads the kernel. */
-const limitMs = 60_000;
+const limitMs = 180_000;
 
 export interface SolidsState {
   /** By lists of features: those that were left out, and why. */
@@ -22,6 +24,7 @@ export class Solids {
   readonly state: StoreApi<SolidsState> = createStore<SolidsState>(() => ({ failures: new Map() }));
   readonly #client = new SolidClient();
   readonly #bodies: Pick<BodyFeed, "keep">;
+  #running: Promise<void> = Promise.resolve();
   readonly #edges = new Map<string, Promise<SolidAnswer<NewBody>["edges"]>>();
 
   constructor(bodies: Pick<BodyFeed, "keep">) {
@@ -36,7 +39,7 @@ export class Solids {
     project: Project,
     before: ProjectBody | { readonly name: string },
     features: readonly SolidFeature[],
-  ): Promise<ProjectBody> {
+  ): Promise<MadeSolid> {
     const { id, firstPatchId } = nextBodyIds(project);
     const body = "id" in before ? before : { id, name: before.name };
     const { made, failures } = await this.#evaluate({
@@ -58,7 +61,7 @@ export class Solids {
     };
     const known = [...this.state.getState().failures].slice(1 - maxKept);
     this.state.setState({ failures: new Map([...known, [features, failures]]) });
-    return replaced;
+    return { body: replaced, failures };
   }
 
   /** Returns the edges of the solid of features, with the origins of the faces beside each. */
@@ -74,11 +77,23 @@ export class Solids {
   }
 
   async #evaluate(request: Parameters<SolidClient["evaluate"]>[0]): Promise<SolidAnswer<NewBody>> {
-    const timer = setTimeout(() => this.#client.dispose(), limitMs);
+    // One at a time, so that each has its own time.
+    const before = this.#running;
+    let done = (): void => undefined;
+    this.#running = new Promise((resolve) => (done = resolve));
+    await before;
+    let isStopped = false;
+    const timer = setTimeout(() => {
+      isStopped = true;
+      this.#client.dispose();
+    }, limitMs);
     try {
       return await this.#client.evaluate(request);
+    } catch (failure) {
+      throw isStopped ? new Error(operationStrings.solids.stopped) : failure;
     } finally {
       clearTimeout(timer);
+      done();
     }
   }
 }

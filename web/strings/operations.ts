@@ -178,6 +178,11 @@ export const operationStrings = {
     ofFaces:
       "Selected patches choose the edges: those around one patch, or those between several. Without any, all edges.",
     openFaces: "The selected patches are left open. Without any, the solid becomes hollow.",
+    moved:
+      "This solid was moved as a whole, and its features were not. Undo the move, or set its placement to zero, then add the feature.",
+    othersFail: (features: readonly number[]) =>
+      `Left out, because they fail: ${features.map((id) => `feature ${id}`).join(", ")}. The list says why.`,
+    stopped: "The solid took too long to be computed. Choose other values, and try again.",
     noEdges: "There is no edge between the selected patches.",
     position: "Centre",
     axis: "Into the solid",

@@ -55,10 +55,10 @@ function bodyOf(
   return { ...made, patches, features };
 }
 
-/** Returns the name of a new patch: "top" of `3/top`, with the name of its feature if there are several. */
+/** Returns the name of a new patch, with those of its features: "box 3 top" of `3/top`. */
 function labelOf(origin: string, features: SolidRequest["features"]): string {
-  const [, number = "", face = origin] = /^(\d+)\/(.*)$/s.exec(origin) ?? [];
-  const feature = features.find((one) => one.id === Number(number));
-  if (features.length < 2 || !feature) return face;
-  return `${feature.name ?? `${feature.type} ${feature.id}`} ${face}`;
+  return origin.replace(/(\d+)\//g, (_, id: string) => {
+    const feature = features.find((one) => one.id === Number(id));
+    return `${feature?.name ?? `${feature?.type ?? ""} ${id}`} `;
+  });
 }

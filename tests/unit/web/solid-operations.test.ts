@@ -1,6 +1,6 @@
 /** Pieces and changes as features of solids: what panels make of values, and read from features again. */
 import { expect, test } from "vitest";
-import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
+import { createBody, type Project, type ProjectBody, type SolidFeature } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import type { FieldValues, Operation, SolidMaker } from "../../../web/document/operations/operation";
 import { pieceOperations } from "../../../web/document/operations/pieces";
@@ -10,6 +10,7 @@ import { isSolid, solidIn, type Solid } from "../../../web/document/operations/s
 /** Notes the features that it is asked for. */
 class NotedSolids implements SolidMaker {
   features: readonly SolidFeature[] = [];
+  failures: { readonly feature: number; readonly message: string; readonly remedy: string }[] = [];
   readonly #edges = [
     { name: "1/top|1/front", faces: ["1/top", "1/front"] },
     { name: "1/top|1/left", faces: ["1/top", "1/left"] },
@@ -19,7 +20,10 @@ class NotedSolids implements SolidMaker {
 
   bodyOf(_: Project, before: ProjectBody | { readonly name: string }, features: readonly SolidFeature[]) {
     this.features = features;
-    return Promise.resolve(bodyWith(features, "id" in before ? before : undefined));
+    return Promise.resolve({
+      body: bodyWith(features, "id" in before ? before : undefined),
+      failures: this.failures,
+    });
   }
 
   edgesOf() {
@@ -27,10 +31,15 @@ class NotedSolids implements SolidMaker {
   }
 }
 
+const { points, triangles } = createBody(
+  { points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 1), triangles: Uint32Array.of(0, 1, 2) },
+  { id: 1, firstPatchId: 1 },
+);
+
 const bodyWith = (features: readonly SolidFeature[], before?: ProjectBody): Solid => ({
   id: 1,
-  points: "",
-  triangles: "",
+  points,
+  triangles,
   patches: ["top", "front", "left"].map((face, p) => ({ id: p + 1, origin: `1/${face}` })),
   ...before,
   features,
@@ -134,4 +143,58 @@ test("of several solids, the selected one is meant", () => {
   expect(solidIn({ project, selection: [] })).toBeUndefined();
   expect(solidIn({ project, selection: [{ kind: "body", id: 2 }] })).toBe(other);
   expect(solidIn({ project, selection: [{ kind: "body-patch", id: 2 }] })).toBe(one);
+});
+
+test("what the panel of a feature does not show stays: its name, whether it is used, the kind of hole", async () => {
+  const hole: SolidFeature = {
+    id: 2,
+    type: "hole",
+    name: "drain",
+    isOff: true,
+    position: [0, 0, 1],
+    axis: [0, 0, -1],
+    diameter: 0.2,
+    depth: 0.5,
+    counterbore: { diameter: 0.4, depth: 0.1 },
+  };
+  const solid = bodyWith([box, hole]);
+  const subject = { project: withSolid(solid), selection: [] };
+  const edit = changeOperations.map((one) => one.edit(solid, hole)).find((one) => one !== null);
+  if (!edit) throw new Error("no panel");
+  const [, wider] = await featuresOf(edit, subject, { diameter: 0.3 });
+  expect(wider).toEqual({ ...hole, diameter: 0.3 });
+  const [, through] = await featuresOf(edit, subject, { through: true });
+  const { depth: _, ...rest } = hole;
+  expect(through).toEqual(rest);
+});
+
+test("a feature that fails is refused with its remedy; others that fail are a note", async () => {
+  const solid = bodyWith([box]);
+  const subject = { project: withSolid(solid), selection: [] };
+  const fillet = changeOperations.find(({ id }) => id === "solid-fillet");
+  const values = fillet?.initial(subject) ?? {};
+  const solids = new NotedSolids();
+  solids.failures = [{ feature: 2, message: "It is too large.", remedy: "Choose a smaller radius." }];
+  const refused = await fillet?.makeLater?.(subject, values, solids);
+  expect(refused).toEqual({ possible: false, reason: "It is too large. Choose a smaller radius." });
+  solids.failures = [{ feature: 7, message: "It is too large.", remedy: "Choose a smaller radius." }];
+  const offer = await fillet?.makeLater?.(subject, values, solids);
+  expect(offer?.possible === true && offer.creation.note).toContain("feature 7");
+});
+
+test("a solid that was moved as a whole gets no features in the wrong place", async () => {
+  const solid = { ...bodyWith([box]), placement: { position: [1, 0, 0] as const } };
+  const subject = { project: withSolid(solid), selection: [] };
+  for (const operation of [...changeOperations, ...solidPieces]) {
+    const later = async () => operation.makeLater?.(subject, operation.initial(subject), new NotedSolids());
+    await expect(later, operation.id).rejects.toThrow("moved");
+  }
+});
+
+test("patches of other bodies choose no edges", async () => {
+  const solid = bodyWith([box]);
+  const subject = { project: withSolid(solid), selection: [{ kind: "body-patch", id: 99 } as const] };
+  const fillet = changeOperations.find(({ id }) => id === "solid-fillet");
+  const later = fillet?.makeLater?.(subject, fillet.initial(subject), new NotedSolids());
+  await expect(later).rejects.toThrow("no edge");
 });

@@ -125,6 +125,16 @@ export interface Subject {
   readonly selection: readonly Entity[];
 }
 
+/** A solid, and the features that were left out. */
+export interface MadeSolid {
+  readonly body: ProjectBody;
+  readonly failures: readonly {
+    readonly feature: number;
+    readonly message: string;
+    readonly remedy: string;
+  }[];
+}
+
 /** Makes solids of features, which takes a moment. */
 export interface SolidMaker {
   /** Returns the body of features: a given one, changed, or a new one. Rejects with a sentence if there is nothing left. */
@@ -132,7 +142,7 @@ export interface SolidMaker {
     project: Project,
     before: ProjectBody | { readonly name: string },
     features: readonly SolidFeature[],
-  ): Promise<ProjectBody>;
+  ): Promise<MadeSolid>;
   /** Returns the edges of the solid, each with the origins of the faces beside it. */
   edgesOf(
     features: readonly SolidFeature[],

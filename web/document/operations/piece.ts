@@ -123,7 +123,7 @@ export function pieceOperation<Sizes extends FieldValues>(
           // The first feature of a solid has nothing to be combined with.
           return solid.features[0]?.id === feature.id
             ? all.filter(({ key }) => key !== "makes")
-            : [...all.map(withoutPatches)];
+            : all.map(withoutPatches);
         },
         note: (_values, _subject, expressions) => numbersNote(expressions),
         make: (_subject, values) => ({ possible: false, reason: refusalOf(kind, values) ?? "" }),
@@ -132,7 +132,7 @@ export function pieceOperation<Sizes extends FieldValues>(
           const made = form.make(values, frameOf(kind, values));
           const changed = { ...feature, ...made, operation: values.makes } as SolidFeature;
           const features = solid.features.map((one) => (one.id === feature.id ? changed : one));
-          return offeredSolid({ project, solids, solid }, features, stepNames.change(kind.noun));
+          return offeredSolid({ project, solids, solid }, features, feature.id, stepNames.change(kind.noun));
         },
       };
     },
@@ -167,11 +167,11 @@ function createOperation<Sizes extends FieldValues>(
       const position = hasBase && values.anchor === "base" ? texts.base : texts.centre;
       const arePatches = values.makes === "patches";
       return [
-        ...(kind.feature ? [makesField(solidIn({ project, selection }) !== undefined)] : []),
         ...kind.fields,
         ...(hasBase ? [anchorField] : []),
         { kind: "position", key: "position", label: position },
         { kind: "direction", key: "axis", label: texts.axis },
+        ...(kind.feature ? [makesField(solidIn({ project, selection }) !== undefined)] : []),
         ...(arePatches ? [{ kind: "switch", key: "join", label: texts.join } as const] : []),
         ...(arePatches && canShare(kind, project, values)
           ? [{ kind: "switch", key: "share", label: texts.share } as const]

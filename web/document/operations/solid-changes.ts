@@ -5,7 +5,7 @@ import type { Position } from "../position";
 import { pieceExtent } from "./sizes";
 import { positiveLength, wholeNumber } from "./number-specs";
 import type { FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
-import { nextFeatureId, numbersNote, offeredSolid, solidIn, type Solid } from "./solids";
+import { nextFeatureId, numbersNote, offeredSolid, refuseMoved, solidIn, type Solid } from "./solids";
 import { startOf } from "./start";
 
 const texts = operationStrings.solids;
@@ -68,7 +68,9 @@ function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): 
   ): Promise<Offer> => {
     const made = await kind.feature(values, chosenIn(subject, solid, solids), null);
     const feature = { ...made, id: nextFeatureId(solid.features) } as SolidFeature;
-    return offeredSolid({ project: subject.project, solids, solid }, [...solid.features, feature], step);
+    refuseMoved(solid);
+    const given = { project: subject.project, solids, solid };
+    return offeredSolid(given, [...solid.features, feature], feature.id, step);
   };
   return {
     ...operation,
@@ -86,10 +88,10 @@ function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): 
           initial: () => values,
           makeLater: async (subject, changed, solids) => {
             const made = await kind.feature(changed, chosenIn(subject, solid, solids), feature);
-            const other = { ...made, id: feature.id } as SolidFeature;
+            const other = { ...feature, ...made } as SolidFeature;
             const features = solid.features.map((one) => (one.id === feature.id ? other : one));
             const change = { project: subject.project, solids, solid };
-            return offeredSolid(change, features, stepNames.change(kind.noun));
+            return offeredSolid(change, features, feature.id, stepNames.change(kind.noun));
           },
         }
       );
@@ -109,6 +111,7 @@ function chosenIn({ selection }: Subject, solid: Solid, solids: SolidMaker): Cho
       const all = await solids.edgesOf(solid.features);
       // The seam of a closed face is not an edge of the shape.
       const real = all.filter(({ faces: [one, other] }) => one !== other);
+      if (faces.length === 0 && ids.size > 0) throw new Error(texts.noEdges);
       if (faces.length === 0) return real.map(({ name }) => name);
       const isMeant = ([one, other]: readonly [string, string]): boolean =>
         faces.length === 1
@@ -199,7 +202,7 @@ const hole = changeOperation<HoleValues>({
     position,
     axis,
     diameter,
-    ...(!through && { depth }),
+    depth: through ? undefined : depth,
   }),
   read: (feature) => {
     if (feature.type !== "hole") return null;

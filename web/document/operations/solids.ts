@@ -1,6 +1,7 @@
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
 import { addBodies, replaceBody } from "../body-edits";
 import type { Offer } from "../create";
+import type { ProjectEdit } from "../edit";
 import { bodiesOf, bodyLabel, type Entity } from "../entities";
 import { bodyStepNames, operationStrings, stepNames } from "../../strings";
 import type { Frame } from "../vectors";
@@ -80,8 +81,11 @@ export async function addedFeature(
   const features = solid?.features ?? [];
   const id = nextFeatureId(features);
   const added = { ...piece, id, operation: solid ? use : "new" } as SolidFeature;
-  if (solid) return offeredSolid({ project, solids, solid }, [...features, added], stepNames.add(noun));
-  const body = await solids.bodyOf(project, { name: noun }, [added]);
+  if (solid) {
+    refuseMoved(solid);
+    return offeredSolid({ project, solids, solid }, [...features, added], id, stepNames.add(noun));
+  }
+  const { body } = await solids.bodyOf(project, { name: noun }, [added]);
   const edit = { ...addBodies(project, [body]), label: stepNames.add(noun) };
   return { possible: true, creation: { entities: [{ kind: "body", id: body.id }], edit } };
 }
@@ -92,21 +96,32 @@ interface SolidChange {
   readonly solid: Solid;
 }
 
-/** Offers a solid with other features. */
+/** Throws if a body was moved as a whole: its features have coordinates of their own, and the view shows others. */
+export function refuseMoved({ placement }: Solid): void {
+  if (placement) throw new Error(operationStrings.solids.moved);
+}
+
+/** Offers a solid with other features. Refused if the one that is added or changed fails; others that fail are a note. */
 export async function offeredSolid(
-  given: SolidChange,
+  { project, solids, solid }: SolidChange,
   features: readonly SolidFeature[],
+  id: number,
   label: string,
 ): Promise<Offer> {
-  const edit = await changedSolid(given, features, label);
-  return { possible: true, creation: { entities: [{ kind: "body", id: given.solid.id }], edit } };
+  const { body, failures } = await solids.bodyOf(project, solid, features);
+  const own = failures.find(({ feature }) => feature === id);
+  if (own) return { possible: false, reason: `${own.message} ${own.remedy}` };
+  const others = failures.map(({ feature }) => feature);
+  const note = others.length > 0 ? operationStrings.solids.othersFail(others) : "";
+  const edit = replaceBody(project, label, body);
+  return { possible: true, creation: { entities: [{ kind: "body", id: solid.id }], edit, note } };
 }
 
 /** Returns the edit that gives a solid other features. */
 export async function changedSolid(
   { project, solids, solid }: SolidChange,
   features: readonly SolidFeature[],
-  label: string = bodyStepNames.features,
-) {
-  return replaceBody(project, label, await solids.bodyOf(project, solid, features));
+): Promise<ProjectEdit> {
+  const { body } = await solids.bodyOf(project, solid, features);
+  return replaceBody(project, bodyStepNames.features, body);
 }

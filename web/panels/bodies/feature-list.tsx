@@ -55,8 +55,9 @@ function FeatureRow({ solid, index, failure }: FeatureRowProps) {
   if (!feature) return null;
   const label = labelOf(feature);
   const isOff = feature.isOff === true;
-  const set = (next: readonly SolidFeature[]): void => void setFeatures(app, solid, next);
-  const move = (by: 1 | -1): void => set(moved(features, index, by));
+  const set = (change: (all: readonly SolidFeature[]) => readonly SolidFeature[]): void =>
+    void setFeatures(app, solid.id, change);
+  const move = (by: 1 | -1): void => set((all) => moved(all, feature.id, by));
   return (
     <li
       className={styles["feature"]}
@@ -69,7 +70,7 @@ function FeatureRow({ solid, index, failure }: FeatureRowProps) {
           size="xs"
           aria-label={texts.use(label)}
           checked={!isOff}
-          onChange={() => set(features.map((one) => (one.id === feature.id ? withUse(one, isOff) : one)))}
+          onChange={() => set((all) => all.map((one) => (one.id === feature.id ? withUse(one, isOff) : one)))}
         />
         <span className={styles["featureName"]}>
           {label}
@@ -92,8 +93,8 @@ function FeatureRow({ solid, index, failure }: FeatureRowProps) {
         <IconButton
           size="sm"
           label={texts.remove(label)}
-          disabled={features.length < 2}
-          onClick={() => set(features.filter((one) => one.id !== feature.id))}
+          disabled={!canBegin(without(features, feature.id))}
+          onClick={() => set((all) => beginning(without(all, feature.id)))}
         >
           <IconTrash size={14} />
         </IconButton>
@@ -112,7 +113,20 @@ function withUse(feature: SolidFeature, isUsed: boolean): SolidFeature {
   return isUsed ? used : { ...feature, isOff: true };
 }
 
-function moved(features: readonly SolidFeature[], index: number, by: 1 | -1): readonly SolidFeature[] {
-  const others = features.filter((_, k) => k !== index);
+function moved(features: readonly SolidFeature[], id: number, by: 1 | -1): readonly SolidFeature[] {
+  const index = features.findIndex((one) => one.id === id);
+  const others = without(features, id);
   return [...others.slice(0, index + by), ...features.slice(index, index + 1), ...others.slice(index + by)];
 }
+
+const without = (features: readonly SolidFeature[], id: number): readonly SolidFeature[] =>
+  features.filter((one) => one.id !== id);
+
+/** Returns whether a solid can begin with the first of these features. */
+function canBegin([first]: readonly SolidFeature[]): boolean {
+  return first !== undefined && "operation" in first && /new|join/.test(first.operation);
+}
+
+/** Returns features of which the first stands by itself. */
+const beginning = (features: readonly SolidFeature[]): readonly SolidFeature[] =>
+  features.map((one, k) => (k === 0 && "operation" in one ? { ...one, operation: "new" } : one));
