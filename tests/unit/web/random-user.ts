@@ -149,7 +149,9 @@ export class RandomUser {
       const { key, kind } = field;
       if (kind === "switch") this.operations.set(key, this.#below(1) < 0.5);
       else if (kind === "position" || kind === "direction") this.operations.set(key, this.#position());
-      else if (kind === "choice") this.operations.set(key, this.#choose(field.choices).value);
+      // Solids are computed by the kernel, for which a history of this kind cannot wait.
+      else if (kind === "choice" && key !== "makes")
+        this.operations.set(key, this.#choose(field.choices).value);
       else {
         const value = field.whole === true ? 1 + Math.floor(this.#below(5)) : 0.1 + this.#below(3);
         if (!field.refuse?.(value)) this.operations.set(key, value);
