@@ -150,9 +150,9 @@ export class RandomUser {
       if (kind === "switch") this.operations.set(key, this.#below(1) < 0.5);
       else if (kind === "position" || kind === "direction") this.operations.set(key, this.#position());
       // Solids are computed by the kernel, for which a history of this kind cannot wait.
-      else if (kind === "choice" && key !== "makes")
-        this.operations.set(key, this.#choose(field.choices).value);
-      else {
+      else if (kind === "choice") {
+        if (key !== "makes") this.operations.set(key, this.#choose(field.choices).value);
+      } else {
         const value = field.whole === true ? 1 + Math.floor(this.#below(5)) : 0.1 + this.#below(3);
         if (!field.refuse?.(value)) this.operations.set(key, value);
       }
