@@ -9,7 +9,8 @@ namespace tetrafront {
 
 namespace {
 
-/// Sine of the angle of two lines below which a corner has no tangent plane of its own.
+/// Sine of the angle of two lines below which a corner has no tangent plane of its own: rounding of unit tangents, about 1e-16, would
+/// turn the plane by more than 1e-7.
 constexpr double kMinCornerSine = 1e-9;
 
 /// Cosine of the angle of two lines above which the mean of their slopes has no clear direction: 170 degrees.

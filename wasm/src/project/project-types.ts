@@ -63,8 +63,8 @@ export interface ProjectPatch {
   readonly name?: string | undefined;
   readonly type: PatchType;
   /**
-   * Outer loop first, then holes; the two rims of a tube; after the outer loop of a loft, its sections, one line each. Lines are in order; a negative id traverses its line from the last
-   * point to the first.
+   * Outer loop first, then holes; of a tube, its two rims; of a loft, its outer loop, then its sections, one line each. Lines are in
+   * order; a negative id traverses its line from the last point to the first.
    */
   readonly loops: readonly (readonly LineId[])[];
 }
