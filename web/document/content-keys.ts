@@ -213,6 +213,12 @@ export const placedSurfacesKey = remembering((bodies: readonly ProjectBody[]): s
   bodies.map(placedSurfaceKey).toSorted().join(" | "),
 );
 
+/** Makes the JSON of records the same whatever the order of their fields. */
+const inOrder = (_key: string, value: unknown): unknown =>
+  typeof value === "object" && value !== null && !Array.isArray(value)
+    ? Object.fromEntries(Object.entries(value).sort(([a], [b]) => (a < b ? -1 : 1)))
+    : value;
+
 const bodyKey = remembering((body: ProjectBody): string =>
   [
     namelessBodyKey(body),
@@ -220,6 +226,7 @@ const bodyKey = remembering((body: ProjectBody): string =>
     hashRecords(body.patches, bodyPatchFields),
     hashRecords(body.repairs ?? [], repairFields),
     body.repairDeviation,
+    hashText(JSON.stringify(body.features ?? [], inOrder)),
   ].join(" "),
 );
 

@@ -27,6 +27,7 @@ export function pointsForType(
 ): readonly number[] {
   const isClosed = points.length > 1 && points[0] === points.at(-1);
   if (isCircle(after) && !isClosed && points.length === 3) return [...points, ...points.slice(0, 1)];
-  if (isCircle(before) && isClosed && !runsThroughMany(after)) return points.slice(0, -1);
+  if (isCircle(before) && isClosed && points.length > 2 && !runsThroughMany(after))
+    return points.slice(0, -1);
   return points;
 }

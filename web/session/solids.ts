@@ -82,15 +82,15 @@ export class Solids {
     let done = (): void => undefined;
     this.#running = new Promise((resolve) => (done = resolve));
     await before;
-    let isStopped = false;
+    const limit = new AbortController();
     const timer = setTimeout(() => {
-      isStopped = true;
+      limit.abort();
       this.#client.dispose();
     }, limitMs);
     try {
       return await this.#client.evaluate(request);
     } catch (failure) {
-      throw isStopped ? new Error(operationStrings.solids.stopped) : failure;
+      throw limit.signal.aborted ? new Error(operationStrings.solids.stopped) : failure;
     } finally {
       clearTimeout(timer);
       done();

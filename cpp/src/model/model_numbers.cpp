@@ -44,8 +44,9 @@ class NumberReader {
   bool flag() { return below(2) == 1; }
   /// Reads an index below `limit`, or none for -1.
   std::optional<std::uint32_t> indexOrNone(std::size_t limit) {
-    if (skipNone()) return std::nullopt;
-    return below(limit);
+    std::optional<std::uint32_t> index;
+    if (!skipNone()) index = below(limit);
+    return index;
   }
   /// Reads the next number if it is -1.
   bool skipNone() {

@@ -45,6 +45,10 @@ describe("keys of projects with bodies", () => {
       expect(meshKey(renamed)).toBe(meshKey(withBody()));
       expect(documentKey(renamed)).not.toBe(documentKey(withBody()));
     }
+    const ofBox = (size: number) =>
+      withBody({ features: [{ id: 1, type: "box", operation: "new", size: [1, 1, size] }] });
+    expect(documentKey(ofBox(2))).not.toBe(documentKey(ofBox(1)));
+    expect(documentKey(ofBox(1))).toBe(documentKey(structuredClone(ofBox(1))));
     const tuned = { ...withBody(), meshing: { optimization: "fast" } as const };
     expect(preparedKey(tuned, body)).toBe(preparedKey(withBody(), body));
     expect(preparedKey({ ...tuned, meshing: { size: 0.1 } }, body)).not.toBe(preparedKey(withBody(), body));

@@ -218,6 +218,8 @@ describe("creations", () => {
     expect(pointsForType([4, 2, 6, 4], "circle", "spline")).toEqual([4, 2, 6, 4]);
     expect(pointsForType([4, 2, 6, 4], "spline", "circle")).toEqual([4, 2, 6, 4]);
     expect(pointsForType([4, 2], "straight", "circle")).toEqual([4, 2]);
+    // A line has at least two points.
+    expect(pointsForType([4, 4], "circle", "arc")).toEqual([4, 4]);
   });
 
   it("state why they are impossible", () => {

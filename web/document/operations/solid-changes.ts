@@ -88,7 +88,7 @@ function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): 
           initial: () => values,
           makeLater: async (subject, changed, solids) => {
             const made = await kind.feature(changed, chosenIn(subject, solid, solids), feature);
-            const other = { ...feature, ...made } as SolidFeature;
+            const other = { ...feature, ...made };
             const features = solid.features.map((one) => (one.id === feature.id ? other : one));
             const change = { project: subject.project, solids, solid };
             return offeredSolid(change, features, feature.id, stepNames.change(kind.noun));
