@@ -46,7 +46,11 @@ describe("keys of projects with bodies", () => {
       expect(documentKey(renamed)).not.toBe(documentKey(withBody()));
     }
     const ofBox = (size: number) =>
-      withBody({ features: [{ id: 1, type: "box", operation: "new", size: [1, 1, size] }] });
+      withBody({
+        features: [
+          { id: 1, type: "box", operation: "new", position: [0, 0, 0], axis: [0, 0, 1], size: [1, 1, size] },
+        ],
+      });
     expect(documentKey(ofBox(2))).not.toBe(documentKey(ofBox(1)));
     expect(documentKey(ofBox(1))).toBe(documentKey(structuredClone(ofBox(1))));
     const tuned = { ...withBody(), meshing: { optimization: "fast" } as const };
