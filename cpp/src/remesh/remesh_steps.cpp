@@ -228,9 +228,8 @@ Task<Dropped> remeshWithoutChosen(Work& work, const Remeshing& remeshing,
   co_return dropped;
 }
 
-/// Triangulates the faces of the model, and remeshes around their poor triangles.
+/// Triangulates the faces of the model, which must be known, and remeshes around their poor triangles.
 Task<Dropped> remeshFaces(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
-  if (!remeshing.model) co_return Dropped::kNone;
   work.beginPart(0.6);
   std::optional<RemeshPass> pass = co_await remeshModel(work, remeshing);
   if (!pass) co_return Dropped::kNone;
@@ -319,6 +318,7 @@ struct Attempts {
 
 bool isDue(const Attempt& attempt, const Attempts& made, const Remeshing& remeshing) {
   if (made.areTried.at(static_cast<std::size_t>(attempt.way))) return false;
+  if (attempt.way == Way::kFaces && !remeshing.model) return false;
   switch (attempt.when) {
     case When::kAlways:
       return true;
