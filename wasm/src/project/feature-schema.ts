@@ -104,6 +104,10 @@ export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
   v.readonly(),
 );
 
+export const failuresSchema = listOf(
+  v.pipe(objectWith({ feature: reference, message: v.string(), remedy: v.string() }), v.readonly()),
+);
+
 /** The features of a body; their ids must differ. */
 export const featuresSchema = described(
   WORDS.features,
