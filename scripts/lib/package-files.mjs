@@ -28,10 +28,15 @@ export function dropOrphans() {
 /** Writes the schema of project files as JSON Schema (draft 2020-12), for editors and other programs. */
 export async function writeProjectSchema() {
   const { toJsonSchema } = await import("@valibot/to-json-schema");
-  const { projectSchema } = await import(pathToFileURL(inRoot("wasm", "dist", "project", "schema.js")).href);
+  const inProject = (name) => import(pathToFileURL(inRoot("wasm", "dist", "project", name)).href);
+  const [{ projectSchema }, { sharedSchemas }] = [
+    await inProject("schema.js"),
+    await inProject("feature-schema.js"),
+  ];
   const schema = toJsonSchema(projectSchema, {
     target: "draft-2020-12",
     typeMode: "input",
+    definitions: sharedSchemas,
     // JSON has only finite numbers and no references.
     ignoreActions: ["check", "finite", "raw_check", "readonly"],
   });

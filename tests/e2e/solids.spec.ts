@@ -27,6 +27,50 @@ async function accept(page: Page): Promise<void> {
 const volume = async (page: Page): Promise<number> =>
   parseFloat((await page.getByTestId("body-volume").textContent()) ?? "");
 
+test("the numbers of features follow parameters, with what fails said at the feature", async ({ page }) => {
+  const app = new AppPage(page);
+  await page.goto("./?test=1&new=1");
+  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+  for (const [name, expression] of [
+    ["w", "2"],
+    ["r", "w/10"],
+  ] as const) {
+    await page.getByTestId("new-parameter-name").fill(name);
+    await page.getByTestId("new-parameter-expression").fill(expression);
+    await page.getByTestId("new-parameter-expression").press("Enter");
+  }
+  await startOperation(page, "Box…");
+  await page.getByTestId("piece-operation").getByText("New").click();
+  await fill(page, { width: "w", depth: "w", height: "1" });
+  await accept(page);
+  await startOperation(page, "Fillet…");
+  await fill(page, { radius: "r" });
+  await accept(page);
+  const filleted = await volume(page);
+  expect(filleted).toBeLessThan(4);
+  expect(filleted).toBeGreaterThan(3.5);
+
+  // Nothing is selected, so that the table of parameters is shown.
+  const set = async (name: string, expression: string): Promise<void> => {
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Escape");
+    await page.getByTestId(`parameter-${name}`).fill(expression);
+    await page.getByTestId(`parameter-${name}`).press("Enter");
+    await page.getByTestId("tree-body-1").click();
+  };
+  await set("w", "4");
+  await expect.poll(() => volume(page)).toBeGreaterThan(14);
+  expect(await volume(page)).toBeLessThan(16);
+  await set("r", "w");
+  await expect(page.getByTestId("feature-2").getByRole("alert")).toContainText("smaller radius");
+  await expect.poll(() => volume(page)).toBeCloseTo(16, 6);
+  await page.reload();
+  await page.getByTestId("tree-body-1").click();
+  await expect(page.getByTestId("feature-2").getByRole("alert")).toContainText("smaller radius");
+  await page.getByTestId("feature-2").dblclick();
+  await expect(page.getByTestId("operation-radius")).toHaveValue("r");
+});
+
 test("a box, a hole cut by a cylinder and rounded edges are features that stay editable", async ({
   page,
 }) => {

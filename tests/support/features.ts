@@ -35,7 +35,11 @@ export const boxFeature = (
   size: Vector,
   position: Vector = [0, 0, 0],
   operation: Operation = "new",
-): FeatureOf<"box"> => ({ id, type: "box", operation, ...UPRIGHT, position, size });
+): FeatureOf<"box"> => {
+  const [x, y, z] = position;
+  const middle: Vector = [x + size[0] / 2, y + size[1] / 2, z];
+  return { id, type: "box", operation, ...UPRIGHT, position: middle, size };
+};
 
 interface Measures {
   readonly volume: number;

@@ -1,6 +1,6 @@
-import type { SolidMaker } from "../../web/document/operations/operation";
+import type { SolidSource } from "../../web/session/operations";
 
 const refuse = (): Promise<never> => Promise.reject(new Error("These tests make no solids"));
 
 /** For operations of tests without solids. */
-export const noSolids: SolidMaker = { bodyOf: refuse, edgesOf: refuse };
+export const noSolids: SolidSource = { until: () => ({ bodyOf: refuse, edgesOf: refuse }) };

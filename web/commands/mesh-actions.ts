@@ -76,6 +76,7 @@ async function validBodies(
     onPart(parts.inspect);
     await app.bodies.settled(signal);
   };
+  await app.outdatedSolids.settled(signal);
   await inspect();
   onPart(parts.repair);
   const notes = await repairBodies(app, signal);

@@ -1,6 +1,7 @@
 import type { App } from "../app/app";
 import { bodiesOf } from "../document/entities";
 import { replaceBody } from "../document/body-edits";
+import { expressionsOfFeature } from "../document/operations/feature-numbers";
 import { pieceOperations } from "../document/operations/pieces";
 import { changeOperations } from "../document/operations/solid-changes";
 import { changedSolid, solidsOf, type Solid } from "../document/operations/solids";
@@ -24,8 +25,9 @@ export const solidCommands: readonly Command[] = changeOperations.map((operation
 
 /** Opens the panel of a feature. Returns false for features that have none. */
 export function editFeature(app: App, solid: Solid, feature: SolidFeature): boolean {
+  const expressions = expressionsOfFeature(app.documents.project, solid.id, feature.id);
   const operation = [...pieceOperations, ...changeOperations]
-    .map((one) => one.edit(solid, feature))
+    .map((one) => one.edit(solid, feature, expressions))
     .find((one) => one !== null);
   if (!operation) return false;
   startOperation(app, operation);

@@ -226,7 +226,7 @@ const bodyKey = remembering((body: ProjectBody): string =>
     hashRecords(body.patches, bodyPatchFields),
     hashRecords(body.repairs ?? [], repairFields),
     body.repairDeviation,
-    hashText(JSON.stringify(body.features ?? [], inOrder)),
+    hashText(JSON.stringify([body.features, body.failures, body.isOutdated], inOrder)),
   ].join(" "),
 );
 

@@ -1,7 +1,7 @@
 import { current, isDraft } from "mutative";
 import type { Project, ProjectExpression } from "tetrafront/project";
 import { isPlainNumber, readNumber } from "../expressions/expression";
-import { draftFinder, type ProjectDraft } from "./draft-records";
+import { draftFinder, recordOf, type ProjectDraft } from "./draft-records";
 import type { DraftChange, DraftEdit } from "./edit";
 import { projectNumbers } from "./length-units";
 import { holderFinder, isAllowed, numberAt, pathKey, setNumberAt, type NumberPath } from "./number-paths";
@@ -131,6 +131,7 @@ export function agreement(before: Project, after: Project): DraftChange | undefi
       const draftOf = draftFinder(project);
       for (const [kept, value] of set) {
         setNumberAt(kept.kind === "meshing" ? project.meshing : draftOf(kept), kept.field, value);
+        if (kept.kind === "body" && kept.field.startsWith("features.")) outdate(project, kept);
       }
       if (forgotten.size === 0) return;
       const rest = expressions.filter((kept) => !forgotten.has(pathKey(kept)));
@@ -138,6 +139,12 @@ export function agreement(before: Project, after: Project): DraftChange | undefi
       else delete project.expressions;
     },
   };
+}
+
+/** Notes that the triangles of a solid are those of other features. */
+function outdate({ bodies = [] }: ProjectDraft, { id }: { readonly id: number }): void {
+  const body = recordOf(bodies, id);
+  if (body) body.isOutdated = true;
 }
 
 function valueOf(path: NumberPath, text: string, values: ReadonlyMap<string, number>): number | null {

@@ -40,13 +40,19 @@ export function holderFinder(project: Project): (path: NumberPath) => object | u
   return (path) => (path.kind === "meshing" ? project.meshing : find(path));
 }
 
+/** Returns what a record has at a key, or the record of a list with an id. */
+function valueIn(holder: unknown, key: string): unknown {
+  if (typeof holder !== "object" || holder === null) return undefined;
+  const hasIds = Array.isArray(holder) && typeof holder[0] === "object" && "id" in holder[0];
+  if (hasIds) return (holder as readonly { readonly id: number }[]).find(({ id }) => id === Number(key));
+  return (holder as Readonly<Record<string, unknown>>)[key];
+}
+
 /** Returns the number at a path of fields in a record, such as `position.0`; undefined if there is none. */
 export function numberAt(record: object | undefined, field: string): number | undefined {
   if (!record) return undefined;
   let at: unknown = record;
-  for (const key of field.split(".")) {
-    at = typeof at === "object" && at !== null ? (at as Readonly<Record<string, unknown>>)[key] : undefined;
-  }
+  for (const key of field.split(".")) at = valueIn(at, key);
   return typeof at === "number" ? at : valuesIfMissing[field];
 }
 
@@ -77,7 +83,7 @@ export function setNumberAt(record: object | undefined, field: string, value: nu
     const holder = at as Record<string, unknown>;
     const missing = holder[key] === undefined ? newHolder(keys.slice(0, depth + 1).join(".")) : undefined;
     if (missing) holder[key] = missing;
-    at = holder[key];
+    at = valueIn(holder, key);
   });
   if (typeof at === "object" && at !== null) (at as Record<string, unknown>)[last] = value;
 }
@@ -107,7 +113,10 @@ const ranges: Readonly<Record<string, Range>> = {
 
 /** Returns whether a number may have a value. Other values of an expression leave the number as it is. */
 export function isAllowed({ field }: NumberPath, value: number): boolean {
-  if (/position|direction/.test(field)) return Math.abs(value) <= LIMITS.length;
+  const isOfFeature = field.startsWith("features.");
+  // The kernel says which numbers of features fit together.
+  if (isOfFeature && /\.(count|sides)$/.test(field)) return Number.isInteger(value) && value > 0;
+  if (isOfFeature || /position|direction/.test(field)) return Math.abs(value) <= LIMITS.length;
   // A rotation is a unit quaternion: its parts do not change one by one.
   if (field.startsWith("placement.rotation")) return false;
   const [min, max] = ranges[field] ?? [0, LIMITS.length];

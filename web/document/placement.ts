@@ -57,6 +57,13 @@ export function placedBox(
 
 const degree = Math.PI / 180;
 
+/** Returns the axis and the angle in degrees of a rotation; undefined for none. */
+export function turnOf([x, y, z, w]: Quaternion):
+  { readonly axis: Position; readonly angle: number } | undefined {
+  const sine = Math.hypot(x, y, z);
+  return sine === 0 ? undefined : { axis: [x, y, z], angle: (2 * Math.atan2(sine, w)) / degree };
+}
+
 /** Returns the rotation about x, then y, then z, by angles in degrees. */
 export function rotationOf(angles: Position): Quaternion {
   const [sx, sy, sz] = angles.map((angle) => Math.sin((angle * degree) / 2)) as [number, number, number];

@@ -5,7 +5,7 @@ import { changedContent, type Change, type DocumentContent, type ProjectEdit } f
 import { bodiesOf } from "../document/entities";
 import { agreement } from "../document/expression-edits";
 import { paintedSizes } from "../document/painted-sizes";
-import { commit, goBy, redo, startHistory, undo, type History } from "./history";
+import { amend, commit, goBy, redo, startHistory, undo, type History } from "./history";
 import { untilState } from "./until-state";
 
 /** The file that Save writes to. */
@@ -174,6 +174,16 @@ export class DocumentStore {
     this.#gesture?.commit();
     const { history } = this.state.getState();
     this.#set(commit(history, edit, contentAfter(history.present, edit), this.#now(), this.held));
+  }
+
+  /**
+   * Makes a change part of the last step of undo, because it only computes what follows from it. Does nothing during a
+   * gesture.
+   */
+  amend(change: Change): void {
+    if (this.#gesture) return;
+    const { history } = this.state.getState();
+    this.#set(amend(history, contentAfter(history.present, change)));
   }
 
   /** Resolves when no gesture is under way: work that ends during a drag must not cut it short with its edit. Rejects if it is aborted. */

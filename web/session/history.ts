@@ -64,6 +64,17 @@ export function commit<State extends object>(
   return { present, past: withinLimit([...past, ...added]), future: [] };
 }
 
+/** Returns the history with another present state, as if the last step had led to it; without steps, it begins there. */
+export function amend<State extends object>(history: History<State>, present: State): History<State> {
+  const { past, future } = history;
+  const last = past.at(-1);
+  if (!last) return { past, present, future };
+  const { label, mergeKey, at } = last;
+  const change = differenceOf(undo(history).present, present);
+  const added = change ? [entryOf({ label, mergeKey, at, change })] : [];
+  return { present, past: withinLimit([...past.slice(0, -1), ...added]), future };
+}
+
 /** Returns the state one step back, or the same object if there is none. */
 export function undo<State extends object>(history: History<State>): History<State> {
   const entry = history.past.at(-1);

@@ -35,6 +35,11 @@ export interface OpenOperation {
   readonly entities: readonly Entity[];
 }
 
+/** Gives makers whose work is left out if it is aborted before it begins: only the last values count. */
+export interface SolidSource {
+  readonly until: (signal: AbortSignal) => SolidMaker;
+}
+
 export interface OperationState {
   readonly open: OpenOperation | null;
 }
@@ -48,13 +53,13 @@ export class Operations {
   readonly state: StoreApi<OperationState> = createStore<OperationState>(() => ({ open: null }));
   readonly #documents: DocumentStore;
   readonly #view: ViewStore;
-  readonly #solids: SolidMaker;
+  readonly #solids: SolidSource;
   readonly #task = new LatestTask();
   #gesture: Gesture | null = null;
   /** Whether the open operation is accepted as soon as it is computed. */
   #isAccepted = false;
 
-  constructor(documents: DocumentStore, view: ViewStore, solids: SolidMaker) {
+  constructor(documents: DocumentStore, view: ViewStore, solids: SolidSource) {
     this.#documents = documents;
     this.#view = view;
     this.#solids = solids;
@@ -84,7 +89,8 @@ export class Operations {
     this.#gesture = this.#documents.begin(operation.step);
     const project = settledProject(this.#documents.state.getState());
     const values = operation.initial({ ...subject, project });
-    this.#show({ operation, values, expressions: {}, subject: { ...subject, project } });
+    const expressions = operation.expressions?.() ?? {};
+    this.#show({ operation, values, expressions, subject: { ...subject, project } });
   }
 
   /** Changes a value of the open operation. `typed`: the number of it that was typed. */
@@ -137,14 +143,19 @@ export class Operations {
   #show(given: Omit<OpenOperation, "reason" | "note" | "entities" | "isPending">): void {
     const { operation, values, expressions, subject } = given;
     this.#task.cancel();
-    const later = operation.makeLater?.(subject, values, this.#solids) ?? null;
+    const left = new AbortController();
+    const solids = this.#solids.until(left.signal);
+    const later = operation.makeLater?.(subject, values, solids, expressions) ?? null;
     if (later === null) return this.#showOffer(given, operation.make(subject, values, expressions));
     const entities = this.state.getState().open?.entities ?? [];
     this.state.setState({ open: { ...given, isPending: true, reason: null, note: "", entities } });
     // The view keeps what the values before have given until the new ones are computed.
     this.#task
       .run(
-        () => later,
+        (signal) => {
+          signal.addEventListener("abort", () => left.abort(signal.reason));
+          return later;
+        },
         (made) => this.#showOffer(given, made),
       )
       .catch((failure: unknown) => {

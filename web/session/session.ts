@@ -20,6 +20,7 @@ import { ProblemList } from "./problems";
 import { MeshRun, regionCount } from "./run";
 import { SecondOrder } from "./second-order";
 import { SizeFeed } from "./size-feed";
+import { OutdatedSolids } from "./outdated-solids";
 import { Solids } from "./solids";
 import { SmoothnessFeed } from "./smoothness-feed";
 import type { ShownMesh } from "./shown-mesh";
@@ -45,6 +46,7 @@ export class Session {
   readonly previews: PreviewFeed;
   readonly bodies: BodyFeed;
   readonly solids: Solids;
+  readonly outdatedSolids: OutdatedSolids;
   readonly problems: ProblemList;
   readonly sizes: SizeFeed;
   readonly smoothness: SmoothnessFeed;
@@ -57,6 +59,7 @@ export class Session {
     library?.keepOpen(document, release);
     this.bodies = new BodyFeed(this.documents, previewMesher);
     this.solids = new Solids(this.bodies);
+    this.outdatedSolids = new OutdatedSolids(this.documents, this.solids);
     this.operations = new Operations(this.documents, this.view, this.solids);
     this.run = new MeshRun(this.documents, mesher, {
       allOf: (project) => this.bodies.preparations.allOf(project),

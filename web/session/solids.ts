@@ -1,8 +1,7 @@
 import type { FeatureFailure } from "tetrafront/internal";
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
-import { createStore, type StoreApi } from "zustand/vanilla";
 import { nextBodyIds } from "../document/body-edits";
-import type { MadeSolid } from "../document/operations/operation";
+import type { SolidMaker } from "../document/operations/operation";
 import { operationStrings } from "../strings";
 import { SolidClient, type SolidAnswer } from "../workers/solids";
 import type { NewBody } from "../workers/surface-files";
@@ -11,17 +10,21 @@ import type { BodyFeed } from "./bodies";
 /** Time after which a computation of the kernel is ended, in milliseconds; the first one loads the kernel. */
 const limitMs = 180_000;
 
-export interface SolidsState {
-  /** By lists of features: those that were left out, and why. */
-  readonly failures: ReadonlyMap<readonly SolidFeature[], readonly FeatureFailure[]>;
-}
-
 /** Evaluations that are kept: undo and the panel of a feature ask for the same again. */
 const maxKept = 12;
 
+/** Thrown if features give no solid. */
+export class NoSolid extends Error {
+  readonly failures: readonly FeatureFailure[];
+
+  constructor(failures: readonly FeatureFailure[]) {
+    super(failures.map(({ message, remedy }) => `${message} ${remedy}`).join(" "));
+    this.failures = failures;
+  }
+}
+
 /** Makes solids of features. */
-export class Solids {
-  readonly state: StoreApi<SolidsState> = createStore<SolidsState>(() => ({ failures: new Map() }));
+export class Solids implements SolidMaker {
   readonly #client = new SolidClient();
   readonly #bodies: Pick<BodyFeed, "keep">;
   #running: Promise<void> = Promise.resolve();
@@ -31,37 +34,39 @@ export class Solids {
     this.#bodies = bodies;
   }
 
-  /**
-   * Returns the body of features: with the id and the names of a body, or a new one of a project. Features that fail are left out, and
-   * noted. Rejects with a sentence if nothing is left, or if it takes too long.
-   */
+  /** Returns a maker whose work is left out if it is aborted before it begins. */
+  until(signal: AbortSignal): SolidMaker {
+    return {
+      bodyOf: (project, before, features) => this.bodyOf(project, before, features, signal),
+      edgesOf: (features) => this.edgesOf(features),
+    };
+  }
+
   async bodyOf(
     project: Project,
     before: ProjectBody | { readonly name: string },
     features: readonly SolidFeature[],
-  ): Promise<MadeSolid> {
+    signal?: AbortSignal,
+  ): Promise<ProjectBody> {
     const { id, firstPatchId } = nextBodyIds(project);
     const body = "id" in before ? before : { id, name: before.name };
-    const { made, failures } = await this.#evaluate({
-      features,
-      body: headOf(body),
-      nextPatchId: firstPatchId,
-    });
-    if (!made) throw new Error(failures.map(({ message, remedy }) => `${message} ${remedy}`).join(" "));
+    const request = { features, body: headOf(body), nextPatchId: firstPatchId };
+    const { made, failures } = await this.#evaluate(request, signal);
+    if (!made) throw new NoSolid(failures);
     this.#bodies.keep(made);
     const { points, triangles, trianglePatch, trueFaces, patches } = made.body;
-    const replaced: ProjectBody = {
-      ...body,
+    const { isOutdated: _, failures: _before, ...kept }: Partial<ProjectBody> = body;
+    return {
+      ...kept,
+      id: body.id,
       points,
       triangles,
       ...(trianglePatch !== undefined && { trianglePatch }),
       ...(trueFaces !== undefined && { trueFaces }),
       patches,
       features,
+      ...(failures.length > 0 && { failures }),
     };
-    const known = [...this.state.getState().failures].slice(1 - maxKept);
-    this.state.setState({ failures: new Map([...known, [features, failures]]) });
-    return { body: replaced, failures };
   }
 
   /** Returns the edges of the solid of features, with the origins of the faces beside each. */
@@ -76,12 +81,19 @@ export class Solids {
     return asked;
   }
 
-  async #evaluate(request: Parameters<SolidClient["evaluate"]>[0]): Promise<SolidAnswer<NewBody>> {
+  async #evaluate(
+    request: Parameters<SolidClient["evaluate"]>[0],
+    signal?: AbortSignal,
+  ): Promise<SolidAnswer<NewBody>> {
     // One at a time, so that each has its own time.
     const before = this.#running;
     let done = (): void => undefined;
     this.#running = new Promise((resolve) => (done = resolve));
     await before;
+    if (signal?.aborted === true) {
+      done();
+      signal.throwIfAborted();
+    }
     const limit = new AbortController();
     const timer = setTimeout(() => {
       limit.abort();

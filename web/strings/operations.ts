@@ -78,7 +78,6 @@ export const operationStrings = {
       cut: "Cut",
       intersect: "Intersect",
     },
-    numbersOnly: "Features keep the numbers: they do not follow parameters.",
     solidNote: {
       patches: "Points, lines and patches, which can be edited one by one.",
       new: "A solid of its own, with true faces and a list of features.",
@@ -178,8 +177,8 @@ export const operationStrings = {
     ofFaces:
       "Selected patches choose the edges: those around one patch, or those between several. Without any, all edges.",
     openFaces: "The selected patches are left open. Without any, the solid becomes hollow.",
-    moved:
-      "This solid was moved as a whole, and its features were not. Undo the move, or set its placement to zero, then add the feature.",
+    scaled:
+      "This solid was scaled as a whole, and its features were not. Set its scale to 1, then add the feature.",
     othersFail: (features: readonly number[]) =>
       `Left out, because they fail: ${features.map((id) => `feature ${id}`).join(", ")}. The list says why.`,
     stopped: "The solid took too long to be computed. Choose other values, and try again.",

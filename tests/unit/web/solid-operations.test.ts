@@ -1,10 +1,26 @@
 /** Pieces and changes as features of solids: what panels make of values, and read from features again. */
 import { expect, test } from "vitest";
-import { createBody, type Project, type ProjectBody, type SolidFeature } from "tetrafront/project";
+import {
+  createBody,
+  readProject,
+  type Project,
+  type ProjectBody,
+  type SolidFeature,
+} from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
-import type { FieldValues, Operation, SolidMaker } from "../../../web/document/operations/operation";
+import { isAllowed } from "../../../web/document/number-paths";
+import { expressionsOfFeature } from "../../../web/document/operations/feature-numbers";
+import type {
+  FieldExpressions,
+  FieldValues,
+  Operation,
+  SolidMaker,
+} from "../../../web/document/operations/operation";
 import { pieceOperations } from "../../../web/document/operations/pieces";
 import { changeOperations } from "../../../web/document/operations/solid-changes";
+import { setParameter } from "../../../web/document/parameters";
+import { replaceBody } from "../../../web/document/body-edits";
+import { DocumentStore } from "../../../web/session/document-store";
 import { isSolid, solidIn, type Solid } from "../../../web/document/operations/solids";
 
 /** Notes the features that it is asked for. */
@@ -20,10 +36,8 @@ class NotedSolids implements SolidMaker {
 
   bodyOf(_: Project, before: ProjectBody | { readonly name: string }, features: readonly SolidFeature[]) {
     this.features = features;
-    return Promise.resolve({
-      body: bodyWith(features, "id" in before ? before : undefined),
-      failures: this.failures,
-    });
+    const body = bodyWith(features, "id" in before ? before : undefined);
+    return Promise.resolve({ ...body, ...(this.failures.length > 0 && { failures: this.failures }) });
   }
 
   edgesOf() {
@@ -182,13 +196,116 @@ test("a feature that fails is refused with its remedy; others that fail are a no
   expect(offer?.possible === true && offer.creation.note).toContain("feature 7");
 });
 
-test("a solid that was moved as a whole gets no features in the wrong place", async () => {
-  const solid = { ...bodyWith([box]), placement: { position: [1, 0, 0] as const } };
-  const subject = { project: withSolid(solid), selection: [] };
+test("of a solid that was moved as a whole, the motion is a feature before the next one", async () => {
+  const s = Math.SQRT1_2;
+  const placement = { position: [1, 0, 0], rotation: [0, 0, s, s] } as const;
+  const subject = { project: withSolid({ ...bodyWith([box]), placement }), selection: [] };
   for (const operation of [...changeOperations, ...solidPieces]) {
-    const later = async () => operation.makeLater?.(subject, operation.initial(subject), new NotedSolids());
-    await expect(later, operation.id).rejects.toThrow("moved");
+    const features = await featuresOf(operation, subject, {});
+    expect(features.map(({ id }) => id)).toEqual([1, 2, 3]);
+    expect(features[1]).toMatchObject({
+      type: "move",
+      translation: [1, 0, 0],
+      rotation: { axis: [0, 0, s] },
+    });
+    const [, move] = features;
+    expect(move?.type === "move" && move.rotation?.angle).toBeCloseTo(90, 12);
   }
+  const scaled = { ...subject, project: withSolid({ ...bodyWith([box]), placement: { scale: 2 } }) };
+  const [hole] = changeOperations;
+  const later = async () => hole?.makeLater?.(scaled, hole.initial(scaled), new NotedSolids());
+  await expect(later).rejects.toThrow("scaled");
+});
+
+const parameters = [
+  { name: "w", expression: "2" },
+  { name: "r", expression: "w/8" },
+];
+
+/** Adds what an operation gives to the project of a store, with its expressions. */
+async function addTo(
+  documents: DocumentStore,
+  operation: Operation,
+  change: FieldValues,
+  expressions: FieldExpressions,
+): Promise<void> {
+  const subject = { project: documents.project, selection: [] };
+  const values = { ...operation.initial(subject), ...change };
+  const offer = await operation.makeLater?.(subject, values, new NotedSolids(), expressions);
+  if (offer?.possible !== true) throw new Error("refused");
+  documents.edit(offer.creation.edit);
+}
+
+const featuresIn = ({ project }: DocumentStore) => project.bodies?.[0]?.features ?? [];
+
+/** Returns a store with a box of the width w, centred at z = 0, with a hole of the diameter r. */
+async function parametricBox(): Promise<DocumentStore> {
+  const documents = new DocumentStore({ ...emptyProject(), parameters });
+  const [createBox] = solidPieces;
+  const [hole] = changeOperations;
+  if (!createBox || !hole) throw new Error("no operations");
+  const size = { width: 2, depth: 3, height: 4, anchor: "centre", makes: "new" } as const;
+  await addTo(documents, createBox, { ...size, axis: [0, 0, 1] }, { width: "w", height: "2*w" });
+  await addTo(
+    documents,
+    hole,
+    { diameter: 0.25, position: [1, 0, 0] },
+    { diameter: "r", "position.0": "w/2" },
+  );
+  return documents;
+}
+
+test("numbers of features follow parameters, and the solid is outdated until it is made again", async () => {
+  const documents = await parametricBox();
+  expect(documents.project.bodies?.[0]?.isOutdated).toBeUndefined();
+  expect(documents.project.expressions).toContainEqual({
+    kind: "body",
+    id: 1,
+    field: "features.1.position.2",
+    expression: "-2*w/2",
+  });
+  const before = documents.project;
+  documents.edit(setParameter("w", "4"));
+  expect(featuresIn(documents)[0]).toMatchObject({ size: [4, 3, 8], position: [0, 0, -4] });
+  expect(featuresIn(documents)[1]).toMatchObject({ diameter: 0.5, position: [2, 0, 0] });
+  expect(documents.project.bodies?.[0]?.isOutdated).toBe(true);
+  documents.amend({ change: ({ project }) => void delete project.bodies?.[0]?.isOutdated });
+  const after = documents.project;
+  documents.undo();
+  expect(documents.project).toEqual(before);
+  documents.redo();
+  expect(documents.project).toEqual(after);
+  const bodies = (after.bodies ?? []).map((body) => ({ ...body, patches: body.patches.slice(0, 1) }));
+  const read = readProject(JSON.stringify({ ...after, bodies }));
+  expect(read).toMatchObject({ value: { expressions: after.expressions } });
+});
+
+test("the panel of a feature shows its expressions, and forgets those that are replaced by numbers", async () => {
+  const documents = await parametricBox();
+  const { project } = documents;
+  const [solid] = project.bodies ?? [];
+  const [, feature] = featuresIn(documents);
+  if (!solid || !isSolid(solid) || !feature) throw new Error("no solid");
+  const expressions = expressionsOfFeature(project, solid.id, feature.id);
+  const edit = changeOperations
+    .map((one) => one.edit(solid, feature, expressions))
+    .find((one) => one !== null);
+  expect(edit?.expressions?.()).toEqual({ diameter: "r", "position.0": "w/2" });
+  if (edit) await addTo(documents, edit, { diameter: 0.75 }, { "position.0": "w/2" });
+  expect(expressionsOfFeature(documents.project, solid.id, feature.id)).toEqual({ "position.0": "w/2" });
+  documents.edit(setParameter("w", "3"));
+  expect(featuresIn(documents)[1]).toMatchObject({ diameter: 0.75, position: [1.5, 0, 0] });
+});
+
+test("an expression goes with its feature, and gives no half holes in an array", async () => {
+  const documents = await parametricBox();
+  const { project } = documents;
+  const [body] = project.bodies ?? [];
+  if (!body) throw new Error("no solid");
+  documents.edit(replaceBody(project, "", { ...body, features: featuresIn(documents).slice(0, 1) }));
+  expect(documents.project.expressions?.every(({ field }) => field.startsWith("features.1."))).toBe(true);
+  const count = { kind: "body", id: 1, field: "features.2.count" } as const;
+  expect([2.5, 0, 3].map((value) => isAllowed(count, value))).toEqual([false, false, true]);
 });
 
 test("patches of other bodies choose no edges", async () => {

@@ -31,6 +31,9 @@ const curve = v.variant("kind", [
 const loop = listOf(curve);
 const profile = objectWith({ outer: loop, holes: v.optional(listOf(loop)) });
 
+/** What the schemas of several features have in common, for the schema that the package has as a file. */
+export const sharedSchemas = { threeNumbers, curve, loop, profile };
+
 /** The schema of one feature. */
 export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
   v.variant("type", [
@@ -102,6 +105,10 @@ export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
     objectWith({ ...common, ...rotation, type: v.literal("circular-array"), count: integer, features }),
   ]),
   v.readonly(),
+);
+
+export const failuresSchema = listOf(
+  v.pipe(objectWith({ feature: reference, message: v.string(), remedy: v.string() }), v.readonly()),
 );
 
 /** The features of a body; their ids must differ. */

@@ -24,7 +24,10 @@ type ExpressionKind = (typeof EXPRESSION_KINDS)[number];
 
 const REMESHING = "size|minSize|maxSize|tolerance|featureAngle|anglePerEdge|layers|dropDetails|growth";
 
-/** Numbers of entities that may have an expression. */
+/** A number of a feature of a body: `features.3.radius` of the feature with the id 3. */
+const FEATURE_FIELD = /^features\.(\d+)\.(.+)$/;
+
+/** Other numbers of entities that may have an expression. */
 const NUMBER_FIELDS: Readonly<Record<ExpressionKind, RegExp>> = {
   point: /^position\.[0-2]$/,
   body: new RegExp(`^(placement\\.(scale|position\\.[0-2]|rotation\\.[0-3])|remeshing\\.(${REMESHING}))$`),
@@ -93,7 +96,9 @@ interface Noted {
   readonly points: Records;
   readonly lines: Records;
   readonly patches: Records;
-  readonly bodies?: readonly { readonly id: number; readonly patches: Records }[] | undefined;
+  readonly bodies?:
+    | readonly { readonly id: number; readonly patches: Records; readonly features?: Records | undefined }[]
+    | undefined;
   readonly background: { readonly nodes: Records; readonly sources?: Sources | undefined };
   readonly groups?: readonly Group[] | undefined;
   readonly parameters?: readonly Parameter[] | undefined;
@@ -105,6 +110,7 @@ interface Noted {
 export class Subjects {
   readonly #ids: Readonly<Record<GroupKind | ExpressionKind, ReadonlySet<number>>>;
   readonly #corners: ReadonlyMap<number, number>;
+  readonly #features: ReadonlyMap<number, Records>;
   readonly #meshing: Noted["meshing"];
 
   constructor(project: Noted) {
@@ -122,6 +128,9 @@ export class Subjects {
       source: idsOf(sources),
     };
     this.#corners = new Map(sources.map((source) => [source.id, source.positions.length]));
+    this.#features = new Map(
+      bodies.flatMap(({ id: body, features }) => (features ? [[body, features]] : [])),
+    );
   }
 
   has(kind: GroupKind | ExpressionKind, entity: number): boolean {
@@ -137,10 +146,23 @@ export class Subjects {
   hasNumber(noted: Expression): boolean {
     if (noted.kind === "meshing") return this.#meshing?.[noted.field] !== undefined;
     const { kind, id: entity, field } = noted;
+    const [, feature, path] = (kind === "body" && FEATURE_FIELD.exec(field)) || [];
+    if (path !== undefined) {
+      const owner = this.#features.get(entity)?.find((one) => one.id === Number(feature));
+      return path !== "id" && typeof valueAt(owner, path) === "number";
+    }
     if (!NUMBER_FIELDS[kind].test(field)) return false;
     const [list, corner] = field.split(".");
     return list !== "positions" || Number(corner) < (this.#corners.get(entity) ?? 0);
   }
+}
+
+/** Returns the value at a path of fields. */
+function valueAt(record: unknown, path: string): unknown {
+  return path.split(".").reduce<unknown>((at, key) => {
+    const isHolder = typeof at === "object" && at !== null && Object.hasOwn(at, key);
+    return isHolder ? (at as Readonly<Record<string, unknown>>)[key] : undefined;
+  }, record);
 }
 
 /** Reports groups and expressions that refer to nothing, and whatever is noted twice. O(size). */

@@ -1,6 +1,7 @@
 /**
  * A project, as the app edits and saves it (docs/FORMAT.md). `schema.ts` checks files against these types.
  */
+import type { FeatureFailure } from "../cad/features/evaluate.js";
 import type { SolidFeature } from "./feature-schema.js";
 import type { Placement } from "../base/placement.js";
 import type {
@@ -125,6 +126,10 @@ export interface ProjectBody {
   readonly placement?: BodyPlacement | undefined;
   /** The features from which the solid is made; its triangles and faces are what they have given. */
   readonly features?: readonly SolidFeature[] | undefined;
+  /** The features that were left out, and why. */
+  readonly failures?: readonly FeatureFailure[] | undefined;
+  /** Whether the features were changed after the triangles were made of them. */
+  readonly isOutdated?: boolean | undefined;
   /** Base64 of the faces of the CAD file of the body, on which a remeshed surface gets its nodes. */
   readonly trueFaces?: string | undefined;
   /** What repairs have changed in the given surface; for information. */

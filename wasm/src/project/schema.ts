@@ -7,7 +7,7 @@ import * as v from "valibot";
 import { LIMITS } from "../base/limits.js";
 import { objectWith, parsedBy } from "../calls/schemas.js";
 import { entityLabel } from "../diagnostics/entity-names.js";
-import { featuresSchema } from "./feature-schema.js";
+import { failuresSchema, featuresSchema } from "./feature-schema.js";
 import {
   FRONT_ORDERS,
   INNER_SHELLS,
@@ -148,6 +148,8 @@ export const bodySchema: v.GenericSchema<unknown, ProjectBody> = v.pipe(
     remeshing: v.optional(described(WORDS.remeshing, remeshingSchema)),
     placement: v.optional(described(WORDS.placement, placementSchema)),
     features: v.optional(featuresSchema),
+    failures: v.optional(described(WORDS.failures, failuresSchema)),
+    isOutdated: v.optional(described(WORDS.isOutdated, v.boolean())),
     repairs: v.optional(described(WORDS.repairs, listOf(repairSchema))),
     repairDeviation: v.optional(described(WORDS.repairDeviation, v.pipe(number, v.minValue(0)))),
   }),

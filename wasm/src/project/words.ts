@@ -47,6 +47,8 @@ export const WORDS = {
   bodies: "Closed triangulated surfaces beside the drawn patches",
   bodyPoints: "Nodes of the given triangles: base64 of x y z per node, as little-endian doubles",
   bodyTriangles: "Given triangles: base64 of three node indices each, as little-endian 32-bit integers",
+  failures: "The features that were left out, and why",
+  isOutdated: "Whether the features were changed after the triangles were made of them",
   features:
     "The list of features from which the solid is made: pieces that are joined, cut or intersected, and changes such as fillets. Lengths in model units, angles in degrees",
   patchOrigin: "The face of a feature from which the patch comes, such as 3/top: the top of feature 3",
@@ -91,7 +93,8 @@ export const WORDS = {
   parameterName: "Letters, digits and underscores, not beginning with a digit; unique",
   parameterExpression: "A number, or a formula with other parameters, such as 2*radius",
   expressions: "What numbers of entities and mesh settings are computed from; the values are there",
-  expressionField: "Path of the number in the entity, such as position.0 or size",
+  expressionField:
+    "Path of the number in the entity, such as position.0 or size; features.3.radius is a number of the feature 3 of a body",
   meshingField: "Name of the number in the mesh settings",
   expression: "A formula with parameters, such as radius/2",
   background: "Coarse tetrahedra that cover the model, with the target size at their nodes",

@@ -125,24 +125,17 @@ export interface Subject {
   readonly selection: readonly Entity[];
 }
 
-/** A solid, and the features that were left out. */
-export interface MadeSolid {
-  readonly body: ProjectBody;
-  readonly failures: readonly {
-    readonly feature: number;
-    readonly message: string;
-    readonly remedy: string;
-  }[];
-}
-
 /** Makes solids of features, which takes a moment. */
 export interface SolidMaker {
-  /** Returns the body of features: a given one, changed, or a new one. Rejects with a sentence if there is nothing left. */
+  /**
+   * Returns the body of features, with those that fail: a given one, changed, or a new one. Rejects with a sentence if nothing is
+   * left.
+   */
   bodyOf(
     project: Project,
     before: ProjectBody | { readonly name: string },
     features: readonly SolidFeature[],
-  ): Promise<MadeSolid>;
+  ): Promise<ProjectBody>;
   /** Returns the edges of the solid, each with the origins of the faces beside it. */
   edgesOf(
     features: readonly SolidFeature[],
@@ -161,6 +154,8 @@ export interface Operation<Values extends FieldValues = FieldValues> {
   readonly usesSelection: boolean;
   /** The values at first. */
   initial(subject: Subject): Values;
+  /** What the numbers of the values at first were typed as. */
+  expressions?(): FieldExpressions;
   /** The fields to show, which may depend on the values. */
   fields(values: Values, subject: Subject): readonly FieldSpec[];
   /** The handles in the view. */
@@ -170,5 +165,10 @@ export interface Operation<Values extends FieldValues = FieldValues> {
   /** What the values give. The project keeps the expressions, if the numbers that they give can be computed from them. */
   make(subject: Subject, values: Values, expressions?: FieldExpressions): Offer;
   /** What the values give, if the kernel must compute it: null for values that `make` serves. */
-  makeLater?(subject: Subject, values: Values, solids: SolidMaker): Promise<Offer> | null;
+  makeLater?(
+    subject: Subject,
+    values: Values,
+    solids: SolidMaker,
+    expressions?: FieldExpressions,
+  ): Promise<Offer> | null;
 }

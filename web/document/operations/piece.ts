@@ -18,6 +18,7 @@ import {
 } from "../quantity-positions";
 import { placedIn, type Shape } from "../shape";
 import { addScaled, dot, frameAlong, fromFrame, subtract, unit, zero, type Frame } from "../vectors";
+import { typed, type Typed } from "./feature-numbers";
 import {
   typedPosition,
   type FieldExpressions,
@@ -29,13 +30,13 @@ import {
 } from "./operation";
 import { pieceExtent, withSizes } from "./sizes";
 import {
-  addedFeature,
-  numbersNote,
-  offeredSolid,
+  addedPiece,
+  editOf,
   solidIn,
   solidNote,
+  type FeatureOperation,
+  type PiecePlace,
   type PieceUse,
-  type Solid,
   type SolidForm,
 } from "./solids";
 import { startOf } from "./start";
@@ -85,56 +86,43 @@ export interface PieceKind<Sizes extends FieldValues> {
   readonly shape: (sizes: Quantities<Sizes>) => Shape<QuantityPosition>;
 }
 
-/** The operation that creates a kind of solid piece. */
-export interface PieceOperation<Values extends FieldValues = FieldValues> extends Operation<Values> {
-  /** Returns the operation that changes such a feature of a solid; null for features of other kinds. */
-  edit(solid: Solid, feature: SolidFeature): Operation<Values> | null;
-}
-
 /** Defines the operation that creates a kind of solid piece. */
 export function pieceOperation<Sizes extends FieldValues>(
   kind: PieceKind<Sizes>,
-): PieceOperation<Sizes & PiecePlacement> {
+): FeatureOperation<Sizes & PiecePlacement> {
   const operation = createOperation(kind);
   return {
     ...operation,
-    edit: (solid, feature) => {
-      const { feature: form } = kind;
-      const read = form?.read(feature);
-      if (!form || !read || !("operation" in feature) || !("axis" in feature)) return null;
-      const { sizes, position } = read;
-      return {
-        ...operation,
-        id: `edit-${kind.id}`,
-        title: operationStrings.edit(kind.noun),
-        step: stepNames.change(kind.noun),
-        action: operationStrings.apply,
-        initial: () => ({
-          ...sizes,
-          position,
-          axis: feature.axis,
-          anchor: "base",
-          join: false,
-          share: false,
-          makes: feature.operation,
-        }),
-        fields: (values, subject) => {
-          const all = operation.fields(values, subject);
-          // The first feature of a solid has nothing to be combined with.
-          return solid.features[0]?.id === feature.id
-            ? all.filter(({ key }) => key !== "makes")
-            : all.map(withoutPatches);
+    edit: (solid, feature, expressions = {}) => {
+      const { feature: form, noun } = kind;
+      const given = typed<SolidFeature>(feature, expressions);
+      const sizes = form?.read(given);
+      if (!form || !sizes || !("axis" in feature && "axis" in given && "operation" in feature)) return null;
+      const { position, axis } = given;
+      const rest = { anchor: "base", join: false, share: false, makes: feature.operation } as const;
+      const isFirst = solid.features[0]?.id === feature.id;
+      return editOf<Sizes & PiecePlacement>({
+        operation: {
+          ...operation,
+          fields: (values, subject) => {
+            const all = operation.fields(values, subject);
+            // The first feature of a solid has nothing to be combined with.
+            return isFirst ? all.filter(({ key }) => key !== "makes") : all.map(withoutPatches);
+          },
+          make: (_subject, values) => ({ possible: false, reason: refusalOf(kind, values) ?? "" }),
         },
-        note: (_values, _subject, expressions) => numbersNote(expressions),
-        make: (_subject, values) => ({ possible: false, reason: refusalOf(kind, values) ?? "" }),
-        makeLater: ({ project }, values, solids) => {
-          if (refusalOf(kind, values) !== null) return null;
-          const made = form.make(values, frameOf(kind, values));
-          const changed = { ...feature, ...made, operation: values.makes } as SolidFeature;
-          const features = solid.features.map((one) => (one.id === feature.id ? changed : one));
-          return offeredSolid({ project, solids, solid }, features, feature.id, stepNames.change(kind.noun));
+        noun,
+        solid,
+        feature,
+        values: { ...sizes, position, axis, ...rest } as Typed<Sizes & PiecePlacement>,
+        made: (values, changed) => {
+          if (values.makes === "patches" || refusalOf(kind, values) !== null) return null;
+          const place = placeOf(kind, values, changed);
+          const isSameAxis = values.axis.every((part, k) => part === feature.axis[k]);
+          const x = isSameAxis && "x" in feature ? feature.x : place.x;
+          return { ...form.make(sizesOf(values, changed), { ...place, x }), operation: values.makes };
         },
-      };
+      });
     },
   };
 }
@@ -182,13 +170,13 @@ function createOperation<Sizes extends FieldValues>(
     note: (values, subject, expressions = {}) =>
       values.makes === "patches"
         ? noteOf(kind, values, subject, expressions)
-        : solidNote(values.makes, subject, expressions),
+        : solidNote(values.makes, subject),
     make: (subject, values, expressions = {}) => makePiece(kind, subject, values, expressions),
-    makeLater: (subject, values, solids) => {
+    makeLater: (subject, values, solids, expressions) => {
       const { makes } = values;
       if (makes === "patches" || !kind.feature || refusalOf(kind, values) !== null) return null;
-      const made = kind.feature.make(values, frameOf(kind, values));
-      return addedFeature({ subject, solids, noun: kind.noun, use: makes }, made);
+      const piece = kind.feature.make(sizesOf(values, expressions), placeOf(kind, values, expressions));
+      return addedPiece({ subject, solids, noun: kind.noun, use: makes }, piece);
     },
   };
 }
@@ -347,16 +335,33 @@ function pieceFormulas<Sizes extends FieldValues>(
   expressions: FieldExpressions,
 ): readonly (readonly (string | null)[])[] | null {
   if (Object.keys(expressions).length === 0) return [];
-  const sizes = sizesOf(values, expressions);
-  const frame = quantityFrameAlong(typedPosition(values, "axis", expressions));
-  const lift = values.anchor === "centre" ? negative(kind.middle(sizes)) : 0;
-  const origin = addQuantities(
-    typedPosition(values, "position", expressions),
-    scaleQuantities(frame.z, lift),
-  );
-  const { points } = kind.shape(sizes);
-  return storableTexts(points.map((position) => quantitiesFromFrame({ ...frame, origin }, position)));
+  const frame = quantityFrameOf(kind, values, expressions);
+  const { points } = kind.shape(sizesOf(values, expressions));
+  return storableTexts(points.map((position) => quantitiesFromFrame(frame, position)));
 }
+
+/** As `frameOf`, with the expressions of its numbers. */
+function quantityFrameOf<Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  values: Sizes & PiecePlacement,
+  expressions: FieldExpressions,
+): Frame<QuantityPosition> {
+  const frame = quantityFrameAlong(typedPosition(values, "axis", expressions));
+  const lift = values.anchor === "centre" ? negative(kind.middle(sizesOf(values, expressions))) : 0;
+  const position = typedPosition(values, "position", expressions);
+  return { ...frame, origin: addQuantities(position, scaleQuantities(frame.z, lift)) };
+}
+
+/** Returns where a piece is as a feature. */
+const placeOf = <Sizes extends FieldValues>(
+  kind: PieceKind<Sizes>,
+  values: Sizes & PiecePlacement,
+  expressions: FieldExpressions = {},
+): PiecePlace => ({
+  position: quantityFrameOf(kind, values, expressions).origin,
+  axis: typedPosition(values, "axis", expressions),
+  x: frameOf(kind, values).x,
+});
 
 /** Returns the values of a piece, with the expressions of its numbers. */
 function sizesOf<Sizes extends FieldValues>(

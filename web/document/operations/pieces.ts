@@ -7,11 +7,11 @@ import { prism } from "../pieces/prism";
 import { sphere } from "../pieces/sphere";
 import { torus } from "../pieces/torus";
 import { wing } from "../pieces/wing";
-import type { Position } from "../position";
-import { cross, frameAlong, fromFrame, worldFrame, zero, type Frame } from "../vectors";
+import { worldFrame, zero } from "../vectors";
 import { angleBetween, positiveLength, wholeNumber } from "./number-specs";
 import type { FieldSpec } from "./operation";
-import { pieceOperation, type PieceOperation } from "./piece";
+import { pieceOperation } from "./piece";
+import type { FeatureOperation } from "./solids";
 
 const { fields: texts, pieces, refusals } = operationStrings;
 const { x, y, z } = worldFrame;
@@ -24,27 +24,6 @@ const length = (key: string, label: string): FieldSpec => ({
   unit: "length",
   refuse: (value) => (value >= 0 ? null : operationStrings.notNegative),
 });
-
-/** Returns where a feature is whose own origin is at a position of a frame. */
-const placementIn = (frame: Frame, at: Position = zero) => ({
-  position: fromFrame(frame, at),
-  axis: frame.z,
-  x: frame.x,
-});
-
-/** Returns a position of the frame of a feature. */
-function fromPlacement(
-  {
-    position,
-    axis,
-    x,
-  }: { readonly position: Position; readonly axis: Position; readonly x?: Position | undefined },
-  at: Position,
-): Position {
-  const { z, ...along } = frameAlong(axis);
-  const across = x ?? along.x;
-  return fromFrame({ origin: position, x: across, y: cross(z, across), z }, at);
-}
 
 const createBox = pieceOperation({
   id: "create-box",
@@ -63,15 +42,11 @@ const createBox = pieceOperation({
   ],
   shape: ({ width, depth, height }) => box(width, depth, height),
   feature: {
-    make: ({ width, depth, height }, frame) => ({
-      type: "box",
-      size: [width, depth, height],
-      ...placementIn(frame, [-width / 2, -depth / 2, 0]),
-    }),
+    make: ({ width, depth, height }, place) => ({ type: "box", size: [width, depth, height], ...place }),
     read: (feature) => {
       if (feature.type !== "box") return null;
       const [width, depth, height] = feature.size;
-      return { sizes: { width, depth, height }, position: fromPlacement(feature, [width / 2, depth / 2, 0]) };
+      return { width, depth, height };
     },
   },
 });
@@ -88,11 +63,9 @@ const createCylinder = pieceOperation({
   ],
   shape: ({ radius, height }) => cylinder(radius, radius, height),
   feature: {
-    make: ({ radius, height }, frame) => ({ type: "cylinder", radius, height, ...placementIn(frame) }),
+    make: ({ radius, height }, place) => ({ type: "cylinder", radius, height, ...place }),
     read: (feature) =>
-      feature.type === "cylinder"
-        ? { sizes: { radius: feature.radius, height: feature.height }, position: feature.position }
-        : null,
+      feature.type === "cylinder" ? { radius: feature.radius, height: feature.height } : null,
   },
 });
 
@@ -105,9 +78,8 @@ const createSphere = pieceOperation({
   handles: () => [{ key: "radius", from: zero, along: x }],
   shape: ({ radius }) => sphere(radius),
   feature: {
-    make: ({ radius }, frame) => ({ type: "sphere", radius, ...placementIn(frame) }),
-    read: (feature) =>
-      feature.type === "sphere" ? { sizes: { radius: feature.radius }, position: feature.position } : null,
+    make: ({ radius }, place) => ({ type: "sphere", radius, ...place }),
+    read: (feature) => (feature.type === "sphere" ? { radius: feature.radius } : null),
   },
 });
 
@@ -129,17 +101,11 @@ const createCone = pieceOperation({
   shape: ({ radius, topRadius, height }) =>
     topRadius === 0 ? cone(radius, height) : cylinder(radius, topRadius, height),
   feature: {
-    make: ({ radius, topRadius, height }, frame) => ({
-      type: "cone",
-      radius,
-      topRadius,
-      height,
-      ...placementIn(frame),
-    }),
+    make: ({ radius, topRadius, height }, place) => ({ type: "cone", radius, topRadius, height, ...place }),
     read: (feature) => {
       if (feature.type !== "cone") return null;
-      const { radius, topRadius, height, position } = feature;
-      return { sizes: { radius, topRadius, height }, position };
+      const { radius, topRadius, height } = feature;
+      return { radius, topRadius, height };
     },
   },
 });
@@ -161,17 +127,17 @@ const createTorus = pieceOperation({
   ],
   shape: ({ radius, tubeRadius, angle }) => torus(radius, tubeRadius, angle),
   feature: {
-    make: ({ radius, tubeRadius, angle }, frame) => ({
+    make: ({ radius, tubeRadius, angle }, place) => ({
       type: "torus",
       majorRadius: radius,
       minorRadius: tubeRadius,
       angle,
-      ...placementIn(frame),
+      ...place,
     }),
     read: (feature) => {
       if (feature.type !== "torus") return null;
-      const { majorRadius, minorRadius, angle = 360, position } = feature;
-      return { sizes: { radius: majorRadius, tubeRadius: minorRadius, angle }, position };
+      const { majorRadius, minorRadius, angle = 360 } = feature;
+      return { radius: majorRadius, tubeRadius: minorRadius, angle };
     },
   },
 });
@@ -192,17 +158,11 @@ const createPrism = pieceOperation({
   ],
   shape: ({ sides, radius, height }) => prism(valueOf(sides), radius, height),
   feature: {
-    make: ({ sides, radius, height }, frame) => ({
-      type: "prism",
-      sides,
-      radius,
-      height,
-      ...placementIn(frame),
-    }),
+    make: ({ sides, radius, height }, place) => ({ type: "prism", sides, radius, height, ...place }),
     read: (feature) => {
       if (feature.type !== "prism") return null;
-      const { sides, radius, height, position } = feature;
-      return { sizes: { sides, radius, height }, position };
+      const { sides, radius, height } = feature;
+      return { sides, radius, height };
     },
   },
 });
@@ -230,7 +190,7 @@ const createWing = pieceOperation({
 });
 
 /** The operations that create solid pieces, in the order of the menu. */
-export const pieceOperations: readonly PieceOperation[] = [
+export const pieceOperations: readonly FeatureOperation[] = [
   createBox,
   createCylinder,
   createSphere,

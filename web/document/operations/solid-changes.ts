@@ -1,17 +1,15 @@
 import type { SolidFeature } from "tetrafront/project";
 import { operationStrings, stepNames } from "../../strings";
-import type { Offer } from "../create";
 import type { Position } from "../position";
 import { pieceExtent } from "./sizes";
+import { valueOf } from "../../expressions/quantity";
+import { typed, type Typed } from "./feature-numbers";
 import { positiveLength, wholeNumber } from "./number-specs";
-import type { FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
-import { nextFeatureId, numbersNote, offeredSolid, refuseMoved, solidIn, type Solid } from "./solids";
+import type { FieldExpressions, FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
+import { addedFeature, editOf, solidIn, type FeatureOperation, type NewFeature, type Solid } from "./solids";
 import { startOf } from "./start";
 
 const texts = operationStrings.solids;
-
-/** A feature without its id. */
-type NewFeature = SolidFeature extends infer One ? (One extends unknown ? Omit<One, "id"> : never) : never;
 
 /** What the selection says about the solid before the feature. */
 interface Chosen {
@@ -32,17 +30,16 @@ interface ChangeKind<Values extends FieldValues> {
   readonly usesSelection: boolean;
   readonly note?: string;
   /** Returns the feature; `before` is the one that is edited, which keeps what was chosen for it. */
-  feature(values: Values, chosen: Chosen, before: SolidFeature | null): Promise<NewFeature> | NewFeature;
+  feature(
+    values: Typed<Values>,
+    chosen: Chosen,
+    before: SolidFeature | null,
+  ): Promise<Typed<NewFeature>> | Typed<NewFeature>;
   /** Returns the values of such a feature; null for another kind. */
-  read(feature: SolidFeature): Values | null;
+  read(feature: Typed<SolidFeature>): Typed<Values> | null;
 }
 
-/** An operation that adds a feature to a solid. */
-export interface ChangeOperation<Values extends FieldValues = FieldValues> extends Operation<Values> {
-  edit(solid: Solid, feature: SolidFeature): Operation<Values> | null;
-}
-
-function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): ChangeOperation<Values> {
+function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): FeatureOperation<Values> {
   const step = stepNames.add(kind.noun);
   const operation: Operation<Values> = {
     id: `solid-${kind.id}`,
@@ -52,49 +49,24 @@ function changeOperation<Values extends FieldValues>(kind: ChangeKind<Values>): 
     usesSelection: kind.usesSelection,
     initial: (subject) => kind.initial(subject, solidIn(subject)),
     fields: (values) => kind.fields(values),
-    note: (_values, _subject, expressions) =>
-      [kind.note ?? "", numbersNote(expressions)].filter((note) => note !== "").join(" "),
+    note: () => kind.note ?? "",
     make: () => ({ possible: false, reason: texts.noSolid }),
-    makeLater: (subject, values, solids) => {
+    makeLater: (subject, values, solids, expressions = {}) => {
       const solid = solidIn(subject);
-      return solid ? added(subject, solid, values, solids) : null;
+      if (!solid) return null;
+      const given = kind.feature(typed<Values>(values, expressions), chosenIn(subject, solid, solids), null);
+      const change = { project: subject.project, solids, solid };
+      return Promise.resolve(given).then((feature) => addedFeature(change, feature, step));
     },
-  };
-  const added = async (
-    subject: Subject,
-    solid: Solid,
-    values: Values,
-    solids: SolidMaker,
-  ): Promise<Offer> => {
-    const made = await kind.feature(values, chosenIn(subject, solid, solids), null);
-    const feature = { ...made, id: nextFeatureId(solid.features) } as SolidFeature;
-    refuseMoved(solid);
-    const given = { project: subject.project, solids, solid };
-    return offeredSolid(given, [...solid.features, feature], feature.id, step);
   };
   return {
     ...operation,
-    edit: (solid, feature) => {
-      const values = kind.read(feature);
-      return (
-        values && {
-          ...operation,
-          id: `edit-${kind.id}`,
-          title: operationStrings.edit(kind.noun),
-          step: stepNames.change(kind.noun),
-          action: operationStrings.apply,
-          usesSelection: false,
-          note: (_values, _subject, expressions) => numbersNote(expressions),
-          initial: () => values,
-          makeLater: async (subject, changed, solids) => {
-            const made = await kind.feature(changed, chosenIn(subject, solid, solids), feature);
-            const other = { ...feature, ...made };
-            const features = solid.features.map((one) => (one.id === feature.id ? other : one));
-            const change = { project: subject.project, solids, solid };
-            return offeredSolid(change, features, feature.id, stepNames.change(kind.noun));
-          },
-        }
-      );
+    edit: (solid, feature, expressions = {}) => {
+      const values = kind.read(typed<SolidFeature>(feature, expressions));
+      if (!values) return null;
+      const made = (changed: Values, now: FieldExpressions, subject: Subject, solids: SolidMaker) =>
+        kind.feature(typed<Values>(changed, now), chosenIn(subject, solid, solids), feature);
+      return editOf<Values>({ operation, noun: kind.noun, solid, feature, values, made });
     },
   };
 }
@@ -207,7 +179,7 @@ const hole = changeOperation<HoleValues>({
   read: (feature) => {
     if (feature.type !== "hole") return null;
     const { position, axis, diameter, depth } = feature;
-    return { position, axis, diameter, through: depth === undefined, depth: depth ?? 2 * diameter };
+    return { position, axis, diameter, through: depth === undefined, depth: depth ?? 2 * valueOf(diameter) };
   },
 });
 
@@ -278,7 +250,7 @@ const mirror = changeOperation<MirrorValues>({
 });
 
 /** The operations that add a change to a solid, in the order of the menu. */
-export const changeOperations: readonly ChangeOperation[] = [
+export const changeOperations: readonly FeatureOperation[] = [
   hole,
   fillet,
   chamfer,

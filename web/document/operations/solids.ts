@@ -1,28 +1,42 @@
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
-import { addBodies, replaceBody } from "../body-edits";
+import type { Quantities } from "../../expressions/quantity";
+import { bodyStepNames, operationStrings, stepNames } from "../../strings";
+import { replaceBody } from "../body-edits";
 import type { Offer } from "../create";
 import type { ProjectEdit } from "../edit";
 import { bodiesOf, bodyLabel, type Entity } from "../entities";
-import { bodyStepNames, operationStrings, stepNames } from "../../strings";
-import type { Frame } from "../vectors";
-import type { FieldExpressions, SolidMaker, Subject } from "./operation";
+import { turnOf } from "../placement";
+import type { Position } from "../position";
+import type { QuantityPosition } from "../quantity-positions";
+import { zero } from "../vectors";
+import { expressionsIn, plain, withFeatureExpressions, type Typed } from "./feature-numbers";
+import type { FieldExpressions, FieldValues, Operation, SolidMaker, Subject } from "./operation";
 
 const texts = operationStrings.fields;
 
 /** What a piece becomes: patches, a solid of its own, or a change of a solid. */
 export type PieceUse = "patches" | "new" | "join" | "cut" | "intersect";
 
-type Piece = Extract<SolidFeature, { readonly operation: unknown }>;
-type WithoutHead<One> = One extends unknown ? Omit<One, "id" | "name" | "isOff" | "operation"> : never;
+type Without<One, Key extends PropertyKey> = One extends unknown ? Omit<One, Key> : never;
+
 /** A feature that has not been added to a list. */
-export type NewPiece = WithoutHead<Piece>;
+export type NewFeature = Without<SolidFeature, "id">;
+
+/** A piece without what it does to a solid. */
+export type NewPiece = Without<Extract<SolidFeature, { readonly operation: unknown }>, "id" | "operation">;
+
+/** Where a piece is: its base is at the position, and its axis along z. */
+export interface PiecePlace {
+  readonly position: QuantityPosition;
+  readonly axis: QuantityPosition;
+  readonly x: Position | undefined;
+}
 
 /** How a piece is a feature of a solid. */
-export interface SolidForm<Sizes> {
-  /** Returns the feature of sizes, with its base at the origin of a frame and its axis along z. */
-  make(sizes: Sizes, frame: Frame): NewPiece;
-  /** Returns the sizes and the place of the base of such a feature. */
-  read(feature: SolidFeature): { readonly sizes: Sizes; readonly position: Frame["origin"] } | null;
+export interface SolidForm<Sizes extends object> {
+  make(sizes: Quantities<Sizes>, place: PiecePlace): Typed<NewPiece>;
+  /** Returns the sizes of such a feature. */
+  read(feature: Typed<SolidFeature>): Quantities<Sizes> | null;
 }
 
 /** A body with a list of features. */
@@ -45,19 +59,10 @@ function isPartOf(solid: Solid, { kind, id }: Entity): boolean {
   return kind === "body-patch" && solid.patches.some((patch) => patch.id === id);
 }
 
-export function solidNote(
-  use: Exclude<PieceUse, "patches">,
-  subject: Subject,
-  expressions: FieldExpressions,
-): string {
+export function solidNote(use: Exclude<PieceUse, "patches">, subject: Subject): string {
   const solid = use === "new" ? undefined : solidIn(subject);
-  const what = solid && use !== "new" ? texts.solidNote[use](bodyLabel(solid)) : texts.solidNote.new;
-  return [what, numbersNote(expressions)].filter((note) => note !== "").join(" ");
+  return solid && use !== "new" ? texts.solidNote[use](bodyLabel(solid)) : texts.solidNote.new;
 }
-
-/** Says that expressions are not kept, if there are any. */
-export const numbersNote = (expressions: FieldExpressions = {}): string =>
-  Object.keys(expressions).length > 0 ? texts.numbersOnly : "";
 
 /** Returns the next id of a list of features. */
 export const nextFeatureId = (features: readonly SolidFeature[]): number =>
@@ -72,48 +77,92 @@ interface Addition {
 }
 
 /** Makes a new solid of a piece, or adds it to the features of the solid of the selection. */
-export async function addedFeature(
+export async function addedPiece(
   { subject, solids, noun, use }: Addition,
-  piece: NewPiece,
+  piece: Typed<NewPiece>,
 ): Promise<Offer> {
   const { project } = subject;
   const solid = use === "new" ? undefined : solidIn(subject);
-  const features = solid?.features ?? [];
-  const id = nextFeatureId(features);
-  const added = { ...piece, id, operation: solid ? use : "new" } as SolidFeature;
-  if (solid) {
-    refuseMoved(solid);
-    return offeredSolid({ project, solids, solid }, [...features, added], id, stepNames.add(noun));
-  }
-  const { body } = await solids.bodyOf(project, { name: noun }, [added]);
-  const edit = { ...addBodies(project, [body]), label: stepNames.add(noun) };
+  const given = { ...piece, operation: solid ? use : "new" } as Typed<NewFeature>;
+  if (solid) return addedFeature({ project, solids, solid }, given, stepNames.add(noun));
+  const feature = withId(given, 1);
+  const body = await solids.bodyOf(project, { name: noun }, [feature]);
+  const label = stepNames.add(noun);
+  const expressions = withFeatureExpressions(project, body.id, feature, expressionsIn(given));
+  const edit: ProjectEdit = { label, replace: { bodies: [...bodiesOf(project), body], expressions } };
   return { possible: true, creation: { entities: [{ kind: "body", id: body.id }], edit } };
 }
 
-interface SolidChange {
+/** Returns a feature that is in a list, without the expressions of its numbers. */
+const withId = (feature: Typed<NewFeature>, id: number): SolidFeature => ({
+  ...plain<NewFeature>(feature),
+  id,
+});
+
+export interface SolidChange {
   readonly project: Project;
   readonly solids: SolidMaker;
   readonly solid: Solid;
 }
 
-/** Throws if a body was moved as a whole: its features have coordinates of their own, and the view shows others. */
-export function refuseMoved({ placement }: Solid): void {
-  if (placement) throw new Error(operationStrings.solids.moved);
+/** Offers a solid with one more feature. */
+export async function addedFeature(
+  { solid, ...change }: SolidChange,
+  given: Typed<NewFeature>,
+  label: string,
+): Promise<Offer> {
+  const placed = withoutPlacement(solid);
+  const feature = withId(given, nextFeatureId(placed.features));
+  return offered({ ...change, solid: placed }, [...placed.features, feature], feature, given, label);
+}
+
+/** Offers a solid in which a feature has other values. What the values do not say stays. */
+async function changedFeature(
+  change: SolidChange,
+  before: SolidFeature,
+  given: Typed<NewFeature>,
+  label: string,
+): Promise<Offer> {
+  const feature = { ...before, ...withId(given, before.id) };
+  const features = change.solid.features.map((one) => (one.id === feature.id ? feature : one));
+  return offered(change, features, feature, given, label);
+}
+
+/**
+ * Returns a solid whose placement is a feature, so that the next feature has the coordinates of the view. Throws if it was scaled,
+ * which no feature does.
+ */
+function withoutPlacement({ placement, ...solid }: Solid): Solid {
+  if (!placement) return solid;
+  const { position: translation, rotation, scale = 1 } = placement;
+  if (scale !== 1) throw new Error(operationStrings.solids.scaled);
+  const turn = rotation && turnOf(rotation);
+  const move: SolidFeature = {
+    id: nextFeatureId(solid.features),
+    type: "move",
+    ...(translation && { translation }),
+    ...(turn && { rotation: { position: zero, ...turn } }),
+  };
+  return { ...solid, features: [...solid.features, move] };
 }
 
 /** Offers a solid with other features. Refused if the one that is added or changed fails; others that fail are a note. */
-export async function offeredSolid(
+async function offered(
   { project, solids, solid }: SolidChange,
   features: readonly SolidFeature[],
-  id: number,
+  { id }: SolidFeature,
+  given: Typed<NewFeature>,
   label: string,
 ): Promise<Offer> {
-  const { body, failures } = await solids.bodyOf(project, solid, features);
+  const body = await solids.bodyOf(project, solid, features);
+  const { failures = [] } = body;
   const own = failures.find(({ feature }) => feature === id);
   if (own) return { possible: false, reason: `${own.message} ${own.remedy}` };
   const others = failures.map(({ feature }) => feature);
   const note = others.length > 0 ? operationStrings.solids.othersFail(others) : "";
-  const edit = replaceBody(project, label, body);
+  const expressions = withFeatureExpressions(project, solid.id, { id }, expressionsIn(given));
+  const bodies = bodiesOf(project).map((other) => (other.id === body.id ? body : other));
+  const edit: ProjectEdit = { label, replace: { bodies, expressions } };
   return { possible: true, creation: { entities: [{ kind: "body", id: solid.id }], edit, note } };
 }
 
@@ -122,6 +171,58 @@ export async function changedSolid(
   { project, solids, solid }: SolidChange,
   features: readonly SolidFeature[],
 ): Promise<ProjectEdit> {
-  const { body } = await solids.bodyOf(project, solid, features);
-  return replaceBody(project, bodyStepNames.features, body);
+  return replaceBody(project, bodyStepNames.features, await solids.bodyOf(project, solid, features));
+}
+
+/** An operation that adds a feature to a solid, or changes it. */
+export interface FeatureOperation<Values extends FieldValues = FieldValues> extends Operation<Values> {
+  /** Returns the operation that changes a feature with the given expressions; null for features of other kinds. */
+  edit(solid: Solid, feature: SolidFeature, expressions?: FieldExpressions): Operation<Values> | null;
+}
+
+/** What the panel of a feature shows. */
+interface FeaturePanel<Values extends FieldValues> {
+  readonly operation: Operation<Values>;
+  readonly noun: string;
+  readonly solid: Solid;
+  readonly feature: SolidFeature;
+  readonly values: Typed<Values>;
+  /** Returns the feature of other values; null if they do not fit together. */
+  made(
+    values: Values,
+    expressions: FieldExpressions,
+    subject: Subject,
+    solids: SolidMaker,
+  ): MadeFeature | null;
+}
+
+type MadeFeature = Typed<NewFeature> | Promise<Typed<NewFeature>>;
+
+/** Returns the operation that changes a feature: the one that adds such, with the values of the feature. */
+export function editOf<Values extends FieldValues>({
+  operation,
+  noun,
+  solid,
+  feature,
+  values,
+  made,
+}: FeaturePanel<Values>): Operation<Values> {
+  const step = stepNames.change(noun);
+  return {
+    ...operation,
+    id: `edit-${operation.id}`,
+    title: operationStrings.edit(noun),
+    step,
+    action: operationStrings.apply,
+    usesSelection: false,
+    initial: () => plain<Values>(values),
+    expressions: () => expressionsIn(values),
+    note: () => "",
+    makeLater: (subject, changed, solids, expressions = {}) => {
+      const given = made(changed, expressions, subject, solids);
+      if (!given) return null;
+      const change = { project: subject.project, solids, solid };
+      return Promise.resolve(given).then((one) => changedFeature(change, feature, one, step));
+    },
+  };
 }

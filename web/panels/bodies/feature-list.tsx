@@ -18,7 +18,8 @@ const labelOf = ({ id, type, name }: SolidFeature): string => name ?? texts.labe
 /** The features of a solid: each can be edited, switched off, moved and deleted. */
 export function FeatureList({ solid }: { readonly solid: Solid }) {
   const app = useApp();
-  const failures = useStore(app.solids.state, (state) => state.failures.get(solid.features)) ?? [];
+  const { isPending, failure } = useStore(app.outdatedSolids.state);
+  const { failures = [] } = solid;
   return (
     <section>
       <SectionTitle>{texts.title}</SectionTitle>
@@ -32,8 +33,8 @@ export function FeatureList({ solid }: { readonly solid: Solid }) {
           />
         ))}
       </ol>
-      <Text size="xs" c="dimmed" my={4}>
-        {texts.hint}
+      <Text size="xs" c="dimmed" my={4} role="status" data-testid="solid-status">
+        {solid.isOutdated !== true ? texts.hint : isPending ? operationStrings.computing : failure}
       </Text>
       <TextButton title={texts.explodeHint} onClick={() => explodeSolid(app, solid)}>
         {texts.explode}

@@ -47,7 +47,7 @@ interface Rotation {
 
 /** The kinds of features that have a piece, which an operation combines with the solid. */
 export interface PieceKinds {
-  /** From the position along x, y and z. */
+  /** The position is the centre of the bottom. */
   readonly box: Placement & { readonly size: Vector };
   /** The position is the centre of the bottom. */
   readonly cylinder: Placement & { readonly radius: number; readonly height: number };
@@ -66,7 +66,7 @@ export interface PieceKinds {
   };
   /** A regular polygon, extruded; its first corner is at the radius in the direction x. */
   readonly prism: Placement & { readonly sides: number; readonly radius: number; readonly height: number };
-  /** A box whose top has another length in the direction x; 0 makes it an edge. */
+  /** A box whose top has another length in the direction x, from the low end on; 0 makes it an edge. */
   readonly wedge: Placement & { readonly size: Vector; readonly topLength: number };
   /** The vector is direction and length. */
   readonly extrude: { readonly profile: Profile; readonly vector: Vector };

@@ -46,10 +46,10 @@ const MAKERS: Makers = {
     const [length, width, height] = size;
     requirePositive({ length, width, height });
     const outline = corners(placement, [
-      [0, 0],
-      [length, 0],
-      [length, width],
-      [0, width],
+      [-length / 2, -width / 2],
+      [length / 2, -width / 2],
+      [length / 2, width / 2],
+      [-length / 2, width / 2],
     ]);
     const labels = ["front", "right", "back", "left"];
     return extruded(session, id, { outer: polygon(outline) }, upward(placement, height), labels);
@@ -106,8 +106,9 @@ const MAKERS: Makers = {
     requirePositive({ length, width, height });
     if (!(topLength >= 0)) throw new FeatureError("The length of the top is negative.");
     const { at } = frameOf(placement);
-    const top: Vector[] = topLength > 0 ? [at([topLength, 0, height])] : [];
-    const outer = polygon([at([0, 0, 0]), at([length, 0, 0]), ...top, at([0, 0, height])]);
+    const [left, front] = [-length / 2, -width / 2];
+    const top: Vector[] = topLength > 0 ? [at([left + topLength, front, height])] : [];
+    const outer = polygon([at([left, front, 0]), at([-left, front, 0]), ...top, at([left, front, height])]);
     const labels = ["bottom", "right", ...(topLength > 0 ? ["top"] : []), "left"];
     const along = scaled(directionOf(placement, [0, 1, 0]), width);
     return extruded(session, id, { outer }, along, labels, ["front", "back"]);
