@@ -308,7 +308,14 @@ async function filledOnce(
   if (ready.parts !== undefined) return partsFilled(mesher, ready, ready.parts, filling);
   const { options, controlOf } = filling;
   const mesh = meshPart(options);
-  const again = () => readySurface(withControl(mesher, () => controlOf("check")), given, options, filling, true);
+  const again = () =>
+    readySurface(
+      withControl(mesher, () => controlOf("check")),
+      given,
+      options,
+      filling,
+      true,
+    );
   const isExactPossible = repairPart(options) === undefined && ready.treatment.kind === "remesh";
   const isRepeatable = isExactPossible && filling.isRecorded !== true;
   const exact = isRepeatable && hasWelded(given, ready) ? again : undefined;
