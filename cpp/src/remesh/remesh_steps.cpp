@@ -81,7 +81,7 @@ std::vector<std::uint8_t> settledNodes(const SurfaceMesh& mesh, const SurfaceMes
 /// the triangles. Keeps all details if a region would be left without volume.
 Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurface& surface,
                        const DetailRule& rule, SimplifiedSurface& simplified) {
-  work.beginPart(0.2);
+  work.beginPart(0.06);
   const RemeshOptions& options = remeshing.options;
   std::optional<ReferenceSurface> ofRemeshed;
   if (rule.isRemeshed) {
@@ -111,7 +111,7 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurf
   if (anyError(boundary.takeDiagnostics())) co_return Dropped::kNone;
   simplified.deviation += merger.deviation();
   simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
-  work.beginPart(0.24);
+  work.beginPart(0.1);
   ReferenceSurface next = remeshing.reference.of(made.mesh);
   co_await next.prepare(work);
   work.beginPart(1.0);
@@ -170,7 +170,7 @@ Task<Dropped> remeshWithoutGiven(Work& work, const Remeshing& remeshing,
       .remeshing = rulesOfShare(kFirstShareAfterMerges, kFirstShareAfterMerges),
       .largestShare = kNeedleShare,
   };
-  work.beginPart(0.7);
+  work.beginPart(0.85);
   const Dropped dropped = co_await simplifyOrLeave(work, remeshing, remeshing.given, rule, surface);
   if (dropped == Dropped::kMade) {
     work.beginPart(1.0);
@@ -337,7 +337,7 @@ bool isDue(const Attempt& attempt, const Attempts& made, const Remeshing& remesh
 }
 
 /// Work of the attempts that will follow one / work of it, for the progress: most are the last.
-constexpr double kExpectedFurther = 0.5;
+constexpr double kExpectedFurther = 0.25;
 
 /// Returns true if a surface replaces the best one. One that keeps chosen details does not.
 bool replacesBest(const Attempt& attempt, const SimplifiedSurface& surface, const Attempts& made,
