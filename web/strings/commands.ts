@@ -6,6 +6,7 @@ export const commandLabels = {
   newTemplate: "New from template…",
   open: "Open…",
   importSurface: "Import surface…",
+  importPart: "Import part as solid…",
   recent: "Open recent…",
   examples: "Open example…",
   save: "Save project",

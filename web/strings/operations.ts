@@ -36,6 +36,9 @@ export const operationStrings = {
     },
     steps: { union: "Unite bodies", difference: "Subtract body", intersection: "Intersect bodies" },
     swap: "Subtract the first body",
+    noun: "combination",
+    solids:
+      "The result is one solid. The features of both stay editable: those of the second one are within the feature.",
     planar: "Both bodies are planar. The result is points, lines and planar patches again.",
     triangulated:
       "A body has curved patches. The result is a body with a triangulated boundary; its patches keep their names.",

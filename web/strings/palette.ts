@@ -34,6 +34,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   new: "create file clear close",
   "new-template": "start box wing cylinder sphere",
   open: `load file import ${exportedFormats} step stp iges igs brep cad 3mf vtk`,
+  "import-part": "load step stp brep cad solid features holes fillets insert",
   "import-surface": "load stl obj ply off step stp iges cad 3mf vtk triangles insert",
   recent: "history last autosave restore",
   export: `export download save write file convert output format units order second quadratic binary text ${exportedFormats}`,

@@ -1,5 +1,5 @@
 /** Makes solids of features by the kernel, which is loaded with the first one. */
-import { featureSolid, type FeatureKernel } from "tetrafront/internal";
+import { brepOfFile, featureSolid, type FeatureKernel } from "tetrafront/internal";
 import { createBodies, type ProjectBody, type ProjectBodyPatch } from "tetrafront/project";
 import { kernelFiles } from "./cad-library";
 import { buffersOfNew, newBody } from "./new-bodies";
@@ -17,16 +17,21 @@ async function loadKernel(): Promise<FeatureKernel> {
   return create({ locateFile: () => wasm, print: ignore, printErr: ignore });
 }
 
+/** Returns the kernel, which is loaded again after a failure. */
+async function loadedKernel(): Promise<FeatureKernel> {
+  loading ??= loadKernel();
+  try {
+    return await loading;
+  } catch (failure) {
+    loading = null;
+    throw failure;
+  }
+}
+
 serveCalls<SolidProtocol>({
+  import: async (file) => ({ answer: brepOfFile(await loadedKernel(), file) }),
   evaluate: async (request) => {
-    loading ??= loadKernel();
-    let kernel: FeatureKernel;
-    try {
-      kernel = await loading;
-    } catch (failure) {
-      loading = null;
-      throw failure;
-    }
+    const kernel = await loadedKernel();
     const { surface, origins, edges, failures, isKernelSpent } = await featureSolid(kernel, request.features);
     if (isKernelSpent) loading = null;
     const made = surface ? newBody(bodyOf(request, surface, origins)) : null;

@@ -21,6 +21,7 @@ import { changeOperations } from "../../../web/document/operations/solid-changes
 import { setParameter } from "../../../web/document/parameters";
 import { replaceBody } from "../../../web/document/body-edits";
 import { DocumentStore } from "../../../web/session/document-store";
+import { editBoolean, solidBoolean } from "../../../web/document/operations/solid-booleans";
 import { isSolid, solidIn, type Solid } from "../../../web/document/operations/solids";
 
 /** Notes the features that it is asked for. */
@@ -314,4 +315,37 @@ test("patches of other bodies choose no edges", async () => {
   const fillet = changeOperations.find(({ id }) => id === "solid-fillet");
   const later = fillet?.makeLater?.(subject, fillet.initial(subject), new NotedSolids());
   await expect(later).rejects.toThrow("no edge");
+});
+
+test("a solid becomes a feature of another one, with its expressions and its motion", async () => {
+  const documents = await parametricBox();
+  const tool: Solid = { ...bodyWith([box]), id: 2, placement: { position: [0, 0, 1] } };
+  const path = { kind: "body", id: 2, field: "features.1.size.1" } as const;
+  const { project } = documents;
+  documents.edit({
+    label: "",
+    replace: {
+      bodies: [...(project.bodies ?? []), tool],
+      expressions: [...(project.expressions ?? []), { ...path, expression: "w/2" }],
+    },
+  });
+  const [first, second] = documents.project.bodies?.filter(isSolid) ?? [];
+  if (!first || !second) throw new Error("no solids");
+  await addTo(documents, solidBoolean([first, second], "difference"), {}, {});
+  expect(documents.project.bodies?.map(({ id }) => id)).toEqual([1]);
+  expect(featuresIn(documents)[2]).toMatchObject({
+    type: "boolean",
+    operation: "cut",
+    tool: [{ type: "box" }, { type: "move", translation: [0, 0, 1] }],
+  });
+  documents.edit(setParameter("w", "6"));
+  expect(featuresIn(documents)[2]).toMatchObject({ tool: [{ size: [1, 3, 1] }, { id: 2 }] });
+  const [solid] = documents.project.bodies?.filter(isSolid) ?? [];
+  const feature = featuresIn(documents)[2];
+  if (!solid || !feature) throw new Error("no solid");
+  const edit = editBoolean.edit(solid, feature, expressionsOfFeature(documents.project, 1, feature.id));
+  if (edit) await addTo(documents, edit, { kind: "union" }, edit.expressions?.() ?? {});
+  expect(featuresIn(documents)[2]).toMatchObject({ operation: "join" });
+  documents.edit(setParameter("w", "8"));
+  expect(featuresIn(documents)[2]).toMatchObject({ tool: [{ size: [1, 4, 1] }, { id: 2 }] });
 });

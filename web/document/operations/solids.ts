@@ -132,7 +132,7 @@ async function changedFeature(
  * Returns a solid whose placement is a feature, so that the next feature has the coordinates of the view. Throws if it was scaled,
  * which no feature does.
  */
-function withoutPlacement({ placement, ...solid }: Solid): Solid {
+export function withoutPlacement({ placement, ...solid }: Solid): Solid {
   if (!placement) return solid;
   const { position: translation, rotation, scale = 1 } = placement;
   if (scale !== 1) throw new Error(operationStrings.solids.scaled);
