@@ -47,7 +47,7 @@ export async function importPart(app: App): Promise<void> {
       { subject, solids: app.solids, noun, use: "new" },
       { type: "import", brep },
     );
-    if (!offer.possible || left.aborted) return;
+    if (!offer.possible || app.documents.left !== left) return;
     app.documents.edit(offer.creation.edit);
     app.view.selectAll(offer.creation.entities);
     app.viewer.getState().viewer?.framing.fitUnlessShown(offer.creation.entities);

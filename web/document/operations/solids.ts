@@ -188,12 +188,12 @@ interface FeaturePanel<Values extends FieldValues> {
   readonly feature: SolidFeature;
   readonly values: Typed<Values>;
   /** Returns the feature of other values; null if they do not fit together. */
-  made(
+  readonly made: (
     values: Values,
     expressions: FieldExpressions,
     subject: Subject,
     solids: SolidMaker,
-  ): MadeFeature | null;
+  ) => MadeFeature | null;
 }
 
 type MadeFeature = Typed<NewFeature> | Promise<Typed<NewFeature>>;
