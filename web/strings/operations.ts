@@ -57,6 +57,7 @@ export const operationStrings = {
     height: "Height",
     radius: "Radius",
     topRadius: "Radius of top",
+    topLength: "Width of top",
     cornerRadius: "Radius of corners",
     ringRadius: "Radius of ring",
     tubeRadius: "Radius of tube",
@@ -115,6 +116,10 @@ export const operationStrings = {
     noFragment:
       "The clipboard has neither entities of Tetrafront nor a list of coordinates, two or three numbers per line.",
     noProfile: "Select patches, or lines.",
+    oneProfile: "Select one planar patch, or lines that form closed loops.",
+    notPlane: "The loops of a solid must lie in a plane.",
+    curvesOfFeatures:
+      "Loops of solids consist of straight lines, arcs, circles, and splines without tangents. Draw the others as splines.",
     onePatch: "Select one planar patch.",
     noOpposite: "No planar patch opposite is parallel to this one, so that the hole cannot go through.",
     outside: "The circle does not lie within the patch.",
@@ -128,14 +133,15 @@ export const operationStrings = {
     thickness: "The last two digits are the thickness and must not be 00.",
   },
   sweeps: {
-    extrude: { title: "Extrude", step: "Extrude" },
-    revolve: { title: "Revolve", step: "Revolve" },
+    extrude: { title: "Extrude", step: "Extrude", noun: "extrusion" },
+    revolve: { title: "Revolve", step: "Revolve", noun: "revolution" },
     offset: { title: "Offset copy", step: "Add offset copy" },
     hole: { title: "Hole through", step: "Add hole through", patch: "hole" },
     fields: {
       direction: "Direction",
       distance: "Distance",
       keepBase: "Keep the selected patches",
+      keepProfile: "Keep what is drawn",
       point: "Point of axis",
       axis: "Axis",
       angle: "Angle",
@@ -231,5 +237,6 @@ export const operationStrings = {
     torus: { noun: "torus", title: "Torus" },
     wing: { noun: "wing", title: "NACA wing" },
     prism: { noun: "prism", title: "Prism" },
+    wedge: { noun: "wedge", title: "Wedge" },
   },
 } as const;

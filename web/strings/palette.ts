@@ -70,6 +70,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   "create-cone": "frustum",
   "create-torus": "ring donut",
   "create-wing": "naca airfoil aerofoil",
+  "create-wedge": "ramp trapezoid taper",
   "create-prism": "polygon rectangle extrusion",
   "transform-move": "translate shift displace copy",
   "transform-rotate": "turn spin",

@@ -10,7 +10,7 @@ import type { Position } from "../position";
 import type { QuantityPosition } from "../quantity-positions";
 import { zero } from "../vectors";
 import { expressionsIn, plain, withFeatureExpressions, type Typed } from "./feature-numbers";
-import type { FieldExpressions, FieldValues, Operation, SolidMaker, Subject } from "./operation";
+import type { FieldExpressions, FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
 
 const texts = operationStrings.fields;
 
@@ -63,6 +63,23 @@ export function solidNote(use: Exclude<PieceUse, "patches">, subject: Subject): 
   const solid = use === "new" ? undefined : solidIn(subject);
   return solid && use !== "new" ? texts.solidNote[use](bodyLabel(solid)) : texts.solidNote.new;
 }
+
+/** The choice of what a piece becomes. */
+export const makesField = (hasSolid: boolean): FieldSpec => ({
+  kind: "choice",
+  key: "makes",
+  label: texts.makes,
+  testId: "piece-operation",
+  choices: (["patches", "new", ...(hasSolid ? (["join", "cut", "intersect"] as const) : [])] as const).map(
+    (value) => ({ value, label: texts.operations[value] }),
+  ),
+});
+
+/** A feature stays one. */
+export const withoutPatches = (field: FieldSpec): FieldSpec =>
+  field.kind === "choice" && field.key === "makes"
+    ? { ...field, choices: field.choices.filter(({ value }) => value !== "patches") }
+    : field;
 
 /** Returns the next id of a list of features. */
 export const nextFeatureId = (features: readonly SolidFeature[]): number =>
