@@ -154,7 +154,7 @@ test("a box, a hole cut by a cylinder and rounded edges are features that stay e
   await page.getByTestId("feature-1").dblclick();
   await fill(page, { height: "0.1" });
   await computed(page);
-  await expect(page.getByTestId("operation-note")).toContainText("feature 3");
+  await expect(page.getByTestId("operation-note")).toContainText("Fillet 1");
   await accept(page);
   await expect(page.getByTestId("feature-3").getByRole("alert")).toContainText("smaller radius");
   await expect.poll(() => volume(page)).toBeCloseTo((4 - hole / 4) / 10, 2);

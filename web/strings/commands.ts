@@ -90,7 +90,7 @@ export const commandLabels = {
   },
   smooth: "Make patches smooth",
   loftLines: "Loft through lines",
-  hole: "Hole in the patch",
+  hole: "Lines as hole in the patch",
   tetrahedron: "Background tetrahedron",
   split: "Split background tetrahedra",
   sources: { point: "Point source", segment: "Segment source", triangle: "Triangle source" },

@@ -1,6 +1,7 @@
 /** Makes solids of features by the kernel, which is loaded with the first one. */
 import { brepOfFile, featureSolid, type FeatureKernel } from "tetrafront/internal";
 import { createBodies, type ProjectBody, type ProjectBodyPatch } from "tetrafront/project";
+import { faceLabel } from "../document/operations/feature-names";
 import { kernelFiles } from "./cad-library";
 import { buffersOfNew, newBody } from "./new-bodies";
 import { serveCalls } from "./serve-calls";
@@ -55,15 +56,7 @@ function bodyOf(
   const patches = surface.patches.map((patch, p): ProjectBodyPatch => {
     const origin = origins[p];
     if (origin === undefined) return { id: next++, name: patch.name };
-    return known.get(origin) ?? { id: next++, name: labelOf(origin, features), origin };
+    return known.get(origin) ?? { id: next++, name: faceLabel(features, origin), origin };
   });
   return { ...made, patches, features };
-}
-
-/** Returns the name of a new patch, with those of its features: "box 3 top" of `3/top`. */
-function labelOf(origin: string, features: SolidRequest["features"]): string {
-  return origin.replace(/(\d+)\//g, (_, id: string) => {
-    const feature = features.find((one) => one.id === Number(id));
-    return `${feature?.name ?? `${feature?.type ?? ""} ${id}`} `;
-  });
 }

@@ -45,7 +45,7 @@ const keepProfile: FieldSpec = {
 /** Returns an operation that sweeps a profile to patches or to a feature of a solid. */
 export function sweepOperation<Values extends FieldValues>(
   toPatches: Operation<Values>,
-  { noun, make, read }: SweepForm<Values>,
+  form: SweepForm<Values>,
 ): FeatureOperation<Values & SweepUse> {
   const operation: Operation<Values & SweepUse> = {
     ...toPatches,
@@ -73,8 +73,8 @@ export function sweepOperation<Values extends FieldValues>(
       if (makes === "patches") return null;
       const found = drawnProfile(subject.project, subject.selection);
       if (!found.success) return null;
-      const piece = make(typed<Values>(values, expressions), found.profile);
-      const offer = addedPiece({ subject, solids, noun, use: makes }, piece);
+      const piece = form.make(typed<Values>(values, expressions), found.profile);
+      const offer = addedPiece({ subject, solids, noun: form.noun, use: makes }, piece);
       return values.keepProfile
         ? offer
         : offer.then((made) => withoutProfile(subject.project, subject.selection, made));
@@ -83,7 +83,7 @@ export function sweepOperation<Values extends FieldValues>(
   return {
     ...operation,
     edit: (solid, feature, expressions = {}) => {
-      const found = read(typed<SolidFeature>(feature, expressions));
+      const found = form.read(typed<SolidFeature>(feature, expressions));
       if (!found || !("operation" in feature)) return null;
       const isFirst = solid.features[0]?.id === feature.id;
       const { values, profile } = found;
@@ -96,14 +96,14 @@ export function sweepOperation<Values extends FieldValues>(
               .filter(({ key }) => key !== "keepProfile" && !(isFirst && key === "makes"))
               .map(withoutPatches),
         },
-        noun,
+        noun: form.noun,
         solid,
         feature,
         values: { ...values, makes: feature.operation, keepProfile: false } as Typed<Values & SweepUse>,
         made: (now, changed) =>
           now.makes === "patches"
             ? null
-            : { ...make(typed<Values>(now, changed), profile), operation: now.makes },
+            : { ...form.make(typed<Values>(now, changed), profile), operation: now.makes },
       });
     },
   };

@@ -9,6 +9,7 @@ import { turnOf } from "../placement";
 import type { Position } from "../position";
 import type { QuantityPosition } from "../quantity-positions";
 import { zero } from "../vectors";
+import { featureLabel } from "./feature-names";
 import { expressionsIn, plain, withFeatureExpressions, type Typed } from "./feature-numbers";
 import type { FieldExpressions, FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
 
@@ -175,7 +176,7 @@ async function offered(
   const { failures = [] } = body;
   const own = failures.find(({ feature }) => feature === id);
   if (own) return { possible: false, reason: `${own.message} ${own.remedy}` };
-  const others = failures.map(({ feature }) => feature);
+  const others = failures.map(({ feature }) => featureLabel(features, feature));
   const note = others.length > 0 ? operationStrings.solids.othersFail(others) : "";
   const expressions = withFeatureExpressions(project, solid.id, { id }, expressionsIn(given));
   const bodies = bodiesOf(project).map((other) => (other.id === body.id ? body : other));
