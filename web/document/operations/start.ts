@@ -11,10 +11,8 @@ function faceOf(project: Project, id: number) {
   const body = bodyOfPatch(project, id);
   // Other bodies may have millions of triangles.
   if (!body?.features) return undefined;
-  const { points, triangles, trianglePatch } = bodySurface(body);
-  const arrays = { points, triangles, trianglePatch: trianglePatch ?? new Uint32Array(triangles.length / 3) };
   return patchFacts(
-    arrays,
+    bodySurface(body),
     body.patches.findIndex((patch) => patch.id === id),
     body.placement,
   );
