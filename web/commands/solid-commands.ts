@@ -20,7 +20,7 @@ const hasSolid = (app: App): boolean => solidsOf(app.documents.project).length >
 
 /** Commands that open the panel of an operation that changes a solid. */
 export const solidCommands: readonly Command[] = changeOperations.map((operation) =>
-  define("create", 12)(
+  define("create", 11)(
     operation.id,
     operationStrings.opens(operation.title),
     (app) => startOperation(app, operation),
