@@ -4,6 +4,7 @@ import { replaceBody } from "../document/body-edits";
 import { expressionsOfFeature } from "../document/operations/feature-numbers";
 import { pieceOperations } from "../document/operations/pieces";
 import { featureSweeps } from "../document/operations/sweeps";
+import { sew } from "../document/operations/solid-sewing";
 import { editBoolean } from "../document/operations/solid-booleans";
 import { changeOperations } from "../document/operations/solid-changes";
 import { unitFactor, unitOf } from "../document/length-units";
@@ -18,15 +19,21 @@ import { startOperation } from "./start-operation";
 
 const hasSolid = (app: App): boolean => solidsOf(app.documents.project).length > 0;
 
-/** Commands that open the panel of an operation that changes a solid. */
-export const solidCommands: readonly Command[] = changeOperations.map((operation) =>
-  define("create", 11)(
-    operation.id,
-    operationStrings.opens(operation.title),
-    (app) => startOperation(app, operation),
-    { enabled: hasSolid, needs: () => operationStrings.solids.noSolid },
+/** Commands that open the panel of an operation that changes a solid, or makes one of what is drawn. */
+export const solidCommands: readonly Command[] = [
+  ...changeOperations.map((operation) =>
+    define("create", 11)(
+      operation.id,
+      operationStrings.opens(operation.title),
+      (app) => startOperation(app, operation),
+      { enabled: hasSolid, needs: () => operationStrings.solids.noSolid },
+    ),
   ),
-);
+  define("create", 11)(sew.id, operationStrings.opens(sew.title), (app) => startOperation(app, sew), {
+    enabled: (app) => app.documents.project.patches.length > 0,
+    needs: () => operationStrings.solids.noPatches,
+  }),
+];
 
 /** Adds the solids of a CAD file as a solid, whose first feature they are. */
 export async function importPart(app: App): Promise<void> {

@@ -17,6 +17,7 @@ import type {
   SolidMaker,
 } from "../../../web/document/operations/operation";
 import { pieceOperations } from "../../../web/document/operations/pieces";
+import { sew } from "../../../web/document/operations/solid-sewing";
 import { featureSweeps } from "../../../web/document/operations/sweeps";
 import { changeOperations } from "../../../web/document/operations/solid-changes";
 import { setParameter } from "../../../web/document/parameters";
@@ -449,4 +450,32 @@ test("what is drawn and not plane is refused, and what others use stays", async 
   expect(offer).toMatchObject({
     creation: { edit: { replace: { patches: [other], lines: project.lines.slice(0, 4) } } },
   });
+});
+
+test("drawn patches that are connected to the selected one are sewn, and open or curved ones are refused", async () => {
+  const [createBox] = solidPieces;
+  if (!createBox) throw new Error("no box");
+  const documents = new DocumentStore(emptyProject());
+  const empty = { project: documents.project, selection: [] };
+  const offer = createBox.make(empty, { ...createBox.initial(empty), makes: "patches" });
+  if (!offer.possible) throw new Error("refused");
+  documents.edit(offer.creation.edit);
+  const subject = { project: documents.project, selection: [{ kind: "patch", id: 1 } as const] };
+  const sewn = await sew.makeLater?.(subject, sew.initial(subject), new NotedSolids());
+  if (sewn?.possible !== true) throw new Error("refused");
+  documents.edit(sewn.creation.edit);
+  const [feature] = featuresIn(documents);
+  expect(feature?.type === "sew" && feature.faces.map(({ outer }) => outer.length)).toEqual([
+    4, 4, 4, 4, 4, 4,
+  ]);
+  expect(documents.project.patches).toEqual([]);
+  expect(sew.make(empty, sew.initial(empty))).toMatchObject({ possible: false });
+  const ball = solidPieces.find(({ id }) => id === "create-sphere");
+  const round = ball?.make(empty, { ...ball.initial(empty), makes: "patches" });
+  if (round?.possible !== true) throw new Error("refused");
+  const other = new DocumentStore(emptyProject());
+  other.edit(round.creation.edit);
+  const curved = { project: other.project, selection: [] };
+  const refused = await sew.makeLater?.(curved, sew.initial(curved), new NotedSolids());
+  expect(refused).toMatchObject({ possible: false, reason: expect.stringContaining("plane") as string });
 });

@@ -71,6 +71,7 @@ export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
       isRuled: v.optional(v.boolean()),
     }),
     objectWith({ ...piece, type: v.literal("sweep"), profile, path: loop }),
+    objectWith({ ...piece, type: v.literal("sew"), faces: listOf(profile) }),
     objectWith({ ...piece, type: v.literal("import"), brep: v.string() }),
     objectWith({ ...piece, type: v.literal("boolean"), tool: v.lazy(() => listOf(featureSchema)) }),
     objectWith({

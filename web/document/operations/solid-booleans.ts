@@ -69,12 +69,12 @@ function booleanFeature(
   return { type: "boolean", operation, tool };
 }
 
-type Whole = Extract<SolidFeature, { readonly type: "boolean" | "import" }>;
+type Whole = Extract<SolidFeature, { readonly type: "boolean" | "import" | "sew" }>;
 
 /** Changes what the solid of a file, or with features of its own, does to the solid before it. */
 export const editBoolean: Pick<FeatureOperation, "edit"> = {
   edit: (solid, feature, expressions = {}) => {
-    if (feature.type !== "boolean" && feature.type !== "import") return null;
+    if (feature.type !== "boolean" && feature.type !== "import" && feature.type !== "sew") return null;
     const kind = booleanKinds.find((one) => uses[one] === feature.operation);
     if (solid.features[0]?.id === feature.id || !kind) return null;
     const given = typed<Whole>(feature, expressions);

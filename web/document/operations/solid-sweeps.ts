@@ -36,7 +36,7 @@ interface SweepForm<Values extends FieldValues> {
   ): { readonly values: Typed<Values>; readonly profile: Typed<Profile> } | null;
 }
 
-const keepProfile: FieldSpec = {
+export const keepProfile: FieldSpec = {
   kind: "switch",
   key: "keepProfile",
   label: operationStrings.sweeps.fields.keepProfile,
@@ -115,7 +115,7 @@ function reasonOf(project: Project, selection: readonly Entity[]): string {
 }
 
 /** Returns an offer that also removes what is drawn of the profile, unless something else uses it. */
-function withoutProfile(project: Project, selection: readonly Entity[], offer: Offer): Offer {
+export function withoutProfile(project: Project, selection: readonly Entity[], offer: Offer): Offer {
   if (!offer.possible || !("replace" in offer.creation.edit)) return offer;
   const { creation } = offer;
   const { edit } = creation;
