@@ -37,7 +37,7 @@ EMSCRIPTEN_BINDINGS(tools) {
       "Refinement", "refineSurface");
   registerTool<PatchSplitter, Doubles, Indices, Indices, double>("PatchSplitting", "splitPatches");
   registerTool<SurfaceRemesher, Doubles, Indices, Indices, BackgroundGrid, RemeshOptions,
-               GivenRegions>("Remesh", "remeshSurface");
+               GivenRegions, Doubles>("Remesh", "remeshSurface");
   registerTool<NodePlacer, Doubles, Indices, Indices, Doubles, ModelTriangles, double>(
       "Placement", "placeNodes");
   registerTool<SecondOrderBuilder, Doubles, Indices, Indices, Indices, Doubles>("SecondOrder",

@@ -108,7 +108,7 @@ void expectKept(const VolumeMesh& given, const MeshImprovement& made,
   const SlowShapes was = slowShapesOf(given.points, given.tetrahedra);
   const SlowShapes now = slowShapesOf(made.points, made.tetrahedra);
   EXPECT_GE(now.leastAngle, was.leastAngle - 1e-6);
-  EXPECT_LE(now.greatestAngle, std::max(was.greatestAngle, 135.0) + 1e-6);
+  EXPECT_LE(now.greatestAngle, was.greatestAngle + 1e-6);
   EXPECT_GE(now.leastRatio, was.leastRatio - 1e-6);
   EXPECT_GE(now.meanRatio, was.meanRatio - 1e-9);
   EXPECT_LE(now.shareOutside, was.shareOutside + 1e-9);

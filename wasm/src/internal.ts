@@ -27,6 +27,7 @@ export type { EdgeLine, FeatureFailure } from "./cad/features/evaluate.js";
 export type { FeatureKernel } from "./cad/features/session.js";
 export { createUnitBodies } from "./project/solid-bodies.js";
 export { bodyBox } from "./project/bodies.js";
+export { roundTime, TimeLeft } from "./base/time-left.js";
 export { STEP_HEIGHT } from "./base/limits.js";
 export { projectSchema } from "./project/schema.js";
 export {

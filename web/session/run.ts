@@ -26,7 +26,7 @@ import {
   summary,
   withLine,
 } from "./run-log";
-import { TimeLeft } from "./time-left";
+import { TimeLeft } from "tetrafront/internal";
 import { improvedMesh, reasonsOf, type Improvement, type ShownMesh } from "./shown-mesh";
 
 export interface RunOutcome {

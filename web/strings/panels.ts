@@ -156,7 +156,7 @@ export const panelStrings = {
   improvement: {
     title: "Improvement",
     improve: "Improve mesh",
-    hint: "Swaps, moves, splits and collapses until no element gets better. The boundary and its patches stay. The largest angle may grow up to 135°, and at most 5 % of elements are added, where that makes poor ones better; no other measure gets worse.",
+    hint: "Swaps, moves, splits and collapses until no element gets better. The boundary and its patches stay. No measure gets worse, and at most 5 % of elements are added, where that makes poor ones better.",
     stretched: "A stretched mesh cannot be improved, because an improvement measures the elements in space.",
     columns: ["", "Before", "After"],
     smallestAngle: "Smallest angle",

@@ -55,9 +55,8 @@ struct MeshImprovement {
 };
 
 /// Improves a mesh in slices: swaps, moves, splits and collapses, as after a run, with the sizes of the mesh's own
-/// edges. The result is at least as good in its smallest dihedral angle, its least and its mean radius ratio, and the share
-/// of elements outside 30 to 135 degrees; its largest dihedral angle is at most 135 degrees or that of the given mesh; and
-/// it has no more elements than ImproveOptions::maxGrowth permits. A mesh whose elements have no volume, overlap, or share
+/// edges. The result is at least as good in its smallest and its largest dihedral angle, its least and its mean radius ratio,
+/// and the share of elements outside 30 to 135 degrees; and it has no more elements than ImproveOptions::maxGrowth permits. A mesh whose elements have no volume, overlap, or share
 /// a face with two others gives a diagnostic that names them; a part inside another is not recognized if an edge joins
 /// their boundaries. A unit of work is about one element. O(n log n) per sweep. After stop(), the result is the mesh as it
 /// then was, or the given one.

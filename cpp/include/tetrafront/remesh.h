@@ -110,10 +110,13 @@ class SurfaceRemesher : public SlicedTool<SurfaceRemesh> {
   /// Arrays as for MeshRun; they are copied. `groups`: a number per triangle, for example its patch
   /// in a file, or empty; the lines between groups are kept. `regions`: as for MeshRun; known regions replace
   /// RemeshOptions::innerShells. The largest volume of a region caps the sizes of its own triangles, and sizes grow from
-  /// there; the smaller one of both regions applies to an interface.
+  /// there; the smaller one of both regions applies to an interface. `model`: numbers of the TrimmedModels whose faces the
+  /// triangles approximate (see model/model_numbers.h), or empty. Their faces are then triangulated on their own surfaces, if
+  /// they can be, the groups divide no face, and only the shape or one size decides the sizes.
   SurfaceRemesher(std::span<const double> points, std::span<const std::uint32_t> triangles,
                   std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                  const RemeshOptions& options, const GivenRegions& regions = {});
+                  const RemeshOptions& options, const GivenRegions& regions = {},
+                  std::span<const double> model = {});
 };
 
 /// Sizes that a remeshing would use, and what results from them.

@@ -177,9 +177,13 @@ void FaceLoops::checkJunctions() {
       const Vec3 pole = evaluate(*surface_, from).position;
       const Vec3 between = evaluate(*surface_, 0.5 * (from + to)).position;
       const Vec3 far = evaluate(*surface_, 0.5 * (box_.low + box_.high)).position;
+      // A narrow face may have a gap that is wide in its plane and small in space.
+      const double gapInSpace = glm::length(evaluate(*surface_, to).position - pole);
+      const Vec3 low = evaluate(*surface_, box_.low).position;
+      const Vec3 high = evaluate(*surface_, box_.high).position;
       if (glm::length(between - pole) <= kPoleTolerance * glm::length(far - pole)) {
         addPole(from, to);
-      } else if (!open_) {
+      } else if (!open_ && gapInSpace > kLargeGap * glm::length(high - low)) {
         open_ = OpenJunction{loop, index};
       }
     }

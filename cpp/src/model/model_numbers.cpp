@@ -205,11 +205,13 @@ bool areCoordinates(const Vector& position) {
   return true;
 }
 
+template <class Vector>
+bool isUnit(const Vector& axis) {
+  return std::fabs(glm::length(axis) - 1.0) <= kAxisTolerance;
+}
+
 template <class Frame>
 bool isValid(const Frame& frame) {
-  const auto isUnit = [](const auto& axis) {
-    return std::fabs(glm::length(axis) - 1.0) <= kAxisTolerance;
-  };
   if constexpr (requires { frame.z; }) {
     if (!isUnit(frame.z)) return false;
   }
@@ -243,7 +245,11 @@ bool isValidCurve(const Curve& curve) {
     const auto& [degree, knots, poles, weights] = curve.spline;
     return areKnots(knots, degree) && arePoles(poles, weights, knots.size() - degree - 1);
   }
-  return isValid(curve.frame) && isPosition(curve.radius) && isPosition(curve.minorRadius);
+  // A line has no other axis.
+  const bool hasFrame = curve.kind == CurveKind::kLine
+                            ? areCoordinates(curve.frame.origin) && isUnit(curve.frame.x)
+                            : isValid(curve.frame);
+  return hasFrame && isPosition(curve.radius) && isPosition(curve.minorRadius);
 }
 
 bool isValidSurface(const FaceSurface& surface) {
@@ -264,6 +270,27 @@ bool isValidEdge(const TrimmedModel& model, const TrimmedEdge& edge) {
   return hasRange && hasEnds && (!edge.curve || isValidCurve(model.curves[*edge.curve]));
 }
 
+/// Returns true if the face can be laid out in the plane: seams and degenerate edges have curves there.
+bool isValidFace(const TrimmedModel& model, const TrimmedFace& face) {
+  std::vector<std::uint32_t> projected;
+  std::vector<std::uint32_t> all;
+  for (const std::vector<Coedge>& loop : face.loops) {
+    for (const Coedge& coedge : loop) {
+      all.push_back(coedge.edge);
+      if (coedge.inPlane) {
+        if (!isValidCurve(*coedge.inPlane)) return false;
+      } else if (!model.edges[coedge.edge].curve) {
+        return false;
+      } else {
+        projected.push_back(coedge.edge);
+      }
+    }
+  }
+  return !all.empty() && std::ranges::all_of(projected, [&](std::uint32_t edge) {
+    return std::ranges::count(all, edge) == 1;
+  });
+}
+
 }  // namespace
 
 std::optional<ReadModel> readModel(std::span<const double> numbers) {
@@ -280,6 +307,12 @@ std::optional<ReadModel> readModel(std::span<const double> numbers) {
   for (const TrimmedEdge& edge : model.edges) {
     read.isEdgeValid.push_back(isValidEdge(model, edge) ? 1 : 0);
   }
+  const auto isSet = [](std::uint8_t flag) { return flag != 0; };
+  read.isSound = !model.faces.empty() && std::ranges::all_of(read.isSurfaceValid, isSet) &&
+                 std::ranges::all_of(read.isEdgeValid, isSet) &&
+                 std::ranges::all_of(model.faces, [&](const TrimmedFace& face) {
+                   return isValidFace(model, face);
+                 });
   return read;
 }
 

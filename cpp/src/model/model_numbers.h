@@ -30,6 +30,8 @@ struct ReadModel {
   /// Per surface and per edge: 0 if evaluating it could fail. A degenerate edge is valid.
   std::vector<std::uint8_t> isSurfaceValid;
   std::vector<std::uint8_t> isEdgeValid;
+  /// Whether everything can be evaluated, also the curves in the planes of faces: what TrimmedMesher needs.
+  bool isSound = false;
 };
 
 /// Reads models as one; none if the array ends early, or if an index refers to nothing. O(numbers + models * faces).

@@ -55,6 +55,13 @@ inline constexpr DihedralTargets kTargets22And145{0.037783704580475, 0.099413326
 inline constexpr DihedralTargets kTargets30And135{kSquaredTangentOfHalf30, kSquaredTangentOfHalf45};
 inline constexpr DihedralTargets kTargets35And130{0.099413326268553801, 0.21744283205399903};
 
+/// What no change may leave an element beyond: the worst values of a given mesh. By default anything.
+struct ElementLimits {
+  double leastRadiusRatio = 0.0;
+  double greatestCosine = 1.0;  ///< of a dihedral angle, which bounds the smallest one
+  double leastCosine = -1.0;    ///< bounds the largest one
+};
+
 /// Edges of an element from its first corner.
 struct Edges {
   Vec3 u;
@@ -102,14 +109,16 @@ class ElementCost {
   explicit ElementCost(Measure measure, DihedralTargets targets = kTargets18And150)
       : measure_(measure), targets_(targets) {}
 
-  /// Returns this cost, but with every element of a smaller radius ratio invalid; 0 for no such limit.
-  [[nodiscard]] ElementCost above(double leastRadiusRatio) const {
+  /// Returns this cost, but with every element beyond the limits invalid.
+  [[nodiscard]] ElementCost within(const ElementLimits& limits) const {
     ElementCost limited = *this;
-    limited.leastRadiusRatio_ = leastRadiusRatio;
+    limited.limits_ = limits;
     return limited;
   }
 
-  [[nodiscard]] bool hasLimit() const { return leastRadiusRatio_ > 0.0; }
+  [[nodiscard]] bool hasLimit() const {
+    return limits_.leastRadiusRatio > 0.0 || hasAngleLimit();
+  }
 
   [[nodiscard]] Measure measure() const { return measure_; }
   [[nodiscard]] const DihedralTargets& targets() const { return targets_; }
@@ -128,8 +137,14 @@ class ElementCost {
     if (!fraction.isValid()) return kInvalidCost;
     const double shape = fraction.top / fraction.bottom;
     // The radius ratio is at least the third power of the mean ratio (Liu & Joe 1994).
-    if (shape * leastRadiusRatio_ > 1.0 && radiusRatio(edges) < leastRadiusRatio_) {
+    if (shape * limits_.leastRadiusRatio > 1.0 && radiusRatio(edges) < limits_.leastRadiusRatio) {
       return kInvalidCost;
+    }
+    if (hasAngleLimit()) {
+      const auto [greatest, least] = extremesOf(sidesOf(edges));
+      if (greatest.cosine > limits_.greatestCosine || least.cosine < limits_.leastCosine) {
+        return kInvalidCost;
+      }
     }
     switch (measure_) {
       case Measure::kBulk:
@@ -179,6 +194,10 @@ class ElementCost {
   }
 
  private:
+  [[nodiscard]] bool hasAngleLimit() const {
+    return limits_.greatestCosine < 1.0 || limits_.leastCosine > -1.0;
+  }
+
   /// Inward normals of the faces, each opposite to a corner, and their inverse lengths.
   struct Sides {
     std::array<Vec3, 4> normals;
@@ -245,7 +264,7 @@ class ElementCost {
 
   Measure measure_;
   DihedralTargets targets_;
-  double leastRadiusRatio_ = 0.0;
+  ElementLimits limits_;
 };
 
 }  // namespace tetrafront

@@ -319,7 +319,7 @@ bool ElementImprover<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool spl
   --compounds_;
   return attempt(kCompoundGain, cost, [&] {
     // On the way, elements may be worse than the cost permits.
-    const ElementCost<Space> onTheWay = cost.above(0.0);
+    const ElementCost<Space> onTheWay = cost.within({});
     std::vector<NodeId> nodes(ring.nodes.begin(),
                               ring.nodes.begin() + static_cast<std::ptrdiff_t>(ring.nodeCount));
     nodes.insert(nodes.end(), {ring.from, ring.to});

@@ -112,7 +112,7 @@ template <class Space>
 template <class Change>
 bool LastResortImprover<Space>::attempt(const ElementCost<Space>& cost, Change change) {
   // On the way, elements may be worse than the cost permits.
-  const ElementCost<Space> onTheWay = cost.above(0.0);
+  const ElementCost<Space> onTheWay = cost.within({});
   complex_.beginTrial();
   if (change(onTheWay)) {
     settle(onTheWay);

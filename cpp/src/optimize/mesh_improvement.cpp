@@ -11,9 +11,11 @@
 #include "field/grid_locator_builder.h"
 #include "field/size_field.h"
 #include "geom/coordinates.h"
+#include "optimize/element_cost.h"
 #include "optimize/given_mesh.h"
 #include "optimize/locality.h"
 #include "optimize/optimizer.h"
+#include "quality/metrics.h"
 #include "quality/quality_analysis.h"
 #include "quality/verify_mesh.h"
 #include "tetrafront/grid_from_mesh.h"
@@ -73,8 +75,6 @@ Task<SizeField> fieldOfOwnEdges(Work& work, const VolumeMesh& mesh) {
   co_return SizeField::fromGrid(std::move(locator));
 }
 
-/// Dihedral angles up to this one, in degrees, are good.
-constexpr double kLargestGoodAngle = 135.0;
 /// Smallest difference that counts: above the rounding of a measure.
 constexpr double kMinDifference = 1e-9;
 
@@ -90,8 +90,7 @@ Gains gainsBetween(const MeshShapes& before, const MeshShapes& after) {
   const auto [least, largest] =
       std::minmax({after.quality.minDihedral - before.quality.minDihedral,
                    after.quality.minRadiusRatio - before.quality.minRadiusRatio,
-                   std::max(before.quality.maxDihedral, kLargestGoodAngle) -
-                       std::max(after.quality.maxDihedral, kLargestGoodAngle),
+                   before.quality.maxDihedral - after.quality.maxDihedral,
                    after.quality.meanRadiusRatio - before.quality.meanRadiusRatio,
                    share(before) - share(after)});
   return {least, largest};
@@ -129,10 +128,24 @@ std::size_t grown(std::uint32_t elements, double growth) {
   return static_cast<std::size_t>(std::min(most, double{kNoIndex}));
 }
 
-MeshLimits limitsOf(const MeshShapes& before, double maxGrowth) {
-  // An element that only has another order of nodes must not be below the limit.
+/// Returns the worst values of the elements. Degrees would not do: the arc cosine differs between libraries. O(elements).
+ElementLimits worstOf(const VolumeMesh& mesh) {
+  // An element that only has another order of nodes must not be beyond the limits.
   constexpr double kRounding = 1e-12;
-  return {.leastRadiusRatio = before.quality.minRadiusRatio * (1.0 - kRounding),
+  ElementLimits worst{.leastRadiusRatio = 1.0, .greatestCosine = -1.0, .leastCosine = 1.0};
+  for (const TetId tet : IdRange<TetId>(countTetrahedra(mesh))) {
+    const TetrahedronMeasures measures = measureTetrahedron(cornersOf(mesh, tet));
+    worst.leastRadiusRatio = std::min(worst.leastRadiusRatio, measures.radiusRatio);
+    worst.greatestCosine = std::max(worst.greatestCosine, measures.largestCosine);
+    worst.leastCosine = std::min(worst.leastCosine, measures.smallestCosine);
+  }
+  return {.leastRadiusRatio = worst.leastRadiusRatio * (1.0 - kRounding),
+          .greatestCosine = worst.greatestCosine + kRounding,
+          .leastCosine = worst.leastCosine - kRounding};
+}
+
+MeshLimits limitsOf(const VolumeMesh& given, const MeshShapes& before, double maxGrowth) {
+  return {.ofElements = worstOf(given),
           .elements = grown(before.tetrahedra, std::max(0.0, maxGrowth - kGrowthForPoor)),
           .elementsWithRepairs = grown(before.tetrahedra, maxGrowth)};
 }
@@ -145,7 +158,7 @@ Task<Attempt> bestAttempt(Work& work, const GivenMesh& given, const MeshShapes& 
   work.beginPart(0.1);
   TetMesh ordered = toTetMesh(given.mesh, given.keptNodes);
   co_await orderAlongMortonCurve(work, ordered);
-  const MeshLimits limits = limitsOf(before, input.options.maxGrowth);
+  const MeshLimits limits = limitsOf(given.mesh, before, input.options.maxGrowth);
   Attempt made;
   for (int attempt = 0; attempt < 2; ++attempt) {
     const bool isCautious = attempt == 1;

@@ -158,7 +158,7 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
     }
     const bool isNewMeasure = step.costBasis != CostBasis::kAsBefore;
     if (isNewMeasure) {
-      sweeps_.measureBy(costOf(step).above(limits_.leastRadiusRatio),
+      sweeps_.measureBy(costOf(step).within(limits_.ofElements),
                         step.changedOnly ? improvementBegan_ : 0);
     }
     complex_.limitElements(step.costBasis == CostBasis::kTargets ? limits_.elementsWithRepairs

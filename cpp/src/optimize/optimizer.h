@@ -13,6 +13,7 @@
 
 #include "base/task.h"
 #include "field/size_field.h"
+#include "optimize/element_cost.h"
 #include "tetrafront/options.h"
 #include "topology/tet_mesh.h"
 
@@ -23,7 +24,7 @@ class SweepObserver;
 
 /// What a given mesh must keep. By default nothing.
 struct MeshLimits {
-  double leastRadiusRatio = 0.0;  ///< no change leaves an element below it
+  ElementLimits ofElements;
   /// No change makes more elements, unless it improves a poor one.
   std::size_t elements = std::numeric_limits<std::size_t>::max();
   /// No change at all makes more elements.

@@ -82,18 +82,6 @@ Task<> sampleDeviation(Work& work, const GuardedSurface& surface, SurfaceRemesh&
   });
 }
 
-void measureShapes(const SurfaceMesh& mesh, SurfaceRemesh& result) {
-  double sum = 0.0;
-  double largestCosine = 0.5;
-  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
-    const std::array<Vec3, 3> corners = cornersOf(mesh, t);
-    sum += triangleRadiusRatio(corners[0], corners[1], corners[2]);
-    largestCosine = std::max(largestCosine, largestCosineOf(corners));
-  }
-  result.smallestAngle = degreesOf(largestCosine);
-  result.meanRadiusRatio = sum / countTriangles(mesh);
-}
-
 /// Returns about how many triangles of a size like that of the given one meet a triangle of the target size, of any place
 /// and direction: by its area, and by the edges that cross its outline.
 double countBeneath(const TriangleCorners& given, double size) {
@@ -229,6 +217,18 @@ Task<> remeshCoarse(Work& work, const ReferenceSurface& reference, const RemeshL
 }
 
 }  // namespace
+
+void measureShapes(const SurfaceMesh& mesh, SurfaceRemesh& result) {
+  double sum = 0.0;
+  double largestCosine = 0.5;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const std::array<Vec3, 3> corners = cornersOf(mesh, t);
+    sum += triangleRadiusRatio(corners[0], corners[1], corners[2]);
+    largestCosine = std::max(largestCosine, largestCosineOf(corners));
+  }
+  result.smallestAngle = degreesOf(largestCosine);
+  result.meanRadiusRatio = sum / countTriangles(mesh);
+}
 
 FeatureRules featureRulesOf(const RemeshOptions& options) {
   return {cosineOfDegrees(options.featureAngle), cosineOfDegrees(kCornerDegrees)};

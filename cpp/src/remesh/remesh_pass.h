@@ -32,6 +32,9 @@ struct RemeshPass {
 
 [[nodiscard]] FeatureRules featureRulesOf(const RemeshOptions& options);
 
+/// Measures the shapes of the triangles of a result.
+void measureShapes(const SurfaceMesh& mesh, SurfaceRemesh& result);
+
 /// Samples the distance of the triangles from a surface, until it is stopped. `beneath`: per triangle, one of that surface
 /// near it.
 Task<> sampleDeviation(Work& work, const ReferenceSurface& reference, const SurfaceMesh& made,

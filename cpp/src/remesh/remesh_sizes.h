@@ -43,6 +43,8 @@ class RemeshSizes {
   /// Sizes of the shape are no smaller than these.
   void raiseTo(CuspSizes cusps) { cusps_ = std::move(cusps); }
 
+  [[nodiscard]] double leastAt(const Vec3& position) const { return cusps_.leastAt(position); }
+
   /// Where the last query was. Keep one per node: near queries are faster.
   struct Hint {
     FieldHint field;

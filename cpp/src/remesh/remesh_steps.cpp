@@ -12,6 +12,7 @@
 #include "boundary/boundary.h"
 #include "geom/angles.h"
 #include "remesh/detail_merger.h"
+#include "remesh/model_remeshing.h"
 #include "remesh/reference_surface.h"
 #include "remesh/rules.h"
 #include "remesh/triangle_parts.h"
@@ -24,12 +25,13 @@ namespace {
 /// Returns true if the smallest angle is larger, without much poorer triangles on average.
 bool isBetter(const SurfaceRemesh& one, const SurfaceRemesh& other) {
   return isComplete(one) && one.smallestAngle > other.smallestAngle &&
-         one.meanRadiusRatio > other.meanRadiusRatio - kRatioCost;
+         one.meanRadiusRatio > std::min(other.meanRadiusRatio - kRatioCost, kFineRatio);
 }
 
 /// Returns true if triangles are poor, and not everywhere. If details are chosen, they may be poor everywhere.
-bool isWorthSteps(const Remeshing& remeshing, const SurfaceRemesh& result) {
-  return !remeshing.isStopped && isComplete(result) && result.smallestAngle < kPoorAngle &&
+bool isWorthSteps(const Remeshing& remeshing, const SurfaceRemesh& result,
+                  double poorAngle = kPoorAngle) {
+  return !remeshing.isStopped && isComplete(result) && result.smallestAngle < poorAngle &&
          (remeshing.options.dropDetails > 0.0 || result.meanRadiusRatio >= kPoorRatio);
 }
 
@@ -79,7 +81,7 @@ std::vector<std::uint8_t> settledNodes(const SurfaceMesh& mesh, const SurfaceMes
 /// the triangles. Keeps all details if a region would be left without volume.
 Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurface& surface,
                        const DetailRule& rule, SimplifiedSurface& simplified) {
-  work.beginPart(0.2);
+  work.beginPart(0.06);
   const RemeshOptions& options = remeshing.options;
   std::optional<ReferenceSurface> ofRemeshed;
   if (rule.isRemeshed) {
@@ -109,7 +111,7 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurf
   if (anyError(boundary.takeDiagnostics())) co_return Dropped::kNone;
   simplified.deviation += merger.deviation();
   simplified.merged.insert(simplified.merged.end(), merger.merged().begin(), merger.merged().end());
-  work.beginPart(0.24);
+  work.beginPart(0.1);
   ReferenceSurface next = remeshing.reference.of(made.mesh);
   co_await next.prepare(work);
   work.beginPart(1.0);
@@ -136,14 +138,15 @@ PassRules rulesOfShare(double share, double plannedShare) {
 }
 
 /// Up to three times drops details across which triangles are poor, within the rest of the tolerance, and remeshes around them.
-/// Keeps the surface if the last one is not better.
-Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
-  if (!isWorthSteps(remeshing, surface.pass.remesh)) co_return;
+/// Keeps the surface if the last one is not better. `poorAngle`: angles below it are poor.
+Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface,
+                       double poorAngle = kPoorAngle) {
+  if (!isWorthSteps(remeshing, surface.pass.remesh, poorAngle)) co_return;
   const double tolerance = remeshing.lengths.tolerance;
   SimplifiedSurface next = surface;
   Dropped dropped = Dropped::kMade;
   for (int i = 1; i <= kMaxPoorMerges && dropped == Dropped::kMade; ++i) {
-    if (!isWorthSteps(remeshing, next.pass.remesh)) break;
+    if (!isWorthSteps(remeshing, next.pass.remesh, poorAngle)) break;
     work.beginPart(static_cast<double>(i) / kMaxPoorMerges);
     const TrackedSurface from = next.pass.surface;
     const double left = (1.0 - kNextShare) * tolerance - (next.deviation - next.ofChosen);
@@ -167,7 +170,7 @@ Task<Dropped> remeshWithoutGiven(Work& work, const Remeshing& remeshing,
       .remeshing = rulesOfShare(kFirstShareAfterMerges, kFirstShareAfterMerges),
       .largestShare = kNeedleShare,
   };
-  work.beginPart(0.7);
+  work.beginPart(0.85);
   const Dropped dropped = co_await simplifyOrLeave(work, remeshing, remeshing.given, rule, surface);
   if (dropped == Dropped::kMade) {
     work.beginPart(1.0);
@@ -225,12 +228,25 @@ Task<Dropped> remeshWithoutChosen(Work& work, const Remeshing& remeshing,
   co_return dropped;
 }
 
+/// Triangulates the faces of the model, which must be known, and remeshes around their poor triangles.
+Task<Dropped> remeshFaces(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
+  work.beginPart(0.6);
+  std::optional<RemeshPass> pass = co_await remeshModel(work, remeshing);
+  if (!pass) co_return Dropped::kNone;
+  surface.pass = std::move(*pass);
+  surface.deviation = surface.pass.remesh.deviation;
+  work.beginPart(1.0);
+  co_await dropPoorDetails(work, remeshing, surface, kUnsettledAngle);
+  co_return Dropped::kMade;
+}
+
 /// A way to remesh the given surface.
-enum class Way : std::uint8_t { kPlain, kWithoutGiven, kWithoutChosen, kInSteps };
+enum class Way : std::uint8_t { kFaces, kPlain, kWithoutGiven, kWithoutChosen, kInSteps };
 
 /// When a way is tried, after the ones before it.
 enum class When : std::uint8_t {
   kAlways,
+  kUnlessFit,   ///< if there is no surface yet, or one that is worth it
   kIfNone,      ///< if there is no surface yet
   kIfUnusable,  ///< if there is none, or it has problems
   kIfTooMany,   ///< if the way before has found too many details
@@ -243,17 +259,19 @@ struct Attempt {
 };
 
 // Attempts in their order, each way at most once. The better one of two surfaces is kept.
-constexpr std::array kKeepDetails{Attempt{Way::kPlain, When::kAlways}};
+constexpr std::array kKeepDetails{Attempt{Way::kFaces, When::kAlways},
+                                  Attempt{Way::kPlain, When::kIfNone}};
 constexpr std::array kDropChosen{Attempt{Way::kWithoutChosen, When::kAlways},
                                  Attempt{Way::kInSteps, When::kIfPoor},
                                  Attempt{Way::kPlain, When::kIfNone}};
 /// If triangles of the smallest size would be poor across details of the given surface.
 constexpr std::array kDropGivenFirst{
-    Attempt{Way::kWithoutGiven, When::kAlways}, Attempt{Way::kInSteps, When::kIfTooMany},
-    Attempt{Way::kPlain, When::kIfUnusable}, Attempt{Way::kInSteps, When::kIfPoor}};
-constexpr std::array kDropGivenIfPoor{Attempt{Way::kPlain, When::kAlways},
-                                      Attempt{Way::kWithoutGiven, When::kIfPoor},
-                                      Attempt{Way::kInSteps, When::kIfPoor}};
+    Attempt{Way::kFaces, When::kAlways}, Attempt{Way::kWithoutGiven, When::kUnlessFit},
+    Attempt{Way::kInSteps, When::kIfTooMany}, Attempt{Way::kPlain, When::kIfUnusable},
+    Attempt{Way::kInSteps, When::kIfPoor}};
+constexpr std::array kDropGivenIfPoor{
+    Attempt{Way::kFaces, When::kAlways}, Attempt{Way::kPlain, When::kUnlessFit},
+    Attempt{Way::kWithoutGiven, When::kIfPoor}, Attempt{Way::kInSteps, When::kIfPoor}};
 
 /// Returns true if triangles of the smallest size are poor across the details that may be dropped. Automatic sizes
 /// are smaller in narrow gaps, but would only fill these details with many small triangles.
@@ -276,7 +294,9 @@ Task<Dropped> remeshBy(Work& work, Way way, const Remeshing& remeshing,
                        SimplifiedSurface& surface) {
   Dropped dropped = Dropped::kMade;
   work.beginPart(1.0);
-  if (way == Way::kPlain) {
+  if (way == Way::kFaces) {
+    dropped = co_await remeshFaces(work, remeshing, surface);
+  } else if (way == Way::kPlain) {
     co_await remeshPlain(work, remeshing, surface);
   } else if (way == Way::kWithoutGiven) {
     dropped = co_await remeshWithoutGiven(work, remeshing, surface);
@@ -293,14 +313,17 @@ Task<Dropped> remeshBy(Work& work, Way way, const Remeshing& remeshing,
 struct Attempts {
   std::optional<SimplifiedSurface> best;
   Dropped last = Dropped::kNone;
-  std::array<bool, 4> areTried{};  ///< by Way
+  std::array<bool, 5> areTried{};  ///< by Way
 };
 
 bool isDue(const Attempt& attempt, const Attempts& made, const Remeshing& remeshing) {
   if (made.areTried.at(static_cast<std::size_t>(attempt.way))) return false;
+  if (attempt.way == Way::kFaces && !remeshing.model) return false;
   switch (attempt.when) {
     case When::kAlways:
       return true;
+    case When::kUnlessFit:
+      return !made.best || isWorthSteps(remeshing, made.best->pass.remesh);
     case When::kIfNone:
       return !made.best;
     case When::kIfUnusable:
@@ -314,7 +337,7 @@ bool isDue(const Attempt& attempt, const Attempts& made, const Remeshing& remesh
 }
 
 /// Work of the attempts that will follow one / work of it, for the progress: most are the last.
-constexpr double kExpectedFurther = 0.5;
+constexpr double kExpectedFurther = 0.25;
 
 /// Returns true if a surface replaces the best one. One that keeps chosen details does not.
 bool replacesBest(const Attempt& attempt, const SimplifiedSurface& surface, const Attempts& made,

@@ -9,6 +9,7 @@
 #include "remesh/remesh_pass.h"
 #include "remesh/remesh_targets.h"
 #include "tetrafront/remesh.h"
+#include "tetrafront/trimmed_model.h"
 
 namespace tetrafront {
 
@@ -20,6 +21,8 @@ struct Remeshing {
   const RemeshOptions& options;
   RemeshLengths lengths;
   const bool& isStopped;
+  const TrimmedModel* model =
+      nullptr;  ///< whose faces the given surface approximates, if that is known
 };
 
 /// A remeshed surface, from which details may have been dropped.

@@ -34,6 +34,8 @@ constexpr double kGapSizePerMinSize = 1.0 / 25.0;
 /// Largest number of triangles for which thin places get one good layer: a disc of 1/1000 of its radius has about 700 000 of them.
 /// Thinner ones would have millions of elements.
 constexpr double kMaxThinTriangles = 8e5;
+/// Pieces of the given surface by which this number is estimated.
+constexpr std::size_t kCountedPieces = 20'000;
 /// Upper bound of the triangles that one size below the smallest one adds. Around a point at which the size is 1/1000 of
 /// the smallest, and from which it grows by 0.3 per unit of distance, there are about 900.
 constexpr double kTrianglesPerDetail = 1000.0;
@@ -86,23 +88,37 @@ double triangleDensity(const SymmetricTensor& h, const Vec3& normal) {
   return glm::length(h * normal) / h.determinant();
 }
 
+/// Returns the number of triangles that the sizes ask for on a piece of the surface.
+double expectedOn(const ReferenceSurface& reference, const ReferenceSurface::Piece& piece,
+                  const RemeshSizes& sizes, RemeshSizes::Hint& hint) {
+  hint.field.region = sizes.regionOf(reference.patchOf(piece.triangle));
+  if (!sizes.isStretched()) return trianglesOn(piece.area, sizes.sizeAt(piece.centroid, hint));
+  const Vec3 normal = reference.normalOf(piece.triangle);
+  return trianglesOn(piece.area, 1.0) *
+         triangleDensity(sizes.tensorAt(piece.centroid, hint), normal);
+}
+
 /// Counts the triangles that the sizes ask for, per given triangle. O(pieces).
 std::vector<double> countExpected(const ReferenceSurface& reference, const RemeshSizes& sizes) {
   std::vector<double> expected(countTriangles(reference.mesh()), 0.0);
   RemeshSizes::Hint hint;
-  const bool isStretched = sizes.isStretched();
-  for (const ReferenceSurface::Piece& piece : reference.pieces()) {
-    double& count = expected[piece.triangle.index()];
-    hint.field.region = sizes.regionOf(reference.patchOf(piece.triangle));
-    if (!isStretched) {
-      count += trianglesOn(piece.area, sizes.sizeAt(piece.centroid, hint));
-      continue;
-    }
-    const Vec3 normal = reference.normalOf(piece.triangle);
-    count += trianglesOn(piece.area, 1.0) *
-             triangleDensity(sizes.tensorAt(piece.centroid, hint), normal);
-  }
+  for (const ReferenceSurface::Piece& piece : reference.pieces())
+    expected[piece.triangle.index()] += expectedOn(reference, piece, sizes, hint);
   return expected;
+}
+
+/// Estimates the number of all triangles that the sizes ask for, by every n-th piece.
+double estimateExpected(const ReferenceSurface& reference, const RemeshSizes& sizes) {
+  const std::vector<ReferenceSurface::Piece>& pieces = reference.pieces();
+  const std::size_t stride = 1 + pieces.size() / kCountedPieces;
+  RemeshSizes::Hint hint;
+  double expected = 0.0;
+  double area = 0.0;
+  for (std::size_t i = 0; i < pieces.size(); i += stride) {
+    expected += expectedOn(reference, pieces[i], sizes, hint);
+    area += pieces[i].area;
+  }
+  return area > 0.0 ? expected * areaOf(reference) / area : 0.0;
 }
 
 double sumOf(std::span<const double> counts) {
@@ -296,7 +312,8 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
                              .anglePerEdge = lengths.radiansPerEdge,
                              .layers = lengths.layers,
                              .detailFactor = lengths.detailFactor};
-  ShapeSizes ofShape = co_await findShapeSizes(work, reference, rules);
+  found.ofShape = co_await findShapeSizes(work, reference, rules);
+  ShapeSizes& ofShape = found.ofShape;
   if (hasRegions) addRegionSizes(reference, *found.sizes, ofShape);
   if (ofShape.positions.empty()) co_return found;
   work.beginPart(0.8);
@@ -305,7 +322,7 @@ Task<TargetField> findTargetField(Work& work, const ReferenceSurface& reference,
   const std::size_t belowMin = ofShape.countBelowMin;
   co_await capToShape(work, ofShape, options, *found.sizes);
   if (!ofShape.thinPlaces.empty()) {
-    const double total = sumOf(countExpected(reference, *found.sizes));
+    const double total = estimateExpected(reference, *found.sizes);
     const double limit = std::min(kMaxThinTriangles, static_cast<double>(options.maxTriangles));
     if (total > limit) {
       for (const ThinPlace& place : ofShape.thinPlaces) ofShape.sizes[place.index] = place.coarse;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/task.h"
+#include "remesh/automatic_sizes.h"
 #include "remesh/reference_surface.h"
 #include "remesh/remesh_sizes.h"
 #include "sizing/region_sizes.h"
@@ -57,6 +58,8 @@ struct GivenSizes {
 
 struct TargetField {
   std::optional<RemeshSizes> sizes;
+  /// The sizes that the shape asks for, from which `sizes` grow.
+  ShapeSizes ofShape;
   std::vector<Diagnostic> diagnostics;  ///< not empty if the grid or the sizes cannot be used
 };
 

@@ -13,6 +13,8 @@ inline constexpr double kPoorWidth = 0.1736;
 inline constexpr double kPoorRatio = 0.8;
 /// Mean radius ratio that a larger smallest angle may cost.
 inline constexpr double kRatioCost = 0.015;
+/// Mean radius ratio from which on triangles are good enough on average.
+inline constexpr double kFineRatio = 0.92;
 /// Merges of poor details, each followed by a remeshing around them: a merge brings other lines closer. A remeshing may make
 /// triangles better even if nothing is merged.
 inline constexpr int kMaxPoorMerges = 3;

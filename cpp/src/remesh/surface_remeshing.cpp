@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "geom/angles.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
+#include "model/model_numbers.h"
 #include "remesh/centred.h"
 #include "remesh/deviation.h"
 #include "remesh/reference_surface.h"
@@ -192,7 +194,7 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
 
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
                                   GivenSizes sizes, const RemeshOptions& options,
-                                  const bool& isStopped) {
+                                  const bool& isStopped, std::span<const double> model) {
   work.beginPart(0.05);
   std::vector<std::uint32_t> regions = mesh.triangleRegions;
   std::vector<Diagnostic> problems = co_await checkInput(work, mesh, sizes.grid, options);
@@ -220,7 +222,11 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   const RemeshLengths lengths = remeshLengthsOf(settled, hasTargets, diagonal);
   work.beginPart(0.1);
   co_await reference.prepare(work);
-  const Remeshing remeshing{given, reference, movedSizes, settled, lengths, isStopped};
+  // A model far from the origin would have to be moved with its surface.
+  const std::optional<ReadModel> read =
+      model.empty() || centre != Vec3(0.0) ? std::nullopt : readModel(model);
+  const TrimmedModel* faces = read && read->isSound ? &read->model : nullptr;
+  const Remeshing remeshing{given, reference, movedSizes, settled, lengths, isStopped, faces};
   work.beginPart(0.95);
   SimplifiedSurface surface = co_await remeshAndDrop(work, remeshing);
   work.beginPart(1.0);
@@ -280,12 +286,14 @@ struct RemeshInput {
   BackgroundGrid grid;
   RegionSizes regionSizes;
   RemeshOptions options;
+  std::vector<double> model;
   bool isStopped = false;
 };
 
 RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_t> triangles,
                     std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                    const RemeshOptions& options, const GivenRegions& regions) {
+                    const RemeshOptions& options, const GivenRegions& regions,
+                    std::span<const double> model) {
   RemeshInput input;
   input.mesh.triangleRegions = regions.triangleRegions;
   input.regionSizes = RegionSizes(regions);
@@ -294,6 +302,7 @@ RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_
   input.groups.assign(groups.begin(), groups.end());
   input.grid = std::move(grid);
   input.options = options;
+  input.model.assign(model.begin(), model.end());
   return input;
 }
 
@@ -302,13 +311,14 @@ RemeshInput inputOf(std::span<const double> points, std::span<const std::uint32_
 SurfaceRemesher::SurfaceRemesher(std::span<const double> points,
                                  std::span<const std::uint32_t> triangles,
                                  std::span<const std::uint32_t> groups, BackgroundGrid grid,
-                                 const RemeshOptions& options, const GivenRegions& regions)
+                                 const RemeshOptions& options, const GivenRegions& regions,
+                                 std::span<const double> model)
     : SlicedTool(makeToolJob<SurfaceRemesh>(
-          inputOf(points, triangles, groups, std::move(grid), options, regions),
+          inputOf(points, triangles, groups, std::move(grid), options, regions, model),
           [](Work& work, RemeshInput& input) {
             const GivenSizes sizes{input.grid, input.regionSizes};
             return remeshSurface(work, input.mesh, input.groups, sizes, input.options,
-                                 input.isStopped);
+                                 input.isStopped, input.model);
           })) {}
 
 SurfaceSizeProposer::SurfaceSizeProposer(std::span<const double> points,
@@ -318,7 +328,7 @@ SurfaceSizeProposer::SurfaceSizeProposer(std::span<const double> points,
                                          std::span<const std::uint32_t> triangleRegions)
     : SlicedTool(makeToolJob<SurfaceSizeProposal>(
           inputOf(points, triangles, groups, {}, options,
-                  {{triangleRegions.begin(), triangleRegions.end()}, {}}),
+                  {{triangleRegions.begin(), triangleRegions.end()}, {}}, {}),
           [](Work& work, RemeshInput& input) {
             return proposeSurfaceSizes(work, input.mesh, input.groups, input.options);
           })) {}

@@ -4,6 +4,7 @@
 /// bounds the distance between the two surfaces.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/task.h"
@@ -14,10 +15,10 @@
 namespace tetrafront {
 
 /// Everything must outlive the task, which moves `mesh` and `groups` away. Once `isStopped` is true, the surface is returned as
-/// it is.
+/// it is. `model`: as for SurfaceRemesher.
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
                                   GivenSizes sizes, const RemeshOptions& options,
-                                  const bool& isStopped);
+                                  const bool& isStopped, std::span<const double> model = {});
 
 /// Proposes sizes for the surface. Everything must outlive the task, which may reorient triangles of `mesh` and moves `groups`
 /// into it.

@@ -292,7 +292,8 @@ describe("the command line", () => {
     };
     expect(report.dihedral.min).toBeGreaterThan(20);
     expect(report.radiusRatio.mean).toBeGreaterThan(0.8);
-    expect(Math.abs(report.volume / plateVolume - 1)).toBeLessThan(0.003);
+    // All nodes are on the faces, and the edges around the hole are chords.
+    expect(Math.abs(report.volume / plateVolume - 1)).toBeLessThan(0.004);
     const written = await readMesh(readFileSync(inFolder("plate.msh")), { fileName: "plate.msh" });
     if (!written.success) throw new Error(written.errors[0].message);
     expect(written.value.patches.map(({ name }) => name)).toEqual(

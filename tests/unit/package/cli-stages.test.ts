@@ -28,22 +28,22 @@ describe("every ten seconds, a line", () => {
     setBarShown(false);
   });
 
-  test("names the stage, the share that is done, and the time", () => {
+  test("names the stage, the share of the whole that is done, and the time", () => {
     const stop = startStageLines();
     enterStage("reading part.step");
     vi.advanceTimersByTime(9000);
     expect(lines).toEqual([]);
     vi.advanceTimersByTime(1000);
-    enterPhase({ phase: "check", fraction: 0.437 }, "remesh");
+    enterPhase({ phase: "check", fraction: 0.437, elapsedSeconds: 10 }, "remesh");
     vi.advanceTimersByTime(10_000);
-    enterPhase({ phase: "volume", fraction: 0.5, meshNumber: 2 }, undefined);
+    enterPhase({ phase: "volume", fraction: 0.5, elapsedSeconds: 20, meshNumber: 2 }, undefined);
     vi.advanceTimersByTime(10_000);
     stop();
     vi.advanceTimersByTime(60_000);
     expect(lines).toEqual([
       "tetrafront: reading part.step, 10 s so far\n",
-      "tetrafront: remeshing the surface, 43 %, 20 s so far\n",
-      "tetrafront: mesh 2: filling the volume, 50 %, 30 s so far\n",
+      "tetrafront: remeshing the surface, 43 %, 20 s so far, about 15 s left\n",
+      "tetrafront: mesh 2: filling the volume, 50 %, 30 s so far, about 30 s left\n",
     ]);
   });
 

@@ -65,7 +65,7 @@ function volumes({ points, tetrahedra, tetrahedronRegion, regions }: Mesh): numb
 
 function expectNoWorse({ before, after }: Pick<MeshImprovement, "before" | "after">, maxGrowth = 0.05): void {
   expect(after.dihedral.min).toBeGreaterThanOrEqual(before.dihedral.min - 1e-9);
-  expect(after.dihedral.max).toBeLessThanOrEqual(Math.max(before.dihedral.max, 135) + 1e-9);
+  expect(after.dihedral.max).toBeLessThanOrEqual(before.dihedral.max + 1e-9);
   expect(after.radiusRatio.min).toBeGreaterThanOrEqual(before.radiusRatio.min - 1e-9);
   expect(after.radiusRatio.mean).toBeGreaterThanOrEqual(before.radiusRatio.mean - 1e-9);
   expect(after.tetrahedra).toBeLessThanOrEqual((1 + maxGrowth) * before.tetrahedra);

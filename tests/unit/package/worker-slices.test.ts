@@ -118,7 +118,7 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   repairSurface: () => [...surfaceArrays, repairOptions, none],
   refineSurface: () => [...surfaceArrays, emptyGrid(), options, 0, noRegions],
   splitPatches: () => [...surfaceArrays, none, 40],
-  remeshSurface: () => [...surfaceArrays, none, emptyGrid(), remeshing, noRegions],
+  remeshSurface: () => [...surfaceArrays, none, emptyGrid(), remeshing, noRegions, new Float64Array()],
   placeNodes: () => [...surfaceArrays, none, new Float64Array(5), noTriangles, 0.1],
   inspectMesh: () => [points, tetrahedra, none],
   improveMesh: () => [points, tetrahedra, none, none, engineImproveOptions({})],

@@ -1,5 +1,4 @@
 /** Prepares the surfaces of a project's bodies: their options, their progress and their diagnostics. */
-import type { CallProgress } from "../base/progress.js";
 import { shown } from "../base/values.js";
 import { untilCancelled } from "../calls/cancelling.js";
 import { pauseAfterCopy } from "../calls/yielder.js";
@@ -22,6 +21,7 @@ import type { Mesher } from "./mesher-interface.js";
 import type { InspectionOptions, MeshOptions, RemeshOptions } from "./option-types.js";
 import { checkRemeshOptions } from "./surface-options.js";
 import { areTooLarge } from "./surface-treatment.js";
+import { WholeProgress } from "./whole-progress.js";
 
 type Named<Call extends (...given: never[]) => unknown> = (
   ...given: [...Required<Parameters<Call>>, EntityNamer]
@@ -229,22 +229,6 @@ export interface PreparedBodies {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Part of a run that is spent on bodies, if there are any to prepare: an estimate for the progress. */
-const BODY_SHARE = 0.4;
-
-/** Returns the control of the run that follows the preparation of bodies, which took some seconds. */
-export function afterBodies(control: RunControl, seconds: number): RunControl {
-  const { onProgress } = control;
-  if (onProgress === undefined) return control;
-  const shared = (progress: CallProgress): void =>
-    onProgress({
-      ...progress,
-      fraction: BODY_SHARE + (1 - BODY_SHARE) * progress.fraction,
-      elapsedSeconds: seconds + progress.elapsedSeconds,
-    });
-  return { ...control, onProgress: shared };
-}
-
 /** Prepares the bodies that are not among `known`, one after the other, and reports their common progress. */
 export async function preparedBodies(
   calls: SurfaceCalls,
@@ -257,18 +241,10 @@ export async function preparedBodies(
   const ready = new Map(known.map((prepared) => [prepared.body, prepared]));
   const missing = bodies.filter(({ id }) => !ready.has(id));
   const diagnostics: Diagnostic[] = [];
-  const began = performance.now();
+  const whole = new WholeProgress(control);
   for (const [b, body] of missing.entries()) {
-    const elapsedSeconds = (performance.now() - began) / 1000;
-    const { onProgress } = control;
-    const shared = (progress: CallProgress): void =>
-      onProgress?.({
-        ...progress,
-        fraction: (BODY_SHARE * (b + progress.fraction)) / missing.length,
-        elapsedSeconds: elapsedSeconds + progress.elapsedSeconds,
-      });
     try {
-      const watched = { ...control, onProgress: onProgress && shared };
+      const watched = whole.next(1 / (missing.length - b));
       ready.set(body.id, await preparedBody(calls, project, body, options, watched));
     } catch (failure) {
       if (!(failure instanceof MesherError && failure.code === "invalid-input")) throw failure;

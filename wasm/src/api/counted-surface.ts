@@ -3,7 +3,7 @@ import type { RunControl } from "../engine/control.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { FinerPart } from "./element-count.js";
-import { controlOfPart, elementsReached } from "./element-target.js";
+import { elementsReached } from "./element-target.js";
 import type { Mesher, SurfaceSizeProposal } from "./mesher-interface.js";
 import type { MeshOptions, RemeshOptions, SurfaceMeshOptions } from "./option-types.js";
 import {
@@ -17,6 +17,7 @@ import {
 } from "./scaled-sizes.js";
 import { meshPart, remeshSettings } from "./surface-mesh-options.js";
 import type { ControlOf } from "./surface-treatment.js";
+import { WholeProgress } from "./whole-progress.js";
 
 /** What a run with a factor is given. */
 export interface ScaledFilling {
@@ -33,9 +34,6 @@ export interface CountedSurface {
   readonly parts: readonly Mesh[];
   readonly isRemeshed: boolean;
 }
-
-/** Part of a run that is spent on the treatment of the surface: an estimate for the progress. */
-const TREATMENT_SHARE = 0.5;
 
 /** Calls `fill` until the mesh has the number of elements. Rejects as `fill` does. */
 export async function filledToElements<Made extends MeshResult>(
@@ -55,12 +53,10 @@ export async function filledToElements<Made extends MeshResult>(
   const run = async (sizeFactor: number, ofRun: RunControl, finer?: FinerPart): Promise<Made> => {
     const ball = finer && (await finerBall(finer));
     const mesh = scaled(meshPart(options), sizeFactor);
-    const ofStep = (step?: string): RunControl =>
-      step === "remesh" ? controlOfPart(ofRun, 0, TREATMENT_SHARE) : controlOfPart(ofRun, TREATMENT_SHARE, 1);
     return fill({
       options: { ...options, ...mesh, background: withBall(mesh.background, ball) },
       sizeFactor,
-      controlOf: (step) => ({ ...controlOf(step), ...ofStep(step) }),
+      controlOf: new WholeProgress(ofRun).controlOf,
     });
   };
   const expected = isRemeshed && !hasGrid ? await expectedElements(mesher, sized, control) : null;

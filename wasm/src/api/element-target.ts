@@ -1,5 +1,4 @@
-/** Runs that reach a number of elements: their common progress, and what the report says about the number. */
-import type { CallProgress } from "../base/progress.js";
+/** Runs that reach a number of elements, and what the report says about the number. */
 import { plural } from "../base/plural.js";
 import { short } from "../base/short.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
@@ -8,6 +7,7 @@ import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import type { ElementCount, MeshReport, MeshResult } from "../mesh/report.js";
 import { type CountResult, type FinerPart, meshedToCount, type SearchEnd } from "./element-count.js";
+import { WholeProgress } from "./whole-progress.js";
 
 export interface ElementTarget<Made extends MeshResult> {
   /** Wanted number of elements. */
@@ -32,7 +32,8 @@ export async function elementsReached<Made extends MeshResult>(
 ): Promise<Made> {
   const { elements, expected, run } = target;
   const { onTrace, experiment, ...untraced } = control;
-  const shared = new SharedProgress(untraced);
+  const whole = new WholeProgress(untraced);
+  let meshNumber = 0;
   let failure: unknown;
   const found = await meshedToCount<Made | undefined>({
     wanted: elements,
@@ -40,7 +41,7 @@ export async function elementsReached<Made extends MeshResult>(
     hasFinerParts: target.hasFinerParts,
     mesh: async (factor, share, finer) => {
       try {
-        const made = await shared.during(share, (ofRun) => run(factor, ofRun, finer));
+        const made = await run(factor, whole.next(share, { meshNumber: ++meshNumber }), finer);
         const { status, tetrahedra } = made.report;
         return { factor, finer, count: status === "done" ? tetrahedra : undefined, made };
       } catch (error) {
@@ -55,11 +56,11 @@ export async function elementsReached<Made extends MeshResult>(
   // A recording has the steps of one run.
   const isRecorded = onTrace !== undefined && found.end !== "failed";
   const made = isRecorded
-    ? await shared.during(1, (ofRun) => run(factor, { ...ofRun, onTrace, experiment }, finer))
+    ? await run(factor, { ...whole.next(1, { meshNumber: ++meshNumber }), onTrace, experiment }, finer)
     : found.best.made;
-  shared.end();
+  whole.end();
   if (made === undefined) throw failure;
-  return reported(made, found, target, shared.seconds);
+  return reported(made, found, target, whole.seconds);
 }
 
 /** Powers of the number over the factor that are assumed for the first run, towards fewer and towards more elements. */
@@ -174,56 +175,5 @@ function reasons(
         `the number changes in jumps with the sizes, for example where a thin wall gets a further layer, or edges and faces one element more${reachable.length > 1 ? `; the nearest numbers found are ${reachable.join(" and ")}` : ""}`,
         "Ask for one of these numbers, or accept this one.",
       ];
-  }
-}
-
-/** Returns a control for a part of a run, whose progress goes from one fraction to another. */
-export function controlOfPart(control: RunControl, from: number, to: number): RunControl {
-  const { onProgress } = control;
-  if (onProgress === undefined) return control;
-  const report = (progress: CallProgress): void =>
-    onProgress({ ...progress, fraction: from + (to - from) * progress.fraction });
-  return { ...control, onProgress: report };
-}
-
-/** Progress of runs that follow each other: it never decreases, and ends at 1. */
-class SharedProgress {
-  readonly #control: RunControl;
-  readonly #began = performance.now();
-  #done = 0;
-  #runs = 0;
-  #last: CallProgress | undefined;
-
-  constructor(control: RunControl) {
-    this.#control = control;
-  }
-
-  get seconds(): number {
-    return (performance.now() - this.#began) / 1000;
-  }
-
-  /** Makes a run, which is a share of the remaining work. */
-  async during<T>(share: number, run: (control: RunControl) => Promise<T>): Promise<T> {
-    const part = (1 - this.#done) * share;
-    const before = this.#done;
-    const meshNumber = ++this.#runs;
-    const onProgress = (progress: CallProgress): void => {
-      const fraction = Math.max(this.#last?.fraction ?? 0, before + part * progress.fraction);
-      this.#tell({ ...progress, fraction, elapsedSeconds: this.seconds, meshNumber });
-    };
-    const isWatched = this.#control.onProgress !== undefined;
-    const made = await run({ ...this.#control, ...(isWatched && { onProgress }) });
-    this.#done = before + part;
-    return made;
-  }
-
-  end(): void {
-    const last = this.#last;
-    if (last !== undefined) this.#tell({ ...last, fraction: 1, elapsedSeconds: this.seconds });
-  }
-
-  #tell(progress: CallProgress): void {
-    this.#last = progress;
-    this.#control.onProgress?.(progress);
   }
 }

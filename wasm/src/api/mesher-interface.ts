@@ -276,9 +276,9 @@ export interface Mesher {
   /**
    * Improves the elements of a mesh from any program by swaps, moves, splits and collapses, as after a run. Its boundary,
    * its interfaces and the given `triangles` stay, triangle for triangle; the sizes are those of its own edges. The result
-   * is never worse: neither in its smallest dihedral angle, nor in its least or mean radius ratio, nor in the share of
-   * elements outside 30 to 135 degrees, whose number may grow with that of all elements; its largest dihedral angle is at
-   * most 135 degrees, or that of the given mesh. It has at most 5 % more elements, or as many more as `maxGrowth` permits.
+   * is never worse: neither in its smallest or largest dihedral angle, nor in its least or mean radius ratio, nor in the share
+   * of elements outside 30 to 135 degrees, whose number may grow with that of all elements. It has at most 5 % more elements,
+   * or as many more as `maxGrowth` permits.
    * Rejects with `invalid-input` if
    * elements have no volume or overlap, or if more than two share a face; the diagnostic names them. About 50 µs per
    * element. Works in slices beside a run. With `partial: true`, aborting the signal returns the mesh as it is.

@@ -11,7 +11,6 @@ import {
   type BodyOptions,
   bodyWithId,
   joinedBodies,
-  afterBodies,
   hasBodies,
   preparedBodies,
   preparedBody,
@@ -26,6 +25,7 @@ import { inOrder } from "./second-order-mesh.js";
 import { checkedRun, refused, settledRun } from "./project-run.js";
 import { ballOf, largestSize, pointsOf, scaledMeshOptions, scaledProject, withBall } from "./scaled-sizes.js";
 import { sampleSizes } from "./size-samples.js";
+import { WholeProgress } from "./whole-progress.js";
 import type { MeshOptions, ProjectMeshOptions } from "./option-types.js";
 import { checkOptions, withSettings } from "./mesh-options.js";
 import { emptyResult, withBodyDeviations, withoutBodyNotes, withPreparation } from "./report.js";
@@ -81,18 +81,19 @@ export class ProjectMesher {
     if (!hasBodies(project)) return checkedRun(this.#parts.client, { project, options: settled }, control);
     const drawn = await this.#errorsBefore(project, settled, control.signal);
     if (drawn.length > 0) return refused(drawn);
+    const whole = new WholeProgress(control);
     const { bodies, diagnostics } = await preparedBodies(
       this.#parts.surfaces,
       project,
       settled,
       known,
-      control,
+      whole.controlOf("bodies"),
     );
     if (bodies.length < (project.bodies?.length ?? 0)) return refused(diagnostics);
     return checkedRun(
       this.#parts.client,
       { project, options: settled, bodies: joinedBodies(project, bodies) },
-      control,
+      whole.next(1),
     );
   }
 
@@ -184,25 +185,24 @@ export class ProjectMesher {
     known: readonly PreparedBody[],
     control: RunControl,
   ): Promise<MeshResult> {
-    const began = performance.now();
-    const seconds = () => (performance.now() - began) / 1000;
+    const whole = new WholeProgress(control);
     try {
       const errors = await this.#errorsBefore(project, options, control.signal);
-      if (errors.length > 0) return emptyResult("invalid-input", errors, seconds());
+      if (errors.length > 0) return emptyResult("invalid-input", errors, whole.seconds);
       const ready = await preparedBodies(
         this.#parts.surfaces,
         project,
         { ...options, sizeFactor },
         known,
-        control,
+        whole.controlOf("bodies"),
       );
       const { bodies, diagnostics } = ready;
       if (bodies.length < (project.bodies?.length ?? 0)) {
-        return emptyResult("invalid-input", diagnostics, seconds());
+        return emptyResult("invalid-input", diagnostics, whole.seconds);
       }
       throwIfCancelled(control.signal);
-      const later = known.length < bodies.length ? afterBodies(control, seconds()) : control;
-      const preparation = seconds();
+      const later = known.length < bodies.length ? whole.next(1) : control;
+      const preparation = whole.seconds;
       const result = await this.#parts.runs.ofModel(project, options, later, joinedBodies(project, bodies));
       const { report } = withBodyDeviations(result, project, bodies);
       const own = withoutBodyNotes(report.diagnostics, project);
@@ -214,7 +214,7 @@ export class ProjectMesher {
       );
     } catch (failure) {
       if (failure instanceof MesherError && failure.code === "cancelled") {
-        return emptyResult("cancelled", [], seconds());
+        return emptyResult("cancelled", [], whole.seconds);
       }
       throw failure;
     }

@@ -7,12 +7,12 @@ export type SurfaceMesher = Pick<
   "inspectSurface" | "repairSurface" | "locateRegions" | "splitPatches"
 >;
 
-/** Returns the calls of a mesher with a control for all those that are given none. */
-export function withControl(mesher: SurfaceMesher, control: RunControl): SurfaceMesher {
+/** Returns the calls of a mesher with a control for those that are given none. `next`: returns the control of the next call. */
+export function withControl(mesher: SurfaceMesher, next: () => RunControl): SurfaceMesher {
   return {
-    inspectSurface: (surface, options, own = control) => mesher.inspectSurface(surface, options, own),
-    repairSurface: (surface, options, own = control) => mesher.repairSurface(surface, options, own),
-    locateRegions: (surface, own = control) => mesher.locateRegions(surface, own),
-    splitPatches: (surface, options, own = control) => mesher.splitPatches(surface, options, own),
+    inspectSurface: (surface, options, own = next()) => mesher.inspectSurface(surface, options, own),
+    repairSurface: (surface, options, own = next()) => mesher.repairSurface(surface, options, own),
+    locateRegions: (surface, own = next()) => mesher.locateRegions(surface, own),
+    splitPatches: (surface, options, own = next()) => mesher.splitPatches(surface, options, own),
   };
 }

@@ -16,7 +16,6 @@ import type { ChangedSurface, MeshedSurface } from "./meshed-surface.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { MeshOptions, SurfaceMeshOptions } from "./option-types.js";
 import { emptyResult } from "./report.js";
-import { stagedControl } from "./staged-progress.js";
 import {
   checkSurfaceMeshOptions,
   givenRemeshSetting,
@@ -46,6 +45,7 @@ import { completeSurface } from "./carried-mesh.js";
 import { inOrder } from "./second-order-mesh.js";
 import { hasNamedPatches } from "./generated-mesh.js";
 import { withInterfacePatches } from "./interface-patches.js";
+import { WholeProgress } from "./whole-progress.js";
 
 /** Loaded when it is needed: most files have one solid, or state what is joined. */
 const ofParts = () => import("./solid-parts.js");
@@ -273,9 +273,10 @@ async function filledBetter(
   ready: ReadySurface,
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
+  const { controlOf } = new WholeProgress(filling.controlOf("attempt"));
   return bestOf<MeshedSurface>(
     [
-      () => filledOnce(mesher, given, ready, filling),
+      () => filledOnce(mesher, given, ready, { ...filling, controlOf }),
       async (kept) => {
         const poor = kept && helpedByOthers(kept);
         if (poor === undefined) return undefined;
@@ -307,7 +308,14 @@ async function filledOnce(
   if (ready.parts !== undefined) return partsFilled(mesher, ready, ready.parts, filling);
   const { options, controlOf } = filling;
   const mesh = meshPart(options);
-  const again = () => readySurface(withControl(mesher, controlOf()), given, options, filling, true);
+  const again = () =>
+    readySurface(
+      withControl(mesher, () => controlOf("check")),
+      given,
+      options,
+      filling,
+      true,
+    );
   const isExactPossible = repairPart(options) === undefined && ready.treatment.kind === "remesh";
   const isRepeatable = isExactPossible && filling.isRecorded !== true;
   const exact = isRepeatable && hasWelded(given, ready) ? again : undefined;
@@ -337,8 +345,13 @@ async function partsFilled(
   filling: FillingOptions,
 ): Promise<MeshedSurface> {
   const made: TreatedPart[] = [];
-  for (const { ready: part, numbers } of parts)
-    made.push({ ...(await treated(mesher, part, filling)), numbers });
+  const whole = new WholeProgress(filling.controlOf("remesh"));
+  const trianglesFrom = (first: number): number =>
+    parts.slice(first).reduce((sum, { ready: part }) => sum + part.surface.triangles.length, 0);
+  for (const [p, { ready: part, numbers }] of parts.entries()) {
+    const { controlOf } = new WholeProgress(whole.next(part.surface.triangles.length / trianglesFrom(p)));
+    made.push({ ...(await treated(mesher, part, { ...filling, controlOf })), numbers });
+  }
   const { unitedTreated, withNesting } = await ofParts();
   const treatedParts = unitedTreated(made);
   // A solid of one part may lie within one of another.
@@ -426,13 +439,15 @@ export async function meshedSurface(
   const wrong = [...checkSurface(surface), ...checkSurfaceMeshOptions(options)];
   if (wrong.length > 0) return unmeshed(emptyResult("invalid-input", wrong));
   const given = completeSurface(surface);
-  const controlOf = stagedControl(control);
+  const whole = new WholeProgress(control);
   const found: Diagnostic[] = [];
   try {
-    const ready = await readySurface(withControl(mesher, controlOf("check")), given, options, origin);
+    const checked = withControl(mesher, () => whole.controlOf("check"));
+    const ready = await readySurface(checked, given, options, origin);
     found.push(...ready.diagnostics);
-    const ofRun = (step?: string) => controlOf(step === "remesh" ? step : "run");
-    const made = await filledSurface(mesher, given, ready, { options, ...origin, controlOf: ofRun });
+    const { controlOf } = whole;
+    const made = await filledSurface(mesher, given, ready, { options, ...origin, controlOf });
+    whole.end();
     const diagnostics = [...made.diagnostics, ...made.report.diagnostics];
     return { ...made, report: { ...made.report, diagnostics } };
   } catch (failure) {

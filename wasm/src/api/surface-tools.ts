@@ -45,7 +45,7 @@ import {
   engineRepairOptions,
 } from "./surface-options.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
-import { onTrueFaces } from "./true-faces.js";
+import { modelNumbers, onTrueFaces } from "./true-faces.js";
 import { completeSurface } from "./carried-mesh.js";
 import { splitSurface } from "./patch-names.js";
 import { meshedRegionsOf, surfaceNamer, triangleRegionsOf } from "./surface-numbers.js";
@@ -145,7 +145,8 @@ export class SurfaceTools {
     if (pause) await afterPause(this.#client, pause, control.partial === true ? {} : control);
     const settings = engineRemeshOptions(withInnerShells(surface, options));
     const regions = meshedRegionsOf(surface);
-    const given = [points, triangles, groups, gridOf(options.background), settings, regions] as const;
+    const grid = gridOf(options.background);
+    const given = [points, triangles, groups, grid, settings, regions, modelNumbers(surface)] as const;
     const remesh = await this.#client.ask("remeshSurface", given, control);
     const found = changeDiagnostics(remesh, name ?? surfaceNamer(surface)).map(withRepairOnly);
     const coarse = await inSteps(resolutionWarnings(surface), control.signal);

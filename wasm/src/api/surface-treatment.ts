@@ -19,6 +19,7 @@ import { inSteps } from "../calls/yielder.js";
 import { harmfulNeedles } from "../mesh/quality-warnings.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { type ElementShapes, poorNote } from "./poor-kept.js";
+import type { Step } from "./whole-progress.js";
 
 /** What was decided for a surface: never `auto`. */
 export interface Treatment {
@@ -41,8 +42,8 @@ export interface TreatedSurface {
   readonly diagnostics?: readonly Diagnostic[];
 }
 
-/** Returns the control of a call. `step`: word for its progress; by default, the phase of a run. */
-export type ControlOf = (step?: string) => RunControl;
+/** Returns the control of the next call of a step; by default, of a run. */
+export type ControlOf = (step?: Step) => RunControl;
 
 export interface TreatmentOptions {
   readonly treatment: Treatment;
@@ -111,10 +112,10 @@ async function inspected(
 ): Promise<{ readonly found: SurfaceInspection; readonly refine: () => ReturnType<typeof refined> }> {
   const { elements: _, ...sizes } = options;
   const { innerShells } = sizes;
-  const found = await mesher.inspectSurface(given, { innerShells }, controlOf());
+  const found = await mesher.inspectSurface(given, { innerShells }, controlOf("check"));
   // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
   const volume = found.flippedTriangles === 0 ? found.volume : undefined;
-  return { found, refine: () => refined(mesher, given, { ...sizes, volume }, controlOf()) };
+  return { found, refine: () => refined(mesher, given, { ...sizes, volume }, controlOf("check")) };
 }
 
 /** Longest edge / target length up to which triangles are kept by default; with given sizes, `coarse-surface` warns above it. */

@@ -7,7 +7,7 @@ import type { EngineClient } from "../engine/engine-client.js";
 import { enclosedVolumes } from "../formats/sixfold-volume.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { NodePlacement } from "../mesh/inspection.js";
-import type { Mesh, TrueFaces } from "../mesh/mesh.js";
+import type { Mesh, SurfaceInput, TrueFaces } from "../mesh/mesh.js";
 
 export interface PlacedSurface {
   readonly mesh: Mesh;
@@ -59,6 +59,12 @@ export async function onTrueFaces(
     },
     volumeChange: after - before,
   };
+}
+
+/** Returns the numbers of the true faces for a remeshing; none if they were moved or scaled since they were read. */
+export function modelNumbers({ trueFaces = [] }: SurfaceInput): Float64Array {
+  const isMoved = trueFaces.some(({ placement }) => placement !== undefined);
+  return isMoved ? new Float64Array() : joined(trueFaces).numbers;
 }
 
 /** Returns the faces of all solids as those of one, in new arrays: the engine's worker gets the arrays of a question. */

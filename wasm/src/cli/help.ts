@@ -179,13 +179,12 @@ ${formatLines("writable", "volume")}
 Result
   Elements are improved by swapping edges, moving nodes, and splitting and collapsing edges. The boundary, the
   interfaces between regions, and the triangles of the file stay as they are; patches and regions keep their
-  names. The sizes stay those of the mesh. The smallest dihedral angle, the least and the mean radius ratio and
-  the share of elements outside 30 to 135 degrees become better or stay as they are; the largest dihedral angle
-  does not rise above 135 degrees. The number of elements grows by at most 5 %, and only where that makes an
-  element outside 30 to 135 degrees better. --max-growth sets another limit: 0 for no growth, 2 for up to three
-  times as many; above 0.05, edges that are long for their surroundings are split too. All of these measures
-  are printed as they were before and are after. If nothing better is found, the program says so and writes
-  the given mesh. Values at the nodes are not kept if nodes move.
+  names. The sizes stay those of the mesh. The smallest and the largest dihedral angle, the least and the mean
+  radius ratio and the share of elements outside 30 to 135 degrees become better or stay as they are. The number
+  of elements grows by at most 5 %, and only where that makes an element outside 30 to 135 degrees better.
+  --max-growth sets another limit: 0 for no growth, 2 for up to three times as many; above 0.05, edges that are
+  long for their surroundings are split too. All of these measures are printed as they were before and are
+  after. If nothing better is found, the program says so and writes the given mesh. Values at the nodes are not kept if nodes move.
 
 Meshes with problems
   Inverted elements are oriented, with a note. Elements without volume, elements that overlap, and faces of

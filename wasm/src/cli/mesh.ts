@@ -6,6 +6,7 @@ import { checkGradation, growthOf } from "../api/mesh-options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
 import { checkSurfaceMeshOptions, projectPart, repairPart, splitPart } from "../api/surface-mesh-options.js";
 import { withControl } from "../api/surface-mesher.js";
+import type { Step } from "../api/whole-progress.js";
 import { secondOrderText } from "../api/second-order-mesh.js";
 import { filledSurface, type ReadySurface, readySurface } from "../api/surface-meshing.js";
 import type { MeshedSurface, RefinementCounts, RemeshReport } from "../api/meshed-surface.js";
@@ -193,7 +194,7 @@ export async function meshInput(
   const early = earlyNotes(subject, isQuiet);
   const meshed = await withRun(isQuiet, async (mesher, controlOf) => {
     const all = await withGrid(mesher, meshOptions, grid);
-    const control = (step?: string) => ({ ...controlOf(step), ...recording });
+    const control = (step?: Step) => ({ ...controlOf(step), ...recording });
     if (control().signal.aborted) return { result: emptyResult("cancelled"), model: given, found: read };
     if (given.kind === "project") {
       const result = await mesher.meshProject(given.project, projectPart(all), control());
@@ -201,7 +202,8 @@ export async function meshInput(
     }
     const { surface } = given;
     const isCad = isAnyCad(input, options);
-    const ready = await readySurface(withControl(mesher, controlOf("check")), surface, all, { isCad });
+    const checked = withControl(mesher, () => controlOf("check"));
+    const ready = await readySurface(checked, surface, all, { isCad });
     if (!isQuiet) printReady(subject, surface, ready);
     const hasInterfacePatches = isCad || (options.joined ?? []).length > 1;
     const filling = {

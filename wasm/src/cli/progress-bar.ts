@@ -19,14 +19,18 @@ export class ProgressBar {
     this.#bar.start(1, 0, { phase: "check", details: "" });
   }
 
-  /** `step`: word for work other than a run, which has no elements yet. */
-  update({ fraction, phase, tetrahedra, frontFaces, exactFillFraction }: CallProgress, step?: string): void {
-    const left =
+  /** Shows how far the work is; `timeLeft`: text, empty if it is not known. */
+  update(
+    { fraction, phase, tetrahedra, frontFaces, exactFillFraction }: CallProgress,
+    timeLeft: string,
+  ): void {
+    const open =
       exactFillFraction > 0
         ? `exact fill of remaining pockets: ${(100 * exactFillFraction).toFixed(1)} %`
         : `${String(frontFaces)} front faces`;
-    const details = step === undefined ? ` | ${tetrahedra} tetrahedra | ${left}` : "";
-    this.#bar.update(fraction, { phase: (step ?? phase).padEnd("surface".length), details });
+    const made = tetrahedra > 0 ? [`${tetrahedra} tetrahedra`, open] : [];
+    const details = [...made, timeLeft].map((text) => text && ` | ${text}`).join("");
+    this.#bar.update(fraction, { phase: phase.padEnd("surface".length), details });
   }
 
   stop(): void {

@@ -4,6 +4,7 @@ import { hasWelded, remeshedBest } from "../api/best-repair.js";
 import { located } from "../api/located-surface.js";
 import { readSurface, writeMesh } from "../api/mesh-files.js";
 import type { Mesher } from "../api/mesher-interface.js";
+import { withControl } from "../api/surface-mesher.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { sharedFacesNote } from "../api/solids.js";
 import { hasSolids } from "../api/stated-solids.js";
@@ -73,6 +74,9 @@ export async function remeshFile(input: string, options: RemeshFileOptions): Pro
   return exitCode;
 }
 
+/** Share of a remeshing that nothing follows, except for a second one if its triangles are poor. */
+const ONLY = 0.95;
+
 async function remeshAndWrite(input: string, options: RemeshFileOptions): Promise<Outcome> {
   const { output, innerShells } = options;
   const isQuiet = options.quiet === true || options.json === true;
@@ -85,13 +89,14 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
   if (given.kind === "project") throw new InvalidInput(input, [projectGiven]);
   const grid = await readGivenGrid(options, isQuiet);
   return withRun(isQuiet, async (mesher, controlOf) => {
+    const checked = withControl(mesher, () => controlOf("check"));
     const prepare = async (isExact: boolean) => {
       const treated =
         repair === undefined
-          ? await madeFillable(mesher, given.surface, { innerShells, isRemeshed: true, isExact })
-          : await repaired(mesher, given.surface, repair);
-      const divided = await withSplit(mesher, treated.surface, split);
-      const { surface, diagnostics } = await located(mesher, divided, innerShells);
+          ? await madeFillable(checked, given.surface, { innerShells, isRemeshed: true, isExact })
+          : await repaired(checked, given.surface, repair);
+      const divided = await withSplit(checked, treated.surface, split);
+      const { surface, diagnostics } = await located(checked, divided, innerShells);
       return { treated, divided, surface, diagnostics: [...diagnostics, ...sharedFacesOf(surface)] };
     };
     const welded = await prepare(false);
@@ -110,7 +115,7 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
       hasExact ? () => prepare(true) : undefined,
       ({ surface }) =>
         remeshed(mesher, surface, withSizes, {
-          ...controlOf("remesh"),
+          ...controlOf("remesh", ONLY),
           partial: true,
         }),
       { partial: true },

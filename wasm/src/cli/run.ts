@@ -1,13 +1,15 @@
 /** A mesher for one command, with a progress bar and signals that cancel. */
 import type { Mesher } from "../api/mesher-interface.js";
+import type { CallProgress } from "../base/progress.js";
 import { createMesher } from "../api/mesher.js";
 import type { RunControl } from "../engine/control.js";
 import { ProgressBar } from "./progress-bar.js";
 import { Interruption } from "./signals.js";
+import { type Step, WholeProgress } from "../api/whole-progress.js";
 import { enterPhase, setBarShown } from "./stages.js";
 
-/** Returns the control of a call. `step`: word for the progress bar; by default, the phase of a run. */
-export type ControlOf = (step?: string) => RunControl & { readonly signal: AbortSignal };
+/** Returns the control of the next call of a step, by default of a run; `share` as in `WholeProgress`. */
+export type ControlOf = (step?: Step, share?: number) => RunControl & { readonly signal: AbortSignal };
 
 /**
  * Calls `use` with a mesher. SIGINT, SIGTERM and SIGHUP cancel its calls that have a control of `controlOf`. If stderr is a
@@ -22,14 +24,22 @@ export async function withRun<T>(
   const mesher = await createMesher();
   const bar = process.stderr.isTTY && !isQuiet ? new ProgressBar() : undefined;
   setBarShown(bar !== undefined);
-  const controlOf: ControlOf = (step) => ({
-    signal: interruption.signal,
+  const { signal } = interruption;
+  let current: Step | undefined;
+  const whole = new WholeProgress({
     onProgress: (progress) => {
       interruption.hear();
-      enterPhase(progress, step);
-      bar?.update(progress, step);
+      bar?.update(progress, enterPhase(progress, current));
     },
   });
+  const controlOf: ControlOf = (step, share) => {
+    const { onProgress } = whole.controlOf(step, share);
+    const ofStep = (progress: CallProgress): void => {
+      current = step;
+      onProgress?.(progress);
+    };
+    return { signal, onProgress: ofStep };
+  };
   try {
     return await use(interruptible(mesher, interruption), controlOf);
   } finally {

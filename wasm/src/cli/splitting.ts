@@ -1,5 +1,5 @@
 /** `--split-patches`: patches by the sharp edges of a surface. */
-import type { Mesher } from "../api/mesher-interface.js";
+import type { SurfaceMesher } from "../api/surface-mesher.js";
 import type { SplitOptions } from "../api/option-types.js";
 import { checkSplitOptions } from "../api/surface-options.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
@@ -30,7 +30,7 @@ export function refuseSplit(options: SplitOptions | undefined): void {
 
 /** Returns the surface with its patches split, if that is requested. */
 export async function withSplit(
-  mesher: Mesher,
+  mesher: SurfaceMesher,
   surface: Mesh,
   options: SplitOptions | undefined,
 ): Promise<Mesh> {

@@ -1,5 +1,6 @@
 /** What a command is doing, and a line about it every ten seconds: a log shows no progress bar. */
 import type { CallProgress, ProgressPhase } from "../base/progress.js";
+import { roundTime, TimeLeft } from "../base/time-left.js";
 import { print } from "./messages.js";
 
 /** Time between two lines, in milliseconds. */
@@ -23,26 +24,37 @@ const WORDS: Readonly<Record<ProgressPhase | "improve" | "curve", string>> = {
 
 interface Stage {
   readonly words: string;
-  /** Share that is done, from 0 to 1; undefined if it is not known. */
+  /** Share of the whole that is done, from 0 to 1; undefined if it is not known. */
   readonly fraction: number | undefined;
+  /** Text for the time left; empty if it is not known. */
+  readonly left: string;
 }
 
 /** The process runs one command. */
-let current: Stage = { words: "starting", fraction: undefined };
+let current: Stage = { words: "starting", fraction: undefined, left: "" };
+let timeLeft = new TimeLeft();
 let isBarShown = false;
 
-/** Says what the command does from now on. */
-export function enterStage(words: string, fraction?: number): void {
-  current = { words, fraction };
+/** Says what the command does from now on; how far that is, is not known. */
+export function enterStage(words: string): void {
+  current = { words, fraction: undefined, left: "" };
+  timeLeft = new TimeLeft();
 }
 
-/** Says how far a run or another call is. `step`: word for a call that is not a run. */
+/** Says how far the whole is; returns the text for the time left. `step`: word for a call that is not a run. */
 export function enterPhase(
-  { phase, fraction, meshNumber = 1 }: Pick<CallProgress, "phase" | "fraction" | "meshNumber">,
+  {
+    phase,
+    fraction,
+    elapsedSeconds,
+    meshNumber = 1,
+  }: Pick<CallProgress, "phase" | "fraction" | "elapsedSeconds" | "meshNumber">,
   step: string | undefined,
-): void {
+): string {
   const words = WORDS[isKnown(step) ? step : phase];
-  enterStage(meshNumber > 1 ? `mesh ${meshNumber}: ${words}` : words, fraction);
+  const left = leftText(timeLeft.add(fraction, elapsedSeconds));
+  current = { words: meshNumber > 1 ? `mesh ${meshNumber}: ${words}` : words, fraction, left };
+  return left;
 }
 
 function isKnown(step: string | undefined): step is keyof typeof WORDS {
@@ -65,7 +77,13 @@ export function startStageLines(): () => void {
   return () => clearInterval(timer);
 }
 
-function stageLine({ words, fraction }: Stage, seconds: number): string {
+function stageLine({ words, fraction, left }: Stage, seconds: number): string {
   const share = fraction === undefined ? "" : `, ${Math.floor(100 * fraction)} %`;
-  return `${words}${share}, ${Math.round(seconds)} s so far`;
+  return `${words}${share}, ${Math.round(seconds)} s so far${left && `, ${left}`}`;
+}
+
+function leftText(seconds: number | null): string {
+  if (seconds === null) return "";
+  const { value, unit } = roundTime(seconds);
+  return `about ${value} ${unit} left`;
 }

@@ -5,7 +5,7 @@ import { useStore } from "zustand";
 import { useMemo } from "react";
 import { runNamed } from "../../commands/registry";
 import { unitOf } from "../../document/length-units";
-import { roundTime } from "../../session/time-left";
+import { roundTime } from "tetrafront/internal";
 import { savedState } from "../../session/document-store";
 import type { RunState } from "../../session/run";
 import { cancelledText } from "../../session/run-log";

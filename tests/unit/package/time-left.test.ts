@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { roundTime, TimeLeft } from "../../../web/session/time-left";
+import { roundTime, TimeLeft } from "../../../wasm/src/base/time-left.js";
 
 it("counts down in a run of even progress, from a little too much", () => {
   const left = new TimeLeft();

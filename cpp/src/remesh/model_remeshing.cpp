@@ -1,0 +1,306 @@
+#include "remesh/model_remeshing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/sort.h"
+#include "boundary/boundary.h"
+#include "field/size_octree_builder.h"
+#include "geom/measure.h"
+#include "remesh/reference_surface.h"
+#include "remesh/remesh_targets.h"
+#include "remesh/triangle_parts.h"
+#include "surface/trimmed_mesher.h"
+#include "topology/mesh_access.h"
+#include "topology/surface_access.h"
+
+namespace tetrafront {
+namespace {
+
+/// Least cosine of the angle between a triangle and the given one near it: on the other side of a thin wall it is about -1.
+constexpr double kLeastAlignment = 0.5;
+/// How far a triangle may be from the given one beneath it before the sizes are reduced, in tolerances.
+constexpr double kGivenReach = 4.0;
+/// Largest deviation of a triangle that follows from its size / its longest edge: one that spans 90 degrees of a cylinder.
+/// Larger ones follow from another division into faces.
+constexpr double kMostBent = 0.21;
+/// Longest edges of the front / size.
+constexpr double kLongest = 1.5;
+/// Deviation at which reduced sizes aim / tolerance.
+constexpr double kReducedShare = 0.5;
+/// Triangulations of the faces, with sizes reduced in between. Each gets rid of most triangles that are too far away.
+constexpr int kRefinements = 4;
+/// Share of the triangles too far away that a triangulation may leave, or no other follows.
+constexpr double kFewer = 0.75;
+/// Largest deviation from the given triangles / tolerance: they are as far from the faces as the CAD kernel has allowed.
+constexpr double kMostDeviation = 2.0;
+/// Triangles whose given ones are found per unit of budget.
+constexpr std::size_t kLocatedPerUnit = 4;
+
+/// Returns the corners of a triangle, the middles of its edges and its centroid.
+std::array<Vec3, 7> samplesOf(const TriangleCorners& corners) {
+  const auto& [a, b, c] = corners;
+  return {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), centroidOf(corners)};
+}
+
+/// Returns true if only the shape, and perhaps one size, decides the sizes.
+bool areOfShape(const Remeshing& remeshing) {
+  const BackgroundGrid& grid = remeshing.sizes.grid;
+  return grid.nodes.empty() && grid.sources.empty() && !remeshing.sizes.ofRegions.areGiven();
+}
+
+/// Edge lengths that grow from places on the surface.
+struct PlacedSizes {
+  std::vector<Vec3> positions;
+  std::vector<double> sizes;
+};
+
+/// Returns the sizes that the given surface asks for; none if there are too many triangles, or if the work was stopped.
+Task<std::optional<PlacedSizes>> findSizes(Work& work, const Remeshing& remeshing) {
+  std::optional<PlacedSizes> none;
+  Job<TargetField> finding([&](Work& inner) {
+    return findTargetField(inner, remeshing.reference, remeshing.given.origin, remeshing.sizes,
+                           remeshing.options, remeshing.lengths);
+  });
+  if (!co_await finishUnlessStopped(work, finding, remeshing.isStopped)) co_return none;
+  TargetField targets = finding.take();
+  if (!targets.diagnostics.empty()) co_return none;
+  ShapeSizes& shape = targets.ofShape;
+  for (std::size_t i = 0; i < shape.sizes.size(); ++i)
+    shape.sizes[i] = std::max(shape.sizes[i], targets.sizes->leastAt(shape.positions[i]));
+  co_return PlacedSizes{std::move(shape.positions), std::move(shape.sizes)};
+}
+
+Task<SizeField> fieldOf(Work& work, const PlacedSizes& placed, const Remeshing& remeshing) {
+  const double largest = remeshing.lengths.maxSize;
+  if (placed.positions.empty()) co_return SizeField::uniform(largest);
+  SizeOctreeBuilder builder(placed.positions, placed.sizes, remeshing.options.growth, largest);
+  co_await work.finish(builder);
+  co_return SizeField::fromOctree(builder.take());
+}
+
+/// Returns the triangles of the faces; none if a face cannot be triangulated.
+Task<std::optional<SurfaceMesh>> triangulateFaces(Work& work, const TrimmedModel& model,
+                                                  const SizeField& field) {
+  TrimmedMesher mesher(model, field);
+  MeshStatus status = MeshStatus::kRunning;
+  while ((status = mesher.advance(work.remaining())) == MeshStatus::kRunning) {
+    work.setFraction(mesher.fraction());
+    co_await work.yield();
+  }
+  std::optional<SurfaceMesh> mesh;
+  if (status == MeshStatus::kDone) mesh.emplace(mesher.takeMesh());
+  co_return mesh;
+}
+
+/// Returns the given triangle next to a position on the same side of the surface; none within the limit if there is none.
+TriangleId givenNear(const ReferenceSurface& reference, const Vec3& position, const Vec3& normal,
+                     double limit) {
+  TriangleId nearest{};
+  double squared = limit * limit;
+  reference.tree().visitNear(position, squared, [&](std::uint32_t item) {
+    const TriangleId t = reference.pieces()[item].triangle;
+    if (t == nearest || glm::dot(reference.normalOf(t), normal) < kLeastAlignment) return;
+    const double distance = reference.squaredDistance(position, t);
+    if (distance >= squared) return;
+    squared = distance;
+    nearest = t;
+  });
+  return nearest;
+}
+
+/// Returns the smooth patch of the given surface in which each face lies: the one beneath its largest triangle. None if there
+/// is none for a face.
+std::vector<SmoothPatchId> patchesOfFaces(const SurfaceMesh& mesh, std::size_t faceCount,
+                                          const Remeshing& remeshing) {
+  std::vector<TriangleId> largest(faceCount);
+  std::vector<double> area(faceCount, 0.0);
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
+    const std::size_t face = mesh.trianglePatch[t.index()];
+    const double own = areaOf(cornersOf(mesh, t));
+    if (own <= area[face]) continue;
+    area[face] = own;
+    largest[face] = t;
+  }
+  std::vector<SmoothPatchId> patches;
+  for (const TriangleId t : largest) {
+    if (t.isNone()) return {};
+    const TriangleCorners corners = cornersOf(mesh, t);
+    // A large triangle of a face that bends much may be farther away than the tolerance.
+    const double limit = std::max(remeshing.lengths.tolerance, longestEdgeLengthOf(corners));
+    const TriangleId beneath = givenNear(remeshing.reference, centroidOf(corners),
+                                         glm::normalize(crossOf(corners)), limit);
+    if (beneath.isNone()) return {};
+    patches.push_back(remeshing.reference.patchOf(beneath));
+  }
+  return patches;
+}
+
+/// Returns true if every given patch contains a face.
+bool areAllCovered(std::span<const SmoothPatchId> ofFaces, const Remeshing& remeshing) {
+  std::vector<std::uint32_t> covered;
+  for (const SmoothPatchId patch : ofFaces)
+    covered.push_back(remeshing.reference.patch(patch).group);
+  std::vector<std::uint32_t> given = remeshing.given.mesh.trianglePatch;
+  sortUnique(covered);
+  sortUnique(given);
+  return given.empty() || covered == given;
+}
+
+/// Gives each triangle the given one beneath it, in the patch of its face. Returns false if there is none near one: the
+/// surfaces are not the same, or the patch is only a part of the face.
+Task<bool> findGiven(Work& work, std::span<const SmoothPatchId> ofFaces, const Remeshing& remeshing,
+                     RemeshPass& pass) {
+  const SurfaceMesh& mesh = pass.surface.mesh;
+  pass.beneath.reserve(countTriangles(mesh));
+  bool areNear = true;
+  co_await work.forEachBlock(
+      countTriangles(mesh),
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t t = first; t < last && areNear; ++t) {
+          const SmoothPatchId patch = ofFaces[mesh.trianglePatch[t]];
+          const TriangleId hint = pass.beneath.empty() ? TriangleId{} : pass.beneath.back();
+          const TriangleCorners corners = cornersOf(mesh, TriangleId(t));
+          const double limit = kGivenReach * remeshing.lengths.tolerance;
+          const NearestPoint nearest =
+              remeshing.reference.nearest(centroidOf(corners), patch, limit, hint);
+          areNear = !nearest.triangle.isNone();
+          pass.beneath.push_back(nearest.triangle);
+        }
+      },
+      kLocatedPerUnit);
+  co_return areNear;
+}
+
+/// Measures triangles again that lie beside the given patch of their face, because the given triangles divide the surface a little
+/// differently into faces, for example at the tip of a narrow one: their distance from any patch counts.
+void measureBeside(const Remeshing& remeshing, RemeshPass& pass) {
+  for (const TriangleId t : IdRange<TriangleId>(pass.beneath.size())) {
+    float& deviation = pass.remesh.triangleDeviation[t.index()];
+    const TriangleCorners corners = cornersOf(pass.surface.mesh, t);
+    if (double{deviation} <= kMostBent * longestEdgeLengthOf(corners)) continue;
+    const Vec3 normal = glm::normalize(crossOf(corners));
+    double largest = 0.0;
+    for (const Vec3& position : samplesOf(corners)) {
+      const TriangleId given = givenNear(remeshing.reference, position, normal, double{deviation});
+      const double squared = given.isNone() ? double{deviation} * double{deviation}
+                                            : remeshing.reference.squaredDistance(position, given);
+      largest = std::max(largest, squared);
+    }
+    deviation = static_cast<float>(std::sqrt(largest));
+  }
+}
+
+/// Adds smaller sizes where triangles are farther from the given ones than the tolerance: large ones on faces that the given
+/// triangles show too roughly for their curvature. Returns their number.
+std::size_t addSizesWhereFar(const RemeshPass& pass, const SizeField& field, double tolerance,
+                             PlacedSizes& placed) {
+  const std::size_t before = placed.sizes.size();
+  FieldHint hint;
+  for (const TriangleId t : IdRange<TriangleId>(pass.beneath.size())) {
+    const double deviation = pass.remesh.triangleDeviation[t.index()];
+    if (deviation < tolerance) continue;
+    const TriangleCorners corners = cornersOf(pass.surface.mesh, t);
+    const double length = longestEdgeLengthOf(corners);
+    const Vec3 centroid = centroidOf(corners);
+    const double size = std::min(field.targetSizeAt(centroid, hint), length / kLongest);
+    placed.positions.push_back(centroid);
+    // The deviation grows with the square of the length.
+    placed.sizes.push_back(size * std::sqrt(kReducedShare * tolerance / deviation));
+  }
+  return placed.sizes.size() - before;
+}
+
+/// Returns true if the triangles are a valid boundary, which encloses about what the given one does.
+Task<bool> isBoundary(Work& work, const SurfaceMesh& mesh, const Remeshing& remeshing) {
+  SurfaceMesh checked = mesh;
+  BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, remeshing.options.innerShells,
+                         MixedOrientation::kRefuse);
+  co_await work.finish(boundary);
+  const std::vector<Diagnostic> found = boundary.takeDiagnostics();
+  const bool isValid = std::ranges::none_of(found, [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::kError ||
+           diagnostic.code == DiagnosticCode::kReorientedPatch;
+  });
+  co_return isValid;
+}
+
+/// Triangulates the faces once. Returns none as remeshModel() does, but for the deviation and for what the triangles enclose.
+Task<std::optional<RemeshPass>> remeshWith(Work& work, const SizeField& field,
+                                           const Remeshing& remeshing) {
+  std::optional<RemeshPass> none;
+  const TrimmedModel& model = *remeshing.model;
+  work.beginPart(0.7);
+  Job<std::optional<SurfaceMesh>> triangulating(
+      [&](Work& inner) { return triangulateFaces(inner, model, field); });
+  if (!co_await finishUnlessStopped(work, triangulating, remeshing.isStopped)) co_return none;
+  std::optional<SurfaceMesh> mesh = triangulating.take();
+  if (!mesh) co_return none;
+
+  RemeshPass pass;
+  pass.surface.mesh = std::move(*mesh);
+  SurfaceMesh& made = pass.surface.mesh;
+  made.sides.clear();
+  made.sideLine.clear();
+  const std::vector<SmoothPatchId> ofFaces = patchesOfFaces(made, model.faces.size(), remeshing);
+  if (ofFaces.empty() || !areAllCovered(ofFaces, remeshing)) co_return none;
+  work.beginPart(0.8);
+  if (!co_await findGiven(work, ofFaces, remeshing, pass)) co_return none;
+  for (std::uint32_t& patch : made.trianglePatch) patch = ofFaces[patch].value;
+  pass.surface.origin = inherited(remeshing.given.origin, pass.beneath);
+  made.triangleRegions = inherited(remeshing.given.mesh.triangleRegions, pass.beneath, 2);
+
+  SurfaceRemesh& result = pass.remesh;
+  result.size = remeshing.lengths.maxSize;
+  result.minSize = remeshing.lengths.minSize;
+  result.patches = static_cast<std::uint32_t>(remeshing.reference.patchCount());
+  result.featureLines = static_cast<std::uint32_t>(remeshing.reference.lines().size());
+  work.beginPart(1.0);
+  // Distances up to the reach are measured.
+  result.tolerance = kGivenReach * remeshing.lengths.tolerance;
+  co_await sampleDeviation(work, remeshing.reference, made, pass.beneath, remeshing.isStopped,
+                           result);
+  result.tolerance = remeshing.lengths.tolerance;
+  if (result.isPartial) co_return none;
+  measureBeside(remeshing, pass);
+  result.deviation = std::ranges::max(result.triangleDeviation);
+  co_return pass;
+}
+
+}  // namespace
+
+Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshing) {
+  std::optional<RemeshPass> none;
+  if (!areOfShape(remeshing)) co_return none;
+  work.beginPart(0.4);
+  std::optional<PlacedSizes> placed = co_await findSizes(work, remeshing);
+  if (!placed) co_return none;
+  const double tolerance = remeshing.lengths.testedTolerance;
+  std::optional<RemeshPass> pass;
+  std::size_t far = 0;
+  for (int round = 0; round < kRefinements; ++round) {
+    work.beginPart(0.5);
+    const SizeField field = co_await fieldOf(work, *placed, remeshing);
+    work.beginPart(0.9);
+    pass = co_await remeshWith(work, field, remeshing);
+    if (!pass) co_return none;
+    const std::size_t before =
+        std::exchange(far, addSizesWhereFar(*pass, field, tolerance, *placed));
+    // Where the given triangles are far from the faces, smaller ones are no nearer to them.
+    if (far == 0 || (round > 0 && static_cast<double>(far) > kFewer * static_cast<double>(before)))
+      break;
+    work.leaveRest();
+  }
+  if (pass->remesh.deviation > kMostDeviation * remeshing.lengths.tolerance) co_return none;
+  work.beginPart(1.0);
+  if (!co_await isBoundary(work, pass->surface.mesh, remeshing)) co_return none;
+  measureShapes(pass->surface.mesh, pass->remesh);
+  co_return pass;
+}
+
+}  // namespace tetrafront
