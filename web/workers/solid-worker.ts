@@ -1,5 +1,5 @@
 /** Makes solids of features by the kernel, which is loaded with the first one. */
-import { brepOfFile, featureSolid, type FeatureKernel } from "tetrafront/internal";
+import { brepOfFile, featureSolid, importKernel, type FeatureKernel } from "tetrafront/internal";
 import { createBodies, type ProjectBody, type ProjectBodyPatch } from "tetrafront/project";
 import { faceLabel } from "../document/operations/feature-names";
 import { kernelFiles } from "./cad-library";
@@ -9,18 +9,9 @@ import type { SolidProtocol, SolidRequest } from "./solids";
 
 let loading: Promise<FeatureKernel> | null = null;
 
-async function loadKernel(): Promise<FeatureKernel> {
-  const { script, wasm } = kernelFiles;
-  const { default: create } = (await import(/* @vite-ignore */ script)) as {
-    readonly default: (options: object) => Promise<FeatureKernel>;
-  };
-  const ignore = (): void => undefined;
-  return create({ locateFile: () => wasm, print: ignore, printErr: ignore });
-}
-
 /** Returns the kernel, which is loaded again after a failure. */
 async function loadedKernel(): Promise<FeatureKernel> {
-  loading ??= loadKernel();
+  loading ??= importKernel<FeatureKernel>(kernelFiles);
   try {
     return await loading;
   } catch (failure) {

@@ -116,9 +116,7 @@ class ElementCost {
     return limited;
   }
 
-  [[nodiscard]] bool hasLimit() const {
-    return limits_.leastRadiusRatio > 0.0 || hasAngleLimit();
-  }
+  [[nodiscard]] bool hasLimit() const { return limits_.leastRadiusRatio > 0.0 || hasAngleLimit(); }
 
   [[nodiscard]] Measure measure() const { return measure_; }
   [[nodiscard]] const DihedralTargets& targets() const { return targets_; }
