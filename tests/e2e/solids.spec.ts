@@ -1,6 +1,7 @@
 import { expect, test, type Page } from "@playwright/test";
 import { measured } from "../support/mesh-measures";
 import { parseVtu } from "../support/mesh-files";
+import { drilledSolid, stepFile } from "../support/step-files";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { acceptOperation, startOperation } from "./operations";
@@ -71,6 +72,39 @@ test("the numbers of features follow parameters, with what fails said at the fea
   await expect(page.getByTestId("operation-radius")).toHaveValue("r");
 });
 
+test("a part of a file gets a hole, and another solid is cut from it", async ({ page }) => {
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(window, "showOpenFilePicker");
+  });
+  const app = new AppPage(page);
+  await page.goto("./?test=1&new=1");
+  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+  const choosing = page.waitForEvent("filechooser");
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("Import part as solid…");
+  await page.keyboard.press("Enter");
+  const bytes = stepFile([drilledSolid("plate", [0, 0, 0], [4, 4, 1], [2, 2], 1)]);
+  await (await choosing).setFiles({ name: "plate.step", mimeType: "model/step", buffer: Buffer.from(bytes) });
+  await expect(app.viewport).toHaveAttribute("data-solids", "1", { timeout: 60_000 });
+  await expect.poll(() => volume(page)).toBeCloseTo(16 - Math.PI, 1);
+  const before = await volume(page);
+  await startOperation(page, "Box…");
+  await page.getByTestId("piece-operation").getByText("New").click();
+  await fill(page, { width: "1", depth: "1", height: "1" });
+  await accept(page);
+  await expect(app.viewport).toHaveAttribute("data-solids", "2");
+  await page.getByTestId("tree-body-1").click();
+  await page.getByTestId("tree-body-2").click({ modifiers: ["Control"] });
+  await startOperation(page, "Difference of two bodies…");
+  await accept(page);
+  await expect(app.viewport).toHaveAttribute("data-solids", "1");
+  await expect.poll(() => volume(page)).toBeCloseTo(before - 0.25, 6);
+  await page.getByTestId("feature-2").dblclick();
+  await page.getByTestId("operation-kind").getByText("Union").click();
+  await accept(page);
+  await expect.poll(() => volume(page)).toBeCloseTo(before + 0.75, 6);
+});
+
 test("a box, a hole cut by a cylinder and rounded edges are features that stay editable", async ({
   page,
 }) => {
@@ -120,7 +154,7 @@ test("a box, a hole cut by a cylinder and rounded edges are features that stay e
   await page.getByTestId("feature-1").dblclick();
   await fill(page, { height: "0.1" });
   await computed(page);
-  await expect(page.getByTestId("operation-note")).toContainText("feature 3");
+  await expect(page.getByTestId("operation-note")).toContainText("Fillet 1");
   await accept(page);
   await expect(page.getByTestId("feature-3").getByRole("alert")).toContainText("smaller radius");
   await expect.poll(() => volume(page)).toBeCloseTo((4 - hole / 4) / 10, 2);

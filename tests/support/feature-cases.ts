@@ -1,7 +1,7 @@
 /** Lists of features with the volumes, areas and names of faces that formulas and origins give. */
 import type { Vector } from "../../wasm/dist/base/vectors.js";
 import type { Feature, FeatureOf, LoopCurve } from "../../wasm/dist/cad/features/feature.js";
-import { boxFeature, circleLoop, squareLoop, UPRIGHT } from "./features.js";
+import { boxFeature, circleLoop, polygonLoop, squareLoop, UPRIGHT } from "./features.js";
 
 const { PI, SQRT2 } = Math;
 const operation = "new";
@@ -75,6 +75,24 @@ export const CASES: Record<string, FeatureCase> = {
     volume: 3 * Math.sqrt(3),
     area: 3 * Math.sqrt(3) + 12,
     faces: ["1/bottom", ...[1, 2, 3, 4, 5, 6].map((k) => `1/side ${k}`), "1/top"],
+  },
+  "a sewn tetrahedron": {
+    features: [
+      {
+        id: 1,
+        type: "sew",
+        operation,
+        faces: [
+          { outer: polygonLoop([0, 0, 0], [1, 0, 0], [0, 1, 0]) },
+          { outer: polygonLoop([0, 0, 0], [1, 0, 0], [0, 0, 1]) },
+          { outer: polygonLoop([0, 0, 0], [0, 1, 0], [0, 0, 1]) },
+          { outer: polygonLoop([1, 0, 0], [0, 1, 0], [0, 0, 1]) },
+        ],
+      },
+    ],
+    volume: 1 / 6,
+    area: 1.5 + Math.sqrt(3) / 2,
+    faces: [1, 2, 3, 4].map((k) => `1/face ${k}`),
   },
   "a wedge": {
     features: [{ id: 1, type: "wedge", operation, ...UPRIGHT, size: [4, 2, 4], topLength: 1 }],

@@ -1,6 +1,10 @@
+import type { Project } from "tetrafront/project";
 import type { App } from "../app/app";
 import { booleanKinds, type BooleanKind } from "../document/booleans/kinds";
 import type { Solid } from "../document/booleans/solids";
+import type { Entity } from "../document/entities";
+import { solidBoolean } from "../document/operations/solid-booleans";
+import { solidsOf as featureSolidsOf } from "../document/operations/solids";
 import { loadManifold } from "../session/manifold";
 import { operationStrings } from "../strings";
 import { define, type Command } from "./command";
@@ -8,6 +12,10 @@ import { showFailure, showRefusal } from "./messages";
 import { startOperation } from "./start-operation";
 
 const texts = operationStrings.booleans;
+
+/** Returns the solid with features that a body is; undefined for others. */
+const solidWith = (project: Project, [entity]: readonly Entity[]) =>
+  entity?.kind === "body" ? featureSolidsOf(project).find(({ id }) => id === entity.id) : undefined;
 
 /** The latest request of each app: it replaces those that still wait. */
 const latest = new WeakMap<App, symbol>();
@@ -40,6 +48,8 @@ async function startBoolean(app: App, kind: BooleanKind): Promise<void> {
     const all = selected.length < 2 ? touchedBodies(project, []) : [];
     const bodies = all.length === 2 ? all : selected;
     if (bodies.length !== 2) return showRefusal(app, texts.title, texts.twoBodies(bodies.length));
+    const [solid, other] = bodies.map((entities) => solidWith(project, entities));
+    if (solid && other) return startOperation(app, solidBoolean([solid, other], kind));
     const [first, second] = bodies.map((entities) => solidOf(project, entities, preview));
     if (!first || !second) return showRefusal(app, texts.title, texts.open);
     const both: readonly [Solid, Solid] = [first, second];

@@ -4,6 +4,7 @@ import { define, type Command } from "./command";
 import { hasTetrahedra, meshNeeded } from "./conditions";
 import { downloadReport } from "./download-actions";
 import { newProject, openFromDialog, save } from "./project-actions";
+import { importPart } from "./solid-commands";
 import { importSurface } from "./surface-actions";
 
 const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
@@ -29,6 +30,7 @@ export const fileMenu: readonly Command[] = [
     enabled: (app) => app.library !== null,
   }),
   define("file", 0)("import-surface", commandLabels.importSurface, (app) => void importSurface(app)),
+  define("file", 0)("import-part", commandLabels.importPart, (app) => void importPart(app)),
   define("file", 0)("examples", commandLabels.examples, (app) =>
     app.shell.setState({ leftTab: "examples", drawer: "left" }),
   ),

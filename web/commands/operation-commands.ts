@@ -34,7 +34,7 @@ export const pieceCommands: readonly Command[] = pieceOperations.map((operation)
 
 /** Commands that open the panel of an operation that sweeps the selection or drills a hole. */
 export const sweepCommands: readonly Command[] = sweepOperations.map((operation) =>
-  open("create", 11, operation),
+  open("create", 12, operation),
 );
 
 /** Commands that copy the selection, accept the open operation, or open the panel of an operation that transforms it. */

@@ -16,6 +16,11 @@ export interface DrawnSurface {
   readonly patchOffsets: Uint32Array<ArrayBuffer>;
   /** One value per corner, if the surface has values. */
   readonly values: Float32Array<ArrayBuffer> | null;
+  /**
+   * Per corner the edges of its triangle within a patch, if they are not drawn: the sum of 1, 2 and 4 for those opposite to the
+   * first, second and third corner.
+   */
+  readonly hiddenEdges?: Float32Array<ArrayBuffer> | undefined;
 }
 
 /** Returns the drawn triangles of a surface with `patchCount` patches and one value per triangle, if it has values. */
@@ -45,6 +50,34 @@ export function drawnSurface(
   return { centre, low, high, corners, order, patchOffsets, values };
 }
 
+/** Returns a surface of which only the edges between patches are drawn, as the triangles within them mean nothing. O(triangles). */
+export function withoutInnerEdges(
+  drawn: DrawnSurface,
+  { triangles, trianglePatch }: Pick<SurfaceInput, "triangles" | "trianglePatch">,
+): DrawnSurface {
+  const hiddenEdges = new Float32Array(3 * drawn.order.length);
+  const nodes = triangles.reduce((highest, node) => Math.max(highest, node), 0) + 1;
+  const first = new Map<number, number>();
+  const hide = (corner: number): void => {
+    const start = corner - (corner % 3);
+    const bit = 1 << (corner % 3);
+    for (let k = start; k < start + 3; ++k) hiddenEdges[k] = (hiddenEdges[k] ?? 0) + bit;
+  };
+  drawn.order.forEach((triangle, slot) => {
+    for (let corner = 0; corner < 3; ++corner) {
+      const [a, b] = [1, 2].map((k) => triangles[3 * triangle + ((corner + k) % 3)] ?? 0) as [number, number];
+      const key = Math.min(a, b) * nodes + Math.max(a, b);
+      const other = first.get(key);
+      if (other === undefined) first.set(key, 3 * slot + corner);
+      else if (trianglePatch?.[drawn.order[Math.floor(other / 3)] ?? 0] === trianglePatch?.[triangle]) {
+        hide(other);
+        hide(3 * slot + corner);
+      }
+    }
+  });
+  return { ...drawn, hiddenEdges };
+}
+
 /** Counting sort; triangles of one patch keep their order. */
 function sortedByPatch(count: number, patchCount: number, patchOf: (triangle: number) => number) {
   const patchOffsets = new Uint32Array(patchCount + 1);
@@ -62,6 +95,13 @@ function sortedByPatch(count: number, patchCount: number, patchOf: (triangle: nu
 }
 
 /** Returns the buffers of a drawn surface, for the transfer list of a message. */
-export function buffersOfDrawn({ corners, order, patchOffsets, values }: DrawnSurface): ArrayBuffer[] {
-  return [corners, order, patchOffsets, ...(values ? [values] : [])].map(({ buffer }) => buffer);
+export function buffersOfDrawn({
+  corners,
+  order,
+  patchOffsets,
+  values,
+  hiddenEdges,
+}: DrawnSurface): ArrayBuffer[] {
+  const optional = [values, hiddenEdges].filter((array) => array != null);
+  return [corners, order, patchOffsets, ...optional].map(({ buffer }) => buffer);
 }

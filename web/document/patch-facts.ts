@@ -2,7 +2,7 @@ import type { BodyPlacement } from "tetrafront/project";
 import type { PatchArrays } from "./patch-arrays";
 import { placed } from "./placement";
 import type { Position } from "./position";
-import { add, cross, length, subtract, unit, zero } from "./vectors";
+import { add, cross, length, scale as scaled, subtract, unit, zero } from "./vectors";
 import { cornerOf } from "./winding-number";
 
 /** The given triangles of a patch of a body. */
@@ -12,6 +12,8 @@ export interface PatchFacts {
   readonly area: number;
   /** Unit vector in the model; null if the triangles do not face one way. */
   readonly normal: Position | null;
+  /** Centroid in the model. */
+  readonly centre: Position;
 }
 
 /** Largest part of the area by which the projection of a planar patch along its normal is smaller. */
@@ -23,13 +25,15 @@ export function patchFacts(
   patch: number,
   placement: BodyPlacement = {},
 ): PatchFacts {
-  let [count, area, sum] = [0, 0, zero];
+  let [count, area, sum, moment] = [0, 0, zero, zero];
   trianglePatch.forEach((owner, t) => {
     if (owner !== patch) return;
     const corner = (k: number): Position => cornerOf(points, triangles[3 * t + k] ?? 0);
     const normal = cross(subtract(corner(1), corner(0)), subtract(corner(2), corner(0)));
     ++count;
     area += length(normal) / 2;
+    const middle = scaled(add(add(corner(0), corner(1)), corner(2)), 1 / 3);
+    moment = add(moment, scaled(middle, length(normal) / 2));
     sum = add(sum, normal);
   });
   const { scale = 1, ...turned } = placement;
@@ -37,6 +41,7 @@ export function patchFacts(
   return {
     triangles: count,
     area: area * scale ** 2,
+    centre: placed(area > 0 ? scaled(moment, 1 / area) : zero, placement),
     normal: normal && placed(normal, { ...turned, position: [0, 0, 0] }),
   };
 }

@@ -61,6 +61,23 @@ type OpenedFile = File & { readonly handle?: FileSystemFileHandle };
 /** Number of open dialogs. */
 let openDialogs = 0;
 
+const partFile = {
+  description: strings.files.part,
+  extensions: [".step", ".stp", ".brep", ".brp"],
+  id: "tetrafront-part",
+};
+
+/** Asks for a CAD file. Returns null if the user closes the dialog. */
+export async function chooseCadFile(): Promise<File | null> {
+  const [{ fileOpen }] = await loadFileDialogs();
+  try {
+    return await fileOpen(partFile);
+  } catch (error) {
+    if (isAbort(error)) return null;
+    throw error;
+  }
+}
+
 /** Called when reading begins that may take long, with a signal to be aborted; and with null when it has ended. */
 export type OnReading = (
   reading: { readonly fileName: string; readonly abort: AbortController } | null,

@@ -1,4 +1,4 @@
-import type { FeatureFailure } from "tetrafront/internal";
+import type { FeatureFailure, PartFile } from "tetrafront/internal";
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
 import { nextBodyIds } from "../document/body-edits";
 import type { SolidMaker } from "../document/operations/operation";
@@ -81,26 +81,35 @@ export class Solids implements SolidMaker {
     return asked;
   }
 
-  async #evaluate(
+  /** Returns the solids of a CAD file as the text of a BREP file. */
+  importPart(file: PartFile): Promise<string> {
+    return this.#inTurn((client) => client.importPart(file));
+  }
+
+  #evaluate(
     request: Parameters<SolidClient["evaluate"]>[0],
     signal?: AbortSignal,
   ): Promise<SolidAnswer<NewBody>> {
-    // One at a time, so that each has its own time.
+    return this.#inTurn((client) => client.evaluate(request), signal);
+  }
+
+  /** Does one task at a time, so that each has its own time. */
+  async #inTurn<Answer>(
+    task: (client: SolidClient) => Promise<Answer>,
+    signal?: AbortSignal,
+  ): Promise<Answer> {
     const before = this.#running;
     let done = (): void => undefined;
     this.#running = new Promise((resolve) => (done = resolve));
     await before;
-    if (signal?.aborted === true) {
-      done();
-      signal.throwIfAborted();
-    }
     const limit = new AbortController();
     const timer = setTimeout(() => {
       limit.abort();
       this.#client.dispose();
     }, limitMs);
     try {
-      return await this.#client.evaluate(request);
+      signal?.throwIfAborted();
+      return await task(this.#client);
     } catch (failure) {
       throw limit.signal.aborted ? new Error(operationStrings.solids.stopped) : failure;
     } finally {

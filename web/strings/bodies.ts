@@ -43,6 +43,7 @@ export const bodyStrings = {
   cancelOpening: "Cancel opening",
   import: "Import surface",
   shape: "Surface",
+  solid: "Solid",
   box: "Size",
   triangles: "Triangles",
   nodes: "Nodes",
@@ -141,6 +142,9 @@ export const bodyStrings = {
   },
   treatment: {
     title: "Triangles",
+    ofSolid: "Surface mesh",
+    hintOfSolid:
+      "Meshing makes triangles on the true faces of the solid, in sizes that follow their curvature.",
     label: "Treatment",
     values: { remesh: "Remesh", refine: "Refine", keep: "Keep" },
     hints: {

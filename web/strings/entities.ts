@@ -74,6 +74,7 @@ export const patchTypeHints = {
 } as const;
 
 /** What meshing does with the given triangles of a body. */
+export const solidName = "solid";
 export const treatmentNames = { remesh: "remesh", refine: "refine", keep: "keep" } as const;
 
 export const sourceTypeNames = { point: "point", segment: "segment", triangle: "triangle" } as const;

@@ -150,6 +150,7 @@ export const pageStrings = {
   },
   files: {
     description: "Tetrafront project",
+    part: "CAD part",
     anyDescription: "Project, surface or mesh",
     unknownFormat: (extension: string) =>
       extension === ""

@@ -1,6 +1,6 @@
 import type { SurfaceInput } from "tetrafront";
 import { bodySurface, type ProjectBody } from "tetrafront/project";
-import { buffersOfDrawn, drawnSurface } from "../document/drawn-surface";
+import { buffersOfDrawn, drawnSurface, withoutInnerEdges } from "../document/drawn-surface";
 import type { PatchArrays } from "../document/patch-arrays";
 import { meaningOf, patchValues, type PatchMeaning } from "../document/patch-colors";
 import { buffersOfPacked, packedBody } from "./packed-bodies";
@@ -19,7 +19,8 @@ export function loadedFrom(
   const { patches } = body;
   const surface = withPatches(bodySurface(body));
   const values = patchValues(surface.trianglePatch, patches, meaning);
-  return { surface, drawn: drawnSurface(surface, patches.length, values) };
+  const drawn = drawnSurface(surface, patches.length, values);
+  return { surface, drawn: body.features ? withoutInnerEdges(drawn, surface) : drawn };
 }
 
 function withPatches({ points, triangles, trianglePatch }: SurfaceInput): PatchArrays {

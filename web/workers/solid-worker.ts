@@ -1,6 +1,7 @@
 /** Makes solids of features by the kernel, which is loaded with the first one. */
-import { featureSolid, type FeatureKernel } from "tetrafront/internal";
+import { brepOfFile, featureSolid, importKernel, type FeatureKernel } from "tetrafront/internal";
 import { createBodies, type ProjectBody, type ProjectBodyPatch } from "tetrafront/project";
+import { faceLabel } from "../document/operations/feature-names";
 import { kernelFiles } from "./cad-library";
 import { buffersOfNew, newBody } from "./new-bodies";
 import { serveCalls } from "./serve-calls";
@@ -8,25 +9,21 @@ import type { SolidProtocol, SolidRequest } from "./solids";
 
 let loading: Promise<FeatureKernel> | null = null;
 
-async function loadKernel(): Promise<FeatureKernel> {
-  const { script, wasm } = kernelFiles;
-  const { default: create } = (await import(/* @vite-ignore */ script)) as {
-    readonly default: (options: object) => Promise<FeatureKernel>;
-  };
-  const ignore = (): void => undefined;
-  return create({ locateFile: () => wasm, print: ignore, printErr: ignore });
+/** Returns the kernel, which is loaded again after a failure. */
+async function loadedKernel(): Promise<FeatureKernel> {
+  loading ??= importKernel<FeatureKernel>(kernelFiles);
+  try {
+    return await loading;
+  } catch (failure) {
+    loading = null;
+    throw failure;
+  }
 }
 
 serveCalls<SolidProtocol>({
+  import: async (file) => ({ answer: brepOfFile(await loadedKernel(), file) }),
   evaluate: async (request) => {
-    loading ??= loadKernel();
-    let kernel: FeatureKernel;
-    try {
-      kernel = await loading;
-    } catch (failure) {
-      loading = null;
-      throw failure;
-    }
+    const kernel = await loadedKernel();
     const { surface, origins, edges, failures, isKernelSpent } = await featureSolid(kernel, request.features);
     if (isKernelSpent) loading = null;
     const made = surface ? newBody(bodyOf(request, surface, origins)) : null;
@@ -50,15 +47,7 @@ function bodyOf(
   const patches = surface.patches.map((patch, p): ProjectBodyPatch => {
     const origin = origins[p];
     if (origin === undefined) return { id: next++, name: patch.name };
-    return known.get(origin) ?? { id: next++, name: labelOf(origin, features), origin };
+    return known.get(origin) ?? { id: next++, name: faceLabel(features, origin), origin };
   });
   return { ...made, patches, features };
-}
-
-/** Returns the name of a new patch, with those of its features: "box 3 top" of `3/top`. */
-function labelOf(origin: string, features: SolidRequest["features"]): string {
-  return origin.replace(/(\d+)\//g, (_, id: string) => {
-    const feature = features.find((one) => one.id === Number(id));
-    return `${feature?.name ?? `${feature?.type ?? ""} ${id}`} `;
-  });
 }

@@ -1,4 +1,4 @@
-import type { EdgeLine, FeatureFailure } from "tetrafront/internal";
+import type { EdgeLine, FeatureFailure, PartFile } from "tetrafront/internal";
 import type { ProjectBody, SolidFeature } from "tetrafront/project";
 import { unpackedBody } from "./packed-bodies";
 import type { NewBody, PackedNewBody } from "./surface-files";
@@ -23,6 +23,8 @@ export interface SolidAnswer<Body> {
 
 export interface SolidProtocol {
   readonly evaluate: { readonly argument: SolidRequest; readonly answer: SolidAnswer<PackedNewBody> };
+  /** The text of a BREP file with the solids of a CAD file. */
+  readonly import: { readonly argument: PartFile; readonly answer: string };
 }
 
 const startWorker = (): Worker =>
@@ -36,6 +38,10 @@ export class SolidClient {
     const { made, ...answer } = await this.#worker.call("evaluate", request);
     if (made === null) return { made, ...answer };
     return { made: { body: await unpackedBody(made.packed), loaded: made.loaded }, ...answer };
+  }
+
+  importPart(file: PartFile): Promise<string> {
+    return this.#worker.call("import", file);
   }
 
   /** Ends the worker, and with it a computation that takes too long. */

@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, test } from "vitest";
 import { lengthOf, minus, pointOf } from "../../../wasm/dist/base/vectors.js";
 import { partsOfBrep, trimmedModelOfBrep } from "../../../wasm/dist/cad/brep-model.js";
 import { evaluate, withShape } from "../../../wasm/dist/cad/features/evaluate.js";
+import { brepOfFile } from "../../../wasm/dist/cad/features/import.js";
 import type { Feature } from "../../../wasm/dist/cad/features/feature.js";
 import { edgeName } from "../../../wasm/dist/cad/features/named-solid.js";
 import type { FeatureKernel } from "../../../wasm/dist/cad/features/session.js";
@@ -18,6 +19,7 @@ import {
   UPRIGHT,
 } from "../../support/features.js";
 import { testKernel } from "../../support/kernel-shapes.js";
+import { drilledSolid, stepFile } from "../../support/step-files.js";
 import { curveAt, edgeOf, surfaceAt, surfaceOf } from "../../support/trimmed-surfaces.js";
 
 let kernel: FeatureKernel;
@@ -27,6 +29,43 @@ beforeAll(async () => {
 
 const { PI } = Math;
 const operation = "new";
+
+describe("a file as the first feature", () => {
+  const drilled = stepFile([drilledSolid("part", [0, 0, 0], [4, 4, 1], [2, 2], 1)]);
+  const hole: Feature = {
+    id: 2,
+    type: "hole",
+    position: [0.5, 0.5, 1],
+    axis: [0, 0, -1],
+    diameter: 0.25,
+  };
+
+  test.each([
+    ["mm", 1],
+    ["cm", 0.1],
+  ])("has the size of the file in %s, and takes holes", (_, scale) => {
+    const brep = brepOfFile(kernel, { format: "step", bytes: drilled, scale });
+    const whole: Feature = { id: 1, type: "import", operation, brep };
+    const before = measured(kernel, [whole]);
+    expect(before.failures).toEqual([]);
+    expect(before.volume).toBeCloseTo((16 - PI) * scale ** 3, 9);
+    expect(before.faces).toContain("1/face 1");
+    if (scale !== 1) return;
+    const after = measured(kernel, [whole, hole]);
+    expect(after.failures).toEqual([]);
+    expect(after.volume).toBeCloseTo(before.volume - PI / 64, 9);
+    const text = new TextEncoder().encode(brep);
+    expect(
+      measured(kernel, [{ ...whole, brep: brepOfFile(kernel, { format: "brep", bytes: text, scale: 1 }) }])
+        .volume,
+    ).toBeCloseTo(before.volume, 9);
+  });
+
+  test("is refused without a solid", () => {
+    const bytes = new TextEncoder().encode("ISO-10303-21;");
+    expect(() => brepOfFile(kernel, { format: "step", bytes, scale: 1 })).toThrow("no solid");
+  });
+});
 
 describe("the kernel makes", () => {
   test.each(Object.keys(CASES))("%s", (name) => {

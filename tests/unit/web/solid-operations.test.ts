@@ -17,10 +17,13 @@ import type {
   SolidMaker,
 } from "../../../web/document/operations/operation";
 import { pieceOperations } from "../../../web/document/operations/pieces";
+import { sew } from "../../../web/document/operations/solid-sewing";
+import { featureSweeps } from "../../../web/document/operations/sweeps";
 import { changeOperations } from "../../../web/document/operations/solid-changes";
 import { setParameter } from "../../../web/document/parameters";
 import { replaceBody } from "../../../web/document/body-edits";
 import { DocumentStore } from "../../../web/session/document-store";
+import { editBoolean, solidBoolean } from "../../../web/document/operations/solid-booleans";
 import { isSolid, solidIn, type Solid } from "../../../web/document/operations/solids";
 
 /** Notes the features that it is asked for. */
@@ -314,4 +317,165 @@ test("patches of other bodies choose no edges", async () => {
   const fillet = changeOperations.find(({ id }) => id === "solid-fillet");
   const later = fillet?.makeLater?.(subject, fillet.initial(subject), new NotedSolids());
   await expect(later).rejects.toThrow("no edge");
+});
+
+test("a solid becomes a feature of another one, with its expressions and its motion", async () => {
+  const documents = await parametricBox();
+  const tool: Solid = { ...bodyWith([box]), id: 2, placement: { position: [0, 0, 1] } };
+  const path = { kind: "body", id: 2, field: "features.1.size.1" } as const;
+  const { project } = documents;
+  documents.edit({
+    label: "",
+    replace: {
+      bodies: [...(project.bodies ?? []), tool],
+      expressions: [...(project.expressions ?? []), { ...path, expression: "w/2" }],
+    },
+  });
+  const [first, second] = documents.project.bodies?.filter(isSolid) ?? [];
+  if (!first || !second) throw new Error("no solids");
+  await addTo(documents, solidBoolean([first, second], "difference"), {}, {});
+  expect(documents.project.bodies?.map(({ id }) => id)).toEqual([1]);
+  expect(featuresIn(documents)[2]).toMatchObject({
+    type: "boolean",
+    operation: "cut",
+    tool: [{ type: "box" }, { type: "move", translation: [0, 0, 1] }],
+  });
+  documents.edit(setParameter("w", "6"));
+  expect(featuresIn(documents)[2]).toMatchObject({ tool: [{ size: [1, 3, 1] }, { id: 2 }] });
+  const [solid] = documents.project.bodies?.filter(isSolid) ?? [];
+  const feature = featuresIn(documents)[2];
+  if (!solid || !feature) throw new Error("no solid");
+  const edit = editBoolean.edit(solid, feature, expressionsOfFeature(documents.project, 1, feature.id));
+  if (edit) await addTo(documents, edit, { kind: "union" }, edit.expressions?.() ?? {});
+  expect(featuresIn(documents)[2]).toMatchObject({ operation: "join" });
+  documents.edit(setParameter("w", "8"));
+  expect(featuresIn(documents)[2]).toMatchObject({ tool: [{ size: [1, 4, 1] }, { id: 2 }] });
+});
+
+/** Returns a project with a rectangle of the width w beside z, drawn as a patch with a round hole. */
+function drawnRectangle(): Project {
+  const positions = [
+    [1, 0, 0],
+    [3, 0, 0],
+    [3, 0, 1],
+    [1, 0, 1],
+    [2.25, 0, 0.5],
+    [2, 0, 0.75],
+    [1.75, 0, 0.5],
+  ] as const;
+  const straight = [1, 2, 3, 4].map((id) => ({ id, type: "straight", points: [id, (id % 4) + 1] }) as const);
+  return {
+    ...emptyProject(),
+    parameters,
+    points: positions.map((position, p) => ({ id: p + 1, position })),
+    lines: [...straight, { id: 5, type: "circle", points: [5, 6, 7, 5] }],
+    patches: [{ id: 1, type: "planar", loops: [[1, 2, 3, 4], [5]] }],
+    expressions: [2, 3].map((id) => ({ kind: "point", id, field: "position.0", expression: "1+w" })),
+  };
+}
+
+const patchSelection = [{ kind: "patch", id: 1 }] as const;
+
+test.each([
+  ["extrude", { distance: 2, direction: [0, -1, 0] as const }, { distance: "w" }, { vector: [0, -3, 0] }],
+  ["revolve", { angle: 90 }, { angle: "45*w" }, { angle: 135 }],
+])(
+  "a drawn patch becomes a feature by %s, with the expressions of its points",
+  async (id, values, typed, after) => {
+    const operation = featureSweeps.find((one) => one.id === id);
+    if (!operation) throw new Error("no operation");
+    const documents = new DocumentStore(drawnRectangle());
+    const subject = { project: documents.project, selection: patchSelection };
+    const given = { ...operation.initial(subject), ...values, makes: "new" };
+    const offer = await operation.makeLater?.(subject, given, new NotedSolids(), typed);
+    if (offer?.possible !== true) throw new Error("refused");
+    documents.edit(offer.creation.edit);
+    const { points, lines, patches } = documents.project;
+    expect([points.length, lines.length, patches.length]).toEqual([0, 0, 0]);
+    documents.edit(setParameter("w", "3"));
+    const [feature] = featuresIn(documents);
+    expect(feature).toMatchObject({ type: id, operation: "new", ...after });
+    expect(feature).toMatchObject({
+      profile: {
+        outer: [
+          {
+            kind: "line",
+            points: [
+              [1, 0, 0],
+              [4, 0, 0],
+            ],
+          },
+          {
+            points: [
+              [4, 0, 0],
+              [4, 0, 1],
+            ],
+          },
+          {
+            points: [
+              [4, 0, 1],
+              [1, 0, 1],
+            ],
+          },
+          {
+            points: [
+              [1, 0, 1],
+              [1, 0, 0],
+            ],
+          },
+        ],
+        holes: [[{ kind: "circle", center: [2, 0, 0.5], radius: 0.25 }]],
+      },
+    });
+    const [solid] = documents.project.bodies?.filter(isSolid) ?? [];
+    if (!solid || !feature) throw new Error("no solid");
+    const edit = operation.edit(solid, feature, expressionsOfFeature(documents.project, 1, 1));
+    expect(edit?.expressions?.()).toEqual(typed);
+    if (edit) await addTo(documents, edit, {}, typed);
+    expect(featuresIn(documents)[0]).toEqual(feature);
+  },
+);
+
+test("what is drawn and not plane is refused, and what others use stays", async () => {
+  const [extrude] = featureSweeps;
+  if (!extrude) throw new Error("no operation");
+  const project = drawnRectangle();
+  const values = { ...extrude.initial({ project, selection: patchSelection }), makes: "new" };
+  const nothing = { project, selection: [] };
+  expect(extrude.makeLater?.(nothing, values, new NotedSolids())).toBeNull();
+  expect(extrude.make(nothing, values)).toMatchObject({ possible: false });
+  const other = { id: 2, type: "planar", loops: [[1, 2, 3, 4]] } as const;
+  const shared = { project: { ...project, patches: [...project.patches, other] }, selection: patchSelection };
+  const offer = await extrude.makeLater?.(shared, values, new NotedSolids());
+  expect(offer).toMatchObject({
+    creation: { edit: { replace: { patches: [other], lines: project.lines.slice(0, 4) } } },
+  });
+});
+
+test("drawn patches that are connected to the selected one are sewn, and open or curved ones are refused", async () => {
+  const [createBox] = solidPieces;
+  if (!createBox) throw new Error("no box");
+  const documents = new DocumentStore(emptyProject());
+  const empty = { project: documents.project, selection: [] };
+  const offer = createBox.make(empty, { ...createBox.initial(empty), makes: "patches" });
+  if (!offer.possible) throw new Error("refused");
+  documents.edit(offer.creation.edit);
+  const subject = { project: documents.project, selection: [{ kind: "patch", id: 1 } as const] };
+  const sewn = await sew.makeLater?.(subject, sew.initial(subject), new NotedSolids());
+  if (sewn?.possible !== true) throw new Error("refused");
+  documents.edit(sewn.creation.edit);
+  const [feature] = featuresIn(documents);
+  expect(feature?.type === "sew" && feature.faces.map(({ outer }) => outer.length)).toEqual([
+    4, 4, 4, 4, 4, 4,
+  ]);
+  expect(documents.project.patches).toEqual([]);
+  expect(sew.make(empty, sew.initial(empty))).toMatchObject({ possible: false });
+  const ball = solidPieces.find(({ id }) => id === "create-sphere");
+  const round = ball?.make(empty, { ...ball.initial(empty), makes: "patches" });
+  if (round?.possible !== true) throw new Error("refused");
+  const other = new DocumentStore(emptyProject());
+  other.edit(round.creation.edit);
+  const curved = { project: other.project, selection: [] };
+  const refused = await sew.makeLater?.(curved, sew.initial(curved), new NotedSolids());
+  expect(refused).toMatchObject({ possible: false, reason: expect.stringContaining("plane") as string });
 });

@@ -1,7 +1,7 @@
 import { receiveWatched, type LifeRequest } from "../calls/worker-life.js";
 import type { CadPort } from "./cad-port.js";
-import type { CreateKernel } from "./kernel.js";
-import { type CreateOpenCascade, QUIET } from "./opencascade.js";
+import { importKernel } from "./kernel-browser.js";
+import type { CreateOpenCascade } from "./opencascade.js";
 import type { CadRequest } from "./protocol.js";
 
 /** The part of a worker's global scope that is used here; the DOM types describe a window's. */
@@ -23,15 +23,7 @@ export const cadPort: CadPort = {
     const create = await definedBy(script);
     return { create, options: { locateFile: () => wasm } };
   },
-  kernel: async ({ kernel }) => {
-    if (kernel === undefined) return undefined;
-    const { default: create } = (await import(
-      /* @vite-ignore */ /* webpackIgnore: true */ kernel.script
-    )) as {
-      readonly default: CreateKernel;
-    };
-    return create({ ...QUIET, locateFile: () => kernel.wasm });
-  },
+  kernel: async ({ kernel }) => kernel && importKernel(kernel),
 };
 
 /** Runs the library's script, which is not a module: it defines itself as an AMD module. */

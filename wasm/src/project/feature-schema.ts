@@ -5,8 +5,8 @@ import { objectWith } from "../calls/schemas.js";
 import { described, id, integer, listOf, name, number, reference, threeNumbers } from "./schema-parts.js";
 import { WORDS } from "./words.js";
 
-/** The features that a project stores: those without a list of their own. */
-export type SolidFeature = Exclude<Feature, { readonly type: "boolean" }>;
+/** The features that a project stores. */
+export type SolidFeature = Feature;
 
 const isOff = v.optional(v.boolean());
 const common = { id, name, isOff };
@@ -30,9 +30,6 @@ const curve = v.variant("kind", [
 ]);
 const loop = listOf(curve);
 const profile = objectWith({ outer: loop, holes: v.optional(listOf(loop)) });
-
-/** What the schemas of several features have in common, for the schema that the package has as a file. */
-export const sharedSchemas = { threeNumbers, curve, loop, profile };
 
 /** The schema of one feature. */
 export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
@@ -74,7 +71,9 @@ export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
       isRuled: v.optional(v.boolean()),
     }),
     objectWith({ ...piece, type: v.literal("sweep"), profile, path: loop }),
+    objectWith({ ...piece, type: v.literal("sew"), faces: listOf(profile) }),
     objectWith({ ...piece, type: v.literal("import"), brep: v.string() }),
+    objectWith({ ...piece, type: v.literal("boolean"), tool: v.lazy(() => listOf(featureSchema)) }),
     objectWith({
       ...common,
       type: v.literal("hole"),
@@ -106,6 +105,9 @@ export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
   ]),
   v.readonly(),
 );
+
+/** What the schemas of several features have in common, for the schema that the package has as a file. */
+export const sharedSchemas = { threeNumbers, curve, loop, profile, feature: featureSchema };
 
 export const failuresSchema = listOf(
   v.pipe(objectWith({ feature: reference, message: v.string(), remedy: v.string() }), v.readonly()),

@@ -149,7 +149,7 @@ export class Subjects {
     const [, feature, path] = (kind === "body" && FEATURE_FIELD.exec(field)) || [];
     if (path !== undefined) {
       const owner = this.#features.get(entity)?.find((one) => one.id === Number(feature));
-      return path !== "id" && typeof valueAt(owner, path) === "number";
+      return !/(^|\.)id$/.test(path) && typeof valueAt(owner, path) === "number";
     }
     if (!NUMBER_FIELDS[kind].test(field)) return false;
     const [list, corner] = field.split(".");
@@ -157,9 +157,13 @@ export class Subjects {
   }
 }
 
-/** Returns the value at a path of fields. */
+const isFeatureList = (value: unknown): value is Records =>
+  Array.isArray(value) && value.every((one) => typeof one === "object" && one !== null && "id" in one);
+
+/** Returns the value at a path of fields; of a list of features, the one with an id. */
 function valueAt(record: unknown, path: string): unknown {
   return path.split(".").reduce<unknown>((at, key) => {
+    if (isFeatureList(at)) return at.find(({ id: own }) => own === Number(key));
     const isHolder = typeof at === "object" && at !== null && Object.hasOwn(at, key);
     return isHolder ? (at as Readonly<Record<string, unknown>>)[key] : undefined;
   }, record);

@@ -43,8 +43,11 @@ function mapped(value: unknown, path: string, replace: (part: unknown, path: str
   const replaced = replace(value, path);
   if (replaced !== undefined) return replaced;
   if (typeof value !== "object" || value === null) return value;
-  const within = (part: unknown, key: string | number): unknown =>
-    mapped(part, path === "" ? String(key) : `${path}.${key}`, replace);
+  const within = (part: unknown, key: string | number): unknown => {
+    // Features in a list are found by their ids.
+    const own = typeof part === "object" && part !== null && "id" in part ? Number(part.id) : key;
+    return mapped(part, path === "" ? String(own) : `${path}.${own}`, replace);
+  };
   if (Array.isArray(value)) return value.map(within);
   return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, within(part, key)]));
 }

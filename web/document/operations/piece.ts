@@ -32,8 +32,10 @@ import { pieceExtent, withSizes } from "./sizes";
 import {
   addedPiece,
   editOf,
+  makesField,
   solidIn,
   solidNote,
+  withoutPatches,
   type FeatureOperation,
   type PiecePlace,
   type PieceUse,
@@ -127,12 +129,6 @@ export function pieceOperation<Sizes extends FieldValues>(
   };
 }
 
-/** A feature stays one. */
-const withoutPatches = (field: FieldSpec): FieldSpec =>
-  field.kind === "choice" && field.key === "makes"
-    ? { ...field, choices: field.choices.filter(({ value }) => value !== "patches") }
-    : field;
-
 function createOperation<Sizes extends FieldValues>(
   kind: PieceKind<Sizes>,
 ): Operation<Sizes & PiecePlacement> {
@@ -180,16 +176,6 @@ function createOperation<Sizes extends FieldValues>(
     },
   };
 }
-
-const makesField = (hasSolid: boolean): FieldSpec => ({
-  kind: "choice",
-  key: "makes",
-  label: texts.makes,
-  testId: "piece-operation",
-  choices: (["patches", "new", ...(hasSolid ? (["join", "cut", "intersect"] as const) : [])] as const).map(
-    (value) => ({ value, label: texts.operations[value] }),
-  ),
-});
 
 const anchorField: FieldSpec = {
   kind: "choice",

@@ -6,6 +6,7 @@ import { cylinder } from "../pieces/cylinder";
 import { prism } from "../pieces/prism";
 import { sphere } from "../pieces/sphere";
 import { torus } from "../pieces/torus";
+import { wedge } from "../pieces/wedge";
 import { wing } from "../pieces/wing";
 import { worldFrame, zero } from "../vectors";
 import { angleBetween, positiveLength, wholeNumber } from "./number-specs";
@@ -167,6 +168,39 @@ const createPrism = pieceOperation({
   },
 });
 
+const createWedge = pieceOperation({
+  id: "create-wedge",
+  ...pieces.wedge,
+  sizes: (extent) => ({ width: extent, depth: extent, height: extent, topLength: extent / 2 }),
+  fields: [
+    positiveLength("width", texts.width),
+    positiveLength("depth", texts.depth),
+    positiveLength("height", texts.height),
+    positiveLength("topLength", texts.topLength),
+  ],
+  middle: ({ height }) => over(height, 2),
+  handles: ({ width, height }) => [
+    { key: "width", from: [0, 0, height / 2], along: x, share: 0.5 },
+    { key: "depth", from: [0, 0, height / 2], along: y, share: 0.5 },
+    { key: "height", from: zero, along: z },
+    { key: "topLength", from: [-width / 2, 0, height], along: x },
+  ],
+  shape: ({ width, depth, height, topLength }) => wedge(width, depth, height, topLength),
+  feature: {
+    make: ({ width, depth, height, topLength }, place) => ({
+      type: "wedge",
+      size: [width, depth, height],
+      topLength,
+      ...place,
+    }),
+    read: (feature) => {
+      if (feature.type !== "wedge") return null;
+      const [width, depth, height] = feature.size;
+      return { width, depth, height, topLength: feature.topLength };
+    },
+  },
+});
+
 const createWing = pieceOperation({
   id: "create-wing",
   ...pieces.wing,
@@ -197,5 +231,6 @@ export const pieceOperations: readonly FeatureOperation[] = [
   createCone,
   createTorus,
   createPrism,
+  createWedge,
   createWing,
 ];

@@ -249,12 +249,48 @@ const mirror = changeOperation<MirrorValues>({
   },
 });
 
+type MoveValues = {
+  readonly translation: Position;
+  readonly angle: number;
+  readonly axis: Position;
+  readonly position: Position;
+};
+
+const move = changeOperation<MoveValues>({
+  id: "move",
+  ...texts.moved,
+  usesSelection: false,
+  initial: () => ({ translation: origin, angle: 0, axis: zAxis, position: origin }),
+  fields: ({ angle }) => [
+    { kind: "position", key: "translation", label: texts.translation },
+    { kind: "number", key: "angle", label: texts.turn, unit: "degrees" },
+    ...(angle === 0
+      ? []
+      : [
+          { kind: "direction", key: "axis", label: texts.axisOfTurn } as const,
+          { kind: "position", key: "position", label: texts.point } as const,
+        ]),
+  ],
+  feature: ({ translation, angle, axis, position }) => ({
+    type: "move",
+    translation,
+    // An expression that gives 0 stays.
+    rotation: angle === 0 ? undefined : { angle, axis, position },
+  }),
+  read: (feature) => {
+    if (feature.type !== "move") return null;
+    const { translation = origin, rotation } = feature;
+    return { translation, ...(rotation ?? { angle: 0, axis: zAxis, position: origin }) };
+  },
+});
+
 /** The operations that add a change to a solid, in the order of the menu. */
 export const changeOperations: readonly FeatureOperation[] = [
   hole,
   fillet,
   chamfer,
   shell,
+  move,
   mirror,
   linear,
   circular,

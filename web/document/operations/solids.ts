@@ -9,8 +9,9 @@ import { turnOf } from "../placement";
 import type { Position } from "../position";
 import type { QuantityPosition } from "../quantity-positions";
 import { zero } from "../vectors";
+import { featureLabel } from "./feature-names";
 import { expressionsIn, plain, withFeatureExpressions, type Typed } from "./feature-numbers";
-import type { FieldExpressions, FieldValues, Operation, SolidMaker, Subject } from "./operation";
+import type { FieldExpressions, FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
 
 const texts = operationStrings.fields;
 
@@ -63,6 +64,23 @@ export function solidNote(use: Exclude<PieceUse, "patches">, subject: Subject): 
   const solid = use === "new" ? undefined : solidIn(subject);
   return solid && use !== "new" ? texts.solidNote[use](bodyLabel(solid)) : texts.solidNote.new;
 }
+
+/** The choice of what a piece becomes. */
+export const makesField = (hasSolid: boolean): FieldSpec => ({
+  kind: "choice",
+  key: "makes",
+  label: texts.makes,
+  testId: "piece-operation",
+  choices: (["patches", "new", ...(hasSolid ? (["join", "cut", "intersect"] as const) : [])] as const).map(
+    (value) => ({ value, label: texts.operations[value] }),
+  ),
+});
+
+/** A feature stays one. */
+export const withoutPatches = (field: FieldSpec): FieldSpec =>
+  field.kind === "choice" && field.key === "makes"
+    ? { ...field, choices: field.choices.filter(({ value }) => value !== "patches") }
+    : field;
 
 /** Returns the next id of a list of features. */
 export const nextFeatureId = (features: readonly SolidFeature[]): number =>
@@ -132,7 +150,7 @@ async function changedFeature(
  * Returns a solid whose placement is a feature, so that the next feature has the coordinates of the view. Throws if it was scaled,
  * which no feature does.
  */
-function withoutPlacement({ placement, ...solid }: Solid): Solid {
+export function withoutPlacement({ placement, ...solid }: Solid): Solid {
   if (!placement) return solid;
   const { position: translation, rotation, scale = 1 } = placement;
   if (scale !== 1) throw new Error(operationStrings.solids.scaled);
@@ -158,7 +176,7 @@ async function offered(
   const { failures = [] } = body;
   const own = failures.find(({ feature }) => feature === id);
   if (own) return { possible: false, reason: `${own.message} ${own.remedy}` };
-  const others = failures.map(({ feature }) => feature);
+  const others = failures.map(({ feature }) => featureLabel(features, feature));
   const note = others.length > 0 ? operationStrings.solids.othersFail(others) : "";
   const expressions = withFeatureExpressions(project, solid.id, { id }, expressionsIn(given));
   const bodies = bodiesOf(project).map((other) => (other.id === body.id ? body : other));
@@ -188,12 +206,12 @@ interface FeaturePanel<Values extends FieldValues> {
   readonly feature: SolidFeature;
   readonly values: Typed<Values>;
   /** Returns the feature of other values; null if they do not fit together. */
-  made(
+  readonly made: (
     values: Values,
     expressions: FieldExpressions,
     subject: Subject,
     solids: SolidMaker,
-  ): MadeFeature | null;
+  ) => MadeFeature | null;
 }
 
 type MadeFeature = Typed<NewFeature> | Promise<Typed<NewFeature>>;

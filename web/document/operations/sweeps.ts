@@ -5,16 +5,20 @@ import { planeOfLoop } from "../patch-planes";
 import { findRecord } from "../entities";
 import { orderLoops } from "../loops";
 import type { Position } from "../position";
-import { quantityFrameAlong, scaleQuantities } from "../quantity-positions";
+import { negative, valueOf } from "../../expressions/quantity";
+import { quantityFrameAlong, scaleQuantities, valuesOf, type QuantityPosition } from "../quantity-positions";
 import { offerExtrusion } from "../transforms/extrude";
 import { offerHoleThrough } from "../transforms/hole-through";
 import { offerCopies } from "../transforms/copies";
 import { offerRevolution } from "../transforms/revolve";
 import { typedTranslation } from "../transforms/typed-maps";
-import { snappedToAxis, unit, worldFrame, zero } from "../vectors";
+import { length, snappedToAxis, unit, worldFrame, zero } from "../vectors";
+import type { Typed } from "./feature-numbers";
 import { angleBetween, positiveLength } from "./number-specs";
 import { typedNumber, typedPosition, type Operation } from "./operation";
 import { pieceExtent, sizedOffer } from "./sizes";
+import { sweepOperation } from "./solid-sweeps";
+import type { FeatureOperation } from "./solids";
 
 const { sweeps: texts, refusals } = operationStrings;
 const labels = texts.fields;
@@ -35,7 +39,7 @@ const normalOf = (project: Project, selection: readonly Entity[]): Position =>
 
 type Extrusion = { readonly direction: Position; readonly distance: number; readonly keepBase: boolean };
 
-const extrude: Operation<Extrusion> = {
+const extrudedPatches: Operation<Extrusion> = {
   id: "extrude",
   ...texts.extrude,
   action: operationStrings.apply,
@@ -60,6 +64,31 @@ const extrude: Operation<Extrusion> = {
     return sizedOffer(project, offerExtrusion(project, selection, vector, options));
   },
 };
+
+/** Returns the vector of an extrusion; of one along an axis of coordinates, only its length has an expression. */
+function extrusionVector({ direction, distance: along }: Typed<Extrusion>): QuantityPosition {
+  return scaleQuantities(quantityFrameAlong(direction).z, along);
+}
+
+const extrude = sweepOperation<Extrusion>(extrudedPatches, {
+  noun: texts.extrude.noun,
+  make: (values, profile) => ({ type: "extrude", profile, vector: extrusionVector(values) }),
+  read: (feature) => {
+    if (feature.type !== "extrude") return null;
+    const { profile, vector } = feature;
+    const plain = valuesOf(vector);
+    const axis = [0, 1, 2].find((k) => plain.every((part, other) => other === k || part === 0));
+    const component = axis === undefined ? undefined : vector[axis];
+    const along = component ?? length(plain);
+    const isNegative = valueOf(along) < 0;
+    const values = {
+      direction: unit(plain) ?? worldFrame.z,
+      distance: isNegative ? negative(along) : along,
+      keepBase: true,
+    };
+    return { values, profile };
+  },
+});
 
 type Offset = { readonly distance: number };
 
@@ -88,7 +117,7 @@ type Revolution = {
   readonly keepBase: boolean;
 };
 
-const revolve: Operation<Revolution> = {
+const revolvedPatches: Operation<Revolution> = {
   id: "revolve",
   ...texts.revolve,
   action: operationStrings.apply,
@@ -113,6 +142,16 @@ const revolve: Operation<Revolution> = {
   },
 };
 
+const revolve = sweepOperation<Revolution>(revolvedPatches, {
+  noun: texts.revolve.noun,
+  make: ({ point, axis, angle }, profile) => ({ type: "revolve", profile, position: point, axis, angle }),
+  read: (feature) => {
+    if (feature.type !== "revolve") return null;
+    const { profile, position, axis, angle } = feature;
+    return { values: { point: position, axis, angle, keepBase: true }, profile };
+  },
+});
+
 type HoleValues = { readonly diameter: number; readonly centre: Position };
 
 const holeThrough: Operation<HoleValues> = {
@@ -136,6 +175,9 @@ const holeThrough: Operation<HoleValues> = {
     return offerHoleThrough(project, { patch: only.id, centre, diameter }, texts.hole.step);
   },
 };
+
+/** The operations that sweep a profile to patches, or to a solid. */
+export const featureSweeps: readonly FeatureOperation[] = [extrude, revolve];
 
 /** The operations that sweep a profile or drill a hole, in the order of the menu. */
 export const sweepOperations: readonly Operation[] = [extrude, revolve, offsetCopy, holeThrough];

@@ -49,16 +49,18 @@ export function BodyCard({ body }: { readonly body: ProjectBody }) {
         )
       )}
       {isSolid(body) && <FeatureList solid={body} />}
-      <div className={styles["unit"]}>
-        <BodyUnit body={body} />
-      </div>
+      {!isSolid(body) && (
+        <div className={styles["unit"]}>
+          <BodyUnit body={body} />
+        </div>
+      )}
       {state?.inspection && <BodyProblems body={body} inspection={state.inspection} />}
       <BodyRepairs body={body} />
       <BodyTreatment body={body} />
       <BodyPreview body={body} />
       <PlanLine body={body} />
       <GenerateButton isPossible={state !== undefined && canBeFilled(state)} />
-      <SplitSection body={body} patch={null} />
+      {!isSolid(body) && <SplitSection body={body} patch={null} />}
       <BrushSection body={body} />
       <BodyPlacementFields body={body} />
     </div>
@@ -79,16 +81,20 @@ function BodyFacts({ body, inspection }: BodyFactsProps) {
   const shells = [formatCount(inspection.shells.length), cavities > 0 && texts.cavities(cavities)];
   return (
     <>
-      <SectionTitle>{texts.shape}</SectionTitle>
+      <SectionTitle>{isSolid(body) ? texts.solid : texts.shape}</SectionTitle>
       <Facts>
         <dt>{texts.box}</dt>
         <dd data-testid="body-size">
           {extents.map(formatShort).join(" × ")} {units}
         </dd>
-        <dt>{texts.triangles}</dt>
-        <dd data-testid="body-triangles">{formatCount(triangles)}</dd>
-        <dt>{texts.nodes}</dt>
-        <dd>{formatCount(nodes)}</dd>
+        {!isSolid(body) && (
+          <>
+            <dt>{texts.triangles}</dt>
+            <dd data-testid="body-triangles">{formatCount(triangles)}</dd>
+            <dt>{texts.nodes}</dt>
+            <dd>{formatCount(nodes)}</dd>
+          </>
+        )}
         {inspection.isFillable ? (
           <>
             <dt>{texts.shells}</dt>
@@ -116,7 +122,7 @@ function BodyFacts({ body, inspection }: BodyFactsProps) {
         )}
         <dt>{texts.patches}</dt>
         <dd data-testid="body-patches">{formatCount(body.patches.length)}</dd>
-        {worst[0] && (
+        {worst[0] && !isSolid(body) && (
           <>
             <dt>
               <Explained name={texts.worst} meaning={ratioMeanings.triangle} />
@@ -139,6 +145,7 @@ function PlanLine({ body }: { readonly body: ProjectBody }) {
   );
   if (!state?.inspection || !canBeFilled(state)) return null;
   const isRepaired = !isFillable(state);
+  if (isSolid(body) && !isRepaired && !isJoined) return null;
   const after = isRepaired && state.repair ? withTreatmentAfter(state.repair.changes, body) : body;
   const [chosen, repaired] = [body, after].map(({ surface = "remesh" }) => surface);
   return (

@@ -4,6 +4,7 @@ import { REMESH_DEFAULTS } from "tetrafront";
 import { BODY_SURFACES, type BodyRemeshing, type ProjectBody } from "tetrafront/project";
 import { setBodySurface, setRemeshing } from "../../document/body-edits";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
+import { isSolid } from "../../document/operations/solids";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberField } from "../../ui/fields/number-field";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -52,17 +53,19 @@ export function BodyTreatment({ body }: { readonly body: ProjectBody }) {
   const surface = body.surface ?? "remesh";
   return (
     <section data-testid="body-treatment">
-      <SectionTitle>{texts.title}</SectionTitle>
-      <SegmentedControl
-        size="xs"
-        fullWidth
-        aria-label={texts.label}
-        data={BODY_SURFACES.map((value) => ({ value, label: texts.values[value] }))}
-        value={surface}
-        onChange={(value) => app.documents.edit(setBodySurface(body.id, value))}
-      />
+      <SectionTitle>{isSolid(body) ? texts.ofSolid : texts.title}</SectionTitle>
+      {!isSolid(body) && (
+        <SegmentedControl
+          size="xs"
+          fullWidth
+          aria-label={texts.label}
+          data={BODY_SURFACES.map((value) => ({ value, label: texts.values[value] }))}
+          value={surface}
+          onChange={(value) => app.documents.edit(setBodySurface(body.id, value))}
+        />
+      )}
       <Text size="xs" c="dimmed" my={4}>
-        {texts.hints[surface]}
+        {isSolid(body) ? texts.hintOfSolid : texts.hints[surface]}
       </Text>
       {surface !== "keep" && (
         <>

@@ -3,6 +3,7 @@ import { IconArrowDown, IconArrowUp, IconPencil, IconTrash } from "@tabler/icons
 import type { SolidFeature } from "tetrafront/project";
 import { useStore } from "zustand";
 import { editFeature, explodeSolid, setFeatures } from "../../commands/solid-commands";
+import { featureLabel } from "../../document/operations/feature-names";
 import type { Solid } from "../../document/operations/solids";
 import { operationStrings } from "../../strings";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -12,8 +13,6 @@ import { useApp } from "../shared/app-context";
 import styles from "./bodies.module.css";
 
 const texts = operationStrings.features;
-
-const labelOf = ({ id, type, name }: SolidFeature): string => name ?? texts.label(type.replace("-", " "), id);
 
 /** The features of a solid: each can be edited, switched off, moved and deleted. */
 export function FeatureList({ solid }: { readonly solid: Solid }) {
@@ -54,7 +53,7 @@ function FeatureRow({ solid, index, failure }: FeatureRowProps) {
   const { features } = solid;
   const feature = features[index];
   if (!feature) return null;
-  const label = labelOf(feature);
+  const label = featureLabel(features, feature.id);
   const isOff = feature.isOff === true;
   const set = (change: (all: readonly SolidFeature[]) => readonly SolidFeature[]): void =>
     void setFeatures(app, solid.id, change);

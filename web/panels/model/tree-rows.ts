@@ -1,3 +1,4 @@
+import { isSolid } from "../../document/operations/solids";
 import type { Project, ProjectGroup } from "tetrafront/project";
 import {
   bodiesOf,
@@ -17,6 +18,7 @@ import {
   lineTypeNames,
   patchTypeNames,
   sourceTypeNames,
+  solidName,
   treatmentNames,
 } from "../../strings";
 
@@ -114,7 +116,9 @@ function describe(project: Project, { kind, id }: Entity, index: number): Descri
     }
     case "body": {
       const body = bodiesOf(project)[index];
-      return named(body?.name, () => (body ? treatmentNames[body.surface ?? "remesh"] : ""));
+      return named(body?.name, () =>
+        body ? (isSolid(body) ? solidName : treatmentNames[body.surface ?? "remesh"]) : "",
+      );
     }
     case "body-patch":
       return named(findRecord(project, "body-patch", id)?.name, () => "");

@@ -46,7 +46,10 @@ export class BodyPieces {
   }
 
   /** Replaces the triangles. */
-  setTriangles({ corners, values, low, high }: DrawnSurface, materials: readonly Material[]): void {
+  setTriangles(
+    { corners, values, hiddenEdges, low, high }: DrawnSurface,
+    materials: readonly Material[],
+  ): void {
     this.dispose();
     const radius = Math.hypot(...high.map((x, k) => (x - (low[k] ?? 0)) / 2));
     const triangles = corners.length / 9;
@@ -55,6 +58,8 @@ export class BodyPieces {
       const [from, to] = [p, p + 1].map((k) => Math.floor((k * triangles) / count)) as [number, number];
       const geometry = new BufferGeometry();
       geometry.setAttribute("position", new BufferAttribute(corners.subarray(9 * from, 9 * to), 3));
+      if (hiddenEdges)
+        geometry.setAttribute("hiddenEdges", new BufferAttribute(hiddenEdges.subarray(3 * from, 3 * to), 1));
       if (values) geometry.setAttribute("value", new BufferAttribute(values.subarray(3 * from, 3 * to), 1));
       // The renderer would compute it from all corners.
       geometry.boundingSphere = new Sphere(new Vector3(), radius);

@@ -4,6 +4,7 @@ import { culled, edgeStrength, facetLight } from "./glsl";
 
 const vertexShader = /* glsl */ `
   attribute float value;
+  attribute float hiddenEdges;
   varying float vValue;
   flat varying float vOfTriangle;
   varying vec3 vViewPosition;
@@ -12,6 +13,8 @@ const vertexShader = /* glsl */ `
   void main() {
     int corner = gl_VertexID % 3;
     vBarycentric = vec3(corner == 0, corner == 1, corner == 2);
+    // Far from an edge that is not drawn.
+    vBarycentric += 2.0 * step(1.0, mod(floor(hiddenEdges / vec3(1.0, 2.0, 4.0)), 2.0));
     vValue = value;
     vOfTriangle = value;
     vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);

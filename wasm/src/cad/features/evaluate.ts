@@ -155,6 +155,7 @@ const REMEDIES: Readonly<Record<Feature["type"], string>> = {
   revolve: "Check that the loops are closed, do not intersect and lie on one side of the axis.",
   loft: "Check that the loops are closed and have equally many curves.",
   sweep: "Choose a smoother path, or a smaller loop.",
+  sew: "Check that the patches are closed: each line must have two of them.",
   import: "Export the part again; the file is damaged or contains no solid.",
   boolean: "Move the tool a little, or change its size.",
   hole: "Change its diameter, its depth or its place.",

@@ -75,6 +75,8 @@ export interface PieceKinds {
   readonly loft: { readonly sections: readonly Profile[]; readonly isRuled?: boolean | undefined };
   /** The path begins at the profile. */
   readonly sweep: { readonly profile: Profile; readonly path: Loop };
+  /** The solid that plane faces enclose. Their loops meet along equal curves. */
+  readonly sew: { readonly faces: readonly Profile[] };
   /** The text of a BREP file. */
   readonly import: { readonly brep: string };
   /** The solid of another list of features. */

@@ -7,7 +7,7 @@ import type {
   TopoDS_Shape,
 } from "replicad-opencascadejs";
 
-import { dot, lengthOf, scaled, type Vector } from "../../base/vectors.js";
+import { dot, lengthOf, minus, scaled, type Vector } from "../../base/vectors.js";
 import { combined } from "./combining.js";
 import type { FeatureOf, Piece, PieceKinds, Placement, Profile } from "./feature.js";
 import { flatFace, frameOf, polygon, type Wire, wireOf } from "./loops.js";
@@ -33,6 +33,8 @@ type Makers = {
 };
 
 const RADIANS = Math.PI / 180;
+/** Distance of curves that are one edge, as a part of the size of all faces. */
+const SEWING_TOLERANCE = 1e-9;
 
 /** Throws if one of the lengths is not positive. */
 export function requirePositive(lengths: Readonly<Record<string, number>>): void {
@@ -139,6 +141,29 @@ const MAKERS: Makers = {
       if (!maker.IsDone() || !maker.MakeSolid())
         throw new FeatureError("OpenCascade cannot sweep the loop along the path.");
       return maker;
+    });
+  },
+  sew: (session, { id, faces }) => {
+    const { BRepBuilderAPI_Sewing, BRepBuilderAPI_MakeSolid, TopoDS } = session.kernel;
+    const made = faces.map((profile) => flatFace(session, profile).face);
+    const [low, high] = session.bounds(session.together(made));
+    const sewing = session.hold(
+      new BRepBuilderAPI_Sewing(SEWING_TOLERANCE * lengthOf(minus(high, low)), true, true, true, false),
+    );
+    for (const face of made) sewing.Add(face);
+    sewing.Perform(session.progress());
+    const shells = session.parts(session.hold(sewing.SewedShape()), "shell");
+    if (shells.length === 0 || sewing.NbFreeEdges() > 0)
+      throw new FeatureError("The patches do not enclose a volume.");
+    const solids = shells.map((shell) => {
+      const maker = session.hold(new BRepBuilderAPI_MakeSolid(session.hold(TopoDS.Shell(shell))));
+      return session.hold(maker.Solid());
+    });
+    return named(session, soundShape(session, session.together(solids)), `${id}/face`, (give) => {
+      made.forEach((face, f) => {
+        const after = sewing.IsModified(face) ? session.hold(sewing.Modified(face)) : face;
+        give([after], `${id}/face ${f + 1}`);
+      });
     });
   },
   import: (session, { id, brep }) => {

@@ -1,0 +1,35 @@
+import type { SolidFeature } from "tetrafront/project";
+import { operationStrings } from "../../strings";
+
+const { nouns, parts } = operationStrings.features;
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** Returns the name of a feature: its own, or its kind and number among those of its kind, such as "Fillet 2". */
+export function featureLabel(features: readonly SolidFeature[], id: number): string {
+  const feature = features.find((one) => one.id === id);
+  if (!feature) return operationStrings.features.unknown(id);
+  if (feature.name !== undefined) return feature.name;
+  const alike = features.filter(({ type }) => type === feature.type);
+  return `${capital(nouns[feature.type])} ${alike.indexOf(feature) + 1}`;
+}
+
+/**
+ * Returns the name of a face by its origin: "Box 1 top" of `3/top`, "Fillet 1 front–top" of `4/fillet 3/front|3/top`. Where a face
+ * comes from another one, only the place of that one is named.
+ */
+export function faceLabel(features: readonly SolidFeature[], origin: string): string {
+  const [, id = "", own = ""] = /^(\d+)\/(.*)$/.exec(origin) ?? [];
+  const feature = features.find((one) => one.id === Number(id));
+  if (!feature) return origin;
+  const words = own
+    .replace(/^(fillet|chamfer|mirror|tool) /, "")
+    .replace(/\d+\//g, "")
+    .replace(/[()]/g, "")
+    .replace(/(fillet|chamfer) /g, "")
+    .replaceAll("|", "–")
+    .replace(/#(\d+)$/, " $1");
+  const place =
+    feature.type === "hole" && words.startsWith("side") ? words.replace("side", parts.wall) : words;
+  return `${featureLabel(features, feature.id)} ${place}`.trim();
+}
