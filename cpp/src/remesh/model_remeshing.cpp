@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/sort.h"
 #include "boundary/boundary.h"
 #include "field/size_octree_builder.h"
 #include "geom/measure.h"
@@ -141,15 +140,11 @@ std::vector<SmoothPatchId> patchesOfFaces(const SurfaceMesh& mesh, std::size_t f
   return patches;
 }
 
-/// Returns true if every given patch contains a face.
-bool areAllCovered(std::span<const SmoothPatchId> ofFaces, const Remeshing& remeshing) {
-  std::vector<std::uint32_t> covered;
-  for (const SmoothPatchId patch : ofFaces)
-    covered.push_back(remeshing.reference.patch(patch).group);
-  std::vector<std::uint32_t> given = remeshing.given.mesh.trianglePatch;
-  sortUnique(covered);
-  sortUnique(given);
-  return given.empty() || covered == given;
+/// Returns true if every smooth patch of the given surface contains a face. Otherwise its patches divide faces.
+bool areAllCovered(std::span<const SmoothPatchId> ofFaces, const ReferenceSurface& reference) {
+  std::vector<std::uint8_t> isCovered(reference.patchCount(), 0);
+  for (const SmoothPatchId patch : ofFaces) isCovered[patch.index()] = 1;
+  return std::ranges::find(isCovered, 0) == isCovered.end();
 }
 
 /// Gives each triangle the given one beneath it, in the patch of its face. Returns false if there is none near one: the
@@ -216,7 +211,7 @@ std::size_t addSizesWhereFar(const RemeshPass& pass, const SizeField& field, dou
   return placed.sizes.size() - before;
 }
 
-/// Returns true if the triangles are a valid boundary, which encloses about what the given one does.
+/// Returns true if the triangles are a valid boundary.
 Task<bool> isBoundary(Work& work, const SurfaceMesh& mesh, const Remeshing& remeshing) {
   SurfaceMesh checked = mesh;
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, remeshing.options.innerShells,
@@ -230,7 +225,7 @@ Task<bool> isBoundary(Work& work, const SurfaceMesh& mesh, const Remeshing& reme
   co_return isValid;
 }
 
-/// Triangulates the faces once. Returns none as remeshModel() does, but for the deviation and for what the triangles enclose.
+/// Triangulates the faces once. Returns none as remeshModel() does, but for the deviation and for triangles that are no boundary.
 Task<std::optional<RemeshPass>> remeshWith(Work& work, const SizeField& field,
                                            const Remeshing& remeshing) {
   std::optional<RemeshPass> none;
@@ -248,7 +243,7 @@ Task<std::optional<RemeshPass>> remeshWith(Work& work, const SizeField& field,
   made.sides.clear();
   made.sideLine.clear();
   const std::vector<SmoothPatchId> ofFaces = patchesOfFaces(made, model.faces.size(), remeshing);
-  if (ofFaces.empty() || !areAllCovered(ofFaces, remeshing)) co_return none;
+  if (ofFaces.empty() || !areAllCovered(ofFaces, remeshing.reference)) co_return none;
   work.beginPart(0.8);
   if (!co_await findGiven(work, ofFaces, remeshing, pass)) co_return none;
   for (std::uint32_t& patch : made.trianglePatch) patch = ofFaces[patch].value;
