@@ -1,11 +1,11 @@
-import { Group, type PerspectiveCamera, type Scene } from "three";
+import { type BufferGeometry, Group, type PerspectiveCamera, type Scene } from "three";
 import type { Entity } from "../document/entities";
 import { defectiveCorners, selectedCorners } from "./highlight-corners";
 import { entitiesUnder, hitTest } from "./hit-test";
 import { AxesLayer } from "./layers/axes-layer";
 import { BodiesLayer } from "./layers/bodies-layer";
 import { DotsLayer } from "./layers/dots-layer";
-import { FrontLayer } from "./layers/front-layer";
+import { FrontLayer, type Preparation } from "./layers/front-layer";
 import { GridLayer } from "./layers/grid-layer";
 import { GroundLayer } from "./layers/ground-layer";
 import { HighlightLayer } from "./layers/highlight-layer";
@@ -27,6 +27,7 @@ export class SceneLayers {
   readonly #scene: Scene;
   readonly #patches: PatchesLayer;
   readonly #bodies: BodiesLayer;
+  readonly #front = new FrontLayer();
   readonly #lines = new LinesLayer();
   readonly #points = new DotsLayer({
     kind: "point",
@@ -98,6 +99,11 @@ export class SceneLayers {
     return this.#bodies.drawMore();
   }
 
+  /** Passes one more part of a large front to `upload`; it is drawn when all of them have been uploaded. */
+  prepareMore(upload: (geometry: BufferGeometry) => void): Preparation {
+    return this.#front.prepareMore(upload);
+  }
+
   dispose(): void {
     for (const layer of this.#all) layer.dispose();
   }
@@ -120,7 +126,7 @@ export class SceneLayers {
       faceColor: ({ selection }) => selection,
       edgeColor: ({ hover }) => hover,
     });
-    const surfaces = [this.#patches, this.#bodies, this.mesh, new FrontLayer(), defects, selectedFaces];
+    const surfaces = [this.#patches, this.#bodies, this.mesh, this.#front, defects, selectedFaces];
     for (const layer of surfaces) if (layer !== this.#bodies) this.#replaced.add(layer.root);
     this.#scene.add(this.#replaced);
     const entities = [this.#lines, this.#points, this.#grid, this.#sources];

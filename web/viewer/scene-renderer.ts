@@ -1,4 +1,12 @@
-import { Scene, WebGLRenderer, WebGLRenderTarget, type PerspectiveCamera } from "three";
+import {
+  type BufferGeometry,
+  Mesh,
+  MeshBasicMaterial,
+  type PerspectiveCamera,
+  Scene,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from "three";
 import type { Tile } from "./picture-tiles";
 import type { Viewport } from "./scene-state";
 import { prepareShaders } from "./shaders";
@@ -24,6 +32,11 @@ export class SceneRenderer {
   readonly #hidden = Object.assign(new WebGLRenderTarget(1, 1, { stencilBuffer: true }), {
     isXRRenderTarget: true,
   });
+  /** Holds a geometry to be uploaded. The renderer uploads what is visible, although an invisible material draws nothing. */
+  readonly #carrier = Object.assign(new Mesh(undefined, new MeshBasicMaterial({ visible: false })), {
+    frustumCulled: false,
+  });
+  readonly #carriers = new Scene().add(this.#carrier);
   readonly #listening = new AbortController();
   /** Device pixels per CSS pixel in full resolution. */
   readonly #fullRatio: number;
@@ -64,6 +77,17 @@ export class SceneRenderer {
     this.webgl.setRenderTarget(this.#hidden);
     try {
       this.webgl.render(this.scene, camera);
+    } finally {
+      this.webgl.setRenderTarget(null);
+    }
+  }
+
+  /** Copies the buffers of a geometry to the GPU, and draws nothing. */
+  upload(geometry: BufferGeometry, camera: PerspectiveCamera): void {
+    this.#carrier.geometry = geometry;
+    this.webgl.setRenderTarget(this.#hidden);
+    try {
+      this.webgl.render(this.#carriers, camera);
     } finally {
       this.webgl.setRenderTarget(null);
     }

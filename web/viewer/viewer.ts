@@ -1,5 +1,6 @@
-import type { PerspectiveCamera } from "three";
+import type { BufferGeometry, PerspectiveCamera } from "three";
 import type { Entity } from "../document/entities";
+import { nextTurn } from "../document/slices";
 import { entityBounds, roomyBounds } from "./bounds";
 import type { Label } from "./apart";
 import { ViewCamera, type CameraPose, type StandardView } from "./camera";
@@ -61,6 +62,7 @@ export class Viewer {
   readonly #loop: FrameLoop;
   readonly #motion = new MotionWatch(() => this.#sharpen());
   #isDisposed = false;
+  #isPreparing = false;
   /** Whether the next frame is the last one of a motion. */
   #isResting = false;
   readonly #layers: SceneLayers;
@@ -372,6 +374,21 @@ export class Viewer {
 
   #updateLayers(before: SceneState | null): void {
     this.#layers.update(new SceneChanges(this.#state, before));
+    if (before) void this.#prepareLayers();
+  }
+
+  /** Uploads a large front in pieces, each in a task of its own. */
+  async #prepareLayers(): Promise<void> {
+    if (this.#isPreparing) return;
+    this.#isPreparing = true;
+    const upload = (geometry: BufferGeometry): void => this.#renderer.upload(geometry, this.#view.camera);
+    for (;;) {
+      const done = this.#isDisposed ? "nothing" : this.#layers.prepareMore(upload);
+      if (done === "nothing") break;
+      if (done === "shown") this.#loop.request();
+      await nextTurn();
+    }
+    this.#isPreparing = false;
   }
 
   /** Drawing before the shaders are compiled would wait for them. */

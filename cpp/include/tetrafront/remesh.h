@@ -86,7 +86,8 @@ struct SurfaceRemesh {
   double minSize = 0.0;    ///< smallest target size used, except at details
   double tolerance = 0.0;  ///< tolerance used
   /// Upper bound of the distance between the surfaces, both ways; not below the tolerance. If the work was stopped, it is not
-  /// measured, but the tolerance, which every change keeps.
+  /// measured, but the tolerance, which every change keeps. With `onFaces`, samples count, and it may be up to twice the tolerance
+  /// where the given triangles are far from the faces themselves.
   double deviation = 0.0;
   std::vector<MergedDetail> mergedDetails;  ///< what was dropped, in this order
   std::uint32_t patches = 0;                ///< smooth patches of the given surface
@@ -96,6 +97,7 @@ struct SurfaceRemesh {
   double smallestAngle = 0.0;    ///< of all triangles, in degrees
   double meanRadiusRatio = 0.0;  ///< of all triangles
   bool isPartial = false;        ///< stop() ended the work before all triangles were improved
+  bool onFaces = false;          ///< the faces of the model were triangulated on their own surfaces
   /// Errors if the surface was not remeshed, because it is not a valid boundary or an option is
   /// out of range. Otherwise notes about components that were given inside out.
   std::vector<Diagnostic> diagnostics;

@@ -14,6 +14,7 @@
 #include "remesh/curvature.h"
 #include "remesh/mean_curvature.h"
 #include "remesh/piece_cells.h"
+#include "remesh/rules.h"
 #include "remesh/thickness.h"
 #include "remesh/wedges.h"
 #include "search/box_tree.h"
@@ -85,7 +86,9 @@ class ShapeMeasure {
         rules_(rules),
         cells_(reference, kSampleWidth * rules.minSize),
         curvatureRule_{rules.anglePerEdge, rules.tolerance},
-        wedges_(reference) {}
+        wedges_(reference) {
+    listSegments();
+  }
 
   /// A piece to measure.
   struct Sample {
@@ -98,8 +101,8 @@ class ShapeMeasure {
   Task<std::vector<Sample>> findSamples(Work& work) const;
   /// Measures a sample; all of them in their order.
   void measure(const Sample& sample);
-  void measureLine(const FeatureLine& line);
-  void beginGaps();
+  void measureLine(FeatureLineId id);
+  void beginGaps() { sizes_.countWithoutGaps = sizes_.positions.size(); }
   void measureGaps(FeatureLineId id);
   [[nodiscard]] ShapeSizes take() { return std::move(sizes_); }
 
@@ -117,6 +120,7 @@ class ShapeMeasure {
     if (size < rules_.maxSize) append(position, size, Vec3(0.0));
     if (size < rules_.minSize) ++sizes_.countBelowMin;
   }
+  void listSegments();
   void addThinPlace(const Sample& sample, double thickness);
   /// Returns the thickness at a piece, per layer; infinity in a wedge, where it does not ask for smaller sizes.
   [[nodiscard]] double thicknessForSize(const Sample& sample);
@@ -131,6 +135,11 @@ class ShapeMeasure {
     bool isAtCorner;  ///< between lines that meet
   };
   [[nodiscard]] Gap gapAt(FeatureLineId id, double arc) const;
+  /// Returns true for a gap that the smallest size does not resolve: the triangles of a sliver are poor with any size, as between
+  /// two cylinders that are turned against each other.
+  [[nodiscard]] bool isSliver(const Gap& gap) const {
+    return gap.width < kPoorWidth * rules_.minSize;
+  }
   [[nodiscard]] bool isSameCorner(const FeatureLine& a, const FeatureLine& b, const Vec3& position,
                                   double squaredGap) const;
 
@@ -247,8 +256,10 @@ double ShapeMeasure::sizeForDetail(double detail, double factor, double least) c
   return size < least ? rules_.minSize : std::min(size, rules_.minSize);
 }
 
-/// Adds the sizes that follow from the curvature and the length of a line.
-void ShapeMeasure::measureLine(const FeatureLine& line) {
+/// Adds the sizes that follow from the curvature and the length of a line; none if it bounds a sliver.
+void ShapeMeasure::measureLine(FeatureLineId id) {
+  const FeatureLine& line = reference_.line(id);
+  if (isSliver(gapAt(id, 0.5 * line.length()))) return;
   const LineTurns turns(line);
   // Points that are close turn together.
   std::size_t first = 1;
@@ -274,8 +285,7 @@ void ShapeMeasure::measureLine(const FeatureLine& line) {
   for (double arc = 0.0; arc <= length; arc += step) addUnlimited(line.at(arc), size);
 }
 
-void ShapeMeasure::beginGaps() {
-  sizes_.countWithoutGaps = sizes_.positions.size();
+void ShapeMeasure::listSegments() {
   std::vector<Box> boxes;
   for (std::size_t l = 0; l < reference_.lines().size(); ++l) {
     const std::vector<Vec3>& points = reference_.lines()[l].points();
@@ -288,7 +298,7 @@ void ShapeMeasure::beginGaps() {
 }
 
 /// Adds the sizes that follow from the distance to other feature lines of the same patch: triangles
-/// across a gap must not be wider than the gap.
+/// across a gap must not be wider than the gap. A sliver that is not resolved asks for none.
 void ShapeMeasure::measureGaps(FeatureLineId id) {
   const FeatureLine& line = reference_.line(id);
   const double step =
@@ -298,7 +308,7 @@ void ShapeMeasure::measureGaps(FeatureLineId id) {
     const double least = gap.isAtCorner ? rules_.minSize : rules_.minSizeAtGaps;
     const double size =
         sizeForDetail(rules_.detailFactor * kSizePerGap * gap.width, kSizePerNarrowGap, least);
-    addUnlimited(line.at(arc), size);
+    if (size < rules_.minSize || !isSliver(gap)) addUnlimited(line.at(arc), size);
     arc += size < rules_.minSize ? std::min(step, kEdgesPerGapStep * size) : step;
   }
 }
@@ -363,7 +373,7 @@ Task<ShapeSizes> findShapeSizes(Work& work, const ReferenceSurface& reference,
   work.beginPart(1.0);
   co_await work.forEachBlock(reference.lines().size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      measure.measureLine(reference.lines()[i]);
+      measure.measureLine(FeatureLineId(i));
     }
   });
   measure.beginGaps();

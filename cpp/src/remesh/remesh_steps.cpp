@@ -237,6 +237,7 @@ Task<Dropped> remeshFaces(Work& work, const Remeshing& remeshing, SimplifiedSurf
   surface.deviation = surface.pass.remesh.deviation;
   work.beginPart(1.0);
   co_await dropPoorDetails(work, remeshing, surface, kUnsettledAngle);
+  surface.pass.remesh.onFaces = true;
   co_return Dropped::kMade;
 }
 

@@ -2,8 +2,10 @@
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 
+import type { Mesher } from "tetrafront";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 
+import { withRun } from "../../../wasm/src/cli/run.js";
 import { enterPhase, enterStage, setBarShown, startStageLines } from "../../../wasm/src/cli/stages.js";
 import { signalInLongCall, tetrafront } from "../../support/command-line.js";
 import { stlBinary } from "../../support/surface-files.js";
@@ -11,6 +13,20 @@ import { sphereSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const folder = temporaryFolder();
+
+vi.mock(import("../../../wasm/src/api/mesher.js"), () => ({
+  createMesher: () => Promise.resolve({ dispose: () => undefined } as unknown as Mesher),
+}));
+
+const started = {
+  nodes: 0,
+  triangles: 0,
+  tetrahedra: 0,
+  frontFaces: 0,
+  expectedTetrahedra: 0,
+  exactFillFraction: 0,
+  elapsedSeconds: 0,
+};
 
 describe("every ten seconds, a line", () => {
   let lines: string[] = [];
@@ -45,6 +61,30 @@ describe("every ten seconds, a line", () => {
       "tetrafront: remeshing the surface, 43 %, 20 s so far, about 15 s left\n",
       "tetrafront: mesh 2: filling the volume, 50 %, 30 s so far, about 30 s left\n",
     ]);
+  });
+
+  test("tells of the calls of a run, with one share for all of them that never falls", async () => {
+    const stop = startStageLines();
+    await withRun(true, (_mesher, controlOf) => {
+      for (const step of ["check", "remesh", "run"] as const) {
+        const { onProgress } = controlOf(step);
+        for (const fraction of [0.1, 0.9]) {
+          onProgress?.({ ...started, fraction, phase: step === "run" ? "optimize" : "check" });
+          vi.advanceTimersByTime(10_000);
+        }
+      }
+      return Promise.resolve();
+    });
+    stop();
+    const shares = lines.map((line) => Number(/, (\d+) %/.exec(line)?.[1]));
+    expect(lines.map((line) => /: (.*?),/.exec(line)?.[1])).toEqual(
+      ["checking the surface", "remeshing the surface", "improving the elements"].flatMap((words) => [
+        words,
+        words,
+      ]),
+    );
+    expect(shares).toEqual(shares.toSorted((a, b) => a - b));
+    expect(shares.at(-1)).toBeGreaterThan(90);
   });
 
   test("gives way to a progress bar", () => {

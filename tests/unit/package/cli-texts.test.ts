@@ -65,7 +65,8 @@ describe("dropped details as text", () => {
       {
         ...{ given: 12, triangles: 40, size: 1, minSize: 0.1, tolerance: 0.01, deviation: 0.02 },
         ...{ givenVolume: 1, volume: 1 },
-        ...{ patches: 6, featureLines: 12, smallestAngle: 30, meanRadiusRatio: 0.9, isPartial: false },
+        ...{ patches: 6, featureLines: 12, smallestAngle: 30, meanRadiusRatio: 0.9 },
+        ...{ onFaces: false, isPartial: false },
         mergedDetails: Array.from({ length: details }, (_, i) => ({ from: [i, 0, 0], onto: [i, 0.5, 0] })),
       },
       whole,

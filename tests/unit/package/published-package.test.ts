@@ -167,7 +167,7 @@ describe("after installation into an empty folder", () => {
     for (const name of libraries) renameSync(inside("elsewhere", name), inside("node_modules", name));
     expect(failure.code).toBe(2);
     expect(failure.stderr).toMatch(
-      /error: part\.step: STEP files need the library occt-import-js, which could not be loaded: .*\. Install .*: npm install occt-import-js/,
+      /error: part\.step: STEP files need the library replicad-opencascadejs or occt-import-js, which could not be loaded: .*\. Install .*: npm install replicad-opencascadejs/,
     );
   });
 

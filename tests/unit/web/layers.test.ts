@@ -1,4 +1,12 @@
-import { Ray, Vector3, type BufferAttribute, type Mesh, type Points, type ShaderMaterial } from "three";
+import {
+  type BufferAttribute,
+  type BufferGeometry,
+  Mesh,
+  type Points,
+  Ray,
+  type ShaderMaterial,
+  Vector3,
+} from "three";
 import { describe, expect, it, vi } from "vitest";
 import type { MeshResult } from "tetrafront";
 import type { Project, ProjectSource } from "tetrafront/project";
@@ -366,16 +374,54 @@ describe("the layer of the front", () => {
   const points = Float64Array.from([1, 0, 0, 2, 0, 0, 1, 1, 0, 1, 0, 1]);
   const front = (...nodes: number[]) =>
     Float64Array.from(nodes.flatMap((node) => [...points.subarray(3 * node, 3 * node + 3)]));
+  /** Number of corners that are drawn in front. */
+  const drawn = ({ root }: FrontLayer) =>
+    root.children.flatMap((child) => (child.visible && child instanceof Mesh ? [child as Mesh] : []));
+  const countOf = (layer: FrontLayer) =>
+    drawn(layer).reduce((sum, { geometry }) => sum + geometry.drawRange.count / 3, 0);
+  const positionOf = (layer: FrontLayer) => drawn(layer)[0]?.geometry.getAttribute("position");
 
   it("reuses its buffer for a front that is no larger", () => {
     const layer = new FrontLayer();
     const first = { ...start, front: front(0, 1, 2, 0, 3, 1) };
     show(layer, start, first);
-    const { position } = attributes(layer);
+    const position = positionOf(layer);
     change(layer, first, { ...start, front: front(1, 2, 3), origin: [1, 0, 0] });
-    expect(attributes(layer)["position"]).toBe(position);
-    expect(layer.root.geometry.drawRange.count).toBe(3);
+    expect(positionOf(layer)).toBe(position);
+    expect(countOf(layer)).toBe(1);
     expect([...(position?.array ?? [])].slice(0, 9)).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1]);
+  });
+
+  it("copies a large front in pieces, and draws the one before until all are uploaded", () => {
+    const layer = new FrontLayer();
+    const [small, large, larger] = [1, 70_000, 90_000].map((count) => ({
+      ...start,
+      front: Float64Array.from({ length: 9 * count }, (_, i) => i),
+    }));
+    if (!small || !large || !larger) throw new Error("three fronts");
+    show(layer, start, small);
+    expect(layer.prepareMore(() => undefined)).toBe("nothing");
+    change(layer, small, large);
+    const uploaded: number[] = [];
+    const upload = (geometry: BufferGeometry) => uploaded.push(geometry.getAttribute("position").count);
+    expect(layer.prepareMore(upload)).toBe("piece");
+    expect(countOf(layer)).toBe(1);
+    // What comes meanwhile waits.
+    change(layer, large, larger);
+    while (layer.prepareMore(upload) === "piece");
+    expect(Math.max(...uploaded)).toBeLessThanOrEqual(75_000);
+    expect(countOf(layer)).toBe(70_000);
+    const last = drawn(layer).at(-1)?.geometry;
+    const at = 3 * ((last?.drawRange.count ?? 0) - 1);
+    expect([...(last?.getAttribute("position").array ?? [])].slice(at, at + 3)).toEqual([
+      629_997, 629_998, 629_999,
+    ]);
+    while (layer.prepareMore(upload) === "piece");
+    expect(countOf(layer)).toBe(90_000);
+    expect(layer.prepareMore(upload)).toBe("nothing");
+    change(layer, larger, start);
+    expect(countOf(layer)).toBe(0);
+    expect(layer.root.visible).toBe(false);
   });
 
   it("draws the front of an incomplete mesh only if no run advances", () => {
@@ -387,10 +433,10 @@ describe("the layer of the front", () => {
     } as unknown as MeshResult;
     const left = { ...start, mesh };
     show(layer, start, left);
-    expect(layer.root.geometry.drawRange.count).toBe(3);
+    expect(countOf(layer)).toBe(1);
     // The elements enclose it: it shows through them.
     const [behind] = layer.root.children;
-    expect(behind).toMatchObject({ visible: true, material: { depthTest: false } });
+    expect(behind).toMatchObject({ visible: true, children: [{ material: { depthTest: false } }] });
     change(layer, left, { ...left, front: front(0, 1, 2) });
     expect(behind?.visible).toBe(false);
     const ofOthers = { ...left, isMeshStale: true, isMeshOfOthers: true };

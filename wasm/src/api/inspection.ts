@@ -118,14 +118,15 @@ export function describedRemesh(
     mesh: carriedSurface(given, { points, triangles, origin, nodeOrigin }),
     origin,
     ...(figures satisfies Only<SurfaceRemesh, typeof figures>),
-    diagnostics: [...notes, ...deviationWarnings(figures)],
+    diagnostics: notes,
   };
 }
 
 /** Digits of lengths in messages. */
 const DIGITS = 3;
 
-function deviationWarnings({
+/** Returns a warning if the deviation exceeds the tolerance. */
+export function deviationWarnings({
   deviation,
   tolerance,
   mergedDetails,

@@ -157,6 +157,7 @@ function unitedRemeshes(all: readonly RemeshReport[]): RemeshReport | undefined 
     givenVolume: sumOf(all.map(({ givenVolume }) => givenVolume)),
     volume: sumOf(all.map(({ volume }) => volume)),
     mergedDetails: all.flatMap(({ mergedDetails }) => mergedDetails),
+    onFaces: all.every(({ onFaces }) => onFaces),
     isPartial: all.some(({ isPartial }) => isPartial),
   };
 }

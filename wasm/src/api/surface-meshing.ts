@@ -26,7 +26,7 @@ import {
 } from "./surface-mesh-options.js";
 import { type SurfaceMesher, withControl } from "./surface-mesher.js";
 import type { SolidPart, TreatedPart } from "./solid-parts.js";
-import type { WholeNumbers } from "./whole-numbers.js";
+import { type WholeNumbers, withWholeNumbers } from "./whole-numbers.js";
 import { hasSolids, withoutRegions } from "./stated-solids.js";
 import { preparedSurface, withSmallRepair } from "./surface-preparation.js";
 import { touchingPairs, touchingShells, withSolidsOfPatches, withTouchingSolids } from "./touching-solids.js";
@@ -40,6 +40,7 @@ import {
 } from "./surface-treatment.js";
 import { expectedThinNotes } from "./thin-bodies.js";
 import { isVisiblyChanged } from "./visible-change.js";
+import type { RepairChange } from "../mesh/inspection.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
 import { completeSurface } from "./carried-mesh.js";
 import { inOrder } from "./second-order-mesh.js";
@@ -114,9 +115,11 @@ async function readyParts(
   isExact: boolean,
 ): Promise<ReadySurface> {
   const ready: ReadyPart[] = [];
-  for (const { surface, numbers } of parts)
-    ready.push({ ready: await readyWhole(mesher, surface, asked, options, origin, isExact), numbers });
   const { unitedReady } = await ofParts();
+  for (const { surface, numbers } of parts) {
+    const part = readyWhole(mesher, surface, asked, options, origin, isExact);
+    ready.push({ ready: await withWholeNumbers(numbers, part), numbers });
+  }
   const united = unitedReady(ready.map((part) => ({ ...part.ready, numbers: part.numbers })));
   return { ...united, treatment: asked, parts: ready };
 }
@@ -155,15 +158,24 @@ async function readyWhole(
   const split = splitPart(options);
   const divided = split === undefined ? whole : (await mesher.splitPatches(whole, split)).mesh;
   const { surface, diagnostics } = await located(mesher, divided, innerShells);
+  const damaged = isCad && repair === undefined ? await damageNotes(stated, changes) : [];
   return {
     surface,
     treatment,
     changes,
     repairDeviation,
     split: split && { before: whole.patches.length, after: divided.patches.length },
-    diagnostics: [...warnings, ...(repair === undefined ? await nearSolids(stated) : []), ...diagnostics],
+    diagnostics: [
+      ...warnings,
+      ...damaged,
+      ...(repair === undefined ? await nearSolids(stated) : []),
+      ...diagnostics,
+    ],
   };
 }
+
+const damageNotes = async (given: Mesh, changes: readonly RepairChange[] | undefined) =>
+  changes === undefined ? [] : inSteps((await import("./damaged-faces.js")).damagedFaces(given, changes));
 
 /** Returns warnings about solids that are patches closed by themselves and almost touch; of stated solids, others warn. */
 async function nearSolids(surface: Mesh): Promise<readonly Diagnostic[]> {
@@ -348,11 +360,12 @@ async function partsFilled(
   const whole = new WholeProgress(filling.controlOf("remesh"));
   const trianglesFrom = (first: number): number =>
     parts.slice(first).reduce((sum, { ready: part }) => sum + part.surface.triangles.length, 0);
+  const { unitedTreated, withNesting } = await ofParts();
   for (const [p, { ready: part, numbers }] of parts.entries()) {
     const { controlOf } = new WholeProgress(whole.next(part.surface.triangles.length / trianglesFrom(p)));
-    made.push({ ...(await treated(mesher, part, { ...filling, controlOf })), numbers });
+    const done = await withWholeNumbers(numbers, treated(mesher, part, { ...filling, controlOf }));
+    made.push({ ...done, numbers });
   }
-  const { unitedTreated, withNesting } = await ofParts();
   const treatedParts = unitedTreated(made);
   // A solid of one part may lie within one of another.
   const united =

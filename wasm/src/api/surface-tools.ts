@@ -20,6 +20,7 @@ import { afterPause, beginCall } from "./call-checks.js";
 import { checkLocatedSurface, checkSurface, checkWeld, withInnerShells } from "./input-checks.js";
 import {
   changeDiagnostics,
+  deviationWarnings,
   describedInspection,
   describedRefinement,
   describedRemesh,
@@ -157,9 +158,14 @@ export class SurfaceTools {
       mesh: placed.mesh,
       placement: placed.placement,
       volume: described.volume + placed.volumeChange,
+      // Dropped details are farther away.
+      ...(described.onFaces && described.mergedDetails.length === 0 && { deviation: placed.bend }),
     };
     const whole = { ...described, ...changed };
-    const made = { ...whole, diagnostics: [...whole.diagnostics, ...volumeWarnings(whole)] };
+    const made = {
+      ...whole,
+      diagnostics: [...whole.diagnostics, ...deviationWarnings(whole), ...volumeWarnings(whole)],
+    };
     const thin = await inSteps(thinBodyNotes(made, options));
     return thin.length === 0 ? made : { ...made, diagnostics: [...made.diagnostics, ...thin] };
   }

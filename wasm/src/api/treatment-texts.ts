@@ -47,7 +47,7 @@ function placementText({ placed, unplaced, largestMove }: NodePlacement): string
 export function remeshText(remesh: RemeshReport, whole: string): string {
   const { given, triangles, size, minSize, tolerance, deviation, patches, featureLines } = remesh;
   return [
-    `remeshed: ${plural(given, "triangle")} before, ${triangles} after`,
+    `remeshed: ${plural(given, "triangle")} before, ${triangles} after${remesh.onFaces ? ", on the surfaces of the faces" : ""}`,
     `target sizes ${short(minSize, DIGITS)} to ${short(size, DIGITS)}`,
     `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
     `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,

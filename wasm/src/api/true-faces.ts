@@ -7,13 +7,15 @@ import type { EngineClient } from "../engine/engine-client.js";
 import { enclosedVolumes } from "../formats/sixfold-volume.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { NodePlacement } from "../mesh/inspection.js";
-import type { Mesh, SurfaceInput, TrueFaces } from "../mesh/mesh.js";
+import type { CurvedEdges, Mesh, SurfaceInput, TrueFaces } from "../mesh/mesh.js";
 
 export interface PlacedSurface {
   readonly mesh: Mesh;
   readonly placement: NodePlacement;
   /** What the surface encloses now, less what it enclosed before. */
   readonly volumeChange: number;
+  /** Largest distance of the middle of an edge from the faces. */
+  readonly bend: number;
 }
 
 /** Largest move of a node / deviation of a surface from the triangles of its file, which are near the true faces themselves. */
@@ -58,7 +60,22 @@ export async function onTrueFaces(
       largestMove: found.largestMove * scale,
     },
     volumeChange: after - before,
+    bend: bendOf(mesh),
   };
+}
+
+function bendOf({
+  points,
+  trueEdges: { edges, middles },
+}: Pick<Mesh, "points"> & { readonly trueEdges: CurvedEdges }) {
+  let largest = 0;
+  for (let edge = 0; edge < edges.length / 2; ++edge) {
+    const [a, b] = [3 * (edges[2 * edge] ?? 0), 3 * (edges[2 * edge + 1] ?? 0)];
+    const offset = (k: number) =>
+      (middles[3 * edge + k] ?? 0) - ((points[a + k] ?? 0) + (points[b + k] ?? 0)) / 2;
+    largest = Math.max(largest, Math.hypot(offset(0), offset(1), offset(2)));
+  }
+  return largest;
 }
 
 /** Returns the numbers of the true faces for a remeshing; none if they were moved or scaled since they were read. */

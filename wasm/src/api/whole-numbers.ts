@@ -2,6 +2,7 @@
 import { withSentences } from "../diagnostics/describe.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { nameByIndex } from "../diagnostics/entity-names.js";
+import { MesherError, refuse } from "../diagnostics/mesher-error.js";
 import { SENTENCES } from "../diagnostics/sentences.js";
 import type { SolidsPart } from "../formats/solid-units.js";
 import { NO_ORIGIN } from "../generated/constants.js";
@@ -36,6 +37,17 @@ export function inWhole({ wholeTriangles, wholeNodes }: WholeNumbers, found: Dia
   if (!isRenamed || !(found.code in SENTENCES)) return found;
   // The compiler cannot infer the union over all codes from the type for one code.
   return withSentences({ ...found, entities } as Parameters<typeof withSentences>[0]) as Diagnostic;
+}
+
+/** Resolves with what became of a part. If it is refused, its diagnostics have the numbers of the whole surface. */
+export async function withWholeNumbers<Made>(numbers: WholeNumbers, made: Promise<Made>): Promise<Made> {
+  try {
+    return await made;
+  } catch (failure) {
+    if (!(failure instanceof MesherError) || failure.code !== "invalid-input") throw failure;
+    refuse(failure.data.diagnostics.map((found) => inWhole(numbers, found)));
+    throw failure;
+  }
 }
 
 /** Returns a change of a part with the numbers of the whole surface; those of the triangles of filled holes have none there. */

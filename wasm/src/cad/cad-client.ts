@@ -6,7 +6,7 @@ import type { CadWorker } from "./cad-host.js";
 import { startFailure } from "./crash.js";
 import type { CadLoaded, CadReply, CadRequest, CadTimeout } from "./protocol.js";
 
-export const notLoadedRemedy = cadHost.remedy;
+export const notLoadedRemedy = cadHost.remedyFor;
 
 /**
  * Seconds after which the worker is terminated: OpenCascade cannot be interrupted or asked how far it is, and some damaged

@@ -3,9 +3,14 @@ import type { CadHost } from "./cad-host.js";
 import { crashOf } from "./crash.js";
 import type { CadLoaded, CadReply } from "./protocol.js";
 
+const ADDRESSES =
+  "pass their addresses to setCadLibrary(), and let the Content-Security-Policy allow 'unsafe-eval'.";
+
 export const cadHost: CadHost = {
-  remedy:
-    "Serve occt-import-js.js and occt-import-js.wasm of the package occt-import-js 0.0.23, pass their addresses to setCadLibrary(), and let the Content-Security-Policy allow 'unsafe-eval'.",
+  remedyFor: (format) =>
+    format === "iges"
+      ? `Serve occt-import-js.js and occt-import-js.wasm of the package occt-import-js 0.0.23, ${ADDRESSES}`
+      : `Serve replicad_single.js and replicad_single.wasm of the package replicad-opencascadejs 1.1.0 (\`kernel\`) and occt-import-js 0.0.23, ${ADDRESSES}`,
   start: (events) => {
     // Bundlers recognize the worker by exactly this expression.
     const worker = new Worker(new URL("./cad-worker.js", import.meta.url), {

@@ -4,7 +4,8 @@ import { crashOf } from "./crash.js";
 import type { CadLoaded, CadReply } from "./protocol.js";
 
 export const cadHost: CadHost = {
-  remedy: "Install the optional package that reads CAD files: npm install occt-import-js@0.0.23",
+  remedyFor: (format) =>
+    `Install the optional package that reads ${format === "iges" ? "IGES" : "STEP and BREP"} files: npm install ${format === "iges" ? "occt-import-js@0.0.23" : "replicad-opencascadejs@1.1.0"}`,
   start: (events) => {
     const worker = new Worker(new URL("./cad-worker.js", import.meta.url), {
       name: "tetrafront-cad",

@@ -1,5 +1,9 @@
 /** The worker of a CAD file as its creator sees it, the same in browsers and Node. */
-import type { CadCrash, CadLoaded, CadReply, CadRequest } from "./protocol.js";
+import type { CadCrash, CadFormat, CadLoaded, CadReply, CadRequest } from "./protocol.js";
+
+/** The library that reads a format. For STEP and BREP, the first one that can be loaded. */
+export const cadLibrariesFor = (format: CadFormat): string =>
+  format === "iges" ? "occt-import-js" : "replicad-opencascadejs or occt-import-js";
 
 export interface CadWorker {
   post(request: CadRequest): void;
@@ -15,5 +19,5 @@ export interface CadWorkerEvents {
 export interface CadHost {
   readonly start: (events: CadWorkerEvents) => CadWorker;
   /** What to do if the worker or the library cannot be loaded. */
-  readonly remedy: string;
+  readonly remedyFor: (format: CadFormat) => string;
 }

@@ -29,7 +29,8 @@ export async function withRun<T>(
   const whole = new WholeProgress({
     onProgress: (progress) => {
       interruption.hear();
-      bar?.update(progress, enterPhase(progress, current));
+      const timeLeft = enterPhase(progress, current);
+      bar?.update(progress, timeLeft);
     },
   });
   const controlOf: ControlOf = (step, share) => {

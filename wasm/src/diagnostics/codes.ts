@@ -25,6 +25,8 @@ export type PackageCode =
   | "joined-bodies"
   /** Open boundaries of a surface face each other across a gap. */
   | "cracked-surface"
+  /** Faces of a CAD file do not fit together, and the surface was repaired there. */
+  | "damaged-faces"
   /** Nodes of open edges of a surface nearly coincide. */
   | "near-nodes"
   /** Triangles of a surface were far larger than the sizes, and were split or replaced. */

@@ -3,6 +3,7 @@
  * face a patch, in millimetres.
  */
 import { askForCad, isSmallFile, notLoadedRemedy, secondsForFiner } from "../cad/cad-client.js";
+import { cadLibrariesFor } from "../cad/cad-host.js";
 import { DEFLECTION, PER_DIAGONAL } from "../cad/deflection.js";
 import { GENERIC } from "../cad/opencascade.js";
 import type { CadFormat, CadReply, CadShape } from "../cad/protocol.js";
@@ -178,8 +179,8 @@ export function failureOf(
   const remedy = `Export the part again as ${name}, or in another format; the file is damaged or not ${name}.`;
   switch (reply.kind) {
     case "not-loaded": {
-      const message = `${name} files need the library occt-import-js, which could not be loaded: ${reply.message}`;
-      return new ReadFailure({ code: "missing-library", message, remedy: notLoadedRemedy });
+      const message = `${name} files need the library ${cadLibrariesFor(format)}, which could not be loaded: ${reply.message}`;
+      return new ReadFailure({ code: "missing-library", message, remedy: notLoadedRemedy(format) });
     }
     case "loading-timed-out": {
       const message = `${name} files need the library for CAD files, which could not be loaded within ${reply.seconds} s`;

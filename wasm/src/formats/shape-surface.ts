@@ -118,7 +118,7 @@ class SharedPatches {
   /** Returns a sentence about the faces without triangles. */
   emptyFaces(): string[] {
     const empty = this.#faces.filter(({ triangles }) => triangles <= 0).map(({ label }) => label);
-    return empty.length === 0 ? [] : [`without triangles: ${listed(empty)}`];
+    return empty.length === 0 ? [] : [`without triangles: ${listed(empty)}; ${HEAL}`];
   }
 
   #index(key: string, make: () => MeshGroup): number {
@@ -128,6 +128,8 @@ class SharedPatches {
     return this.groups.push(make()) - 1;
   }
 }
+
+const HEAL = "heal these faces in the CAD program, or export the part again";
 
 /** Returns the name of a patch; `own`: that of the face, empty or the same if the whole shape is one face. */
 function labelOf(own: string, shape: string, isOnlyShape: boolean): string {

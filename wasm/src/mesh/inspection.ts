@@ -178,9 +178,14 @@ export interface SurfaceRemesh {
   readonly tolerance: number;
   /**
    * Upper bound of the distance between the two surfaces in both directions, in model units: the tolerance, or more if no
-   * smaller bound could be proved.
+   * smaller bound could be proved. With `onFaces`, the largest distance of the middle of an edge from the faces.
    */
   readonly deviation: number;
+  /**
+   * Whether the faces of a CAD file were triangulated on their own surfaces. Otherwise the given triangles were changed, and
+   * their nodes placed on the faces, if there are any.
+   */
+  readonly onFaces: boolean;
   /**
    * What `dropDetails` changed: each node of a sharp edge that was moved onto another one, from where to where. `deviation`
    * includes these changes.
