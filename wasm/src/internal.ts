@@ -31,6 +31,7 @@ export { bodyBox } from "./project/bodies.js";
 export { roundTime, TimeLeft } from "./base/time-left.js";
 export { STEP_HEIGHT } from "./base/limits.js";
 export { projectSchema } from "./project/schema.js";
+export { sharedSchemas } from "./project/feature-schema.js";
 export {
   improvedResult,
   inspectedResult,
