@@ -14,7 +14,6 @@
 #include "remesh/curvature.h"
 #include "remesh/mean_curvature.h"
 #include "remesh/piece_cells.h"
-#include "remesh/rules.h"
 #include "remesh/thickness.h"
 #include "remesh/wedges.h"
 #include "search/box_tree.h"
@@ -86,9 +85,7 @@ class ShapeMeasure {
         rules_(rules),
         cells_(reference, kSampleWidth * rules.minSize),
         curvatureRule_{rules.anglePerEdge, rules.tolerance},
-        wedges_(reference) {
-    listSegments();
-  }
+        wedges_(reference) {}
 
   /// A piece to measure.
   struct Sample {
@@ -101,8 +98,8 @@ class ShapeMeasure {
   Task<std::vector<Sample>> findSamples(Work& work) const;
   /// Measures a sample; all of them in their order.
   void measure(const Sample& sample);
-  void measureLine(FeatureLineId id);
-  void beginGaps() { sizes_.countWithoutGaps = sizes_.positions.size(); }
+  void measureLine(const FeatureLine& line);
+  void beginGaps();
   void measureGaps(FeatureLineId id);
   [[nodiscard]] ShapeSizes take() { return std::move(sizes_); }
 
@@ -120,7 +117,6 @@ class ShapeMeasure {
     if (size < rules_.maxSize) append(position, size, Vec3(0.0));
     if (size < rules_.minSize) ++sizes_.countBelowMin;
   }
-  void listSegments();
   void addThinPlace(const Sample& sample, double thickness);
   /// Returns the thickness at a piece, per layer; infinity in a wedge, where it does not ask for smaller sizes.
   [[nodiscard]] double thicknessForSize(const Sample& sample);
@@ -135,11 +131,6 @@ class ShapeMeasure {
     bool isAtCorner;  ///< between lines that meet
   };
   [[nodiscard]] Gap gapAt(FeatureLineId id, double arc) const;
-  /// Returns true for a gap that the smallest size does not resolve: the triangles of a sliver are poor with any size, as between
-  /// two cylinders that are turned against each other.
-  [[nodiscard]] bool isSliver(const Gap& gap) const {
-    return gap.width < kPoorWidth * rules_.minSize;
-  }
   [[nodiscard]] bool isSameCorner(const FeatureLine& a, const FeatureLine& b, const Vec3& position,
                                   double squaredGap) const;
 
@@ -256,10 +247,8 @@ double ShapeMeasure::sizeForDetail(double detail, double factor, double least) c
   return size < least ? rules_.minSize : std::min(size, rules_.minSize);
 }
 
-/// Adds the sizes that follow from the curvature and the length of a line; none if it bounds a sliver.
-void ShapeMeasure::measureLine(FeatureLineId id) {
-  const FeatureLine& line = reference_.line(id);
-  if (isSliver(gapAt(id, 0.5 * line.length()))) return;
+/// Adds the sizes that follow from the curvature and the length of a line.
+void ShapeMeasure::measureLine(const FeatureLine& line) {
   const LineTurns turns(line);
   // Points that are close turn together.
   std::size_t first = 1;
@@ -285,7 +274,8 @@ void ShapeMeasure::measureLine(FeatureLineId id) {
   for (double arc = 0.0; arc <= length; arc += step) addUnlimited(line.at(arc), size);
 }
 
-void ShapeMeasure::listSegments() {
+void ShapeMeasure::beginGaps() {
+  sizes_.countWithoutGaps = sizes_.positions.size();
   std::vector<Box> boxes;
   for (std::size_t l = 0; l < reference_.lines().size(); ++l) {
     const std::vector<Vec3>& points = reference_.lines()[l].points();
@@ -298,7 +288,7 @@ void ShapeMeasure::listSegments() {
 }
 
 /// Adds the sizes that follow from the distance to other feature lines of the same patch: triangles
-/// across a gap must not be wider than the gap. A sliver that is not resolved asks for none.
+/// across a gap must not be wider than the gap.
 void ShapeMeasure::measureGaps(FeatureLineId id) {
   const FeatureLine& line = reference_.line(id);
   const double step =
@@ -308,7 +298,7 @@ void ShapeMeasure::measureGaps(FeatureLineId id) {
     const double least = gap.isAtCorner ? rules_.minSize : rules_.minSizeAtGaps;
     const double size =
         sizeForDetail(rules_.detailFactor * kSizePerGap * gap.width, kSizePerNarrowGap, least);
-    if (size < rules_.minSize || !isSliver(gap)) addUnlimited(line.at(arc), size);
+    addUnlimited(line.at(arc), size);
     arc += size < rules_.minSize ? std::min(step, kEdgesPerGapStep * size) : step;
   }
 }
@@ -373,7 +363,7 @@ Task<ShapeSizes> findShapeSizes(Work& work, const ReferenceSurface& reference,
   work.beginPart(1.0);
   co_await work.forEachBlock(reference.lines().size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      measure.measureLine(FeatureLineId(i));
+      measure.measureLine(reference.lines()[i]);
     }
   });
   measure.beginGaps();

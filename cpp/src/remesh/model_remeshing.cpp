@@ -140,11 +140,22 @@ std::vector<SmoothPatchId> patchesOfFaces(const SurfaceMesh& mesh, std::size_t f
   return patches;
 }
 
-/// Returns true if every smooth patch of the given surface contains a face. Otherwise its patches divide faces.
+/// Returns true if every smooth patch beside another group contains a face. Otherwise the given patches divide faces.
 bool areAllCovered(std::span<const SmoothPatchId> ofFaces, const ReferenceSurface& reference) {
   std::vector<std::uint8_t> isCovered(reference.patchCount(), 0);
   for (const SmoothPatchId patch : ofFaces) isCovered[patch.index()] = 1;
-  return std::ranges::find(isCovered, 0) == isCovered.end();
+  const auto groupOf = [&](std::uint32_t patch) {
+    return reference.patch(SmoothPatchId(patch)).group;
+  };
+  return std::ranges::all_of(reference.lines(), [&](const FeatureLine& line) {
+    // Coarse triangles have creases within a face.
+    const bool isOfOneGroup = std::ranges::all_of(line.patches, [&](std::uint32_t patch) {
+      return groupOf(patch) == groupOf(line.patches.front());
+    });
+    return isOfOneGroup || std::ranges::all_of(line.patches, [&](std::uint32_t patch) {
+             return isCovered[patch] != 0;
+           });
+  });
 }
 
 /// Gives each triangle the given one beneath it, in the patch of its face. Returns false if there is none near one: the
