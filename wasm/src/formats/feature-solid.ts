@@ -2,8 +2,8 @@
 import { inSteps } from "../calls/yielder.js";
 import { cadShapesOf } from "../cad/cad-shapes.js";
 import { DEFLECTION } from "../cad/deflection.js";
-import { type EdgeLine, type FeatureFailure, withShape } from "../cad/features/evaluate.js";
-import type { Feature } from "../cad/features/feature.js";
+import { type EdgeLine, withShape } from "../cad/features/evaluate.js";
+import type { Feature, FeatureFailure } from "../cad/features/feature.js";
 import type { FeatureKernel } from "../cad/features/session.js";
 import { type CadKernel, triangulatedShape } from "../cad/kernel.js";
 import type { Mesh } from "../mesh/mesh.js";

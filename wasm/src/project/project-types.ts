@@ -1,7 +1,7 @@
 /**
  * A project, as the app edits and saves it (docs/FORMAT.md). `schema.ts` checks files against these types.
  */
-import type { FeatureFailure } from "../cad/features/evaluate.js";
+import type { FeatureFailure } from "../cad/features/feature.js";
 import type { SolidFeature } from "./feature-schema.js";
 import type { Placement } from "../base/placement.js";
 import type {

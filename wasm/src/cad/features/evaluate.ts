@@ -6,18 +6,11 @@ import type { TopoDS_Shape } from "replicad-opencascadejs";
 
 import { changed, type Pieces } from "./changes.js";
 import { combined } from "./combining.js";
-import type { Feature, FeatureOf, Piece } from "./feature.js";
+import type { Feature, FeatureOf, Piece, FeatureFailure } from "./feature.js";
 import { faceNames, namedEdges, type NamedSolid, renamed } from "./named-solid.js";
 import { pieceOf } from "./pieces.js";
 import { FeatureError, type FeatureKernel, Session } from "./session.js";
 import { lengthOf, minus } from "../../base/vectors.js";
-
-export interface FeatureFailure {
-  /** The id of the feature. */
-  readonly feature: number;
-  readonly message: string;
-  readonly remedy: string;
-}
 
 /** An edge to be shown and chosen. */
 export interface EdgeLine {

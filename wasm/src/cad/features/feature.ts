@@ -143,3 +143,11 @@ export type Change = {
 export type Feature = Piece | Change;
 
 export type FeatureOf<Type extends Feature["type"]> = Extract<Feature, { readonly type: Type }>;
+
+/** Why a feature was left out. */
+export interface FeatureFailure {
+  /** The id of the feature. */
+  readonly feature: number;
+  readonly message: string;
+  readonly remedy: string;
+}
