@@ -1,6 +1,6 @@
 /** True faces of bodies: their text in a project, and the nodes of a project's mesh on them. */
 import { beforeAll, expect, test } from "vitest";
-import { createMesher, type Mesher, readSurface } from "../../../wasm/dist/index.js";
+import { createMesher, type Mesh, type Mesher, readSurface } from "../../../wasm/dist/index.js";
 import { createBodies, readProject, writeProject, type Project } from "../../../wasm/dist/project.js";
 import { textOfTrueFaces, trueFacesOfText } from "../../../wasm/dist/project/true-faces-text.js";
 import { drilledSolid, stepFile } from "../../support/step-files.js";
@@ -9,11 +9,13 @@ const RADIUS = 3;
 const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], RADIUS)]);
 
 let mesher: Mesher;
+let surface: Mesh;
 let project: Project;
 beforeAll(async () => {
   mesher = await createMesher();
   const read = await readSurface(plate, { fileName: "plate.step" });
   if (!read.success) throw new Error("the plate cannot be read");
+  surface = read.value;
   const bodies = createBodies(read.value, { id: 1, firstPatchId: 1, name: "plate" });
   const empty = { points: [], lines: [], patches: [], background: { nodes: [], tetrahedra: [] } };
   project = { format: "tetrafront-project", version: 2, name: "plate", ...empty, bodies };
@@ -56,6 +58,21 @@ test("a body that is moved, turned and scaled takes its faces along", async () =
   const placement = { position: [100, 20, 5], rotation, scale: 0.5 } as const;
   const moved = { ...project, bodies: [{ ...body, placement }] };
   expect(await largestGap(moved, [100 - 2.5, 20 + 4], RADIUS / 2)).toBeLessThan(1e-9);
+}, 60_000);
+
+test("faces are triangulated on their own surfaces, unless they were moved", async () => {
+  const withPlacement = (scale: number) => ({
+    ...surface,
+    trueFaces: surface.trueFaces?.map((faces) => ({ ...faces, placement: { scale } })),
+  });
+  for (const given of [surface, withPlacement(1)]) {
+    const made = await mesher.remeshSurface(given);
+    expect(made.onFaces).toBe(true);
+    // Of chords of the hole, whose edges span at most a sixth of it.
+    expect(made.deviation).toBeGreaterThan(0);
+    expect(made.deviation).toBeLessThan(RADIUS * (1 - Math.cos(Math.PI / 6)));
+  }
+  expect((await mesher.remeshSurface(withPlacement(2))).onFaces).toBe(false);
 }, 60_000);
 
 test("a damaged text is refused, with the name of its field", () => {

@@ -80,8 +80,11 @@ function bendOf({
 
 /** Returns the numbers of the true faces for a remeshing; none if they were moved or scaled since they were read. */
 export function modelNumbers({ trueFaces = [] }: SurfaceInput): Float64Array {
-  const isMoved = trueFaces.some(({ placement }) => placement !== undefined);
-  return isMoved ? new Float64Array() : joined(trueFaces).numbers;
+  const areMoved = trueFaces.some(({ placement = {} }) => {
+    const { position, rotation, scale = 1 } = placement;
+    return position !== undefined || rotation !== undefined || scale !== 1;
+  });
+  return areMoved ? new Float64Array() : joined(trueFaces).numbers;
 }
 
 /** Returns the faces of all solids as those of one, in new arrays: the engine's worker gets the arrays of a question. */
