@@ -338,6 +338,10 @@ const TESTED_ELSEWHERE = [
   // Their callers have checked what they pass.
   "bodyBox",
   "featureSolid",
+  "brepOfFile",
+  "importKernel",
+  "TimeLeft",
+  "roundTime",
   "inOrder",
   "MesherError",
   "createMesher",
