@@ -198,7 +198,7 @@ it.each([
   ["mesh", "generate"],
   ["cut", "cut"],
   ["section", "cut"],
-  ["hole", "hole"],
+  ["hole", "hole-through"],
   ["union", "boolean-union"],
   ["unit", "setting-units"],
   ["units", "setting-units"],
