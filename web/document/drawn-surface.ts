@@ -50,7 +50,7 @@ export function drawnSurface(
   return { centre, low, high, corners, order, patchOffsets, values };
 }
 
-/** Returns a surface of which only the edges between patches are drawn, as the triangles within them mean nothing. O(triangles). */
+/** Returns a surface with only the edges between patches to be drawn: the triangles of a solid are not those of a mesh. O(triangles). */
 export function withoutInnerEdges(
   drawn: DrawnSurface,
   { triangles, trianglePatch }: Pick<SurfaceInput, "triangles" | "trianglePatch">,

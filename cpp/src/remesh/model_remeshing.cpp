@@ -22,12 +22,12 @@ namespace tetrafront {
 namespace {
 
 /// Least cosine of the angle between a triangle and the given one near it: on the other side of a thin wall it is about -1.
-constexpr double kLeastAlignment = 0.5;
+constexpr double kMinAlignment = 0.5;
 /// How far a triangle may be from the given one beneath it before the sizes are reduced, in tolerances.
 constexpr double kGivenReach = 4.0;
 /// Largest deviation of a triangle that follows from its size / its longest edge: one that spans 90 degrees of a cylinder.
 /// Larger ones follow from another division into faces.
-constexpr double kMostBent = 0.21;
+constexpr double kMaxBentShare = 0.21;
 /// Longest edges of the front / size.
 constexpr double kLongest = 1.5;
 /// Deviation at which reduced sizes aim / tolerance.
@@ -37,7 +37,7 @@ constexpr int kRefinements = 4;
 /// Share of the triangles too far away that a triangulation may leave, or no other follows.
 constexpr double kFewer = 0.75;
 /// Largest deviation from the given triangles / tolerance: they are as far from the faces as the CAD kernel has allowed.
-constexpr double kMostDeviation = 2.0;
+constexpr double kMaxFacesDeviation = 2.0;
 /// Triangles whose given ones are found per unit of budget.
 constexpr std::size_t kLocatedPerUnit = 4;
 
@@ -104,7 +104,7 @@ TriangleId givenNear(const ReferenceSurface& reference, const Vec3& position, co
   double squared = limit * limit;
   reference.tree().visitNear(position, squared, [&](std::uint32_t item) {
     const TriangleId t = reference.pieces()[item].triangle;
-    if (t == nearest || glm::dot(reference.normalOf(t), normal) < kLeastAlignment) return;
+    if (t == nearest || glm::dot(reference.normalOf(t), normal) < kMinAlignment) return;
     const double distance = reference.squaredDistance(position, t);
     if (distance >= squared) return;
     squared = distance;
@@ -189,7 +189,7 @@ void measureBeside(const Remeshing& remeshing, RemeshPass& pass) {
   for (const TriangleId t : IdRange<TriangleId>(pass.beneath.size())) {
     float& deviation = pass.remesh.triangleDeviation[t.index()];
     const TriangleCorners corners = cornersOf(pass.surface.mesh, t);
-    if (double{deviation} <= kMostBent * longestEdgeLengthOf(corners)) continue;
+    if (double{deviation} <= kMaxBentShare * longestEdgeLengthOf(corners)) continue;
     const Vec3 normal = glm::normalize(crossOf(corners));
     double largest = 0.0;
     for (const Vec3& position : samplesOf(corners)) {
@@ -236,7 +236,8 @@ Task<bool> isBoundary(Work& work, const SurfaceMesh& mesh, const Remeshing& reme
   co_return isValid;
 }
 
-/// Triangulates the faces once. Returns none as remeshModel() does, but for the deviation and for triangles that are no boundary.
+/// Triangulates the faces once. Does not check the deviation, nor whether the triangles are a boundary; otherwise returns none as
+/// remeshModel() does.
 Task<std::optional<RemeshPass>> remeshWith(Work& work, const SizeField& field,
                                            const Remeshing& remeshing) {
   std::optional<RemeshPass> none;
@@ -302,7 +303,7 @@ Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshi
       break;
     work.leaveRest();
   }
-  if (pass->remesh.deviation > kMostDeviation * remeshing.lengths.tolerance) co_return none;
+  if (pass->remesh.deviation > kMaxFacesDeviation * remeshing.lengths.tolerance) co_return none;
   work.beginPart(1.0);
   if (!co_await isBoundary(work, pass->surface.mesh, remeshing)) co_return none;
   measureShapes(pass->surface.mesh, pass->remesh);

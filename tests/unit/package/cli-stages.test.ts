@@ -7,6 +7,7 @@ import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 
 import { withRun } from "../../../wasm/src/cli/run.js";
 import { enterPhase, enterStage, setBarShown, startStageLines } from "../../../wasm/src/cli/stages.js";
+import { progressAt } from "../../support/progress.js";
 import { signalInLongCall, tetrafront } from "../../support/command-line.js";
 import { stlBinary } from "../../support/surface-files.js";
 import { sphereSurface } from "../../support/surfaces.js";
@@ -17,16 +18,6 @@ const folder = temporaryFolder();
 vi.mock(import("../../../wasm/src/api/mesher.js"), () => ({
   createMesher: () => Promise.resolve({ dispose: () => undefined } as unknown as Mesher),
 }));
-
-const started = {
-  nodes: 0,
-  triangles: 0,
-  tetrahedra: 0,
-  frontFaces: 0,
-  expectedTetrahedra: 0,
-  exactFillFraction: 0,
-  elapsedSeconds: 0,
-};
 
 describe("every ten seconds, a line", () => {
   let lines: string[] = [];
@@ -63,13 +54,13 @@ describe("every ten seconds, a line", () => {
     ]);
   });
 
-  test("tells of the calls of a run, with one share for all of them that never falls", async () => {
+  test("follows the calls of a run; the fraction of the whole never decreases", async () => {
     const stop = startStageLines();
     await withRun(true, (_mesher, controlOf) => {
       for (const step of ["check", "remesh", "run"] as const) {
         const { onProgress } = controlOf(step);
         for (const fraction of [0.1, 0.9]) {
-          onProgress?.({ ...started, fraction, phase: step === "run" ? "optimize" : "check" });
+          onProgress?.({ ...progressAt(fraction), phase: step === "run" ? "optimize" : "check" });
           vi.advanceTimersByTime(10_000);
         }
       }

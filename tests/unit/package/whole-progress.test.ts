@@ -2,19 +2,8 @@
 import { createMesher, type CallProgress } from "tetrafront";
 import { expect, test } from "vitest";
 import { WholeProgress } from "../../../wasm/src/api/whole-progress.js";
+import { progressAt } from "../../support/progress.js";
 import { needleGearSurface } from "../../support/surfaces.js";
-
-const at = (fraction: number): CallProgress => ({
-  phase: "check",
-  fraction,
-  nodes: 0,
-  triangles: 0,
-  tetrahedra: 0,
-  frontFaces: 0,
-  expectedTetrahedra: 0,
-  exactFillFraction: 0,
-  elapsedSeconds: 0,
-});
 
 /** Returns the progress of work, and the fractions that it has reported. */
 function recorded(): { readonly whole: WholeProgress; readonly fractions: number[] } {
@@ -29,7 +18,7 @@ test("calls that each count from 0 to 1 never lower it, and leave something for 
   const { whole, fractions } = recorded();
   for (const step of ["check", "check", "check", "remesh", "run", "curve"] as const) {
     const { onProgress } = whole.controlOf(step);
-    for (const fraction of [0, 0.5, 1]) onProgress?.(at(fraction));
+    for (const fraction of [0, 0.5, 1]) onProgress?.(progressAt(fraction));
     expect(fractions.at(-1)).toBeLessThan(1);
   }
   whole.end();
@@ -41,15 +30,15 @@ test("calls that each count from 0 to 1 never lower it, and leave something for 
 test("a call that consists of calls takes its own share, however they count", () => {
   const { whole, fractions } = recorded();
   const inner = new WholeProgress(whole.next(0.5, { phase: "remesh" }));
-  for (let part = 0; part < 4; ++part) inner.next(1 / (4 - part)).onProgress?.(at(1));
+  for (let part = 0; part < 4; ++part) inner.next(1 / (4 - part)).onProgress?.(progressAt(1));
   expect(fractions).toEqual([0.125, 0.25, 0.375, 0.5]);
 });
 
 test("a control whose call has not begun takes nothing; a call that is left takes what it has done", () => {
   const { whole, fractions } = recorded();
   whole.controlOf("remesh");
-  whole.next(0.5).onProgress?.(at(0.5));
-  whole.next(1).onProgress?.(at(0.5));
+  whole.next(0.5).onProgress?.(progressAt(0.5));
+  whole.next(1).onProgress?.(progressAt(0.5));
   expect(fractions).toEqual([0.25, 0.625]);
 });
 

@@ -7,7 +7,7 @@ import { DocumentStore } from "../../../web/session/document-store";
 import { OutdatedSolids } from "../../../web/session/outdated-solids";
 import { NoSolid } from "../../../web/session/solids";
 
-/** Returns points that tell the width, in place of a box. */
+/** Returns points that encode the width, in place of a box. */
 const pointsOf = (width: number): string => `points of ${width}`;
 
 const widthOf = ([box]: readonly SolidFeature[]): number => (box?.type === "box" ? box.size[0] : 0);

@@ -25,7 +25,7 @@ const { points, triangles } = createBody(
   { id: 1, firstPatchId: 1 },
 );
 
-/** Makes bodies that tell of which features they are made, some of which fail. */
+/** Makes bodies whose points encode their features; some features fail. */
 const solids = {
   bodyOf: (
     _: Project,

@@ -17,8 +17,8 @@ const SHARES: Readonly<Record<Step, number>> = {
 };
 
 /**
- * One fraction over all calls. Each call takes a share of what is left, so that the fraction never decreases, and none jumps,
- * however many calls there are. A call that consists of calls has a progress of its own within its share.
+ * One fraction over all calls. Each call takes a share of the work that is left, so that the fraction never decreases or jumps,
+ * whatever the number of calls. A call that consists of calls has a progress of its own within its share.
  */
 export class WholeProgress {
   readonly #control: RunControl;
@@ -46,7 +46,7 @@ export class WholeProgress {
     return { ...this.#control, onProgress };
   }
 
-  /** Returns the control of the next call of a step, which takes a share of what is left. */
+  /** Returns the control of the next call of a step, which takes a share of the work that is left. */
   readonly controlOf = (step: Step = "run", share = SHARES[step]): RunControl =>
     this.next(share, step === "remesh" ? { phase: step } : {});
 

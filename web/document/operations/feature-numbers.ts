@@ -38,7 +38,7 @@ export function expressionsIn(value: unknown): FieldExpressions {
   return found;
 }
 
-/** Returns plain data with other parts in place of those for which a function gives one. */
+/** Returns a copy of plain data. Parts for which the function returns a value are replaced by it. */
 function mapped(value: unknown, path: string, replace: (part: unknown, path: string) => unknown): unknown {
   const replaced = replace(value, path);
   if (replaced !== undefined) return replaced;

@@ -22,7 +22,7 @@ import {
 /** What a sweep becomes. */
 type SweepUse = {
   readonly makes: PieceUse;
-  /** Whether drawn loops stay, of which a feature has a copy. */
+  /** Whether the drawn loops stay beside the copy in the feature. */
   readonly keepProfile: boolean;
 };
 
