@@ -6,7 +6,7 @@ import { crashOf } from "./crash.js";
 import type { CadLoaded, CadReply } from "./protocol.js";
 
 /**
- * Compiles functions of a module once and fast. Most of the library's run a few times only: with optimized code, a part of 400 kB took
+ * Compiles functions of a module once and fast. Most of the library's run a few times only: with optimized code, a part of 292 kB took
  * 2.5 s of processor time to be read, without it 0.7 s. The option holds for a whole process, and our engine needs optimized code.
  */
 const COMPILER = "--liftoff-only";
