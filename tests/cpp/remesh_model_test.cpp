@@ -103,5 +103,20 @@ TEST(RemeshModel, OfAnotherShapeIsNotUsed) {
   }
 }
 
+TEST(RemeshModel, NamesTheFaceThatCannotBeTriangulated) {
+  const TrimmedSolid solid = trimmedCylinder(1.0, 1.0);
+  const SurfaceMesh given = finely(solid.model);
+  TrimmedModel damaged = solid.model;
+  std::vector<Coedge>& loop = damaged.faces[0].loops[0];
+  ASSERT_GT(loop.size(), 2U);
+  loop.pop_back();
+  const SurfaceRemesh result = remeshed(given, numbersOf(damaged));
+  ASSERT_TRUE(result.diagnostics.empty());
+  EXPECT_FALSE(result.onFaces);
+  EXPECT_EQ(result.failedFaces, (std::vector<std::uint32_t>{0}));
+  EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kByOrientation).empty());
+  EXPECT_TRUE(remeshed(given, numbersOf(solid.model)).failedFaces.empty());
+}
+
 }  // namespace
 }  // namespace tetrafront::testing

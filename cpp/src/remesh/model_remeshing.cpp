@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sort.h"
 #include "boundary/boundary.h"
 #include "field/size_octree_builder.h"
 #include "geom/measure.h"
@@ -83,9 +84,21 @@ Task<SizeField> fieldOf(Work& work, const PlacedSizes& placed, const Remeshing& 
   co_return SizeField::fromOctree(builder.take());
 }
 
+std::vector<std::uint32_t> facesIn(const std::vector<Diagnostic>& diagnostics) {
+  std::vector<std::uint32_t> faces;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    for (const Entity& entity : diagnostic.entities) {
+      if (entity.kind == EntityKind::kPatch) faces.push_back(entity.index);
+    }
+  }
+  sortUnique(faces);
+  return faces;
+}
+
 /// Returns the triangles of the faces; none if a face cannot be triangulated.
 Task<std::optional<SurfaceMesh>> triangulateFaces(Work& work, const TrimmedModel& model,
-                                                  const SizeField& field) {
+                                                  const SizeField& field,
+                                                  std::vector<std::uint32_t>& failedFaces) {
   TrimmedMesher mesher(model, field);
   MeshStatus status = MeshStatus::kRunning;
   while ((status = mesher.advance(work.remaining())) == MeshStatus::kRunning) {
@@ -94,6 +107,7 @@ Task<std::optional<SurfaceMesh>> triangulateFaces(Work& work, const TrimmedModel
   }
   std::optional<SurfaceMesh> mesh;
   if (status == MeshStatus::kDone) mesh.emplace(mesher.takeMesh());
+  failedFaces = facesIn(mesher.diagnostics());
   co_return mesh;
 }
 
@@ -240,12 +254,13 @@ Task<bool> isBoundary(Work& work, const SurfaceMesh& mesh, const Remeshing& reme
 /// Triangulates the faces once. Does not check the deviation, nor whether the triangles are a boundary; otherwise returns none as
 /// remeshModel() does.
 Task<std::optional<RemeshPass>> remeshWith(Work& work, const SizeField& field,
-                                           const Remeshing& remeshing) {
+                                           const Remeshing& remeshing,
+                                           std::vector<std::uint32_t>& failedFaces) {
   std::optional<RemeshPass> none;
   const TrimmedModel& model = *remeshing.model;
   work.beginPart(0.7);
   Job<std::optional<SurfaceMesh>> triangulating(
-      [&](Work& inner) { return triangulateFaces(inner, model, field); });
+      [&](Work& inner) { return triangulateFaces(inner, model, field, failedFaces); });
   if (!co_await finishUnlessStopped(work, triangulating, remeshing.isStopped)) co_return none;
   std::optional<SurfaceMesh> mesh = triangulating.take();
   if (!mesh) co_return none;
@@ -282,7 +297,8 @@ Task<std::optional<RemeshPass>> remeshWith(Work& work, const SizeField& field,
 
 }  // namespace
 
-Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshing) {
+Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshing,
+                                            std::vector<std::uint32_t>& failedFaces) {
   std::optional<RemeshPass> none;
   if (!areOfShape(remeshing)) co_return none;
   work.beginPart(0.4);
@@ -295,7 +311,7 @@ Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshi
     work.beginPart(0.5);
     const SizeField field = co_await fieldOf(work, *placed, remeshing);
     work.beginPart(0.9);
-    pass = co_await remeshWith(work, field, remeshing);
+    pass = co_await remeshWith(work, field, remeshing, failedFaces);
     if (!pass) co_return none;
     const double before = std::exchange(far, addSizesWhereFar(*pass, field, tolerance, *placed));
     // Where the given triangles are far from the faces, smaller ones are no nearer to them.

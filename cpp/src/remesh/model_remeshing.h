@@ -4,7 +4,9 @@
 /// Parikh 1988, sections 4 and 5.2), with the sizes of a remeshing. An order of magnitude faster than changing triangles,
 /// and all nodes are on the model.
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "base/task.h"
 #include "remesh/remesh_pass.h"
@@ -15,6 +17,8 @@ namespace tetrafront {
 /// Returns the triangulated faces. None if a face cannot be triangulated; if the result is not a valid boundary, such as that of
 /// solids that touch each other; if the given surface is not that of the model, for example because its patches divide
 /// faces; if other sizes than those of the shape are given; or if the work was stopped. `remeshing.model` must not be null.
-Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshing);
+/// `failedFaces` becomes the faces that cannot be triangulated.
+Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshing,
+                                            std::vector<std::uint32_t>& failedFaces);
 
 }  // namespace tetrafront

@@ -231,7 +231,9 @@ Task<Dropped> remeshWithoutChosen(Work& work, const Remeshing& remeshing,
 /// Triangulates the faces of the model, which must be known, and remeshes around their poor triangles.
 Task<Dropped> remeshFaces(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
   work.beginPart(0.6);
-  std::optional<RemeshPass> pass = co_await remeshModel(work, remeshing);
+  std::vector<std::uint32_t> failedFaces;
+  std::optional<RemeshPass> pass = co_await remeshModel(work, remeshing, failedFaces);
+  surface.pass.remesh.failedFaces = std::move(failedFaces);
   if (!pass) co_return Dropped::kNone;
   surface.pass = std::move(*pass);
   surface.deviation = surface.pass.remesh.deviation;
@@ -315,6 +317,7 @@ struct Attempts {
   std::optional<SimplifiedSurface> best;
   Dropped last = Dropped::kNone;
   std::array<bool, 5> areTried{};  ///< by Way
+  std::vector<std::uint32_t> failedFaces;
 };
 
 bool isDue(const Attempt& attempt, const Attempts& made, const Remeshing& remeshing) {
@@ -365,10 +368,12 @@ Task<SimplifiedSurface> remeshAndDrop(Work& work, const Remeshing& remeshing) {
     SimplifiedSurface surface;
     made.last = co_await remeshBy(work, attempt.way, remeshing, surface);
     made.areTried.at(static_cast<std::size_t>(attempt.way)) = true;
+    if (attempt.way == Way::kFaces) made.failedFaces = std::move(surface.pass.remesh.failedFaces);
     if (made.last != Dropped::kMade) continue;
     if (replacesBest(attempt, surface, made, remeshing)) made.best = std::move(surface);
   }
   SimplifiedSurface best = made.best ? std::move(*made.best) : SimplifiedSurface{};
+  best.pass.remesh.failedFaces = std::move(made.failedFaces);
   co_return best;
 }
 

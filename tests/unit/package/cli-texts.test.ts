@@ -59,20 +59,20 @@ describe("shapes of patches", () => {
   });
 });
 
-describe("dropped details as text", () => {
-  const textOf = (details: number, whole: string): string =>
+describe("a remeshing as text", () => {
+  const textOf = (details: number, whole: string, failedFaces: readonly number[] = []): string =>
     remeshText(
       {
         ...{ given: 12, triangles: 40, size: 1, minSize: 0.1, tolerance: 0.01, deviation: 0.02 },
         ...{ givenVolume: 1, volume: 1 },
         ...{ patches: 6, featureLines: 12, smallestAngle: 30, meanRadiusRatio: 0.9 },
-        ...{ onFaces: false, isPartial: false },
+        ...{ onFaces: false, failedFaces, isPartial: false },
         mergedDetails: Array.from({ length: details }, (_, i) => ({ from: [i, 0, 0], onto: [i, 0.5, 0] })),
       },
       whole,
     );
 
-  test("name both positions of the first ones, and the option that lists all", () => {
+  test("names both positions of the first dropped details, and the option that lists all", () => {
     const text = textOf(7, "--json");
     expect(text).toContain("7 details dropped: (0, 0, 0) onto (0, 0.5, 0), (1, 0, 0) onto (1, 0.5, 0)");
     expect(text).toContain("(4, 0, 0) onto (4, 0.5, 0), and 2 more (--json lists all 7)");
@@ -80,7 +80,13 @@ describe("dropped details as text", () => {
     expect(textOf(6, "--report FILE")).toContain(", and 1 more (--report FILE lists all 6)");
   });
 
-  test("name all of a few", () => {
+  test("names the faces that cannot be triangulated", () => {
+    expect(textOf(0, "", [3, 6])).toContain(
+      "not on the surfaces of the faces, because these cannot be triangulated there: face 4, face 7",
+    );
+  });
+
+  test("names all of a few dropped details", () => {
     const text = textOf(5, "--json");
     expect(text).toContain("(4, 0, 0) onto (4, 0.5, 0)");
     expect(text).not.toContain("more");

@@ -112,12 +112,13 @@ export function describedRemesh(
   given: SurfaceInput,
   notes: readonly Diagnostic[],
 ): SurfaceRemesh {
-  const { points, triangles, origin, diagnostics: _, ...figures } = remesh;
+  const { points, triangles, origin, failedFaces, diagnostics: _, ...figures } = remesh;
   const nodeOrigin = new Uint32Array(points.length / 3).fill(NO_ORIGIN);
   return {
     mesh: carriedSurface(given, { points, triangles, origin, nodeOrigin }),
     origin,
     ...(figures satisfies Only<SurfaceRemesh, typeof figures>),
+    failedFaces: [...failedFaces],
     diagnostics: notes,
   };
 }

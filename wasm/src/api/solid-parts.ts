@@ -158,6 +158,7 @@ function unitedRemeshes(all: readonly RemeshReport[]): RemeshReport | undefined 
     volume: sumOf(all.map(({ volume }) => volume)),
     mergedDetails: all.flatMap(({ mergedDetails }) => mergedDetails),
     onFaces: all.every(({ onFaces }) => onFaces),
+    failedFaces: all.flatMap(({ failedFaces }) => failedFaces),
     isPartial: all.some(({ isPartial }) => isPartial),
   };
 }

@@ -40,6 +40,13 @@ function placementText({ placed, unplaced, largestMove }: NodePlacement): string
   return `${plural(placed, "node")} on the true faces${others} (moved by at most ${short(largestMove, DIGITS)})`;
 }
 
+function facesText({ onFaces, failedFaces }: RemeshReport): string {
+  if (onFaces) return ", on the surfaces of the faces";
+  if (failedFaces.length === 0) return "";
+  const names = failedFaces.map((face) => `face ${face + 1}`);
+  return `, not on the surfaces of the faces, because these cannot be triangulated there: ${names.join(", ")}`;
+}
+
 /**
  * Describes a remeshing: triangles, chosen sizes, shapes, the distance from the given surface, and the first of the details
  * that were dropped. `whole`: what lists all of them.
@@ -47,7 +54,7 @@ function placementText({ placed, unplaced, largestMove }: NodePlacement): string
 export function remeshText(remesh: RemeshReport, whole: string): string {
   const { given, triangles, size, minSize, tolerance, deviation, patches, featureLines } = remesh;
   return [
-    `remeshed: ${plural(given, "triangle")} before, ${triangles} after${remesh.onFaces ? ", on the surfaces of the faces" : ""}`,
+    `remeshed: ${plural(given, "triangle")} before, ${triangles} after${facesText(remesh)}`,
     `target sizes ${short(minSize, DIGITS)} to ${short(size, DIGITS)}`,
     `${plural(patches, "smooth patch")}, ${plural(featureLines, "feature line")}`,
     `smallest angle ${remesh.smallestAngle.toFixed(1)}°, mean radius ratio ${remesh.meanRadiusRatio.toFixed(3)}`,

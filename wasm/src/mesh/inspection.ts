@@ -186,6 +186,8 @@ export interface SurfaceRemesh {
    * their nodes placed on the faces, if there are any.
    */
   readonly onFaces: boolean;
+  /** Numbers of faces that could not be triangulated on their surfaces, counted from 0 over all solids of the file. */
+  readonly failedFaces: readonly number[];
   /**
    * What `dropDetails` changed: each node of a sharp edge that was moved onto another one, from where to where. `deviation`
    * includes these changes.
