@@ -201,6 +201,7 @@ export const pageStrings = {
   },
   help: {
     title: "Keyboard and mouse",
+    keys: "The keys of all commands, and what the mouse and fingers do in the view.",
     contents: "Contents of the help",
     search: "Search the help",
     inMenu: (menu: string) => `menu ${menu}`,
