@@ -137,6 +137,28 @@ TEST(SizeOctreeTest, FindsASmallFeatureAmongLargeTriangles) {
   }
 }
 
+/// More sites than a list holds lie far from the samples of the first cells; those in all but the last octant have a size near the cap.
+TEST(SizeOctreeTest, FindsSmallSizesAmongManyNearTheCap) {
+  std::vector<Vec3> points;
+  std::vector<double> sizes;
+  Random random(77);
+  while (points.size() < 1000) {
+    const Vec3 position = random.inBox(1.0);
+    if (std::fabs(glm::length(position) - 0.6) > 0.02) continue;
+    points.push_back(position);
+    sizes.push_back(std::min({position.x, position.y, position.z}) > 0.3 ? 0.05 : 0.19);
+  }
+  constexpr double kCap = 0.2;
+  SizeOctreeBuilder builder(points, sizes, 0.3, kCap);
+  while (!builder.advance(1U << 30U)) {
+  }
+  const SizeOctree octree = builder.take();
+  for (const Vec3& position : points) {
+    const double expected = bruteForce(points, sizes, 0.3, kCap, position);
+    EXPECT_LT(octree.sizeAt(position), 1.6 * expected);
+  }
+}
+
 TEST(SizeOctreeTest, DefaultCapIsTheNinetiethPercentile) {
   SurfaceMesh mesh = geodesicSphere(8);
   Random random(310);

@@ -32,10 +32,10 @@ Vec3 positionAt(const std::vector<double>& points, std::size_t node) {
   return {points[3 * node], points[3 * node + 1], points[3 * node + 2]};
 }
 
-/// Fine triangles with a node per corner. The parameters of a centroid are found by a search over the whole face, and those of
+/// Triangles with a node per corner. The parameters of a centroid are found by a search over the whole face, and those of
 /// corners beside them, so that no triangle extends over a period.
-ModelTriangles trianglesOf(const TrimmedModel& model) {
-  const SurfaceMesh mesh = meshOfModel(model, 0.1);
+ModelTriangles trianglesOf(const TrimmedModel& model, double size = 0.1) {
+  const SurfaceMesh mesh = meshOfModel(model, size);
   std::vector<ParameterBox> boxes;
   for (const TrimmedFace& face : model.faces) boxes.push_back(FaceLoops(model, face).box());
   ModelTriangles triangles;
@@ -87,6 +87,18 @@ TEST(NodePlacement, MovesNodesOntoFacesAndEdges) {
     }
     EXPECT_LT(distance, 1e-9);
   }
+}
+
+/// The model's triangles and straight pieces of edges are farther from its faces than half an edge of the mesh.
+TEST(NodePlacement, FindsTheFacesBehindCoarseTriangles) {
+  const TrimmedSolid solid = trimmedCylinder(1.0, 0.2);
+  const SurfaceMesh mesh = meshOfModel(solid.model, 0.01);
+  const ModelTriangles coarse = trianglesOf(solid.model, 1.0);
+  NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, numbersOf(solid.model), coarse,
+                    0.2);
+  while (!placer.advance(1U << 30U)) {
+  }
+  EXPECT_TRUE(placer.result().unplaced.empty());
 }
 
 TEST(NodePlacement, BendsEdgesOntoTheFacesBesideThem) {

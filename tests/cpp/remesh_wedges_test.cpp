@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -63,6 +64,38 @@ TEST_P(WedgeSizes, DoNotFallTowardsTheEdge) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, WedgeSizes, ::testing::Values(1.0, 3.0, 8.0, 16.0, 25.0));
+
+/// As prismWedge(), with a narrow strip of triangles on either side beside the edge.
+SurfaceMesh stripedWedge(double degrees, double width, double length, double height) {
+  const double half = degrees * std::numbers::pi / 360.0;
+  SurfaceMesh mesh;
+  for (const double z : {0.0, height}) {
+    mesh.points.insert(mesh.points.end(), {0.0, 0.0, z});
+    for (const double side : {-1.0, 1.0}) {
+      for (const double at : {width, length})
+        mesh.points.insert(mesh.points.end(), {at * std::cos(half), side * at * std::sin(half), z});
+    }
+  }
+  // Counter-clockwise seen from above: 0, 1, 2, 4, 3; the upper ones are five more.
+  const std::array<std::uint32_t, 5> loop{0, 1, 2, 4, 3};
+  mesh.triangles = {0, 3, 1, 1, 3, 4, 1, 4, 2, 5, 6, 8, 6, 9, 8, 6, 7, 9};
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto [a, b] = std::array{loop[i], loop[(i + 1) % loop.size()]};
+    mesh.triangles.insert(mesh.triangles.end(), {a, b, b + 5, a, b + 5, a + 5});
+  }
+  return mesh;
+}
+
+/// Rays across the wedge beside its edge measured almost nothing, so that it became a thin place with ten times as many triangles.
+TEST(WedgeSizes, DoNotFallInAWideWedge) {
+  for (const double degrees : {32.0, 45.0, 58.0}) {
+    SCOPED_TRACE(degrees);
+    const SurfaceRemesh result = remesh(stripedWedge(degrees, 0.02, 10.0, 10.0));
+    ASSERT_TRUE(result.diagnostics.empty());
+    EXPECT_LT(static_cast<double>(result.triangles.size()) / 3.0,
+              2.5 * trianglesOfSize(10.0, 10.0, result.size));
+  }
+}
 
 /// A blunt edge is a thin place, not a wedge: sizes follow its thickness.
 TEST(WedgeSizes, FollowTheThicknessOfABluntEdge) {

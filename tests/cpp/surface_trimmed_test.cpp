@@ -87,5 +87,22 @@ TEST(TrimmedSurface, AreaAndVolumeConvergeAtSecondOrder) {
   }
 }
 
+TEST(TrimmedSurface, ANeedleIsFilledOnceOrGivenUp) {
+  for (const double radius : {0.02, 0.05, 0.0724, 0.1, 0.2}) {
+    const TrimmedSolid cone = trimmedCone(radius, 0.0, 1.4);
+    for (const double size : {0.1, 0.02, 0.01, 0.007}) {
+      SCOPED_TRACE(std::to_string(radius) + " " + std::to_string(size));
+      const SizeField field = SizeField::uniform(size);
+      TrimmedMesher mesher(cone.model, field);
+      // A front that has run over its own triangles never ends.
+      for (int slice = 0; mesher.advance(1000) == MeshStatus::kRunning && slice < 10000; ++slice) {
+      }
+      ASSERT_NE(mesher.advance(1), MeshStatus::kRunning);
+      if (!mesher.diagnostics().empty()) continue;
+      EXPECT_EQ(measure(mesher.takeMesh(), field).borderEdges, 0U);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tetrafront::testing

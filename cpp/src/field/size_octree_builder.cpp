@@ -246,8 +246,10 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
     lowerBound = sites_->collect(range, sizes.max, *reaching, own);
     hasList = true;
   } else if (estimatedReach(centre, sizes.max) < static_cast<double>(kMaxListLength)) {
-    lowerBound = sites_->collect(range, sizes.max, kMaxListLength, own);
+    const double lowest = sites_->collect(range, sizes.max, kMaxListLength, own);
     hasList = own.size() <= kMaxListLength;
+    // The lowest of only some sites is no bound.
+    if (hasList) lowerBound = lowest;
   }
   // Samples may miss a small feature. If they would not split the cell, look for one.
   if (!rule_ && !hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(lowerBound))) {

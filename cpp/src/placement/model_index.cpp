@@ -19,6 +19,8 @@ constexpr double kSimilarDirection = 0.7;
 /// Largest angle by which an edge turns along a segment, and largest number of segments between two knots.
 constexpr double kTurningPerSegment = radians(10.0);
 constexpr double kMaxSegments = 256.0;
+/// Part of the extent of a face's triangles by which the face may extend beyond them: its edges bend outward.
+constexpr double kBeyondTriangles = 0.25;
 
 /// Parts of the corners of a triangle that sum up to a position in its plane.
 Vec3 barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -32,8 +34,8 @@ Vec3 barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-ModelIndex::ModelIndex(const ReadModel& read, const ModelTriangles& triangles)
-    : read_(&read), triangles_(&triangles) {
+ModelIndex::ModelIndex(const ReadModel& read, const ModelTriangles& triangles, double sag)
+    : read_(&read), triangles_(&triangles), sag_(sag) {
   addTriangles();
   addEdges();
 }
@@ -69,6 +71,13 @@ void ModelIndex::addTriangles() {
     }
     boxes.push_back(Box::of(pointOf(corners[0]), pointOf(corners[1]), pointOf(corners[2])));
     indexed_.push_back(t);
+  }
+  for (std::size_t face = 0; face < boxes_.size(); ++face) {
+    if (!(boxes_[face].low.x <= boxes_[face].high.x)) continue;
+    const FaceSurface& surface = model.surfaces[model.faces[face].surface];
+    const Vec2 beyond = kBeyondTriangles * (boxes_[face].high - boxes_[face].low);
+    boxes_[face] = {clampedToDomain(surface, boxes_[face].low - beyond),
+                    clampedToDomain(surface, boxes_[face].high + beyond)};
   }
   triangleTree_ = BoxTree(std::span<const Box>(boxes));
 }
@@ -128,7 +137,7 @@ void ModelIndex::addSegments(std::uint32_t edge) {
 
 std::optional<Vec3> ModelIndex::nearestOnFace(const Vec3& position, const Vec3& normal,
                                               double reach) const {
-  double least = reach * reach;
+  double least = (reach + sag_) * (reach + sag_);
   std::uint32_t nearest = TrimmedFace::kNone;
   triangleTree_.visitNear(position, least, [&](std::uint32_t item) {
     const auto [a, b, c] =
@@ -159,7 +168,7 @@ std::optional<EdgePlace> ModelIndex::nearestOnEdge(const Vec3& position, const V
                                                    double reach,
                                                    std::optional<std::uint32_t> only) const {
   const bool isAny = direction == Vec3(0.0);
-  double least = reach * reach;
+  double least = (reach + sag_) * (reach + sag_);
   const Segment* nearest = nullptr;
   segmentTree_.visitNear(position, least, [&](std::uint32_t item) {
     const Segment& segment = segments_[item];

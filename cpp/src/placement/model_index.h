@@ -24,8 +24,8 @@ struct EdgePlace {
 
 class ModelIndex {
  public:
-  /// Both must outlive this. O(n log n) for n triangles.
-  ModelIndex(const ReadModel& read, const ModelTriangles& triangles);
+  /// Both must outlive this. `sag`: how far triangles and straight pieces of edges may be from the model. O(n log n) for n triangles.
+  ModelIndex(const ReadModel& read, const ModelTriangles& triangles, double sag);
 
   /// Returns the place on a face, at most `reach` away, whose normal is similar to a unit normal.
   [[nodiscard]] std::optional<Vec3> nearestOnFace(const Vec3& position, const Vec3& normal,
@@ -61,6 +61,7 @@ class ModelIndex {
 
   const ReadModel* read_;
   const ModelTriangles* triangles_;
+  double sag_;
   std::vector<std::uint32_t> indexed_;  ///< triangles of valid faces, by items of the tree
   std::vector<ParameterBox> boxes_;     ///< per face: of the nodes of its triangles
   BoxTree triangleTree_;

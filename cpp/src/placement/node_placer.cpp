@@ -405,7 +405,7 @@ Task<NodePlacement> placeNodes(Work& work, PlacementInput& input) {
     co_return none;
   }
   co_await work.yield();
-  const ModelIndex index(*read, input.triangles);
+  const ModelIndex index(*read, input.triangles, input.reach);
   if (input.groups.size() != countTriangles(input.mesh)) input.groups.clear();
   Placement placement(input, index);
   co_await work.yield();

@@ -34,8 +34,8 @@ constexpr double kLongest = 1.5;
 constexpr double kReducedShare = 0.5;
 /// Triangulations of the faces, with sizes reduced in between. Each gets rid of most triangles that are too far away.
 constexpr int kRefinements = 4;
-/// Share of the triangles too far away that a triangulation may leave, or no other follows.
-constexpr double kFewer = 0.75;
+/// Share of the area too far away that a triangulation may leave, or no other follows.
+constexpr double kLessArea = 0.75;
 /// Largest deviation from the given triangles / tolerance: they are as far from the faces as the CAD kernel has allowed.
 constexpr double kMaxFacesDeviation = 2.0;
 /// Triangles whose given ones are found per unit of budget.
@@ -203,15 +203,16 @@ void measureBeside(const Remeshing& remeshing, RemeshPass& pass) {
 }
 
 /// Adds smaller sizes where triangles are farther from the given ones than the tolerance: large ones on faces that the given
-/// triangles show too roughly for their curvature. Returns their number.
-std::size_t addSizesWhereFar(const RemeshPass& pass, const SizeField& field, double tolerance,
-                             PlacedSizes& placed) {
-  const std::size_t before = placed.sizes.size();
+/// triangles show too roughly for their curvature. Returns their area.
+double addSizesWhereFar(const RemeshPass& pass, const SizeField& field, double tolerance,
+                        PlacedSizes& placed) {
+  double area = 0.0;
   FieldHint hint;
   for (const TriangleId t : IdRange<TriangleId>(pass.beneath.size())) {
     const double deviation = pass.remesh.triangleDeviation[t.index()];
     if (deviation < tolerance) continue;
     const TriangleCorners corners = cornersOf(pass.surface.mesh, t);
+    area += areaOf(corners);
     const double length = longestEdgeLengthOf(corners);
     const Vec3 centroid = centroidOf(corners);
     const double size = std::min(field.targetSizeAt(centroid, hint), length / kLongest);
@@ -219,7 +220,7 @@ std::size_t addSizesWhereFar(const RemeshPass& pass, const SizeField& field, dou
     // The deviation grows with the square of the length.
     placed.sizes.push_back(size * std::sqrt(kReducedShare * tolerance / deviation));
   }
-  return placed.sizes.size() - before;
+  return area;
 }
 
 /// Returns true if the triangles are a valid boundary.
@@ -289,18 +290,16 @@ Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshi
   if (!placed) co_return none;
   const double tolerance = remeshing.lengths.testedTolerance;
   std::optional<RemeshPass> pass;
-  std::size_t far = 0;
+  double far = 0.0;
   for (int round = 0; round < kRefinements; ++round) {
     work.beginPart(0.5);
     const SizeField field = co_await fieldOf(work, *placed, remeshing);
     work.beginPart(0.9);
     pass = co_await remeshWith(work, field, remeshing);
     if (!pass) co_return none;
-    const std::size_t before =
-        std::exchange(far, addSizesWhereFar(*pass, field, tolerance, *placed));
+    const double before = std::exchange(far, addSizesWhereFar(*pass, field, tolerance, *placed));
     // Where the given triangles are far from the faces, smaller ones are no nearer to them.
-    if (far == 0 || (round > 0 && static_cast<double>(far) > kFewer * static_cast<double>(before)))
-      break;
+    if (far == 0.0 || (round > 0 && far > kLessArea * before)) break;
     work.leaveRest();
   }
   if (pass->remesh.deviation > kMaxFacesDeviation * remeshing.lengths.tolerance) co_return none;

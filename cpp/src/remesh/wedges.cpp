@@ -14,8 +14,9 @@
 namespace tetrafront {
 namespace {
 
-/// Cosine of the largest angle of a wedge, 30 degrees: an element that fills it is out of the good range.
-constexpr double kWedgeCosine = 0.8660254037844387;
+/// Cosine of the largest angle of a wedge, 60 degrees: rays across a region end at faces that are inclined by less. In a wider
+/// wedge, they do not measure the distance between its faces, so that it asks for no sizes.
+constexpr double kWedgeCosine = 0.5;
 /// Distance between the faces / distance that the edge's angle leads to, from which on the faces belong to the wedge: near 1 if
 /// the faces are flat; less if they bend towards each other like those of a lens, but then they must not be parallel.
 constexpr double kFlatShare = 0.8;

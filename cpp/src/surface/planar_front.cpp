@@ -69,12 +69,8 @@ bool BasicPlanarFront<Trace>::advance(std::uint32_t budget) {
     Edge& edge = edges_[id];
     const bool comesAgain = edge.pass < kLastPass;
     trace_->postponed(comesAgain ? edge.pass + 1U : SurfaceRecorder::kNoNextPass);
-    if (!comesAgain) {
-      hasStalled_ = true;
-      tree_.remove(id);
-      freeEdges_.push_back(id);
-      continue;
-    }
+    // It stays an obstacle, without which the front would run over what is filled; a later triangle may still close it.
+    if (!comesAgain) continue;
     ++edge.pass;
     heap_.push(id, keyOf(edge));
   }

@@ -31,7 +31,7 @@ class BasicPlanarFront {
 
   /// After advance() has returned true: true if the patch is not covered because the loops were not simple. The
   /// triangles made so far remain.
-  [[nodiscard]] bool hasStalled() const { return hasStalled_; }
+  [[nodiscard]] bool hasStalled() const { return freeEdges_.size() < edges_.size(); }
 
  private:
   /// A directed edge of the front; the unmeshed part of the plane is on its left.
@@ -87,7 +87,6 @@ class BasicPlanarFront {
   std::vector<std::uint32_t> freeEdges_;
   std::uint32_t sequence_ = 0;
   FieldHint hint_;
-  bool hasStalled_ = false;
   // Scratch of the current base edge.
   std::vector<std::uint32_t> nearEdges_;
   std::vector<PlanarNodeId> nearNodes_;
