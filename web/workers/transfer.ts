@@ -20,6 +20,8 @@ export async function copyForTransfer<T extends object>(holder: T): Promise<Tran
   const copies = entries.map(({ name, value }) =>
     isTransferable(value) ? { name, value: sameLength(value), from: value } : { name, value },
   );
+  // The task that asks for a copy may have received the result of a run.
+  await nextTurn();
   let resumed = performance.now();
   for (const { value, from } of copies) {
     if (!from) continue;

@@ -22,16 +22,19 @@ export interface NamedMesh extends Pick<NamedRegions, "indices"> {
   readonly mesh: Mesh;
 }
 
-/** Returns the mesh of a run with the names of its patches and regions, as `MeshResult` says. */
+/**
+ * Returns the mesh of a run with the names of its patches and regions, as `MeshResult` says. `count`: number of the regions of
+ * the run.
+ */
 export function namedMesh(
   { surface, volume }: EngineMesh,
   { project, surface: given }: NameSource,
+  count: number = countOf(volume.regions),
 ): NamedMesh {
   const { triangles } = surface;
   const isSame = given !== undefined && given.triangles.length === triangles.length;
   const own = isSame ? patchesIn(given) : undefined;
   const kept = own !== undefined && hasNamedPatches(own) ? own : undefined;
-  const count = countOf(volume.regions);
   const { surfaceRegions, trueEdges, unit } = (isSame ? given : undefined) ?? {};
   const word = project === undefined ? "shell" : "patch";
   const { trianglePatch, patches } = kept ?? {

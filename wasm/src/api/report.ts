@@ -23,8 +23,9 @@ import { namedMesh, type NameSource } from "./generated-mesh.js";
 
 /** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {
-  const { status, surface, volume, metricShapes, statistics, hasFoundNothingBetter, recording } = result;
-  const { mesh, indices } = namedMesh(result, names);
+  const { status, surface, volume, metricShapes, statistics, regionSizes } = result;
+  const { hasFoundNothingBetter, recording } = result;
+  const { mesh, indices } = namedMesh(result, names, regionSizes.length);
   const quality = withRegions(statistics.quality, indices);
   return {
     mesh,
@@ -37,7 +38,7 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
     report: {
       status,
       ...statistics,
-      regions: namedSizes(mesh, result.regionSizes, indices),
+      regions: namedSizes(mesh, regionSizes, indices),
       quality,
       diagnostics: [
         ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, indices)),

@@ -6,7 +6,7 @@ import type { EngineVolume } from "./engine-mesh.js";
 export type RegionSize = Omit<RegionSummary, "name">;
 
 /**
- * Returns number and volume of the tetrahedra of each region of a run. The statistics of a finished mesh have them; those of
+ * Returns number and volume of the tetrahedra of each region of a run, up to the last that has any. The statistics of a finished mesh have them; those of
  * a cancelled one are measured here. O(n), without an object per element: whoever cancelled waits for it.
  */
 export function regionSizes(mesh: EngineVolume, { regions: measured }: QualityReport): RegionSize[] {
@@ -31,6 +31,7 @@ export function regionSizes(mesh: EngineVolume, { regions: measured }: QualityRe
 
 function sizesOf(measured: QualityReport["regions"]): RegionSize[] {
   const sizes: RegionSize[] = [];
-  for (const { region, tetrahedra, volume } of measured) sizes[region] = { tetrahedra, volume };
+  for (const { region, tetrahedra, volume } of measured)
+    if (tetrahedra > 0) sizes[region] = { tetrahedra, volume };
   return Array.from(sizes, (size = { tetrahedra: 0, volume: 0 }) => size);
 }
