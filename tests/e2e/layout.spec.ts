@@ -475,20 +475,6 @@ test("on a phone every menu opens in place, and all its items can be reached", a
   await expect(menu.getByRole("group")).toHaveCount(1);
 });
 
-test("no menu is taller than the screen of a laptop", async ({ page }) => {
-  await page.setViewportSize({ width: 1366, height: 768 });
-  await new AppPage(page).openCube();
-  for (const menu of await page.getByRole("menubar").getByRole("menuitem").all()) {
-    await menu.click();
-    const opened = page.getByRole("menu");
-    await expect(opened).toBeVisible();
-    const { y, height } = (await opened.boundingBox()) ?? { y: 0, height: Infinity };
-    expect(y + height).toBeLessThanOrEqual(768);
-    await page.keyboard.press("Escape");
-    await expect(opened).toBeHidden();
-  }
-});
-
 test("the header fits at every width, both idle and during a run", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
