@@ -1,12 +1,9 @@
 /** STEP, IGES and BREP files: solids as regions, faces as patches, units, colours, interfaces, errors. */
-import { once } from "node:events";
 import { readFileSync } from "node:fs";
-import { createRequire, syncBuiltinESMExports } from "node:module";
-import type { Worker } from "node:worker_threads";
 
 import { createMesher, readMesh, readSurface, type Mesher, type Mesh } from "tetrafront";
 import { bodySurface, createBodies, readProject } from "tetrafront/project";
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
+import { afterAll, beforeAll, describe, expect, test, vi } from "vitest";
 
 import { withoutPause } from "../../../wasm/dist/base/steps.js";
 import { askForCad } from "../../../wasm/dist/cad/cad-client.js";
@@ -455,81 +452,11 @@ const ABSURD_WORDS = [
   "",
 ];
 
-describe("a worker that fails", () => {
-  test.each([
-    ["ERR_WORKER_OUT_OF_MEMORY", "too-large-file", /^Export the parts one by one/],
-    ["MODULE_NOT_FOUND", "missing-library", /^Install/],
-    ["", "malformed-file", /^Export the part again/],
-  ])("with the code %s is reported as %s", async (code, expected, remedy) => {
-    const begun = once(process, "worker") as Promise<[Worker]>;
-    const reading = readSurface(plate, { fileName: "plate.step" });
-    const [worker] = await begun;
-    worker.emit("error", Object.assign(new Error("Failed"), { code }));
-    const read = await reading;
-    const error = read.success ? undefined : read.errors[0];
-    expect([error?.code, error?.remedy]).toEqual([expected, expect.stringMatching(remedy)]);
-  });
-
-  test("to start is reported as a library that is missing", async () => {
-    const threads = createRequire(import.meta.url)("node:worker_threads") as { Worker: unknown };
-    const { Worker: kept } = threads;
-    threads.Worker = class {
-      constructor() {
-        throw new Error("Access is denied");
-      }
-    };
-    syncBuiltinESMExports();
-    try {
-      const read = await readSurface(plate, { fileName: "plate.step" });
-      expect(read.success ? "" : read.errors[0].code).toBe("missing-library");
-    } finally {
-      threads.Worker = kept;
-      syncBuiltinESMExports();
-    }
-  });
-});
-
 /** Number of damaged files. */
 const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 60);
 
 /** Number of files that are read at a time. */
 const READERS = 4;
-
-describe("cancelling", () => {
-  const started: Worker[] = [];
-  const note = (worker: Worker) => started.push(worker);
-  beforeEach(() => {
-    started.length = 0;
-    process.on("worker", note);
-  });
-  afterEach(() => void process.off("worker", note));
-
-  test("ends the worker", async () => {
-    const abort = new AbortController();
-    const begun = once(process, "worker");
-    const reading = readSurface(plate, { fileName: "plate.step", signal: abort.signal });
-    await begun;
-    expect(started).toHaveLength(1);
-    const [worker] = started;
-    if (worker === undefined) throw new Error("No worker was started");
-    const ended = once(worker, "exit");
-    const terminate = vi.spyOn(worker, "terminate");
-    abort.abort();
-    await expect(reading).rejects.toMatchObject({ code: "cancelled" });
-    expect(terminate).toHaveBeenCalledOnce();
-    await ended;
-    expect(worker.threadId).toBe(-1);
-  });
-
-  test("before the call starts no worker", async () => {
-    const signal = AbortSignal.abort();
-    await expect(readSurface(plate, { fileName: "plate.step", signal })).rejects.toMatchObject({
-      code: "cancelled",
-    });
-    await new Promise((resolve) => setImmediate(resolve));
-    expect(started).toEqual([]);
-  });
-});
 
 describe("a damaged STEP file", () => {
   const text = new TextDecoder().decode(

@@ -7,9 +7,12 @@ import type { CadRequest } from "./protocol.js";
 
 export const cadPort: CadPort = {
   onRequest: (handle) => {
-    parentPort?.on("message", (request: CadRequest) => handle(request));
+    (parentPort ?? process).on("message", (request: CadRequest) => handle(request));
   },
-  post: (reply, transfer) => parentPort?.postMessage(reply, transfer),
+  post: (reply, transfer) => {
+    if (parentPort === null) process.send?.(reply);
+    else parentPort.postMessage(reply, transfer);
+  },
   library: () =>
     Promise.resolve({
       create: createRequire(import.meta.url)("occt-import-js") as CreateOpenCascade,
