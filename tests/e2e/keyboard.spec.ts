@@ -60,6 +60,20 @@ test("menus work with the keyboard, and single-key hotkeys do nothing while the 
   await expect(cut).toBeChecked();
 });
 
+test("no menu is taller than the screen of a laptop", async ({ page }) => {
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await new AppPage(page).openCube();
+  for (const menu of await page.getByRole("menubar").getByRole("menuitem").all()) {
+    await menu.click();
+    const opened = page.getByRole("menu");
+    await expect(opened).toBeVisible();
+    const { y, height } = (await opened.boundingBox()) ?? { y: 0, height: Infinity };
+    expect(y + height).toBeLessThanOrEqual(768);
+    await page.keyboard.press("Escape");
+    await expect(opened).toBeHidden();
+  }
+});
+
 test("help lists every hotkey", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();

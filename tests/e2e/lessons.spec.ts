@@ -466,7 +466,8 @@ test("the lens shows its formulas without scrolling, however long its sentences 
   await open(page, "&lesson=10");
   await expect(front(page)).toHaveAttribute("data-shown", "true");
   await page.getByTestId("player-kind").selectOption("crosses");
-  const formula = page.getByTestId("lens-formula").locator(".katex").last();
+  const formula = page.getByTestId("lens").locator(".katex").last();
+  await expect(formula).toBeInViewport({ ratio: 1 });
   for (let i = 0; i < 24; i++) {
     const before = (await page.getByTestId("lens").textContent()) ?? "";
     await page.getByTestId("player-next").click();

@@ -105,6 +105,12 @@ test("the start page lists changed projects with picture and date", async ({ pag
   await expect(row.locator("img")).toBeVisible();
   await row.click();
   await expect(page.getByTestId("project-name")).toHaveValue("Mine");
+  // A project that is open has its date, too.
+  await page.getByRole("menuitem", { name: "File" }).click();
+  await page.getByRole("menuitem", { name: "Start page" }).click();
+  await expect(row).toContainText(/(now|minute.*), open/);
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("project-name")).toHaveValue("Mine");
 });
 
 test("a further tab shows the start page, and does not mesh the example again", async ({ page, context }) => {

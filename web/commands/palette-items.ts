@@ -38,7 +38,7 @@ function commandItems(app: App): PaletteItem[] {
       id: command.id,
       group: strings.menus[command.menu],
       label: labelOf(app, command),
-      words: command.words,
+      words: `${command.words} ${strings.submenus[command.menu]?.[command.section] ?? ""}`,
       hotkey: command.keys[0] ?? null,
       needs,
       run: () => runCommand(app, command),

@@ -7,6 +7,8 @@ export interface HelpSection {
   readonly title: string;
   /** Markdown, with the heading. */
   readonly text: string;
+  /** Other words that find it. */
+  readonly words?: string;
 }
 
 /** Divides a document at its headings. Lines in code are no headings. */
@@ -51,7 +53,7 @@ export interface HelpResult {
 }
 
 /**
- * Returns the sections that have words which begin with each word of a query: those with all of them in the title first, then in
+ * Returns the sections that have, or are found by, words which begin with each word of a query: those with all of them in the title first, then in
  * the order of the documents. O(letters).
  */
 export function searchHelp(query: string, sections: readonly HelpSection[]): readonly HelpResult[] {
@@ -64,7 +66,7 @@ export function searchHelp(query: string, sections: readonly HelpSection[]): rea
     return -1;
   };
   const hasAll = (text: string): boolean => words.every((word) => begins(text, word) >= 0);
-  const found = sections.filter(({ title, text }) => hasAll(`${title}\n${text}`));
+  const found = sections.filter(({ title, text, words = "" }) => hasAll(`${title}\n${text}\n${words}`));
   const ordered = [
     ...found.filter(({ title }) => hasAll(title)),
     ...found.filter(({ title }) => !hasAll(title)),

@@ -146,7 +146,6 @@ export class BrowserStorage implements DocumentStorage {
       this.#opening = null;
       this.#database = null;
     };
-    if (typeof indexedDB === "undefined") throw new NoStorageError();
     const upgrade: OpenDBCallbacks<Schema>["upgrade"] = (database, version, _, transaction) => {
       if (version < 2) {
         for (const name of database.objectStoreNames) database.deleteObjectStore(name);
@@ -165,6 +164,8 @@ export class BrowserStorage implements DocumentStorage {
       forget();
     };
     try {
+      // Where site data are blocked, some browsers throw as soon as the property is read.
+      if (typeof indexedDB === "undefined") throw new NoStorageError();
       this.#database = await openDB<Schema>(this.#name, databaseVersion, {
         upgrade,
         blocking,

@@ -12,7 +12,7 @@ export const pageStrings = {
   /** Sections of menus that are menus of their own, by their number. */
   submenus: {
     edit: { 2: "Select related", 4: "Work plane", 5: "Snapping", 6: "Transform", 7: "Combine bodies" },
-    view: { 6: "Settings" },
+    view: { 5: "Colours and edges", 6: "Settings" },
     create: { 2: "Line from points", 3: "Patch from lines", 5: "Source", 10: "Solid piece", 11: "Sweep" },
   } as Readonly<
     Partial<Record<"file" | "edit" | "create" | "view" | "mesh" | "help", Readonly<Record<number, string>>>>
@@ -201,6 +201,7 @@ export const pageStrings = {
   },
   help: {
     title: "Keyboard and mouse",
+    keys: "The keys of all commands, and what the mouse and fingers do in the view.",
     contents: "Contents of the help",
     search: "Search the help",
     inMenu: (menu: string) => `menu ${menu}`,

@@ -16,25 +16,31 @@ const numbersPerLook = 1 << 15;
  * over the memory, in slices between which the page responds; a message that copies the arrays takes several, in one task.
  */
 export async function copyForTransfer<T extends object>(holder: T): Promise<TransferCopy<T>> {
-  const entries = Object.entries(holder).map(([name, value]: [string, unknown]) => ({ name, value }));
-  const copies = entries.map(({ name, value }) =>
-    isTransferable(value) ? { name, value: sameLength(value), from: value } : { name, value },
-  );
+  const copied: [name: string, value: unknown][] = [];
+  const buffers: ArrayBuffer[] = [];
+  // The task that asks for a copy may have received the result of a run.
+  await nextTurn();
   let resumed = performance.now();
-  for (const { value, from } of copies) {
-    if (!from) continue;
-    for (let begin = 0; begin < from.length; begin += numbersPerLook) {
-      if (performance.now() - resumed > sliceMs) {
-        await nextTurn();
-        resumed = performance.now();
-      }
-      value.set(from.subarray(begin, begin + numbersPerLook), begin);
-    }
-  }
-  return {
-    copy: Object.fromEntries(copies.map(({ name, value }) => [name, value])) as T,
-    buffers: copies.flatMap(({ value, from }) => (from ? [value.buffer] : [])),
+  const letPageRespond = async (): Promise<void> => {
+    if (performance.now() - resumed <= sliceMs) return;
+    await nextTurn();
+    resumed = performance.now();
   };
+  for (const [name, value] of Object.entries(holder) as [string, unknown][]) {
+    if (!isTransferable(value)) {
+      copied.push([name, value]);
+      continue;
+    }
+    await letPageRespond();
+    const copy = sameLength(value);
+    for (let begin = 0; begin < value.length; begin += numbersPerLook) {
+      await letPageRespond();
+      copy.set(value.subarray(begin, begin + numbersPerLook), begin);
+    }
+    copied.push([name, copy]);
+    buffers.push(copy.buffer);
+  }
+  return { copy: Object.fromEntries(copied) as T, buffers };
 }
 
 function sameLength(array: Transferable): Transferable {

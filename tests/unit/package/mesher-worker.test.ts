@@ -83,6 +83,7 @@ function resultWith(fingerprint: string): EngineResult {
   return {
     status: "done",
     hasFoundNothingBetter: false,
+    regionSizes: [],
     surface: {
       points: noPoints,
       triangles: none,
@@ -164,6 +165,21 @@ describe("runs", () => {
     expect(worker.requests.map(({ kind }) => kind)).toEqual(["fill-surface", "mesh-model"]);
     worker.reply({ kind: "result", id: idOf(worker, 1), result: resultWith("second") });
     expect((await runs[1])?.report.fingerprint).toBe("second");
+  });
+
+  test("have the sizes of their regions from the worker, so that no task of the page grows with the mesh", async () => {
+    const mesher = await readyMesher();
+    const worker = workerNumber(0);
+    const run = mesher.fillSurface(boxSurface(1));
+    const regions = new Uint32Array([0, 1, 1]);
+    const volume = { points: new Float64Array(12), tetrahedra: new Uint32Array(12), regions, front: none };
+    const regionSizes = [
+      { tetrahedra: 1, volume: 0.5 },
+      { tetrahedra: 2, volume: 0.25 },
+    ];
+    const result = { ...resultWith(""), status: "cancelled", volume, regionSizes } as const;
+    worker.reply({ kind: "result", id: idOf(worker), result });
+    expect((await run).report.regions).toMatchObject(regionSizes);
   });
 
   test("ignore replies with other ids", async () => {

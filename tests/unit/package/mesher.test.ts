@@ -506,6 +506,10 @@ describe("cancelling", () => {
     expect(result.report.status).toBe("cancelled");
     expect(result.report.tetrahedra).toBeGreaterThan(0);
     expect(result.front.length).toBeGreaterThan(0);
+    const [region, ...others] = result.report.regions;
+    expect(others).toEqual([]);
+    expect(region?.tetrahedra).toBe(result.report.tetrahedra);
+    expect(region?.volume).toBeCloseTo(result.report.volume, 9);
   });
 
   test("ends the exact fill, which reports its progress", { retry: 3 }, async () => {

@@ -36,3 +36,14 @@ it.each(Object.entries(browsers))(
     expect(notice).not.toMatch(/keeps trying|\.\./);
   },
 );
+
+it("in a browser that throws when its storage is looked for, the reason is the same sentence", async () => {
+  vi.stubGlobal("indexedDB", undefined);
+  Object.defineProperty(globalThis, "indexedDB", {
+    configurable: true,
+    get: () => {
+      throw new DOMException("denied", "SecurityError");
+    },
+  });
+  await expect(new BrowserStorage().listUntouched()).rejects.toThrow(strings.notices.noStorage);
+});

@@ -12,7 +12,7 @@ import { addBodies } from "../../../web/document/body-edits";
 import { bodiesOf } from "../../../web/document/entities";
 import type { Gallery } from "../../../web/session/gallery";
 import { newDocument } from "../../../web/session/document-store";
-import { synonyms } from "../../../web/strings";
+import { strings, synonyms } from "../../../web/strings";
 import { searchHelp } from "../../../web/document/help-search";
 import { keySections } from "../../../web/panels/help/help-dialog";
 import type { Viewer } from "../../../web/viewer/viewer";
@@ -188,6 +188,16 @@ it.each([
   expect(foundBy(query)).toContain(id);
 });
 
+it("finds the commands of each menu within a menu by its name", () => {
+  for (const [menu, names] of Object.entries(strings.submenus)) {
+    for (const [section, name] of Object.entries(names)) {
+      const found = foundBy(name);
+      const own = commands.filter((one) => one.menu === menu && one.section === Number(section));
+      expect([name, own.some(({ id }) => found.includes(id))]).toEqual([name, true]);
+    }
+  }
+});
+
 it.each([
   ["undo", "undo"],
   ["delete", "delete"],
@@ -347,6 +357,8 @@ it.each([
   ["offline", "Keep for offline use", "menu Help"],
   ["start page", "Start page", "menu File"],
   ["generate mesh", "Generate mesh", "Ctrl Enter, menu Mesh"],
+  ["shortcut", strings.help.title, strings.help.keys],
+  ["remove", "Delete selection", "Del, menu Edit"],
 ])("the search of the help finds %s among the commands", (query, title, place) => {
   const found = searchHelp(query, keySections(cubeApp()));
   expect(found[0]?.section).toMatchObject({ title, text: `${title}\n${place}` });

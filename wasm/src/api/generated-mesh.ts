@@ -4,10 +4,8 @@ import { checkArgument } from "../calls/argument-checks.js";
 import type { EngineMesh } from "../engine/engine-mesh.js";
 import { countOf, hasGenericName, numbered } from "../formats/groups.js";
 import { carriedRegions, type NamedRegions } from "../formats/region-names.js";
-import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import { namesOfSolids } from "../formats/solid-names.js";
 import type { Mesh, SurfaceInput } from "../mesh/mesh.js";
-import type { RegionSummary } from "../mesh/report.js";
 import { type Project, patchesOf } from "../project/project-types.js";
 import { NO_REGION } from "../generated/constants.js";
 import { bodyRegions } from "./body-regions.js";
@@ -24,16 +22,19 @@ export interface NamedMesh extends Pick<NamedRegions, "indices"> {
   readonly mesh: Mesh;
 }
 
-/** Returns the mesh of a run with the names of its patches and regions, as `MeshResult` says. */
+/**
+ * Returns the mesh of a run with the names of its patches and regions, as `MeshResult` says. `count`: number of the regions of
+ * the run.
+ */
 export function namedMesh(
   { surface, volume }: EngineMesh,
   { project, surface: given }: NameSource,
+  count: number = countOf(volume.regions),
 ): NamedMesh {
   const { triangles } = surface;
   const isSame = given !== undefined && given.triangles.length === triangles.length;
   const own = isSame ? patchesIn(given) : undefined;
   const kept = own !== undefined && hasNamedPatches(own) ? own : undefined;
-  const count = countOf(volume.regions);
   const { surfaceRegions, trueEdges, unit } = (isSame ? given : undefined) ?? {};
   const word = project === undefined ? "shell" : "patch";
   const { trianglePatch, patches } = kept ?? {
@@ -69,27 +70,6 @@ export function namedMesh(
 /** Returns whether the patches of a surface carry information. */
 export function hasNamedPatches({ patches }: Pick<Mesh, "patches">): boolean {
   return patches.length > 1 || !patches.every(hasGenericName);
-}
-
-/** Returns name, number of tetrahedra and volume of each region of a mesh, in their order. O(n). */
-export function regionSummaries({
-  points,
-  tetrahedra,
-  tetrahedronRegion,
-  regions,
-}: Pick<Mesh, "points" | "tetrahedra" | "tetrahedronRegion" | "regions">): RegionSummary[] {
-  const counts = regions.map(() => 0);
-  const sixfold = regions.map(() => 0);
-  tetrahedronRegion.forEach((region, t) => {
-    const [a = 0, b = 0, c = 0, d = 0] = tetrahedra.subarray(4 * t, 4 * t + 4);
-    counts[region] = (counts[region] ?? 0) + 1;
-    sixfold[region] = (sixfold[region] ?? 0) + Math.abs(sixfoldVolume(points, d, a, b, c).volume);
-  });
-  return regions.map(({ name }, r) => ({
-    name,
-    tetrahedra: counts[r] ?? 0,
-    volume: (sixfold[r] ?? 0) / 6,
-  }));
 }
 
 const patchList = v.array(v.object({ id: v.number(), name: v.optional(v.string()) }));

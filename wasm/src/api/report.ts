@@ -9,6 +9,7 @@ import { packageDiagnostic, sentence } from "../diagnostics/package-diagnostic.j
 import { regionCounts } from "../diagnostics/sentences.js";
 import type { EnginePreview } from "../engine/loader.js";
 import type { EngineResult } from "../engine/protocol.js";
+import type { RegionSize } from "../engine/region-sizes.js";
 import { NO_QUALITY, withRegions } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -18,12 +19,13 @@ import type { PatchQuality, QualityReport } from "../mesh/quality.js";
 import type { Project } from "../project/project-types.js";
 import type { ProjectPreview } from "../project/preview.js";
 import { noVolume } from "../formats/boundary.js";
-import { namedMesh, type NameSource, regionSummaries } from "./generated-mesh.js";
+import { namedMesh, type NameSource } from "./generated-mesh.js";
 
 /** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {
-  const { status, surface, volume, metricShapes, statistics, hasFoundNothingBetter, recording } = result;
-  const { mesh, indices } = namedMesh(result, names);
+  const { status, surface, volume, metricShapes, statistics, regionSizes } = result;
+  const { hasFoundNothingBetter, recording } = result;
+  const { mesh, indices } = namedMesh(result, names, regionSizes.length);
   const quality = withRegions(statistics.quality, indices);
   return {
     mesh,
@@ -36,7 +38,7 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
     report: {
       status,
       ...statistics,
-      regions: regionsOf(mesh, quality),
+      regions: namedSizes(mesh, regionSizes, indices),
       quality,
       diagnostics: [
         ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, indices)),
@@ -47,14 +49,28 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
   };
 }
 
-/** Returns the regions of a mesh. Those of a finished one have been measured. */
-export function regionsOf(mesh: Mesh, { regions }: Pick<QualityReport, "regions">): RegionSummary[] {
-  if (regions.length === 0) return regionSummaries(mesh);
-  return regions.map(({ tetrahedra, volume }, r) => ({
-    name: mesh.regions[r]?.name ?? "",
-    tetrahedra,
-    volume,
-  }));
+/** Returns the regions of a mesh, in their order. `indices`: per region of the run its region; several may be one. */
+function namedSizes(
+  { regions }: Mesh,
+  sizes: readonly RegionSize[],
+  indices: readonly number[],
+): RegionSummary[] {
+  const summaries = regions.map(({ name }) => ({ name, tetrahedra: 0, volume: 0 }));
+  sizes.forEach(({ tetrahedra, volume }, r) => {
+    const summary = summaries[indices[r] ?? r];
+    if (summary === undefined) return;
+    summary.tetrahedra += tetrahedra;
+    summary.volume += volume;
+  });
+  return summaries;
+}
+
+/** Returns the regions of a mesh that was measured. */
+export function regionsOf({ regions }: Mesh, quality: Pick<QualityReport, "regions">): RegionSummary[] {
+  return regions.map(({ name }, r) => {
+    const { tetrahedra = 0, volume = 0 } = quality.regions.find(({ region }) => region === r) ?? {};
+    return { name, tetrahedra, volume };
+  });
 }
 
 function nothingBetter(): Diagnostic {

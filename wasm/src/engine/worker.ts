@@ -18,6 +18,7 @@ import {
 } from "./loader.js";
 import type { EngineResult, ModuleName, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
+import { regionSizes } from "./region-sizes.js";
 import { RunClock } from "./run-clock.js";
 import { failureOf, runInSlices, type SliceControl, workInSlices } from "./slices.js";
 import { buffersOf } from "./transfer.js";
@@ -236,6 +237,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     diagnostics,
     hasFoundNothingBetter,
     ...(recording && { recording }),
+    regionSizes: regionSizes(volume, statistics.quality),
     statistics: { ...statistics, seconds: clock.seconds() },
   };
 }

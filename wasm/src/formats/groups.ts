@@ -58,9 +58,14 @@ export function differentNames<Name extends string | undefined>(names: readonly 
   });
 }
 
-/** Returns the number of groups that the indices refer to: the largest index plus 1. */
+/**
+ * Returns the number of groups that the indices refer to: the largest index plus 1. A loop, because a page counts the
+ * regions of millions of elements in one task, and `reduce` takes five times as long.
+ */
 export function countOf(indices: Uint32Array): number {
-  return indices.reduce((count, index) => Math.max(count, index + 1), 0);
+  let count = 0;
+  for (let i = 0; i < indices.length; i++) count = Math.max(count, (indices[i] ?? 0) + 1);
+  return count;
 }
 
 /**

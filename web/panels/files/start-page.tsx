@@ -128,7 +128,9 @@ function Recent() {
               <DocumentPicture id={id} />
               <span className={styles["name"]}>{name}</span>
               <span className={styles["time"]}>
-                {openIn ? strings.recent.openIn[openIn] : formatTime(at, Date.now())}
+                {[formatTime(at, Date.now()), openIn && strings.recent.openIn[openIn].toLowerCase()]
+                  .filter(Boolean)
+                  .join(", ")}
               </span>
             </UnstyledButton>
           </li>

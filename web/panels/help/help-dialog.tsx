@@ -9,7 +9,7 @@ import { commands, keyNames } from "../../commands/registry";
 import type { HelpSection } from "../../document/help-search";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
-import { strings } from "../../strings";
+import { strings, synonyms } from "../../strings";
 import { useApp, useShell } from "../shared/app-context";
 import { PanelBoundary } from "../shared/panel-boundary";
 import type { HelpPlace } from "./help-document";
@@ -107,11 +107,18 @@ const keyedCommands = commands.filter(({ keys }) => keys.length > 0);
 /** Returns the commands with their menus and keys, and the mouse actions, as sections for the search. */
 export const keySections = (app: App): readonly HelpSection[] =>
   [
+    { title: texts.title, text: texts.keys, words: synonyms["help"] ?? "" },
     ...commands
       .filter(({ inMenu, keys }) => inMenu || keys.length > 0)
-      .map((command) => ({ title: command.label(app), text: placeOf(command) })),
-    ...actions.map(([title, text]) => ({ title, text })),
-  ].map(({ title, text }, index) => ({ document: keysPage, index, title, text: `${title}\n${text}` }));
+      .map((command) => ({ title: command.label(app), text: placeOf(command), words: command.words })),
+    ...actions.map(([title, text]) => ({ title, text, words: "" })),
+  ].map(({ title, text, words }, index) => ({
+    document: keysPage,
+    index,
+    title,
+    text: `${title}\n${text}`,
+    words,
+  }));
 
 /** Returns the keys of a command, and its menu. */
 const placeOf = ({ inMenu, keys, menu }: Command): string =>

@@ -198,6 +198,7 @@ export const playerStrings = {
       : `No candidate was accepted. The face comes again under rule class ${ruleClass}.`,
   base: (face: number) => `Base face ${formatCount(face)}`,
   meaningsTitle: "What these values mean",
+  formulaMeaning: "What the formulas mean",
   bucket: {
     name: "Size bucket",
     meaning:

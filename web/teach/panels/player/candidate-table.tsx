@@ -17,7 +17,7 @@ export interface CandidateRow {
 }
 
 /** As in the style: more rows scroll, and leave their hint to the head of the column, so that formulas are in view. */
-const ROWS_IN_VIEW = 5;
+const ROWS_IN_VIEW = 4;
 
 interface CandidateTableProps {
   readonly label: string;
@@ -27,14 +27,18 @@ interface CandidateTableProps {
   readonly scoreHint: string;
 }
 
+interface CandidatesAndFormulasProps extends CandidateTableProps {
+  /** The formulas of the chosen one. */
+  readonly children: ReactNode;
+  /** Formulas of the step. */
+  readonly further?: ReactNode;
+}
+
 /**
  * The candidates of a step, and the formulas of the chosen one. An audience sees the formulas first, and so does a phone, which has
  * room for one of both. Otherwise they follow the list, which keeps its place when another candidate is chosen.
  */
-export function CandidatesAndFormulas({
-  children,
-  ...props
-}: CandidateTableProps & { readonly children: ReactNode }) {
+export function CandidatesAndFormulas({ children, further, ...props }: CandidatesAndFormulasProps) {
   const isPresenting = useShell((state) => state.isPresenting);
   const isFirst = useLayout() === "phone" || isPresenting;
   const count = props.rows.length;
@@ -43,6 +47,7 @@ export function CandidatesAndFormulas({
       {isFirst && children}
       <CandidateTable {...props} />
       {!isFirst && children}
+      {further}
       {count > 1 && count <= ROWS_IN_VIEW && <p className={styles["hint"]}>{props.scoreHint}</p>}
     </>
   );

@@ -2,7 +2,7 @@ import type { LensCandidate } from "../../player/lens";
 import { tolerance, type LayeredTest } from "../../player/layered-test";
 import type { SideAndFace } from "../../player/crossing";
 import { playerStrings } from "../../strings/player";
-import { Formula } from "./formula";
+import { Formula, FormulaMeaning } from "./formula";
 import { digits } from "./latex";
 import styles from "./player.module.css";
 
@@ -35,7 +35,7 @@ export function CrossingFormula({ face, layers }: NonNullable<LensCandidate["tes
         ]}
       />
       {pair && <SidesAndFaces pair={pair} finds={layers.finds} />}
-      <p className={styles["hint"]}>{texts.hint}</p>
+      <FormulaMeaning>{texts.hint}</FormulaMeaning>
     </section>
   );
 }

@@ -2,6 +2,7 @@ import katex from "katex";
 import "katex/dist/katex.min.css";
 import { useLayoutEffect, useRef } from "react";
 import { useScrollFocus } from "../../../ui/use-scroll-focus";
+import { playerStrings } from "../../strings/player";
 import styles from "./player.module.css";
 
 /**
@@ -30,5 +31,15 @@ export function Formula({ parts }: { readonly parts: readonly string[] }) {
         ))}
       </p>
     </div>
+  );
+}
+
+/** What the letters of a formula mean: closed, so that all formulas of a step are in view. */
+export function FormulaMeaning({ children }: { readonly children: string }) {
+  return (
+    <details className={styles["meanings"]}>
+      <summary>{playerStrings.formulaMeaning}</summary>
+      <p className={styles["hint"]}>{children}</p>
+    </details>
   );
 }

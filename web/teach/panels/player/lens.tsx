@@ -118,6 +118,11 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
         rows={rowsOf(step)}
         chosen={chosen ?? decisive(step)}
         scoreHint={texts.scoreHint}
+        further={
+          <Suspense fallback={null}>
+            <IdealFormula step={step} />
+          </Suspense>
+        }
       >
         {examined && (
           <Suspense fallback={null}>
@@ -135,9 +140,6 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
       {change !== null && <p data-testid="lens-front-change">{change}</p>}
       {step.outcome === "postponed" && <p>{texts.postponed(step.nextRuleClass)}</p>}
       <FaceFacts step={step} />
-      <Suspense fallback={null}>
-        <IdealFormula step={step} />
-      </Suspense>
     </>
   );
 });

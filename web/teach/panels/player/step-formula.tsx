@@ -3,7 +3,7 @@ import type { AdvanceStep, TracedCandidate } from "tetrafront/trace";
 import { newElement, sixVolumes } from "../../player/judge";
 import { distanceToFace, idealNumbers } from "../../player/unit-space";
 import { playerStrings } from "../../strings/player";
-import { Formula } from "./formula";
+import { Formula, FormulaMeaning } from "./formula";
 import { digits } from "./latex";
 import styles from "./player.module.css";
 import { useTrace } from "./use-player";
@@ -30,7 +30,7 @@ export function IdealFormula({ step }: { readonly step: AdvanceStep }) {
           String.raw`R=${digits(radius)}`,
         ]}
       />
-      <p className={styles["hint"]}>{step.tensor ? idealTexts.stretchedHint : idealTexts.hint}</p>
+      <FormulaMeaning>{step.tensor ? idealTexts.stretchedHint : idealTexts.hint}</FormulaMeaning>
     </section>
   );
 }
