@@ -97,10 +97,12 @@ export interface TraceParts {
   readonly steps: number;
   readonly events: TraceBytes;
   readonly fingerprint?: string;
+  /** 1 unless given: no events of lines and patches. */
+  readonly version?: number;
 }
 
 /** Returns a file with any events. */
-export function traceBytes({ points, steps, events, fingerprint = "0".repeat(16) }: TraceParts) {
+export function traceBytes({ points, steps, events, fingerprint = "0".repeat(16), version = 1 }: TraceParts) {
   const header = new TraceBytes().text(
     JSON.stringify({
       name: "star",
@@ -111,7 +113,7 @@ export function traceBytes({ points, steps, events, fingerprint = "0".repeat(16)
       fingerprint,
     }),
   );
-  const file = new TraceBytes().text("TFTRACE").byte(1).varint(header.length).append(header);
+  const file = new TraceBytes().text("TFTRACE").byte(version).varint(header.length).append(header);
   for (const coordinate of points) file.double(coordinate);
   return file.append(events).bytes();
 }

@@ -84,8 +84,8 @@ export const SAME_SAMPLE_BIT = 4;
 export const PASSES = 3;
 /** Bit of the detail of `refused` and `accepted` in a patch: the candidate is a new node. */
 export const NEW_NODE_BIT = 8;
-/** Detail of `postponed` in a patch: the edge is set aside. */
-export const EDGE_SET_ASIDE = 15;
+/** Detail of `postponed` in a patch: the edge is not tried again. */
+export const NO_NEXT_PASS = 15;
 
 /** Where a step along a line ends, by its number in the file. */
 export const STATION_ENDS = ["settled", "capped", "knot"] as const;

@@ -6,7 +6,7 @@ import {
   CARRIERS_BIT,
   CURVED_BIT,
   EDGE_REFUSALS,
-  EDGE_SET_ASIDE,
+  NO_NEXT_PASS,
   type EdgeRefusal,
   NEW_NODE_BIT,
   PASSES,
@@ -237,13 +237,13 @@ export function readAcceptedEdge(cursor: TraceCursor, detail: number): AcceptedE
 }
 
 export interface PostponedEdgeEvent extends IdealEvent {
-  /** Pass in which the edge comes again; null if it is set aside. */
+  /** Pass in which the edge comes again; null if it is not tried again. */
   readonly nextPass: number | null;
 }
 
 export function readPostponedEdge(cursor: TraceCursor, detail: number): PostponedEdgeEvent {
-  if (detail >= PASSES && detail !== EDGE_SET_ASIDE) cursor.fail(`there is no pass ${detail}`, cursor.at - 1);
-  const nextPass = detail === EDGE_SET_ASIDE ? null : detail;
+  if (detail >= PASSES && detail !== NO_NEXT_PASS) cursor.fail(`there is no pass ${detail}`, cursor.at - 1);
+  const nextPass = detail === NO_NEXT_PASS ? null : detail;
   return { nextPass, isExact: false, ideal: readOffset(cursor) };
 }
 

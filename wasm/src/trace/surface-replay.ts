@@ -190,7 +190,8 @@ export class SurfaceReplay {
         this.#accept(readAcceptedEdge(cursor, detail));
         break;
       case SURFACE_EVENT.postponed:
-        this.#postpone(readPostponedEdge(cursor, detail).nextPass);
+        readPostponedEdge(cursor, detail);
+        this.#postpone();
         break;
       case SURFACE_EVENT.ended:
         this.#endFront(detail === 1);
@@ -358,17 +359,19 @@ export class SurfaceReplay {
     patch.addEdge(number, from, to, this.#step);
   }
 
-  #postpone(next: number | null): void {
-    const patch = this.#front;
-    if (next === null) patch.removeEdge(this.#openBase.number, this.#step);
+  /** The edge stays in the front, also if it is not tried again. */
+  #postpone(): void {
     this.#base = undefined;
-    this.#end("postponed", patch.size);
+    this.#end("postponed", this.#front.size);
   }
 
   #endFront(hasStalled: boolean): void {
     const patch = this.#front;
     const hash = readHash(this.#cursor);
-    if (patch.size > 0) this.#fail(`the front of patch ${patch.patch} ends before it is closed`);
+    if (patch.size > 0 !== hasStalled)
+      this.#fail(
+        `the front of patch ${patch.patch} ${hasStalled ? "stalls although" : "ends before"} it is closed`,
+      );
     if (patch.hash() !== hash) this.#fail(`the triangles of patch ${patch.patch} are not those recorded`);
     this.#hasEnded = true;
     patch.hasStalled = hasStalled;

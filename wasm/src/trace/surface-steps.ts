@@ -155,7 +155,7 @@ export interface EdgeStep extends PlaneSample {
   readonly rankedCandidates: number;
   readonly candidates: readonly EdgeCandidate[];
   readonly outcome: "accepted" | "postponed";
-  /** Pass in which a postponed edge comes again; null if it is set aside, or was completed. */
+  /** Pass in which a postponed edge comes again; null if it is not tried again, or was completed. */
   readonly nextPass: number | null;
   /** Indices of the edges that leave and join the front, and of the triangle made. */
   readonly removedEdges: readonly number[];
