@@ -97,6 +97,20 @@ TEST(WedgeSizes, DoNotFallInAWideWedge) {
   }
 }
 
+/// Rays end at faces inclined by up to 60 degrees: at that angle, rounding decides for each of them. Up to fourteen times as many
+/// triangles as the size asks for were made.
+TEST(WedgeSizes, DoNotFallWhereRoundingDecidesAboutRays) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    SurfaceMesh wedge = stripedWedge(60.0, 0.02, 10.0, 10.0);
+    if (seed > 0) rotateRandomly(wedge, seed);
+    const SurfaceRemesh result = remesh(wedge);
+    ASSERT_TRUE(result.diagnostics.empty());
+    EXPECT_LT(static_cast<double>(result.triangles.size()) / 3.0,
+              3.0 * trianglesOfSize(10.0, 10.0, result.size));
+  }
+}
+
 /// A blunt edge is a thin place, not a wedge: sizes follow its thickness.
 TEST(WedgeSizes, FollowTheThicknessOfABluntEdge) {
   SurfaceMesh blunt;

@@ -42,6 +42,10 @@ constexpr double kMaxFacesDeviation = 2.0;
 /// Triangles whose given ones are found per unit of budget.
 constexpr std::size_t kLocatedPerUnit = 4;
 
+/// What is wrong with a face that cannot be triangulated.
+constexpr std::array kFaceFailures{DiagnosticCode::kDegeneratePatch, DiagnosticCode::kLoopNotClosed,
+                                   DiagnosticCode::kLoopsIntersect};
+
 /// Returns the corners of a triangle, the middles of its edges and its centroid.
 std::array<Vec3, 7> samplesOf(const TriangleCorners& corners) {
   const auto& [a, b, c] = corners;
@@ -84,9 +88,11 @@ Task<SizeField> fieldOf(Work& work, const PlacedSizes& placed, const Remeshing& 
   co_return SizeField::fromOctree(builder.take());
 }
 
-std::vector<std::uint32_t> facesIn(const std::vector<Diagnostic>& diagnostics) {
+/// Returns the faces that cannot be triangulated on their surfaces, whatever the sizes.
+std::vector<std::uint32_t> failedFacesIn(const std::vector<Diagnostic>& diagnostics) {
   std::vector<std::uint32_t> faces;
   for (const Diagnostic& diagnostic : diagnostics) {
+    if (std::ranges::find(kFaceFailures, diagnostic.code) == kFaceFailures.end()) continue;
     for (const Entity& entity : diagnostic.entities) {
       if (entity.kind == EntityKind::kPatch) faces.push_back(entity.index);
     }
@@ -95,20 +101,23 @@ std::vector<std::uint32_t> facesIn(const std::vector<Diagnostic>& diagnostics) {
   return faces;
 }
 
-/// Returns the triangles of the faces; none if a face cannot be triangulated.
-Task<std::optional<SurfaceMesh>> triangulateFaces(Work& work, const TrimmedModel& model,
-                                                  const SizeField& field,
-                                                  std::vector<std::uint32_t>& failedFaces) {
+struct TriangulatedFaces {
+  std::optional<SurfaceMesh> mesh;
+  std::vector<std::uint32_t> failed;  ///< with any, there is no mesh
+};
+
+Task<TriangulatedFaces> triangulateFaces(Work& work, const TrimmedModel& model,
+                                         const SizeField& field) {
   TrimmedMesher mesher(model, field);
   MeshStatus status = MeshStatus::kRunning;
   while ((status = mesher.advance(work.remaining())) == MeshStatus::kRunning) {
     work.setFraction(mesher.fraction());
     co_await work.yield();
   }
-  std::optional<SurfaceMesh> mesh;
-  if (status == MeshStatus::kDone) mesh.emplace(mesher.takeMesh());
-  failedFaces = facesIn(mesher.diagnostics());
-  co_return mesh;
+  TriangulatedFaces faces;
+  if (status == MeshStatus::kDone) faces.mesh.emplace(mesher.takeMesh());
+  faces.failed = failedFacesIn(mesher.diagnostics());
+  co_return faces;
 }
 
 /// Returns the given triangle next to a position on the same side of the surface; none within the limit if there is none.
@@ -253,30 +262,29 @@ Task<bool> isBoundary(Work& work, const SurfaceMesh& mesh, const Remeshing& reme
 
 /// Triangulates the faces once. Does not check the deviation, nor whether the triangles are a boundary; otherwise returns none as
 /// remeshModel() does.
-Task<std::optional<RemeshPass>> remeshWith(Work& work, const SizeField& field,
-                                           const Remeshing& remeshing,
-                                           std::vector<std::uint32_t>& failedFaces) {
-  std::optional<RemeshPass> none;
+Task<ModelRemesh> remeshWith(Work& work, const SizeField& field, const Remeshing& remeshing) {
+  ModelRemesh made;
   const TrimmedModel& model = *remeshing.model;
   work.beginPart(0.7);
-  Job<std::optional<SurfaceMesh>> triangulating(
-      [&](Work& inner) { return triangulateFaces(inner, model, field, failedFaces); });
-  if (!co_await finishUnlessStopped(work, triangulating, remeshing.isStopped)) co_return none;
-  std::optional<SurfaceMesh> mesh = triangulating.take();
-  if (!mesh) co_return none;
+  Job<TriangulatedFaces> triangulating(
+      [&](Work& inner) { return triangulateFaces(inner, model, field); });
+  if (!co_await finishUnlessStopped(work, triangulating, remeshing.isStopped)) co_return made;
+  TriangulatedFaces faces = triangulating.take();
+  made.failedFaces = std::move(faces.failed);
+  if (!faces.mesh) co_return made;
 
   RemeshPass pass;
-  pass.surface.mesh = std::move(*mesh);
-  SurfaceMesh& made = pass.surface.mesh;
-  made.sides.clear();
-  made.sideLine.clear();
-  const std::vector<SmoothPatchId> ofFaces = patchesOfFaces(made, model.faces.size(), remeshing);
-  if (ofFaces.empty() || !areAllCovered(ofFaces, remeshing.reference)) co_return none;
+  pass.surface.mesh = std::move(*faces.mesh);
+  SurfaceMesh& mesh = pass.surface.mesh;
+  mesh.sides.clear();
+  mesh.sideLine.clear();
+  const std::vector<SmoothPatchId> ofFaces = patchesOfFaces(mesh, model.faces.size(), remeshing);
+  if (ofFaces.empty() || !areAllCovered(ofFaces, remeshing.reference)) co_return made;
   work.beginPart(0.8);
-  if (!co_await findGiven(work, ofFaces, remeshing, pass)) co_return none;
-  for (std::uint32_t& patch : made.trianglePatch) patch = ofFaces[patch].value;
+  if (!co_await findGiven(work, ofFaces, remeshing, pass)) co_return made;
+  for (std::uint32_t& patch : mesh.trianglePatch) patch = ofFaces[patch].value;
   pass.surface.origin = inherited(remeshing.given.origin, pass.beneath);
-  made.triangleRegions = inherited(remeshing.given.mesh.triangleRegions, pass.beneath, 2);
+  mesh.triangleRegions = inherited(remeshing.given.mesh.triangleRegions, pass.beneath, 2);
 
   SurfaceRemesh& result = pass.remesh;
   result.size = remeshing.lengths.maxSize;
@@ -286,43 +294,45 @@ Task<std::optional<RemeshPass>> remeshWith(Work& work, const SizeField& field,
   work.beginPart(1.0);
   // Distances up to the reach are measured.
   result.tolerance = kGivenReach * remeshing.lengths.tolerance;
-  co_await sampleDeviation(work, remeshing.reference, made, pass.beneath, remeshing.isStopped,
+  co_await sampleDeviation(work, remeshing.reference, mesh, pass.beneath, remeshing.isStopped,
                            result);
   result.tolerance = remeshing.lengths.tolerance;
-  if (result.isPartial) co_return none;
+  if (result.isPartial) co_return made;
   measureBeside(remeshing, pass);
   result.deviation = std::ranges::max(result.triangleDeviation);
-  co_return pass;
+  made.pass = std::move(pass);
+  co_return made;
 }
 
 }  // namespace
 
-Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshing,
-                                            std::vector<std::uint32_t>& failedFaces) {
-  std::optional<RemeshPass> none;
+Task<ModelRemesh> remeshModel(Work& work, const Remeshing& remeshing) {
+  ModelRemesh none;
   if (!areOfShape(remeshing)) co_return none;
   work.beginPart(0.4);
   std::optional<PlacedSizes> placed = co_await findSizes(work, remeshing);
   if (!placed) co_return none;
   const double tolerance = remeshing.lengths.testedTolerance;
-  std::optional<RemeshPass> pass;
+  ModelRemesh made;
   double far = 0.0;
   for (int round = 0; round < kRefinements; ++round) {
     work.beginPart(0.5);
     const SizeField field = co_await fieldOf(work, *placed, remeshing);
     work.beginPart(0.9);
-    pass = co_await remeshWith(work, field, remeshing, failedFaces);
-    if (!pass) co_return none;
-    const double before = std::exchange(far, addSizesWhereFar(*pass, field, tolerance, *placed));
+    made = co_await remeshWith(work, field, remeshing);
+    if (!made.pass) co_return made;
+    const double before =
+        std::exchange(far, addSizesWhereFar(*made.pass, field, tolerance, *placed));
     // Where the given triangles are far from the faces, smaller ones are no nearer to them.
     if (far == 0.0 || (round > 0 && far > kLessArea * before)) break;
     work.leaveRest();
   }
-  if (pass->remesh.deviation > kMaxFacesDeviation * remeshing.lengths.tolerance) co_return none;
+  if (made.pass->remesh.deviation > kMaxFacesDeviation * remeshing.lengths.tolerance)
+    co_return none;
   work.beginPart(1.0);
-  if (!co_await isBoundary(work, pass->surface.mesh, remeshing)) co_return none;
-  measureShapes(pass->surface.mesh, pass->remesh);
-  co_return pass;
+  if (!co_await isBoundary(work, made.pass->surface.mesh, remeshing)) co_return none;
+  measureShapes(made.pass->surface.mesh, made.pass->remesh);
+  co_return made;
 }
 
 }  // namespace tetrafront

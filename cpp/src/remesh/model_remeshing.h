@@ -14,11 +14,14 @@
 
 namespace tetrafront {
 
+struct ModelRemesh {
+  std::optional<RemeshPass> pass;
+  std::vector<std::uint32_t> failedFaces;  ///< that cannot be triangulated; ascending
+};
+
 /// Returns the triangulated faces. None if a face cannot be triangulated; if the result is not a valid boundary, such as that of
 /// solids that touch each other; if the given surface is not that of the model, for example because its patches divide
 /// faces; if other sizes than those of the shape are given; or if the work was stopped. `remeshing.model` must not be null.
-/// `failedFaces` becomes the faces that cannot be triangulated.
-Task<std::optional<RemeshPass>> remeshModel(Work& work, const Remeshing& remeshing,
-                                            std::vector<std::uint32_t>& failedFaces);
+Task<ModelRemesh> remeshModel(Work& work, const Remeshing& remeshing);
 
 }  // namespace tetrafront

@@ -231,11 +231,10 @@ Task<Dropped> remeshWithoutChosen(Work& work, const Remeshing& remeshing,
 /// Triangulates the faces of the model, which must be known, and remeshes around their poor triangles.
 Task<Dropped> remeshFaces(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
   work.beginPart(0.6);
-  std::vector<std::uint32_t> failedFaces;
-  std::optional<RemeshPass> pass = co_await remeshModel(work, remeshing, failedFaces);
-  surface.pass.remesh.failedFaces = std::move(failedFaces);
-  if (!pass) co_return Dropped::kNone;
-  surface.pass = std::move(*pass);
+  ModelRemesh made = co_await remeshModel(work, remeshing);
+  surface.pass.remesh.failedFaces = std::move(made.failedFaces);
+  if (!made.pass) co_return Dropped::kNone;
+  surface.pass = std::move(*made.pass);
   surface.deviation = surface.pass.remesh.deviation;
   work.beginPart(1.0);
   co_await dropPoorDetails(work, remeshing, surface, kUnsettledAngle);

@@ -52,7 +52,7 @@ class BoxRay {
 /// Lowers `nearest` to the distance at which the ray leaves the region through the triangle.
 void castRay(const ReferenceSurface& reference, const Vec3& from, const Vec3& direction,
              TriangleId triangle, Thickness& nearest) {
-  if (glm::dot(reference.normalOf(triangle), direction) < 0.5) return;
+  if (glm::dot(reference.normalOf(triangle), direction) < kMinFacing) return;
   const auto [a, b, c] = cornersOf(reference.mesh(), triangle);
   const Vec3 side = glm::cross(direction, c - a);
   const double determinant = glm::dot(b - a, side);

@@ -8,6 +8,10 @@
 
 namespace tetrafront {
 
+/// Smallest cosine of the angle between a ray and the outward normal where it leaves the region: through faces that it grazes more,
+/// it does not measure a distance between faces.
+inline constexpr double kMinFacing = 0.5;
+
 struct Thickness {
   double distance;      ///< infinity if it is not below the limit
   TriangleId across{};  ///< the triangle on the opposite side; none if the distance is infinite

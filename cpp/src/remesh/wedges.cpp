@@ -8,15 +8,17 @@
 
 #include "geom/box.h"
 #include "geom/measure.h"
+#include "remesh/thickness.h"
 #include "topology/edge_table.h"
 #include "topology/mesh_access.h"
 
 namespace tetrafront {
 namespace {
 
-/// Cosine of the largest angle of a wedge, 60 degrees: rays across a region end at faces that are inclined by less. In a wider
-/// wedge, they do not measure the distance between its faces, so that it asks for no sizes.
-constexpr double kWedgeCosine = 0.5;
+/// Cosine of the largest angle of a wedge, 65 degrees. In a wider one, no ray across the region ends at the other face, so that it
+/// asks for no sizes. Rays end at faces up to 60 degrees; the margin is for bent faces, and for rounding.
+constexpr double kWedgeCosine = 0.42261826174069944;
+static_assert(kWedgeCosine < kMinFacing);
 /// Distance between the faces / distance that the edge's angle leads to, from which on the faces belong to the wedge: near 1 if
 /// the faces are flat; less if they bend towards each other like those of a lens, but then they must not be parallel.
 constexpr double kFlatShare = 0.8;

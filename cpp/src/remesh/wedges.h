@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Wedges: places where two faces of a region meet at an edge of less than 60 degrees. The distance between the faces falls
+/// @file Wedges: places where two faces of a region meet at an edge of less than 65 degrees. The distance between the faces falls
 /// to zero towards the edge. Elements there have the angle of the edge, however small they are: smaller ones only move the same
 /// angles nearer to the edge. So the distance between the faces is no reason for smaller sizes.
 
