@@ -39,7 +39,8 @@ class NodePlacer : public SlicedTool<NodePlacement> {
   /// The arrays of the mesh are as for MeshRun; `groups`: a number per triangle,
   /// such as its face; if it is empty, sharp edges are the lines. `model`: numbers of a TrimmedModel
   /// (see model/model_numbers.h). If they cannot be read, all nodes are unplaced; faces and edges whose surface or curve is
-  /// invalid attract no node. `reach`: largest move of a node, such as the deviation of the mesh from the model.
+  /// invalid attract no node. `reach`: largest move of a node, such as the deviation of the mesh from the model; the model's
+  /// triangles must not be farther than this from its faces, or they are not found for all nodes.
   NodePlacer(std::span<const double> points, std::span<const std::uint32_t> triangles,
              std::span<const std::uint32_t> groups, std::span<const double> model,
              const ModelTriangles& modelTriangles, double reach);

@@ -7,6 +7,7 @@
 #include "geom/angles.h"
 #include "geom/box.h"
 #include "geom/measure.h"
+#include "geom/sine.h"
 #include "model/edge_curve.h"
 
 namespace tetrafront {
@@ -30,6 +31,23 @@ Vec3 barycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double ofB = glm::dot(glm::cross(p - a, c - a), normal) / square;
   const double ofC = glm::dot(glm::cross(b - a, p - a), normal) / square;
   return {1.0 - ofB - ofC, ofB, ofC};
+}
+
+/// Returns where a face may be whose triangles have parameters in `box`.
+ParameterBox boxAround(const FaceSurface& surface, const ParameterBox& box) {
+  const Vec2 beyond = kBeyondTriangles * (box.high - box.low);
+  ParameterBox wide{clampedToDomain(surface, box.low - beyond),
+                    clampedToDomain(surface, box.high + beyond)};
+  if (surface.kind == SurfaceKind::kCone) {
+    // The face is on one side of the apex.
+    const double apex = -surface.radius / sineCosine(surface.halfAngle).sine;
+    if (box.low.y + box.high.y < 2.0 * apex) {
+      wide.high.y = std::min(wide.high.y, apex);
+    } else {
+      wide.low.y = std::max(wide.low.y, apex);
+    }
+  }
+  return wide;
 }
 
 }  // namespace
@@ -74,10 +92,7 @@ void ModelIndex::addTriangles() {
   }
   for (std::size_t face = 0; face < boxes_.size(); ++face) {
     if (!(boxes_[face].low.x <= boxes_[face].high.x)) continue;
-    const FaceSurface& surface = model.surfaces[model.faces[face].surface];
-    const Vec2 beyond = kBeyondTriangles * (boxes_[face].high - boxes_[face].low);
-    boxes_[face] = {clampedToDomain(surface, boxes_[face].low - beyond),
-                    clampedToDomain(surface, boxes_[face].high + beyond)};
+    boxes_[face] = boxAround(model.surfaces[model.faces[face].surface], boxes_[face]);
   }
   triangleTree_ = BoxTree(std::span<const Box>(boxes));
 }

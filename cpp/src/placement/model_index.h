@@ -24,7 +24,8 @@ struct EdgePlace {
 
 class ModelIndex {
  public:
-  /// Both must outlive this. `sag`: how far triangles and straight pieces of edges may be from the model. O(n log n) for n triangles.
+  /// Both must outlive this. `sag`: how far triangles and straight pieces of edges may be from the model. O(n log n) for n
+  /// triangles.
   ModelIndex(const ReadModel& read, const ModelTriangles& triangles, double sag);
 
   /// Returns the place on a face, at most `reach` away, whose normal is similar to a unit normal.
@@ -63,7 +64,7 @@ class ModelIndex {
   const ModelTriangles* triangles_;
   double sag_;
   std::vector<std::uint32_t> indexed_;  ///< triangles of valid faces, by items of the tree
-  std::vector<ParameterBox> boxes_;     ///< per face: of the nodes of its triangles
+  std::vector<ParameterBox> boxes_;     ///< per face: around the nodes of its triangles
   BoxTree triangleTree_;
   std::vector<Segment> segments_;
   BoxTree segmentTree_;
