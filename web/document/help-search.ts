@@ -53,8 +53,8 @@ export interface HelpResult {
 }
 
 /**
- * Returns the sections that have, or are found by, words which begin with each word of a query: those with all of them in the title first, then in
- * the order of the documents. O(letters).
+ * Returns the sections that have, or are found by, words which begin with each word of a query: those with all of them in
+ * the title first, then in the order of the documents. O(letters).
  */
 export function searchHelp(query: string, sections: readonly HelpSection[]): readonly HelpResult[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);

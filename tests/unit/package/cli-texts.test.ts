@@ -81,9 +81,12 @@ describe("a remeshing as text", () => {
   });
 
   test("names the faces that cannot be triangulated", () => {
-    expect(textOf(0, "", [3, 6])).toContain(
-      "not on the surfaces of the faces, because these cannot be triangulated there: face 4, face 7",
-    );
+    const reasonFor = (failedFaces: readonly number[]) => textOf(0, "", failedFaces).split("; ")[0];
+    const before = "remeshed: 12 triangles before, 40 after, by changing the given triangles, because ";
+    expect(reasonFor([3])).toBe(`${before}face 4 cannot be triangulated on its surface`);
+    expect(reasonFor([3, 6])).toBe(`${before}face 4 and face 7 cannot be triangulated on their surfaces`);
+    expect(reasonFor([0, 1, 2, 3, 4])).toContain("face 1, face 2, face 3, face 4 and face 5 cannot");
+    expect(reasonFor([0, 1, 2, 3, 4, 5, 6])).toContain("face 4, face 5 and 2 more cannot");
   });
 
   test("names all of a few dropped details", () => {

@@ -24,13 +24,14 @@ export function refinementText({ given, triangles, splitEdges }: RefinementCount
 
 /** Number of significant digits of lengths. */
 const DIGITS = 3;
-const LISTED_DETAILS = 5;
+/** Details or faces that a text names. */
+const LISTED = 5;
 
 function mergedText(merged: RemeshReport["mergedDetails"], whole: string): string {
   const moves = merged
-    .slice(0, LISTED_DETAILS)
+    .slice(0, LISTED)
     .map(({ from, onto }) => `${positionText(from)} onto ${positionText(onto)}`);
-  const left = merged.length - LISTED_DETAILS;
+  const left = merged.length - LISTED;
   const more = left > 0 ? `, and ${left} more (${whole} lists all ${merged.length})` : "";
   return `${plural(merged.length, "detail")} dropped: ${moves.join(", ")}${more}`;
 }
@@ -43,8 +44,12 @@ function placementText({ placed, unplaced, largestMove }: NodePlacement): string
 function facesText({ onFaces, failedFaces }: RemeshReport): string {
   if (onFaces) return ", on the surfaces of the faces";
   if (failedFaces.length === 0) return "";
-  const names = failedFaces.map((face) => `face ${face + 1}`);
-  return `, not on the surfaces of the faces, because these cannot be triangulated there: ${names.join(", ")}`;
+  const names = failedFaces.slice(0, LISTED).map((face) => `face ${face + 1}`);
+  const more = failedFaces.length - names.length;
+  const last = more > 0 ? `${more} more` : names.pop();
+  const named = names.length > 0 ? `${names.join(", ")} and ${last}` : last;
+  const where = failedFaces.length > 1 ? "their surfaces" : "its surface";
+  return `, by changing the given triangles, because ${named} cannot be triangulated on ${where}`;
 }
 
 /**

@@ -6,8 +6,9 @@ import type { EngineVolume } from "./engine-mesh.js";
 export type RegionSize = Omit<RegionSummary, "name">;
 
 /**
- * Returns number and volume of the tetrahedra of each region of a run, up to the last that has any. The statistics of a finished mesh have them; those of
- * a cancelled one are measured here. O(n), without an object per element: whoever cancelled waits for it.
+ * Returns number and volume of the tetrahedra of each region of a run, up to the last that has any. The statistics of a
+ * finished mesh have them; those of a cancelled one are measured here. O(n), without an object per element: whoever
+ * cancelled waits for it.
  */
 export function regionSizes(mesh: EngineVolume, { regions: measured }: QualityReport): RegionSize[] {
   if (measured.length > 0) return sizesOf(measured);
