@@ -4,7 +4,7 @@ import { filesUnder } from "./fresh.mjs";
 import { inRoot, root } from "./paths.mjs";
 
 /** Modules of hot loops, which must not use coroutines. */
-const modulesWithout = ["geom", "search", "fill"];
+const modulesWithout = ["geom"];
 
 /**
  * Finds forbidden uses of coroutines in the engine, its tests and its bindings. Returns one "file:line: reason"

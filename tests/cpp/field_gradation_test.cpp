@@ -124,7 +124,7 @@ TEST(GridGradationTest, LimitedSizesAreTheLargestThatComply) {
         moved = true;
       });
     }
-    limitSizes(grid, kGrowth);
+    Job([&](Work& work) { return limitSizes(work, grid, kGrowth); }).finish();
     for (std::size_t i = 0; i < grid.nodes.size(); ++i) {
       EXPECT_EQ(grid.nodes[i].size, expected.nodes[i].size) << "node " << i << ", seed " << seed;
     }
@@ -151,7 +151,7 @@ TEST(GridGradationTest, LimitsEveryAxisOfStretchedNodes) {
   std::vector<SymmetricTensor> before;
   for (const BackgroundNode& node : grid.nodes) before.push_back(sizeTensor(node));
   std::vector<SymmetricTensor> tensors = before;
-  limitTensors(grid, kGrowth, tensors);
+  Job([&](Work& work) { return limitTensors(work, grid, kGrowth, tensors); }).finish();
   int complying = 0;
   int edges = 0;
   forEachEdge(grid, [&](std::uint32_t a, std::uint32_t b, double length) {

@@ -72,7 +72,8 @@ TEST(SizeOctreeTest, SitesAgreeWithBruteForce) {
   SizeSites sites(points, sizes, 0.3);
   constexpr std::size_t kOctreeBudget = 100;
   std::size_t calls = 1;
-  while (!sites.advance(kOctreeBudget)) ++calls;
+  Job building([&](Work& work) { return sites.build(work, 1); });
+  while (!building.advance(kOctreeBudget)) ++calls;
   EXPECT_GE(calls * kOctreeBudget, 12 * points.size()) << "no call comes to more";
   Random random(301);
   for (int i = 0; i < 500; ++i) {
@@ -90,8 +91,7 @@ TEST(SizeOctreeTest, SitesAgreeWithBruteForceFromAFarGuess) {
   const std::vector<Vec3> points = pointsOf(mesh);
   const std::vector<double> sizes = averagedEdgeLengths(points, mesh.triangles);
   SizeSites sites(points, sizes, 0.3);
-  while (!sites.advance(1000)) {
-  }
+  Job([&](Work& work) { return sites.build(work, 1); }).finish();
   for (std::size_t i = 0; i < points.size(); i += 11) {
     const double expected = bruteForce(points, sizes, 0.3, 1e30, points[i]);
     EXPECT_LE(sites.at(points[i], SiteId(0U)).size, expected * 1.07) << i;

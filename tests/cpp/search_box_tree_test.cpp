@@ -34,11 +34,11 @@ TEST(BoxTree, IsBuiltInSlices) {
   for (const std::size_t count : {0U, 1U, 4U, 5U, 700U}) {
     const std::vector<Box> boxes = randomBoxes(count);
     const BoxTree whole(boxes);
-    BoxTreeBuilder builder(boxes);
+    Job job([&](Work& work) { return BoxTree::build(work, boxes, 1); });
     std::size_t slices = 1;
-    while (!builder.advance(1)) ++slices;
+    while (!job.advance(1)) ++slices;
     EXPECT_GE(slices, 13 * count);
-    const BoxTree sliced = builder.take();
+    const BoxTree sliced = job.take();
     EXPECT_EQ(sliced.nodeCount(), whole.nodeCount());
     for (const Box& box : boxes) EXPECT_EQ(meeting(sliced, box), meeting(whole, box));
   }

@@ -176,9 +176,7 @@ class DividedGroup {
 
 Task<bool> Arrangement::run(Work& work, std::size_t maxPairs) {
   work.beginPart(0.1);
-  BoxTreeBuilder builder(triangleBoxes(mesh_));
-  co_await work.finish(builder, kTreeBoxesPerUnit);
-  const BoxTree tree = builder.take();
+  const BoxTree tree = co_await BoxTree::build(work, triangleBoxes(mesh_), kTreeBoxesPerUnit);
   work.beginPart(0.5);
   const std::vector<std::uint8_t> ignored(countTriangles(mesh_), 0);
   const std::vector<IntersectingPair> pairs =

@@ -24,12 +24,6 @@ constexpr std::size_t kBoxesPerUnit = 16;
 /// Addresses an entry of Boundary::shells.
 using BoundaryShellId = Id<BoundaryShell>;
 
-Task<BoxTree> buildTriangleTree(Work& work, const SurfaceMesh& mesh) {
-  BoxTreeBuilder builder(triangleBoxes(mesh));
-  co_await work.finish(builder, kBoxesPerUnit);
-  co_return builder.take();
-}
-
 }  // namespace
 
 BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, InnerShells innerShells,
@@ -75,7 +69,7 @@ Task<> BoundaryCheck::closeBoundary(Work& work) {
   co_await work.yield();
 
   work.beginPart(0.3);
-  const BoxTree tree = co_await buildTriangleTree(work, mesh_);
+  const BoxTree tree = co_await BoxTree::build(work, triangleBoxes(mesh_), kBoxesPerUnit);
 
   work.beginPart(0.85);
   if (!isEmbedded_) {

@@ -1,10 +1,17 @@
 #include "field/grid_gradation.h"
 
+#include <algorithm>
 #include <bit>
-#include <limits>
+#include <cstdint>
+#include <span>
 
 #include "base/free_memory.h"
+#include "base/ids.h"
+#include "base/sort.h"
+#include "field/grid_access.h"
 #include "field/tensor_limits.h"
+#include "search/indexed_heap.h"
+#include "topology/node_lists.h"
 #include "topology/tetrahedron.h"
 
 namespace tetrafront {
@@ -12,148 +19,101 @@ namespace {
 
 constexpr int kSweeps = 3;
 
-/// Positive doubles have the same order as their bit patterns.
-std::uint64_t keyOf(double size) { return std::bit_cast<std::uint64_t>(size); }
+struct GridEdge {
+  GridNodeId a;
+  GridNodeId b;
+  double length;
+};
 
-template <class Limiter>
-void finish(Limiter limiter) {
-  while (!limiter.advance(std::numeric_limits<std::size_t>::max())) {
-  }
-}
+/// An edge, as one of its nodes sees it.
+struct Spoke {
+  GridNodeId node;
+  double length;
+};
 
-}  // namespace
-
-bool GridEdges::advance(std::size_t budget) {
-  if (stage_ == Stage::kDone) return true;
-  const std::size_t end =
-      stage_ == Stage::kCollect ? grid_->nodes.size() : grid_->tetrahedra.size();
-  const std::size_t last = next_ + std::min(budget, end - next_);
-  for (; next_ < last; ++next_) {
-    if (stage_ == Stage::kCollect) {
-      collectAt(GridNodeId(next_));
-      continue;
-    }
-    const GridNodeQuad nodes = nodesOf(*grid_, GridTetId(next_));
+/// `co_await` it: calls visit(low, high) with the nodes of every edge of every tetrahedron.
+template <class Visit>
+auto forEachTetEdge(Work& work, const BackgroundGrid& grid, Visit visit) {
+  const auto visitTet = [&grid, visit](GridTetId tet) {
+    const GridNodeQuad nodes = nodesOf(grid, tet);
     for (const TetEdge& edge : kTetEdges) {
       const auto [low, high] = std::minmax(nodes[edge.from], nodes[edge.to]);
-      if (stage_ == Stage::kCount) {
-        others_.count(low);
-      } else {
-        others_.add(low, high);
-      }
+      visit(low, high);
+    }
+  };
+  return work.forEachId<GridTetId>(grid.tetrahedra.size(), visitTet, kGridVisitsPerUnit);
+}
+
+/// `co_await` it: calls visit(edge) for every edge.
+template <class Visit>
+auto forEachEdge(Work& work, std::span<const GridEdge> edges, Visit visit) {
+  const auto visitIndex = [edges, visit](std::size_t i) { visit(edges[i]); };
+  return work.forEachId<std::size_t>(edges.size(), visitIndex, kGridVisitsPerUnit);
+}
+
+/// Returns each edge once, ordered by their nodes, the lower node first. O(n) if few tetrahedra share a node.
+Task<std::vector<GridEdge>> findEdges(Work& work, const BackgroundGrid& grid) {
+  // Per node: the higher nodes of its edges, once per tetrahedron.
+  NodeLists<GridNodeId, GridNodeId> higher(grid.nodes.size());
+  work.beginPart(0.3);
+  co_await forEachTetEdge(work, grid, [&](GridNodeId low, GridNodeId) { higher.count(low); });
+  higher.endCounting();
+  work.beginPart(0.6);
+  co_await forEachTetEdge(work, grid,
+                          [&](GridNodeId low, GridNodeId high) { higher.add(low, high); });
+  std::vector<GridEdge> edges;
+  const auto collectAt = [&](GridNodeId node) {
+    const std::span<GridNodeId> others = higher.at(node);
+    sortFew(others);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if (i > 0 && others[i] == others[i - 1]) continue;
+      const Vec3 along = positionOf(grid, node) - positionOf(grid, others[i]);
+      edges.push_back({node, others[i], glm::length(along)});
+    }
+  };
+  work.beginPart(1.0);
+  co_await work.forEachId<GridNodeId>(grid.nodes.size(), collectAt, kGridVisitsPerUnit);
+  co_return edges;
+}
+
+double smallerSizeOf(const BackgroundGrid& grid, const GridEdge& edge) {
+  return std::min(nodeOf(grid, edge.a).size, nodeOf(grid, edge.b).size);
+}
+
+/// Nodes that may lower the sizes of others, the smallest size first.
+class WaitingNodes {
+ public:
+  WaitingNodes(BackgroundGrid& grid, double growth) : grid_(grid), growth_(growth) {
+    heap_.reserveIds(grid.nodes.size());
+  }
+
+  void push(GridNodeId node) {
+    // Positive doubles have the same order as their bit patterns.
+    heap_.push(node.value, std::bit_cast<std::uint64_t>(nodeOf(grid_, node).size));
+  }
+  [[nodiscard]] bool isEmpty() const { return heap_.empty(); }
+
+  /// No other node can lower the size of the first one further.
+  void lowerAroundFirst(const NodeLists<Spoke, GridNodeId>& spokes) {
+    const GridNodeId node(heap_.pop());
+    for (const auto& [other, length] : spokes.at(node)) {
+      const double limit = nodeOf(grid_, node).size + growth_ * length;
+      double& size = nodeOf(grid_, other).size;
+      if (size <= limit) continue;
+      size = limit;
+      heap_.remove(other.value);
+      push(other);
     }
   }
-  if (next_ < end) return false;
-  next_ = 0;
-  if (stage_ == Stage::kCount) others_.endCounting();
-  stage_ = static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
-  if (stage_ == Stage::kDone) others_ = {};
-  return stage_ == Stage::kDone;
-}
 
-void GridEdges::collectAt(GridNodeId node) {
-  const std::span<GridNodeId> others = others_.at(node);
-  sortFew(others);
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    if (i > 0 && others[i] == others[i - 1]) continue;
-    const Vec3 along = positionOf(*grid_, node) - positionOf(*grid_, others[i]);
-    edges_.push_back({node, others[i], glm::length(along)});
-  }
-}
+ private:
+  BackgroundGrid& grid_;
+  double growth_;
+  IndexedHeap heap_;
+};
 
-bool SizeLimiter::advance(std::size_t budget) {
-  if (stage_ == Stage::kDone) return true;
-  if (stage_ == Stage::kEdges) {
-    if (finder_.advance(budget)) endStage();
-    return false;
-  }
-  if (stage_ == Stage::kLower) {
-    for (; budget > 0 && !waiting_.empty(); --budget) lowerAround(GridNodeId(waiting_.pop()));
-    if (waiting_.empty()) stage_ = Stage::kDone;
-    return stage_ == Stage::kDone;
-  }
-  const std::size_t last = next_ + std::min(budget, end_ - next_);
-  for (; next_ < last; ++next_) workOn(next_);
-  if (next_ == end_) endStage();
-  return stage_ == Stage::kDone;
-}
-
-void SizeLimiter::workOn(std::size_t index) {
-  if (stage_ == Stage::kQueue) {
-    const GridNodeId node(index);
-    waiting_.push(node.value, keyOf(nodeOf(*grid_, node).size));
-    return;
-  }
-  const GridEdges::Edge& edge = edges_[index];
-  if (stage_ == Stage::kComply) {
-    const auto [smaller, larger] =
-        std::minmax(nodeOf(*grid_, edge.a).size, nodeOf(*grid_, edge.b).size);
-    complies_ = complies_ && larger <= smaller + growth_ * edge.length;
-  } else if (stage_ == Stage::kCount) {
-    spokes_.count(edge.a);
-    spokes_.count(edge.b);
-  } else if (stage_ == Stage::kInsert) {
-    spokes_.add(edge.a, {edge.b, edge.length});
-    spokes_.add(edge.b, {edge.a, edge.length});
-  }
-}
-
-void SizeLimiter::endStage() {
-  next_ = 0;
-  if (stage_ == Stage::kEdges) {
-    edges_ = finder_.take();
-    end_ = edges_.size();
-  } else if (stage_ == Stage::kComply) {
-    if (complies_) {
-      stage_ = Stage::kDone;
-      return;
-    }
-    spokes_ = NodeLists<Spoke, GridNodeId>(grid_->nodes.size());
-  } else if (stage_ == Stage::kCount) {
-    spokes_.endCounting();
-  } else if (stage_ == Stage::kInsert) {
-    freeMemory(edges_);
-    waiting_.reserveIds(grid_->nodes.size());
-    end_ = grid_->nodes.size();
-  }
-  stage_ = static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
-}
-
-/// `node` has the smallest size of all waiting nodes, so no other node can lower it further.
-void SizeLimiter::lowerAround(GridNodeId node) {
-  for (const auto& [other, length] : std::as_const(spokes_).at(node)) {
-    const double limit = nodeOf(*grid_, node).size + growth_ * length;
-    double& size = nodeOf(*grid_, other).size;
-    if (size <= limit) continue;
-    size = limit;
-    waiting_.remove(other.value);
-    waiting_.push(other.value, keyOf(limit));
-  }
-}
-
-bool TensorLimiter::advance(std::size_t budget) {
-  if (!sort_) {
-    if (!finder_.advance(budget)) return false;
-    edges_ = finder_.take();
-    sort_.emplace(std::span(edges_), Smaller{grid_});
-  } else if (!isSorted_) {
-    isSorted_ = sort_->advance(budget);
-  } else if (sweep_ < kSweeps) {
-    const std::size_t last = next_ + std::min(budget, edges_.size() - next_);
-    for (; next_ < last; ++next_) {
-      limit(edges_[sweep_ % 2 == 0 ? next_ : edges_.size() - 1 - next_]);
-    }
-    if (next_ == edges_.size()) {
-      next_ = 0;
-      ++sweep_;
-    }
-  }
-  return sweep_ == kSweeps;
-}
-
-void TensorLimiter::limit(const GridEdges::Edge& edge) {
-  const SymmetricTensor grown = SymmetricTensor::isotropic(growth_ * edge.length);
-  std::vector<SymmetricTensor>& tensors = *tensors_;
+void limitAlong(const GridEdge& edge, double growth, std::vector<SymmetricTensor>& tensors) {
+  const SymmetricTensor grown = SymmetricTensor::isotropic(growth * edge.length);
   const auto lower = [&](GridNodeId node, GridNodeId by) {
     SymmetricTensor largest = tensors[by.index()];
     largest.accumulate(grown, 1.0);
@@ -163,11 +123,61 @@ void TensorLimiter::limit(const GridEdges::Edge& edge) {
   lower(edge.b, edge.a);
 }
 
-void limitSizes(BackgroundGrid& grid, double growth) { finish(SizeLimiter(grid, growth)); }
+}  // namespace
 
-void limitTensors(const BackgroundGrid& grid, double growth,
-                  std::vector<SymmetricTensor>& tensors) {
-  finish(TensorLimiter(grid, growth, tensors));
+Task<> limitSizes(Work& work, BackgroundGrid& grid, double growth) {
+  work.beginPart(0.4);
+  std::vector<GridEdge> edges = co_await findEdges(work, grid);
+  bool comply = true;
+  work.beginPart(0.5);
+  co_await forEachEdge(work, edges, [&](const GridEdge& edge) {
+    const auto [smaller, larger] =
+        std::minmax(nodeOf(grid, edge.a).size, nodeOf(grid, edge.b).size);
+    comply = comply && larger <= smaller + growth * edge.length;
+  });
+  if (comply) co_return;
+
+  NodeLists<Spoke, GridNodeId> spokes(grid.nodes.size());
+  work.beginPart(0.6);
+  co_await forEachEdge(work, edges, [&](const GridEdge& edge) {
+    spokes.count(edge.a);
+    spokes.count(edge.b);
+  });
+  spokes.endCounting();
+  work.beginPart(0.7);
+  co_await forEachEdge(work, edges, [&](const GridEdge& edge) {
+    spokes.add(edge.a, {edge.b, edge.length});
+    spokes.add(edge.b, {edge.a, edge.length});
+  });
+  freeMemory(edges);
+
+  WaitingNodes waiting(grid, growth);
+  work.beginPart(0.8);
+  co_await work.forEachId<GridNodeId>(
+      grid.nodes.size(), [&](GridNodeId node) { waiting.push(node); }, kGridVisitsPerUnit);
+  work.beginPart(1.0);
+  while (!waiting.isEmpty()) {
+    for (std::size_t i = 0; i < kGridVisitsPerUnit && !waiting.isEmpty(); ++i)
+      waiting.lowerAroundFirst(spokes);
+    co_await work.spend(1);
+  }
+}
+
+Task<> limitTensors(Work& work, const BackgroundGrid& grid, double growth,
+                    std::vector<SymmetricTensor>& tensors) {
+  work.beginPart(0.4);
+  std::vector<GridEdge> edges = co_await findEdges(work, grid);
+  SlicedSort sort(std::span{edges}, [&grid](const GridEdge& x, const GridEdge& y) {
+    return smallerSizeOf(grid, x) < smallerSizeOf(grid, y);
+  });
+  work.beginPart(0.6);
+  co_await work.finish(sort, kGridVisitsPerUnit);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    work.beginPart(0.6 + 0.4 * (sweep + 1) / kSweeps);
+    co_await forEachEdge(work, edges,
+                         [&](const GridEdge& edge) { limitAlong(edge, growth, tensors); });
+    std::ranges::reverse(edges);
+  }
 }
 
 }  // namespace tetrafront

@@ -25,9 +25,6 @@ constexpr double kBorderRounding = 1e-10;
 constexpr std::uint32_t kFreeSteps = 64;
 constexpr std::uint32_t kStepsPerLayer = 4;
 
-/// Nodes or tetrahedra per unit of budget: visiting one costs far less than a step of the front.
-constexpr std::size_t kVisitedPerUnit = 8;
-
 /// Returns the smallest integer whose cube is at least n.
 std::uint32_t cubeRootUp(std::size_t n) {
   std::uint32_t root = 1;
@@ -69,8 +66,10 @@ class GridLocatorBuilder {
     made_.tensors_.push_back(sizeTensor(nodeOf(made_.grid_, node)));
   }
 
-  [[nodiscard]] SizeLimiter sizeLimiter() { return {made_.grid_, growth_}; }
-  [[nodiscard]] TensorLimiter tensorLimiter() { return {made_.grid_, growth_, made_.tensors_}; }
+  Task<> limitGrowth(Work& work) {
+    return isStretched_ ? limitTensors(work, made_.grid_, growth_, made_.tensors_)
+                        : limitSizes(work, made_.grid_, growth_);
+  }
 
   void addSize(GridNodeId node) {
     double& size = nodeOf(made_.grid_, node).size;
@@ -139,33 +138,27 @@ Task<GridLocator> buildGridLocator(Work& work, const BackgroundGrid& grid, doubl
   const std::size_t tetrahedra = builder.tetrahedronCount();
   work.beginPart(0.05);
   co_await work.forEachId<GridNodeId>(
-      nodes, [&](GridNodeId node) { builder.extend(node); }, kVisitedPerUnit);
+      nodes, [&](GridNodeId node) { builder.extend(node); }, kGridVisitsPerUnit);
   builder.endExtent();
   if (builder.isStretched()) {
     work.beginPart(0.1);
     co_await work.forEachId<GridNodeId>(
-        nodes, [&](GridNodeId node) { builder.addTensor(node); }, kVisitedPerUnit);
+        nodes, [&](GridNodeId node) { builder.addTensor(node); }, kGridVisitsPerUnit);
   }
   work.beginPart(0.35);
-  if (growth > 0.0 && builder.isStretched()) {
-    TensorLimiter limiter = builder.tensorLimiter();
-    co_await work.finish(limiter, kVisitedPerUnit);
-  } else if (growth > 0.0) {
-    SizeLimiter limiter = builder.sizeLimiter();
-    co_await work.finish(limiter, kVisitedPerUnit);
-  }
+  if (growth > 0.0) co_await builder.limitGrowth(work);
   work.beginPart(0.4);
   co_await work.forEachId<GridNodeId>(
-      nodes, [&](GridNodeId node) { builder.addSize(node); }, kVisitedPerUnit);
+      nodes, [&](GridNodeId node) { builder.addSize(node); }, kGridVisitsPerUnit);
 
   work.beginPart(0.5);
   co_await work.forEachId<GridTetId>(
-      tetrahedra, [&](GridTetId tet) { builder.addFrame(tet); }, kVisitedPerUnit);
+      tetrahedra, [&](GridTetId tet) { builder.addFrame(tet); }, kGridVisitsPerUnit);
   work.beginPart(0.65);
   auto faces = co_await listFaces<GridTetFace, GridNodeId>(
       work, nodes, tetrahedra,
       [&builder](std::size_t tet, const auto& use) { builder.forEachFace(GridTetId(tet), use); },
-      kVisitedPerUnit);
+      kGridVisitsPerUnit);
   work.beginPart(0.75);
   co_await work.forEachId<GridNodeId>(
       nodes,
@@ -174,18 +167,17 @@ Task<GridLocator> buildGridLocator(Work& work, const BackgroundGrid& grid, doubl
           if (group.size() > 1) builder.join(group[0].owner, group[1].owner);
         });
       },
-      kVisitedPerUnit);
+      kGridVisitsPerUnit);
   faces = FaceTable<GridTetFace, GridNodeId>(0);
 
   work.beginPart(0.8);
   std::vector<Box> boxes;
   boxes.reserve(tetrahedra);
   co_await work.forEachId<GridTetId>(
-      tetrahedra, [&](GridTetId tet) { boxes.push_back(builder.boxOf(tet)); }, kVisitedPerUnit);
+      tetrahedra, [&](GridTetId tet) { boxes.push_back(builder.boxOf(tet)); }, kGridVisitsPerUnit);
   work.beginPart(1.0);
-  BoxTreeBuilder tree(std::move(boxes));
-  co_await work.finish(tree, kVisitedPerUnit);
-  co_return builder.take(tree.take());
+  BoxTree tree = co_await BoxTree::build(work, std::move(boxes), kGridVisitsPerUnit);
+  co_return builder.take(std::move(tree));
 }
 
 }  // namespace tetrafront

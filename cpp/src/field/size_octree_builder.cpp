@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/budget.h"
 #include "base/ids.h"
 
 namespace tetrafront {
@@ -187,22 +186,19 @@ void SizeOctreeBuilder::placeRoot(std::span<const Vec3> points, std::span<const 
   open_.reserve(SizeOctree::kMaxLevel + 1);
 }
 
-bool SizeOctreeBuilder::advance(std::uint32_t budget) {
-  if (!hasBegun_) {
-    if (!sites_->advance(scaledBudget(budget, kSitesPerCell))) return false;
-    hasBegun_ = true;
-    refineRoot();
-  }
-  for (std::uint32_t i = 0; i < budget && !open_.empty(); ++i) {
+Task<> SizeOctreeBuilder::build(Work& work) {
+  co_await sites_->build(work, kSitesPerCell);
+  refineRoot();
+  while (!open_.empty()) {
     Frame& frame = open_.back();
     if (frame.next == frame.children.size()) {
       open_.pop_back();
-      continue;
+    } else {
+      // Frames do not move: the capacity is the number of levels.
+      refine(frame.children[frame.next++], frame.reaching);
     }
-    // Frames do not move: the capacity is the number of levels.
-    refine(frame.children[frame.next++], frame.reaching);
+    co_await work.spend(1);
   }
-  return open_.empty();
 }
 
 SizeOctree SizeOctreeBuilder::take() {

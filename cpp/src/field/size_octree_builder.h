@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "field/size_octree.h"
 #include "field/size_sites.h"
 #include "field/size_tensor.h"
@@ -49,7 +50,7 @@ class SizeOctreeBuilder {
 
   /// Visits about `budget` cells; returns true when finished. There are up to three cells per
   /// triangle.
-  bool advance(std::uint32_t budget);
+  bool advance(std::uint32_t budget) { return job_.advance(budget); }
 
   /// Returns the tree, once, after advance() has returned true.
   [[nodiscard]] SizeOctree take();
@@ -82,6 +83,7 @@ class SizeOctreeBuilder {
     }
   };
 
+  Task<> build(Work& work);
   void growFrom(std::span<const Vec3> points, std::span<const double> sizes, double growth,
                 double cap);
   void placeRoot(std::span<const Vec3> points, std::span<const double> sizes);
@@ -108,9 +110,9 @@ class SizeOctreeBuilder {
   std::optional<SizeSites> sites_;
   std::optional<SizeDescent> rule_;
   double edge_ = 0.0;
-  bool hasBegun_ = false;
   std::vector<Frame> open_;
   std::array<List, SizeOctree::kMaxLevel + 1> lists_;  ///< lists of the cells being split, by level
+  Job<> job_{[this](Work& work) { return build(work); }};  ///< the last: it uses the others
 };
 
 /// Returns h_i of SizeOctree: the mean edge length at each node, averaged twice (half its own

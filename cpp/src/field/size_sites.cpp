@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "search/morton.h"
 
 namespace tetrafront {
 namespace {
@@ -44,38 +45,19 @@ SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes
   for (const double size : building_.sizes) {
     extent_ = std::max(extent_, kMinExtentPerSize * std::fabs(size));
   }
-  building_.sort.emplace(building_.positions);
 }
 
-bool SizeSites::advance(std::size_t budget) {
-  std::size_t& next = building_.next;
-  switch (stage_) {
-    case Stage::kSort:
-      if (!building_.sort->advance(budget)) break;
-      building_.order = building_.sort->take();
-      beginTree();
-      stage_ = Stage::kTake;
-      break;
-    case Stage::kTake: {
-      const std::size_t last = next + std::min(budget, building_.order.size() - next);
-      takeSites(next, last);
-      next = last;
-      if (next < building_.order.size()) break;
-      next = firstLeaf_;
-      stage_ = Stage::kJoin;
-      break;
-    }
-    case Stage::kJoin:
-      for (std::size_t i = 0; i < budget && next > 0; ++i) join(--next);
-      if (next > 0) break;
-      order_ = std::move(building_.order);
-      building_ = {};
-      stage_ = Stage::kReady;
-      break;
-    case Stage::kReady:
-      break;
-  }
-  return stage_ == Stage::kReady;
+Task<> SizeSites::build(Work& work, std::size_t visitsPerUnit) {
+  work.beginPart(0.85);
+  order_ = co_await mortonOrder(work, building_.positions, visitsPerUnit);
+  beginTree(order_.size());
+  work.beginPart(0.95);
+  co_await work.forEachId<std::size_t>(
+      order_.size(), [this](std::size_t i) { addSite(order_[i]); }, visitsPerUnit);
+  work.beginPart(1.0);
+  co_await work.forEachId<std::size_t>(
+      firstLeaf_, [this](std::size_t i) { join(firstLeaf_ - 1 - i); }, visitsPerUnit);
+  building_ = {};
 }
 
 std::array<float, 3> SizeSites::inward(const Vec3& position) const {
@@ -87,9 +69,9 @@ SizeSites::Reach SizeSites::inward(const Range& range) const {
   return {inward(range.lower), inward(range.upper)};
 }
 
-void SizeSites::beginTree() {
+void SizeSites::beginTree(std::size_t count) {
   std::uint32_t leaves = 1;
-  while (std::size_t{leaves} * kSitesPerLeaf < building_.order.size()) leaves *= 2;
+  while (std::size_t{leaves} * kSitesPerLeaf < count) leaves *= 2;
   firstLeaf_ = leaves - 1;
   constexpr float kFar = std::numeric_limits<float>::max();
   // Empty leaves keep a size that is never below a limit.
@@ -98,7 +80,7 @@ void SizeSites::beginTree() {
   building_.smallest.assign(building_.boxes.size(), kFar);
   smallest_.assign(building_.boxes.size(), SiteId(0U));
   children_.resize(firstLeaf_);
-  sites_.reserve(building_.order.size());
+  sites_.reserve(count);
 }
 
 void SizeSites::include(std::size_t node, const Reach& reach, float size, SiteId site) {
@@ -112,14 +94,12 @@ void SizeSites::include(std::size_t node, const Reach& reach, float size, SiteId
   smallest_[node] = site;
 }
 
-/// Puts sites into the leaves, in the order of the curve.
-void SizeSites::takeSites(std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    const std::uint32_t source = building_.order[i];
-    const Site site{inward(building_.positions[source]), inward(building_.sizes[source])};
-    sites_.push_back(site);
-    include(firstLeaf_ + i / kSitesPerLeaf, {site.position, site.position}, site.size, SiteId(i));
-  }
+/// Puts the next site of the curve into its leaf.
+void SizeSites::addSite(std::uint32_t given) {
+  const Site site{inward(building_.positions[given]), inward(building_.sizes[given])};
+  const SiteId id(sites_.size());
+  sites_.push_back(site);
+  include(firstLeaf_ + id.index() / kSitesPerLeaf, {site.position, site.position}, site.size, id);
 }
 
 /// Makes an inner node from its two children.

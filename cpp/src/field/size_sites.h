@@ -9,12 +9,11 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/ids.h"
-#include "search/morton.h"
+#include "base/task.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -34,9 +33,8 @@ class SizeSites {
   SizeSites(SizeSites&&) = default;
   SizeSites& operator=(SizeSites&&) = default;
 
-  /// Sorts `budget` sites; visits each site thirteen times in all. Returns true when finished.
-  /// Call no other function before.
-  bool advance(std::size_t budget);
+  /// Sorts the sites; visits each thirteen times. Await it once, before any other call.
+  Task<> build(Work& work, std::size_t visitsPerUnit);
 
   [[nodiscard]] double growth() const { return growth_; }
   [[nodiscard]] double sizeOf(SiteId site) const { return sites_[site.index()].size * extent_; }
@@ -103,8 +101,8 @@ class SizeSites {
   [[nodiscard]] float toleranceOf(float value, SiteId site) const;
   void improve(const Reach& reach, float& best, SiteId& site) const;
   [[nodiscard]] bool liesBelow(float size, float squaredDistance, float limit) const;
-  void beginTree();
-  void takeSites(std::size_t first, std::size_t last);
+  void beginTree(std::size_t count);
+  void addSite(std::uint32_t given);
   void include(std::size_t node, const Reach& reach, float size, SiteId site);
   void join(std::size_t node);
   template <class Visit>
@@ -129,18 +127,13 @@ class SizeSites {
   std::vector<SiteId> smallest_;  ///< per node of the tree: site of smallest size
   std::uint32_t firstLeaf_ = 0;
 
-  enum class Stage : std::uint8_t { kSort, kTake, kJoin, kReady };
   /// Data needed only while the tree is built.
   struct Building {
     std::vector<Vec3> positions;
     std::vector<double> sizes;
-    std::optional<MortonSort> sort;
-    std::vector<std::uint32_t> order;
-    std::size_t next = 0;
     std::vector<Reach> boxes;     ///< per node of the tree
     std::vector<float> smallest;  ///< per node of the tree: smallest size
   };
-  Stage stage_ = Stage::kSort;
   Building building_;
 };
 

@@ -12,17 +12,12 @@
 /// 5. Remove interior points or round them to doubles (InteriorPointRounding); most are not needed.
 
 #include <cstdint>
+#include <functional>
 #include <limits>
-#include <optional>
 
-#include "fill/boundary_point_removal.h"
-#include "fill/boundary_recovery.h"
+#include "base/task.h"
 #include "fill/fill_mesh.h"
 #include "fill/fill_result.h"
-#include "fill/interior_point_rounding.h"
-#include "fill/outside_removal.h"
-#include "fill/point_insertion.h"
-#include "fill/sector_separation.h"
 
 namespace tetrafront {
 
@@ -46,59 +41,38 @@ class ExactFill {
     kFailed    ///< the triangles are not a closed boundary, or the limit is reached; no result
   };
   /// Does about `budget` x 2 microseconds of work. The outcome does not depend on the budget.
-  State advance(std::uint32_t budget);
+  State advance(std::uint32_t budget) { return job_.advance(budget) ? state_ : State::kRunning; }
 
   /// Work done so far, in units of the budget of advance().
   [[nodiscard]] std::uint64_t cost() const;
 
   /// Estimated progress, 0 to 1.
-  [[nodiscard]] double fraction() const;
+  [[nodiscard]] double fraction() const { return job_.fraction(); }
 
   /// Empty until the state is kDone or kPartial.
   [[nodiscard]] const FillResult& result() const { return result_; }
 
  private:
-  enum class Stage : std::uint8_t {
-    kBegin,
-    kInsert,
-    kEdges,
-    kTriangles,
-    kDropOutside,
-    kSeparate,
-    kRemoveBoundaryPoints,
-    kRoundInteriorPoints,
-    kDone,
-    kFailed
-  };
+  using Step = std::function<FillState()>;
 
+  Task<> run(Work& work);
+  Task<bool> fill(Work& work);
+  Task<bool> insertNodes(Work& work);
+  Task<bool> recoverBoundary(Work& work);
+  Task<bool> removePoints(Work& work);
+  Task<bool> repeat(Work& work, const Step& step);
   [[nodiscard]] std::uint64_t signs() const;
-  void step();
-  void beginStage(Stage stage);
-  void failUnless(bool isGood);
-  void begin();
-  void beginRecovery();
-  void recoverEdges();
-  void beginDropping();
-  void dropOutside();
-  void separate();
-  void removeBoundaryPoints();
-  void roundInteriorPoints();
 
   FillTask task_;
   unsigned order_;
   std::uint64_t limit_;
   FillMesh mesh_;
   FillResult result_;
-  Stage stage_ = Stage::kBegin;
-  std::size_t next_ = 0;       ///< node or triangle of the stage
-  std::uint64_t touched_ = 0;  ///< tetrahedra visited without computing a sign
-  // One of these works at a time; the next one takes over what it needs.
-  std::optional<PointInsertion> insertion_;
-  std::optional<BoundaryRecovery> recovery_;
-  std::optional<OutsideRemoval> outside_;
-  std::optional<SectorSeparation> separation_;
-  std::optional<BoundaryPointRemoval> removal_;
-  std::optional<InteriorPointRounding> rounding_;
+  State state_ = State::kRunning;
+  std::uint64_t touched_ = 0;   ///< tetrahedra visited without computing a sign
+  std::uint64_t paid_ = 0;      ///< part of cost() that was subtracted from budgets
+  std::vector<NodeId> points_;  ///< added on the boundary, later in the interior, which are left
+  Job<> job_{[this](Work& work) { return run(work); }};  ///< the last: it uses the others
 };
 
 }  // namespace tetrafront

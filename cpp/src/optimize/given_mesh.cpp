@@ -182,9 +182,7 @@ class GivenMeshMaker {
     std::vector<std::uint8_t> ignored(boundary_.size(), 0);
     for (const TrianglePair& pair : touching) ignored[pair[1].index()] = 1;
     work.beginPart(0.2);
-    BoxTreeBuilder builder(triangleBoxes(surface));
-    co_await work.finish(builder);
-    const BoxTree tree = builder.take();
+    const BoxTree tree = co_await BoxTree::build(work, triangleBoxes(surface), 1);
     work.beginPart(0.7);
     BoundaryReport report(surface, BoundarySource::kGivenSurface, 1);
     co_await checkSelfIntersections(work, surface, ignored, tree, report);
@@ -224,9 +222,7 @@ class GivenMeshMaker {
   Task<> checkNesting(Work& work, const SurfaceMesh& surface,
                       std::span<const std::uint8_t> isOnBoundary) {
     work.beginPart(0.8);
-    BoxTreeBuilder builder(triangleBoxes(surface));
-    co_await work.finish(builder);
-    const BoxTree tree = builder.take();
+    const BoxTree tree = co_await BoxTree::build(work, triangleBoxes(surface), 1);
     const EdgeTable edges(surface.triangles, countNodes(surface), {});
     co_await work.spend(countTriangles(surface));
     const std::vector<ComponentId> componentOf = connectedComponents(surface, edges);

@@ -28,9 +28,8 @@ Task<std::vector<std::uint32_t>> mortonOrderOf(Work& work, const TetMesh& mesh) 
       centroids.size(), [&](TetId tet) { centroids[tet.index()] = centroidOf(mesh, tet); },
       kVisitedPerUnit);
   work.beginPart(1.0);
-  MortonSort sort(centroids);
-  co_await work.finish(sort, kVisitedPerUnit);
-  co_return sort.take();
+  std::vector<std::uint32_t> order = co_await mortonOrder(work, centroids, kVisitedPerUnit);
+  co_return order;
 }
 
 /// Copies the fixed nodes, then elements, and those of their nodes that no earlier element has.

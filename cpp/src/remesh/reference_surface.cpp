@@ -96,9 +96,7 @@ Task<> ReferenceSurface::prepare(Work& work) {
     if (isDivided) break;
     pieceLength_ *= 2.0;
   }
-  BoxTreeBuilder builder(std::move(boxes));
-  co_await work.finish(builder, 32);
-  tree_ = builder.take();
+  tree_ = co_await BoxTree::build(work, std::move(boxes), 32);
 }
 
 void ReferenceSurface::findPatches() {

@@ -129,7 +129,7 @@ double sumOf(std::span<const double> counts) {
 Task<> capToShape(Work& work, const ShapeSizes& ofShape, const RemeshOptions& options,
                   RemeshSizes& sizes) {
   SizeSites sites(ofShape.positions, ofShape.sizes, options.growth, kSlack);
-  co_await work.finish(sites, kSitesPerUnit);
+  co_await sites.build(work, kSitesPerUnit);
   sizes.capTo(std::move(sites), ofShape.axes);
 }
 
@@ -158,7 +158,7 @@ Task<std::vector<Cusp>> findLimitedCusps(Work& work, const ReferenceSurface& ref
   if (cusps.empty() || count == 0) co_return cusps;
   SizeSites sites(std::span(sizes.positions).first(count), std::span(sizes.sizes).first(count),
                   options.growth, kSlack);
-  co_await work.finish(sites, kSitesPerUnit);
+  co_await sites.build(work, kSitesPerUnit);
   for (Cusp& cusp : cusps) {
     cusp.reach = std::min(cusp.reach, kCuspPerSize * sites.at(cusp.tip, SiteId(0U)).size);
   }

@@ -53,10 +53,9 @@ Task<RegionLocation> locate(Work& work, LocationInput& input) {
     result.diagnostics = check.takeDiagnostics();
     co_return result;
   }
+  work.beginPart(0.95);
+  const BoxTree tree = co_await BoxTree::build(work, triangleBoxes(mesh), 1);
   work.beginPart(1.0);
-  BoxTreeBuilder builder(triangleBoxes(mesh));
-  co_await work.finish(builder);
-  const BoxTree tree = builder.take();
   for (const Vec3& position : input.positions) {
     result.volumeOf.push_back(volumeAround(mesh, tree, position));
     co_await work.yield();

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/free_memory.h"
+#include "search/morton.h"
 
 namespace tetrafront {
 namespace {
@@ -14,96 +15,59 @@ Box emptyBox() {
   return {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
 }
 
-Box hull(const Box& a, const Box& b) {
-  Box result = a;
-  result.include(b);
-  return result;
+Vec3 centreOf(const Box& box) {
+  Vec3 centre;
+  for (int a = 0; a < 3; ++a) {
+    const auto k = static_cast<std::size_t>(a);
+    centre[a] = 0.5 * (double{box.low[k]} + double{box.high[k]});
+  }
+  return centre;
 }
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box> boxes) {
-  BoxTreeBuilder builder({boxes.begin(), boxes.end()});
-  while (!builder.advance(boxes.size())) {
-  }
-  *this = builder.take();
-}
+BoxTree::BoxTree(std::span<const Box> boxes)
+    : BoxTree(Job([boxes](Work& work) {
+                return build(work, {boxes.begin(), boxes.end()}, 1);
+              }).finish()) {}
 
-BoxTreeBuilder::BoxTreeBuilder(std::vector<Box> boxes)
-    : stage_(boxes.empty() ? Stage::kDone : Stage::kCentres),
-      end_(boxes.size()),
-      boxes_(std::move(boxes)),
-      centres_(boxes_.size()),
-      order_(centres_) {}
+Task<BoxTree> BoxTree::build(Work& work, std::vector<Box> boxes, std::size_t visitsPerUnit) {
+  BoxTree tree;
+  const std::size_t count = boxes.size();
+  if (count == 0) co_return tree;
+  work.beginPart(0.1);
+  std::vector<Vec3> centres(count);
+  co_await work.forEachId<std::size_t>(
+      count, [&](std::size_t i) { centres[i] = centreOf(boxes[i]); }, visitsPerUnit);
+  work.beginPart(0.85);
+  tree.items_ = co_await mortonOrder(work, centres, visitsPerUnit);
+  freeMemory(centres);
 
-bool BoxTreeBuilder::advance(std::size_t budget) {
-  if (stage_ == Stage::kDone) return true;
-  if (stage_ == Stage::kOrder) {
-    if (order_.advance(budget)) endStage();
-    return false;
-  }
-  const std::size_t last = next_ + std::min(budget, end_ - next_);
-  if (stage_ == Stage::kCentres) placeCentres(next_, last);
-  if (stage_ == Stage::kLeaves) fillLeaves(next_, last);
-  if (stage_ == Stage::kBranches) growBranches(next_, last);
-  next_ = last;
-  if (next_ == end_) endStage();
-  return stage_ == Stage::kDone;
-}
-
-void BoxTreeBuilder::endStage() {
-  next_ = 0;
-  switch (stage_) {
-    case Stage::kCentres:
-      stage_ = Stage::kOrder;
-      break;
-    case Stage::kOrder: {
-      tree_.items_ = order_.take();
-      freeMemory(centres_);
-      tree_.boxes_.reserve(tree_.items_.size());
-      std::uint32_t leaves = 1;
-      while (std::size_t{leaves} * BoxTree::kItemsPerLeaf < tree_.items_.size()) leaves *= 2;
-      tree_.firstLeaf_ = leaves - 1;
-      tree_.nodes_.assign(2 * std::size_t{leaves} - 1, emptyBox());
-      stage_ = Stage::kLeaves;
-      break;
-    }
-    case Stage::kLeaves:
-      freeMemory(boxes_);
-      end_ = tree_.firstLeaf_;
-      stage_ = end_ > 0 ? Stage::kBranches : Stage::kDone;
-      break;
-    case Stage::kBranches:
-    case Stage::kDone:
-      stage_ = Stage::kDone;
-      break;
-  }
-}
-
-void BoxTreeBuilder::placeCentres(std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    for (int a = 0; a < 3; ++a) {
-      const auto k = static_cast<std::size_t>(a);
-      centres_[i][a] = 0.5 * (double{boxes_[i].low[k]} + double{boxes_[i].high[k]});
-    }
-  }
-}
-
-void BoxTreeBuilder::fillLeaves(std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    const Box& box = tree_.boxes_.emplace_back(boxes_[tree_.items_[i]]);
-    Box& leaf = tree_.nodes_[tree_.firstLeaf_ + i / BoxTree::kItemsPerLeaf];
-    leaf = hull(leaf, box);
-  }
-}
-
-/// Bottom-up, so the last node first.
-void BoxTreeBuilder::growBranches(std::size_t first, std::size_t last) {
-  std::vector<Box>& nodes = tree_.nodes_;
-  for (std::size_t i = first; i < last; ++i) {
-    const std::size_t n = end_ - 1 - i;
-    nodes[n] = hull(nodes[2 * n + 1], nodes[2 * n + 2]);
-  }
+  std::uint32_t leaves = 1;
+  while (std::size_t{leaves} * kItemsPerLeaf < count) leaves *= 2;
+  tree.firstLeaf_ = leaves - 1;
+  tree.nodes_.assign(2 * std::size_t{leaves} - 1, emptyBox());
+  tree.boxes_.reserve(count);
+  work.beginPart(0.95);
+  co_await work.forEachId<std::size_t>(
+      count,
+      [&](std::size_t i) {
+        tree.boxes_.push_back(boxes[tree.items_[i]]);
+        tree.nodes_[tree.firstLeaf_ + i / kItemsPerLeaf].include(tree.boxes_.back());
+      },
+      visitsPerUnit);
+  freeMemory(boxes);
+  work.beginPart(1.0);
+  co_await work.forEachId<std::size_t>(
+      tree.firstLeaf_,
+      [&](std::size_t i) {
+        // Bottom-up.
+        const std::size_t n = tree.firstLeaf_ - 1 - i;
+        tree.nodes_[n].include(tree.nodes_[2 * n + 1]);
+        tree.nodes_[n].include(tree.nodes_[2 * n + 2]);
+      },
+      visitsPerUnit);
+  co_return tree;
 }
 
 std::uint32_t BoxTree::leafEnd(std::uint32_t node) const {

@@ -13,8 +13,9 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "base/task.h"
 #include "geom/box.h"
-#include "search/morton.h"
+#include "geom/ray.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -28,6 +29,8 @@ class BoxTree {
 
   /// O(n). The indices of the boxes are the items below.
   explicit BoxTree(std::span<const Box> boxes);
+  /// The same in slices; visits each box about fourteen times.
+  static Task<BoxTree> build(Work& work, std::vector<Box> boxes, std::size_t visitsPerUnit);
 
   /// Calls visit(item) for every item whose box overlaps or touches `box`. The order depends on the
   /// boxes only. A `visit` that returns a bool ends the search by returning false.
@@ -38,6 +41,11 @@ class BoxTree {
   /// near branches first. `visit` may lower `squaredLimit`.
   template <class Visit>
   void visitNear(const Vec3& position, const double& squaredLimit, Visit visit) const;
+
+  /// Calls visit(item) for every item whose box the ray enters at a distance below `limit`, near
+  /// branches first. `visit` may lower `limit`.
+  template <class Visit>
+  void visitAlong(const Ray& ray, const double& limit, Visit visit) const;
 
   // ---- direct traversal: branch 0 is the root, children have larger ids, and all leaves have the
   // same depth; the last ones are empty ----
@@ -63,7 +71,6 @@ class BoxTree {
   }
 
  private:
-  friend class BoxTreeBuilder;
   static constexpr std::uint32_t kItemsPerLeaf = 4;
   /// At most one entry per level; 2^32 items make 32 levels.
   static constexpr std::size_t kStack = 40;
@@ -82,37 +89,6 @@ class BoxTree {
   std::uint32_t firstLeaf_ = 0;
   std::vector<std::uint32_t> items_;  ///< in the order of the leaves
   std::vector<Box> boxes_;            ///< boxes of items_, in the same order
-};
-
-/// Builds a tree in slices.
-class BoxTreeBuilder {
- public:
-  explicit BoxTreeBuilder(std::vector<Box> boxes);
-  /// Not movable: its members refer to each other.
-  BoxTreeBuilder(const BoxTreeBuilder&) = delete;
-  BoxTreeBuilder& operator=(const BoxTreeBuilder&) = delete;
-
-  /// Visits `budget` boxes, each about thirteen times in total; returns true when finished.
-  bool advance(std::size_t budget);
-
-  /// Returns the tree, once finished.
-  [[nodiscard]] BoxTree take() { return std::move(tree_); }
-
- private:
-  enum class Stage : std::uint8_t { kCentres, kOrder, kLeaves, kBranches, kDone };
-
-  void placeCentres(std::size_t first, std::size_t last);
-  void fillLeaves(std::size_t first, std::size_t last);
-  void growBranches(std::size_t first, std::size_t last);
-  void endStage();
-
-  BoxTree tree_;
-  Stage stage_ = Stage::kCentres;
-  std::size_t next_ = 0;
-  std::size_t end_;
-  std::vector<Box> boxes_;
-  std::vector<Vec3> centres_;
-  MortonSort order_;
 };
 
 template <class Visit>
@@ -164,6 +140,38 @@ void BoxTree::visitNear(const Vec3& position, const double& squaredLimit, Visit 
     }
     for (std::uint32_t i = leafBegin(open.node); i < leafEnd(open.node); ++i) {
       if (boxes_[i].squaredDistance(position) < squaredLimit) visit(items_[i]);
+    }
+  }
+}
+
+template <class Visit>
+void BoxTree::visitAlong(const Ray& ray, const double& limit, Visit visit) const {
+  if (nodes_.empty()) return;
+  struct Open {
+    std::uint32_t node;
+    double entry;
+  };
+  std::array<Open, kStack> stack;
+  std::size_t waiting = 0;
+  const auto open = [&](std::uint32_t node) {
+    const double entry = ray.entryInto(nodes_[node], limit);
+    if (entry < limit) stack[waiting++] = {node, entry};
+  };
+  open(0);
+  while (waiting > 0) {
+    const auto [node, entry] = stack[--waiting];
+    if (entry >= limit) continue;
+    if (node < firstLeaf_) {
+      const std::size_t before = waiting;
+      open(2 * node + 1);
+      open(2 * node + 2);
+      const bool areBoth = waiting == before + 2;
+      if (areBoth && stack[before].entry < stack[before + 1].entry)
+        std::swap(stack[before], stack[before + 1]);
+      continue;
+    }
+    for (std::uint32_t i = leafBegin(node); i < leafEnd(node); ++i) {
+      if (ray.entryInto(boxes_[i], limit) < limit) visit(items_[i]);
     }
   }
 }

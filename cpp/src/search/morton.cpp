@@ -1,11 +1,29 @@
 #include "search/morton.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "base/free_memory.h"
 
 namespace tetrafront {
 namespace {
+
+constexpr unsigned kBitsPerAxis = 20;
+constexpr unsigned kDigitBits = 8;
+constexpr unsigned kSorts = (3 * kBitsPerAxis + kDigitBits - 1) / kDigitBits;
+constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+/// Visits of each position: to find the box, to compute the codes, to sort, and to list the indices.
+constexpr double kVisits = kSorts + 3;
+
+struct Key {
+  std::uint64_t code;
+  std::uint32_t index;  ///< of the position
+
+  [[nodiscard]] std::size_t digit(unsigned sort) const {
+    return (code >> (kDigitBits * sort)) % kDigits;
+  }
+};
 
 /// Spreads the lowest 20 bits to every third bit.
 std::uint64_t spreadBits(std::uint64_t v) {
@@ -16,99 +34,85 @@ std::uint64_t spreadBits(std::uint64_t v) {
   return (v | (v << 2U)) & 0x1249249249249249U;
 }
 
-}  // namespace
-
-bool MortonSort::advance(std::size_t budget) {
-  const std::size_t last = next_ + std::min(budget, positions_.size() - next_);
-  switch (stage_) {
-    case Stage::kBound:
-      bound(next_, last);
-      break;
-    case Stage::kCode:
-      code(next_, last);
-      break;
-    case Stage::kSort:
-      sort(next_, last);
-      break;
-    case Stage::kName:
-      for (std::size_t i = next_; i < last; ++i) order_.push_back(keys_[i].index);
-      break;
-    case Stage::kDone:
-      return true;
+/// The cells of a box through which the curve leads.
+class CurveCells {
+ public:
+  CurveCells(const Vec3& lower, const Vec3& upper) : lower_(lower) {
+    const double extent = std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
+    scale_ = extent > 0.0 ? kLast / extent : 0.0;
   }
-  next_ = last;
-  if (next_ == positions_.size()) endStage();
-  return stage_ == Stage::kDone;
-}
 
-void MortonSort::endStage() {
-  next_ = 0;
-  switch (stage_) {
-    case Stage::kBound:
-      keys_.reserve(positions_.size());
-      stage_ = Stage::kCode;
-      break;
-    case Stage::kCode:
-      for (auto& begins : begins_) {
-        for (std::size_t digit = 1; digit < kDigits; ++digit) begins[digit] += begins[digit - 1];
-      }
-      sorted_.resize(keys_.size());
-      stage_ = Stage::kSort;
-      break;
-    case Stage::kSort:
-      keys_.swap(sorted_);
-      if (++pass_ < kPasses) break;
-      freeMemory(sorted_);
-      order_.reserve(keys_.size());
-      stage_ = Stage::kName;
-      break;
-    case Stage::kName:
-      freeMemory(keys_);
-      stage_ = Stage::kDone;
-      break;
-    case Stage::kDone:
-      break;
-  }
-}
-
-void MortonSort::bound(std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
-    for (int a = 0; a < 3; ++a) {
-      lower_[a] = std::min(lower_[a], positions_[i][a]);
-      upper_[a] = std::max(upper_[a], positions_[i][a]);
-    }
-  }
-}
-
-/// Computes the codes and counts their digits.
-void MortonSort::code(std::size_t first, std::size_t last) {
-  const double extent = std::max({upper_.x - lower_.x, upper_.y - lower_.y, upper_.z - lower_.z});
-  const double cells = static_cast<double>((1U << kBitsPerAxis) - 1U);
-  const double scale = extent > 0.0 ? cells / extent : 0.0;
-  for (std::size_t i = first; i < last; ++i) {
+  [[nodiscard]] std::uint64_t codeOf(const Vec3& position) const {
     std::uint64_t code = 0;
     for (int a = 0; a < 3; ++a) {
-      const double cell = std::min((positions_[i][a] - lower_[a]) * scale, cells);
+      const double cell = std::min((position[a] - lower_[a]) * scale_, kLast);
       code |= spreadBits(static_cast<std::uint64_t>(cell)) << static_cast<unsigned>(a);
     }
-    keys_.push_back({code, static_cast<std::uint32_t>(i)});
-    for (unsigned pass = 0; pass < kPasses; ++pass) {
-      ++begins_[pass][digitOf(keys_.back(), pass) + 1];
-    }
+    return code;
   }
-}
 
-/// Sorts by one digit, the lowest first; keeps the order of equal ones.
-void MortonSort::sort(std::size_t first, std::size_t last) {
-  auto& begins = begins_[pass_];
-  for (std::size_t i = first; i < last; ++i) sorted_[begins[digitOf(keys_[i], pass_)]++] = keys_[i];
+ private:
+  static constexpr double kLast = (1U << kBitsPerAxis) - 1U;
+
+  Vec3 lower_;
+  double scale_;
+};
+
+}  // namespace
+
+Task<std::vector<std::uint32_t>> mortonOrder(Work& work, std::span<const Vec3> positions,
+                                             std::size_t visitsPerUnit) {
+  const std::size_t count = positions.size();
+  Vec3 lower(std::numeric_limits<double>::max());
+  Vec3 upper(-std::numeric_limits<double>::max());
+  work.beginPart(1.0 / kVisits);
+  co_await work.forEachId<std::size_t>(
+      count,
+      [&](std::size_t i) {
+        lower = glm::min(lower, positions[i]);
+        upper = glm::max(upper, positions[i]);
+      },
+      visitsPerUnit);
+
+  const CurveCells cells(lower, upper);
+  std::vector<Key> keys;
+  keys.reserve(count);
+  // Per sort and digit: number of keys with the digit before; later, the index of the next key.
+  std::vector<std::array<std::uint32_t, kDigits + 1>> begins(kSorts);
+  work.beginPart(2.0 / kVisits);
+  co_await work.forEachId<std::size_t>(
+      count,
+      [&](std::size_t i) {
+        keys.push_back({cells.codeOf(positions[i]), static_cast<std::uint32_t>(i)});
+        for (unsigned sort = 0; sort < kSorts; ++sort) ++begins[sort][keys.back().digit(sort) + 1];
+      },
+      visitsPerUnit);
+  for (auto& before : begins) {
+    for (std::size_t digit = 1; digit < kDigits; ++digit) before[digit] += before[digit - 1];
+  }
+
+  // By one digit, the lowest first; keeps the order of equal ones.
+  std::vector<Key> sorted(count);
+  for (unsigned sort = 0; sort < kSorts; ++sort) {
+    auto& next = begins[sort];
+    work.beginPart((3.0 + sort) / kVisits);
+    co_await work.forEachId<std::size_t>(
+        count, [&](std::size_t i) { sorted[next[keys[i].digit(sort)]++] = keys[i]; },
+        visitsPerUnit);
+    keys.swap(sorted);
+  }
+  freeMemory(sorted);
+
+  std::vector<std::uint32_t> order;
+  order.reserve(count);
+  work.beginPart(1.0);
+  co_await work.forEachId<std::size_t>(
+      count, [&](std::size_t i) { order.push_back(keys[i].index); }, visitsPerUnit);
+  co_return order;
 }
 
 std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> positions) {
-  MortonSort sort(positions);
-  while (!sort.advance(positions.size())) {
-  }
-  return sort.take();
+  return Job([&](Work& work) { return mortonOrder(work, positions, 1); }).finish();
 }
 
 }  // namespace tetrafront

@@ -130,7 +130,7 @@ Task<AchievableSizes::Floor> AchievableSizes::findFloor(Work& work, const std::v
                                                         double descent) {
   SizeSites shortest(points, lengths, descent);
   work.beginPart(0.5);
-  co_await work.finish(shortest);
+  co_await shortest.build(work, 1);
   work.beginPart(1.0);
   Floor floor;
   SiteId nearest(0U);

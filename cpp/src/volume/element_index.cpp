@@ -17,27 +17,24 @@ void ElementIndex::begin(std::size_t nodeCount) {
   firstLink_.clear();
   links_.clear();
   next_ = 0;
-  stage_ = Stage::kCount;
+  if (listed_ == 0) lists_.endCounting();
 }
 
 std::size_t ElementIndex::build(std::size_t budget) {
-  const std::size_t left = listed_ - next_;
+  const std::size_t left = 2 * listed_ - next_;
   // Compare before multiplying: the product can exceed 32 bits.
   const std::size_t done = left / kElementsPerStep < budget ? left : kElementsPerStep * budget;
-  const std::size_t last = next_ + done;
-  for (; next_ < last; ++next_) {
-    for (const NodeId node : elements_.nodes[next_]) {
-      if (stage_ == Stage::kCount) {
+  for (const std::size_t last = next_ + done; next_ < last; ++next_) {
+    const bool isCounting = next_ < listed_;
+    if (next_ == listed_) lists_.endCounting();
+    const TetId element(isCounting ? next_ : next_ - listed_);
+    for (const NodeId node : elements_.nodes[element.index()]) {
+      if (isCounting) {
         lists_.count(node);
       } else {
-        lists_.add(node, TetId(next_));
+        lists_.add(node, element);
       }
     }
-  }
-  if (next_ == listed_) {
-    if (stage_ == Stage::kCount) lists_.endCounting();
-    stage_ = stage_ == Stage::kCount ? Stage::kAdd : Stage::kBuilt;
-    next_ = 0;
   }
   return 1 + done / kElementsPerStep;
 }

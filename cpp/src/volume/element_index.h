@@ -23,7 +23,7 @@ class ElementIndex {
   void begin(std::size_t nodeCount);
   /// Adds about `budget` x 100 elements to the index; returns the budget it used, at least 1.
   std::size_t build(std::size_t budget);
-  [[nodiscard]] bool isBuilt() const { return stage_ == Stage::kBuilt; }
+  [[nodiscard]] bool isBuilt() const { return next_ == 2 * listed_; }
 
   /// Returns the elements within `rings` rings of elements around the nodes, ascending, without
   /// removed ones. Stops before a ring if it already has `enough` elements. `nodes` must be
@@ -32,7 +32,6 @@ class ElementIndex {
                                           std::size_t enough);
 
  private:
-  enum class Stage : std::uint8_t { kCount, kAdd, kBuilt };
   using LinkId = Id<struct LinkTag>;
 
   void chainNew();
@@ -41,9 +40,8 @@ class ElementIndex {
 
   const Elements& elements_;
   NodeLists<TetId> lists_;
-  Stage stage_ = Stage::kBuilt;
   std::size_t listed_ = 0;         ///< number of elements in the lists
-  std::size_t next_ = 0;           ///< next element to count or add
+  std::size_t next_ = 0;           ///< elements counted and added
   std::vector<LinkId> firstLink_;  ///< per node: the last link of its chain, or none
   std::vector<LinkId> links_;  ///< four per chained element: the previous link of the node's chain
 };
