@@ -18,9 +18,6 @@ struct SampledTriangle {
   Vec3 normal;  ///< unit; zero if the triangle is degenerate
 
   explicit SampledTriangle(const std::array<Vec3, 3>& c);
-
-  /// Returns the distance from `origin` along a ray to the triangle, or nothing. `ray` is a unit vector.
-  [[nodiscard]] std::optional<double> distanceAlong(const Vec3& origin, const Vec3& ray) const;
 };
 
 class SampledTriangles {
@@ -32,13 +29,13 @@ class SampledTriangles {
   [[nodiscard]] std::size_t size() const { return triangles_.size(); }
   [[nodiscard]] const SampledTriangle& operator[](std::size_t i) const { return triangles_[i]; }
 
-  /// Returns the distance from a triangle along a ray to the next one, if that is at most `reach`, if the two are roughly
-  /// parallel, and if the gap is inside the model. `modelDiagonal` is that of the box of all triangles.
-  [[nodiscard]] std::optional<double> gapAlong(const SampledTriangle& triangle, const Vec3& ray,
-                                               double reach, double modelDiagonal) const;
+  /// Returns the distance from a triangle along a unit vector to the next one, if that is below `reach`, if the two are roughly
+  /// parallel, and if the gap is inside the model.
+  [[nodiscard]] std::optional<double> gapAlong(const SampledTriangle& triangle,
+                                               const Vec3& direction, double reach) const;
 
  private:
-  [[nodiscard]] bool isInside(const Vec3& position, double modelDiagonal) const;
+  [[nodiscard]] bool isInside(const Vec3& position) const;
 
   std::vector<SampledTriangle> triangles_;
   BoxTree tree_;

@@ -72,9 +72,9 @@ class Proposals {
  private:
   /// Returns false if there is nothing to propose a size for.
   bool chooseLimits(const ModelPreview& preview) {
-    if (const std::optional<Bounds> bounds = boundsOf(preview))
-      diagonal_ = glm::length(bounds->high - bounds->low);
-    largest_ = options_.uniform > 0.0 ? options_.uniform : kUniformPerDiagonal * diagonal_;
+    const std::optional<Bounds> bounds = boundsOf(preview);
+    const double diagonal = bounds ? glm::length(bounds->high - bounds->low) : 0.0;
+    largest_ = options_.uniform > 0.0 ? options_.uniform : kUniformPerDiagonal * diagonal;
     smallest_ = options_.smallest > 0.0 ? options_.smallest : kSmallestPerUniform * largest_;
     proposal_.size = largest_ > 0.0 && std::isfinite(largest_) ? largest_ : 0.0;
     return proposal_.size > 0.0;
@@ -183,8 +183,7 @@ class Proposals {
     if (triangle.normal == Vec3(0.0)) return;
     const double reach = largest_ * options_.elementsPerGap;
     for (const double side : {1.0, -1.0}) {
-      const std::optional<double> gap =
-          triangles.gapAlong(triangle, side * triangle.normal, reach, diagonal_);
+      const std::optional<double> gap = triangles.gapAlong(triangle, side * triangle.normal, reach);
       if (gap)
         addCandidate(SourceType::kTriangle, triangle.corners, *gap / options_.elementsPerGap);
     }
@@ -210,7 +209,6 @@ class Proposals {
 
   ProposalOptions options_;
   Model model_;
-  double diagonal_ = 0.0;
   double largest_ = 0.0;
   double smallest_ = 0.0;
   std::vector<SizeSource> candidates_;

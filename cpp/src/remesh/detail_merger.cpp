@@ -9,6 +9,7 @@
 #include "base/sort.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
+#include "geom/ray.h"
 #include "topology/mesh_access.h"
 #include "topology/surface_access.h"
 
@@ -39,20 +40,6 @@ bool isSharp(const Vec3& apex, const Vec3& a, const Vec3& b) {
   const Vec3 u = a - apex;
   const Vec3 v = b - apex;
   return glm::dot(u, v) > kPoorCosine * glm::length(u) * glm::length(v);
-}
-
-/// Returns the distance at which a ray meets a triangle, or nothing. Negative distances are behind the start.
-std::optional<double> distanceAlongRay(const Vec3& from, const Vec3& direction,
-                                       const std::array<Vec3, 3>& corners) {
-  const auto& [a, b, c] = corners;
-  const Vec3 side = glm::cross(direction, c - a);
-  const double determinant = glm::dot(b - a, side);
-  if (!(std::fabs(determinant) > 0.0)) return {};
-  const Vec3 other = glm::cross(from - a, b - a);
-  const double u = glm::dot(from - a, side) / determinant;
-  const double v = glm::dot(direction, other) / determinant;
-  if (u < 0.0 || v < 0.0 || u + v > 1.0) return {};
-  return glm::dot(c - a, other) / determinant;
 }
 
 }  // namespace
@@ -276,19 +263,17 @@ bool DetailMerger::keepsWalls(NodeId from, NodeId onto) const {
 
 /// Returns true if `depth` is more than half of the thickness at the position.
 bool DetailMerger::hasWall(const Vec3& position, const Vec3& inward, double depth) const {
-  const double reach = depth / kRemovedWall;
-  const double start = kSameSide * reference_.diagonal();
-  if (reach <= start) return false;
+  const Ray ray(position, inward, kSameSide * reference_.diagonal());
+  double limit = depth / kRemovedWall;
   bool isFound = false;
-  const Box box = Box::of(position, position + inward * reach, position);
-  reference_.tree().visitOverlaps(box, [&](std::uint32_t item) {
-    if (isFound) return;
+  reference_.tree().visitAlong(ray, limit, [&](std::uint32_t item) {
     const TriangleId t = reference_.pieces()[item].triangle;
     const double cosine = glm::dot(reference_.normalOf(t), inward);
     if ((hasInterfaces_ ? std::fabs(cosine) : cosine) < kOtherSideCosine) return;
-    const auto [a, b, c] = cornersOf(reference_.mesh(), t);
-    const std::optional<double> distance = distanceAlongRay(position, inward, {a, b, c});
-    isFound = distance && *distance > start && *distance <= reach;
+    const std::optional<double> distance = ray.distanceTo(cornersOf(reference_.mesh(), t));
+    if (!distance || !(*distance < limit)) return;
+    isFound = true;
+    limit = 0.0;  // ends the search
   });
   return isFound;
 }
