@@ -112,8 +112,8 @@ class OpenChains {
   std::vector<std::uint8_t> isOnStack_;
 };
 
-void orientPatches(SurfaceMesh& mesh) {
-  const EdgeTable edges(mesh.triangles, countNodes(mesh), {});
+/// Keeps the edges of the mesh up to date.
+void orientPatches(SurfaceMesh& mesh, EdgeTable& edges) {
   const std::uint32_t count = countTriangles(mesh);
   OpposedSets sets(count);
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
@@ -131,10 +131,14 @@ void orientPatches(SurfaceMesh& mesh) {
     const double area = areaOf(cornersOf(mesh, TriangleId(t)));
     excess[root] += isOpposite != 0 ? -area : area;
   }
+  std::vector<std::uint8_t> isFlipped(count, 0);
   for (std::uint32_t t = 0; t < count; ++t) {
     const auto [root, isOpposite] = sets.find(t);
-    if ((isOpposite != 0) != (excess[root] < 0.0)) flipTriangle(mesh, TriangleId(t));
+    if ((isOpposite != 0) == (excess[root] < 0.0)) continue;
+    isFlipped[t] = 1;
+    flipTriangle(mesh, TriangleId(t));
   }
+  edges.followFlips(isFlipped);
 }
 
 HoleCover coverOf(SurfaceMesh& mesh, const Rim& rim) {
@@ -162,8 +166,7 @@ HoleCover coverOf(SurfaceMesh& mesh, const Rim& rim) {
   return cover;
 }
 
-std::vector<FilledHole> coverHoles(SurfaceMesh& mesh) {
-  const EdgeTable edges(mesh.triangles, countNodes(mesh), {});
+std::vector<FilledHole> coverHoles(SurfaceMesh& mesh, const EdgeTable& edges) {
   const std::vector<ComponentId> componentOf = connectedComponents(mesh, edges);
   std::vector<double> area(componentOf.size(), 0.0);
   for (std::uint32_t t = 0; t < componentOf.size(); ++t) {
@@ -197,8 +200,7 @@ std::vector<FilledHole> coverHoles(SurfaceMesh& mesh) {
 }
 
 /// Flips components of negative volume, unless they are inside another one and its box.
-void orientComponents(SurfaceMesh& mesh) {
-  const EdgeTable edges(mesh.triangles, countNodes(mesh), {});
+void orientComponents(SurfaceMesh& mesh, const EdgeTable& edges) {
   const std::vector<ComponentId> componentOf = connectedComponents(mesh, edges);
   const std::size_t count = std::ranges::max_element(componentOf)->index() + 1;
   std::vector<double> volume(count, 0.0);
@@ -246,9 +248,11 @@ void orientComponents(SurfaceMesh& mesh) {
 
 std::vector<FilledHole> closeSurface(SurfaceMesh& mesh) {
   if (mesh.triangles.empty()) return {};
-  orientPatches(mesh);
-  std::vector<FilledHole> holes = coverHoles(mesh);
-  orientComponents(mesh);
+  EdgeTable edges(mesh.triangles, countNodes(mesh), {});
+  orientPatches(mesh, edges);
+  std::vector<FilledHole> holes = coverHoles(mesh, edges);
+  if (!holes.empty()) edges = EdgeTable(mesh.triangles, countNodes(mesh), {});
+  orientComponents(mesh, edges);
   return holes;
 }
 
