@@ -59,7 +59,7 @@ def check_names(mesh, patches):
 
 
 def displacements(mesh, order, fixed, pulled):
-    """Returns the displacements at the corners of the elements."""
+    """Returns the displacement of each corner of the elements."""
     element = ElementVector(ElementTetP2() if order == 2 else ElementTetP1())
     basis = Basis(mesh, element)
     stiffness = linear_elasticity(*lame_parameters(2000.0, 0.35)).assemble(basis)
@@ -75,6 +75,7 @@ def main(part, patches, order, command):
         return
     check_names(mesh, patches)
     u = displacements(mesh, order, *patches)
+    # The corners come first among the nodes of the mesh, before the middles of edges.
     corners = mesh.t[:4].T
     meshio.write_points_cells(
         "result.vtu", mesh.p[:, : len(u)].T, [("tetra", corners)], {"displacement": u}

@@ -9,9 +9,9 @@ import path from "node:path";
 import { meshFile } from "../../wasm/dist/node.js";
 import { moduleServer } from "./support/modules.mjs";
 
-const areRandom = process.argv.includes("--features");
-const COUNT = Number(process.argv[2] ?? 100);
-const FIRST = Number(process.argv[3] ?? 1);
+const words = process.argv.slice(2);
+const areRandom = words.includes("--features");
+const [COUNT = 100, FIRST = 1] = words.filter((word) => word !== "--features").map(Number);
 /** Degrees. */
 const GOOD = 20;
 
@@ -51,16 +51,16 @@ for (let seed = FIRST; seed < FIRST + COUNT; seed++) {
   if (min >= GOOD) counts.good++;
   if (report.remesh?.onFaces) counts.onFaces++;
   const filled = report.regions.reduce((sum, region) => sum + region.volume, 0);
-  const words = [];
-  if (min < GOOD) words.push(`${min.toFixed(1)}°`);
-  if (report.remesh?.onFaces !== true) words.push("not on its faces");
+  const findings = [];
+  if (min < GOOD) findings.push(`${min.toFixed(1)}°`);
+  if (report.remesh?.onFaces !== true) findings.push("not on its faces");
   const error = filled / volume - 1;
-  if (Math.abs(error) > 0.01) words.push(`volume ${(100 * error).toFixed(2)} %`);
-  const kept = report.remesh?.placement?.unplaced;
-  if (kept) words.push(`${kept} nodes beside their faces`);
-  if (words.length > 0)
+  if (Math.abs(error) > 0.01) findings.push(`volume ${(100 * error).toFixed(2)} %`);
+  const unplaced = report.remesh?.placement?.unplaced;
+  if (unplaced) findings.push(`${unplaced} nodes beside their faces`);
+  if (findings.length > 0)
     console.log(
-      `${seed} (${features.map(({ type }) => type).join(", ")}): ${report.tetrahedra} elements, ${words.join(", ")}`,
+      `${seed} (${features.map(({ type }) => type).join(", ")}): ${report.tetrahedra} elements, ${findings.join(", ")}`,
     );
 }
 await server.close();

@@ -1,6 +1,7 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage } from "./app-page";
+import { tab } from "./controls";
 
 /** Runs axe in the page only, which has no frames; otherwise axe opens another tab for each analysis. */
 async function violations(page: Page): Promise<string[]> {
@@ -18,7 +19,7 @@ for (const scheme of ["dark", "light"] as const) {
     expect(await violations(page)).toEqual([]);
     await page.getByTestId("mesh-settings").locator("summary").click();
     expect(await violations(page)).toEqual([]);
-    await page.getByTestId("tab-quality").click();
+    await tab(page, "Quality").click();
     await page.getByTestId("worst-0").click();
     expect(await violations(page)).toEqual([]);
     await page.getByRole("tab", { name: "Inspector" }).click();
@@ -30,7 +31,7 @@ for (const scheme of ["dark", "light"] as const) {
     await expect(page.getByTestId("mesh-badge")).toBeVisible();
     await page.getByRole("tab", { name: "Display" }).click();
     expect(await violations(page)).toEqual([]);
-    await page.getByTestId("tab-examples").click();
+    await tab(page, "Examples").click();
     await page.getByRole("tab", { name: "Problems" }).click();
     expect(await violations(page)).toEqual([]);
   });

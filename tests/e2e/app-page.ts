@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { expect, type Locator, type Page } from "@playwright/test";
 import { inflateSync } from "node:zlib";
 import { readProject, type Project } from "tetrafront/project";
+import { generateButton, tab } from "./controls";
 
 /** Number of tetrahedra and fingerprint of the app's mesh, as stored in attributes of the page. */
 export interface MeshState {
@@ -96,7 +97,7 @@ export class AppPage {
 
   async openExample(id: string): Promise<MeshState> {
     const before = await this.mesh();
-    await this.page.getByTestId("tab-examples").click();
+    await tab(this.page, "Examples").click();
     await this.page.getByTestId(`example-${id}`).click();
     await expect(this.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
     return this.meshed();
@@ -148,7 +149,7 @@ export class AppPage {
   }
 
   async generate(): Promise<MeshState> {
-    await this.page.getByTestId("generate").click();
+    await generateButton(this.page).click();
     return this.meshed();
   }
 

@@ -2,6 +2,7 @@ import { expect, test, type Page } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { readProject } from "tetrafront/project";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
+import { generateButton, tab, undoButton } from "./controls";
 
 async function command(page: Page, name: string): Promise<void> {
   await page.keyboard.press("Control+k");
@@ -31,7 +32,7 @@ test("a source can be added, edited and deleted; it is drawn and refines the mes
   await expect(page.getByTestId("tree-source-1")).toBeHidden();
   // Without the source, the app shows the earlier mesh, which it has kept.
   expect(await app.meshed()).toEqual(before);
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   expect(await app.meshed()).toEqual(finer);
 });
 
@@ -118,7 +119,7 @@ test("a covering grid solves the problem of a model outside the background grid"
   await expect(group).toContainText("Outside background grid");
   // While it is being built, the background grid need not cover the model.
   await expect(page.getByTestId("marker-0")).toBeHidden();
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   await expect(page.getByTestId("marker-0")).toBeVisible();
   await command(page, "Create covering grid");
   const dialog = page.getByRole("dialog", { name: "Create covering grid" });
@@ -144,7 +145,7 @@ test("a quick fix enlarges a covering grid around a model that has grown, as one
   await expect(group).toBeVisible();
   await page.getByTestId("fix-outside-background-grid").first().click();
   await expect(group).toBeHidden();
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await expect(group).toBeVisible();
 });
 
@@ -163,7 +164,7 @@ test("a uniform size replaces the background grid and removes its problems", asy
   const sizes = page.getByTestId("element-size");
   await sizes.getByText("Background grid").click();
   await expect(page.getByTestId("problems-outside-background-grid")).toBeVisible();
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   expect(await app.meshed()).toEqual(finer);
   // The size is remembered.
   await sizes.getByText("Background grid").click();
@@ -242,7 +243,7 @@ test("a node and a tetrahedron can be added to the background grid, and a stretc
 test("the table of patches and the inspector show the same statistics of a patch", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await page.getByTestId("tab-patches").click();
+  await tab(page, "Patches").click();
   const table = page.getByTestId("patch-table");
   await expect(table.locator("tbody tr")).toHaveCount(6);
   await table.getByRole("button", { name: "top" }).click();

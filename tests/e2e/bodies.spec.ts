@@ -10,6 +10,7 @@ import { boxSurface, steppedBlock } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
+import { generateButton, redoButton } from "./controls";
 
 const plate = { half: 5, thickness: 1, radius: 2, corners: 24 } as const;
 const surface = plateSurface(plate);
@@ -143,7 +144,7 @@ test("a broken STL shows its problems and is repaired", async ({ page }) => {
   await page.getByRole("button", { name: /^Undo: Repair/ }).click();
   await expect(problems).toBeVisible();
   await expect(repairs).toBeHidden();
-  await page.getByTestId("redo").click();
+  await redoButton(page).click();
   await page.reload();
   await page.getByTestId("tree-body-1").click();
   await expect(repairs.getByTestId("repaired-flipped-triangle")).toHaveText("1 triangle flipped");
@@ -526,7 +527,7 @@ test("a body with a hole that overlaps another is repaired and joined by one Gen
     "whole.stl": stlBinary(whole),
   });
   await expect(page.getByTestId("tree-body-2")).toContainText("whole");
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   await expect(app.viewport).toHaveAttribute("data-busy", "true");
   await app.meshed();
   await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");

@@ -8,6 +8,7 @@ import { boxSurface, sphereSurface } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
+import { undoButton } from "./controls";
 
 const previewed = (page: Page): Promise<void> =>
   expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
@@ -58,7 +59,7 @@ test("the outer ring of the handles rotates a body about the view's direction, a
   // About a quarter turn.
   expect((2 * Math.acos(Math.abs(w)) * 180) / Math.PI).toBeGreaterThan(60);
   expect((2 * Math.acos(Math.abs(w)) * 180) / Math.PI).toBeLessThan(120);
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   expect(await angles()).toEqual([0, 0, 0]);
   await expect(page.getByTestId("body-placement")).toBeVisible();
 });
@@ -98,8 +99,8 @@ test("typed numbers move and rotate a body at its middle: Tab goes to the next n
   await expect.poll(() => numbers("position")).toEqual([11.5, 3, 0]);
   await page.keyboard.press("Escape");
   await expect(handles.getByRole("radio", { name: "None" })).toBeChecked();
-  await page.getByTestId("undo").click();
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
+  await undoButton(page).click();
   await expect.poll(() => numbers("position")).toEqual([0, 0, 0]);
 });
 

@@ -5,6 +5,7 @@ import { defectsOf, meshVolume, NO_DEFECTS } from "../support/check-mesh";
 import { parseVtu } from "../support/mesh-files";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
 import { downloadMesh } from "./downloads";
+import { generateButton, undoButton } from "./controls";
 
 /** Saves the project in the app and returns it. */
 async function savedProject(page: Page): Promise<Project> {
@@ -98,7 +99,7 @@ test("a tetrahedron can be drawn in an empty project, meshed and undone", async 
     [3, 4],
   ]);
   expect(patches.map(({ loops }) => loops[0]?.length)).toEqual([3, 3, 3, 3]);
-  for (let i = 0; i < 4; ++i) await page.getByTestId("undo").click();
+  for (let i = 0; i < 4; ++i) await undoButton(page).click();
   await expect(page.getByTestId("tree-patch-1")).toBeHidden();
   await expect(page.getByRole("button", { name: "Undo: Add line 6" })).toBeEnabled();
 });
@@ -122,10 +123,10 @@ test("a new project is empty, and new entities appear in the view", async ({ pag
   await nextFrame(app.viewport, () => page.keyboard.press("a"));
   await page.keyboard.press("Escape");
   await expect.poll(() => app.colours()).toBeGreaterThan(points);
-  for (let i = 0; i < 6; ++i) await page.getByTestId("undo").click();
+  for (let i = 0; i < 6; ++i) await undoButton(page).click();
   await expect(page.getByTestId("model-tree")).toContainText("This project is empty.");
   // Undo never leads to another project.
-  await expect(page.getByTestId("undo")).toBeDisabled();
+  await expect(undoButton(page)).toBeDisabled();
 });
 
 for (const button of ["add", "add-next"]) {
@@ -155,7 +156,7 @@ for (const button of ["add", "add-next"]) {
     await expect(dialog).toBeHidden();
     await expect(page.getByTestId("position-x")).toHaveValue("7.5");
     await page.getByRole("button", { name: "Undo: Add point 9" }).click();
-    await expect(page.getByTestId("undo")).toBeDisabled();
+    await expect(undoButton(page)).toBeDisabled();
   });
 }
 
@@ -181,13 +182,13 @@ test("the dialogs for sizes apply with Enter, but not while a number is invalid"
       await expect(input).toBeFocused();
       await expect(input).toHaveAttribute("aria-invalid", "true");
     }
-    await expect(page.getByTestId("undo")).toBeDisabled();
+    await expect(undoButton(page)).toBeDisabled();
     await input.fill(before);
     await input.press("Enter");
     await expect(input).toBeHidden();
-    await expect(page.getByTestId("undo")).toBeEnabled();
-    await page.getByTestId("undo").click();
-    await expect(page.getByTestId("undo")).toBeDisabled();
+    await expect(undoButton(page)).toBeEnabled();
+    await undoButton(page).click();
+    await expect(undoButton(page)).toBeDisabled();
   }
 });
 
@@ -295,7 +296,7 @@ test("each type of patch states which lines it needs and why the present lines d
   await page.getByRole("option", { name: /^Barnhill/ }).click();
   await expect(page.getByTestId("inspector")).toContainText("Needs three lines; found 4 lines.");
   await expect(page.getByTestId("inspector").locator("[data-code=wrong-line-count]")).toBeVisible();
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await expect(page.getByTestId("inspector").locator("[data-code]")).toHaveCount(0);
 });
 
@@ -478,7 +479,7 @@ test("a pasted list becomes points; a drawn and extruded solid needs no size by 
   await choose(page, "line", [1, 2, 3, 4]);
   await page.getByTestId("create-patch-planar").click();
   // Without a closed surface, the run reports errors, and the status says so until they are mended.
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   const status = page.getByTestId("status").getByRole("status").first();
   await expect(status).toHaveText("The model has errors");
   await choose(page, "patch", [1]);
@@ -493,7 +494,7 @@ test("a pasted list becomes points; a drawn and extruded solid needs no size by 
   await page.getByTestId("accept").click();
   await expect(app.viewport).toHaveAttribute("data-patches", "6");
   await expect(status).not.toHaveText("The model has errors");
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   await app.meshed();
 });
 
@@ -563,7 +564,7 @@ test("a complete model without sizes is meshed with a size that fits it, as a st
   await app.openFile("sizeless.json", JSON.stringify({ ...cube, name: "Sizeless" }));
   await expect(page.getByTestId("project-name")).toHaveValue("Sizeless");
   await expect(app.viewport).toHaveAttribute("data-problems", /[1-9]/);
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   await app.meshed();
-  await expect(page.getByTestId("undo")).toHaveAccessibleName(/Set uniform size/);
+  await expect(undoButton(page)).toHaveAccessibleName(/Set uniform size/);
 });

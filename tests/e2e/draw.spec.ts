@@ -2,6 +2,7 @@ import { expect, test } from "@playwright/test";
 import { meshVolume, NO_DEFECTS } from "../support/check-mesh";
 import { DrawPage } from "./draw-page";
 import type { Position } from "./app-page";
+import { generateButton } from "./controls";
 
 const { extraFaces: _, ...noDefects } = NO_DEFECTS;
 
@@ -160,7 +161,7 @@ test("open edges are one quiet count until a mesh is asked for", async ({ page }
   await expect(list.getByRole("img", { name: "To do" })).not.toHaveCount(0);
   await expect(list.getByRole("img", { name: "Error" })).toHaveCount(0);
   await expect(icon).toHaveAttribute("data-severity", "expected");
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   await expect(list.getByRole("img", { name: "Error" })).not.toHaveCount(0);
   await expect(list.getByRole("img", { name: "To do" })).toHaveCount(0);
   await expect(icon).not.toHaveAttribute("data-severity", "expected");

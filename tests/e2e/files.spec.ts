@@ -5,6 +5,7 @@ import { parseMsh, parseVtu } from "../support/mesh-files";
 import { polyMeshDefects, readPolyMesh } from "../support/poly-mesh";
 import { AppPage, sampleProject } from "./app-page";
 import { chooseFormat } from "./downloads";
+import { undoButton } from "./controls";
 
 interface Downloaded {
   readonly name: string;
@@ -157,7 +158,7 @@ test("an immediate reload keeps the last edit, and the last undo", async ({ page
   await app.select("background-node-1");
   await app.type("node-size", "0.3");
   await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await reloaded();
   await expect(size).toHaveValue("0.16");
   await app.type("node-size", "0.2");

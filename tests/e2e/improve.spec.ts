@@ -5,6 +5,7 @@ import { sphereSurface } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { dropBytes } from "./drop-bytes";
 import { downloadMesh } from "./downloads";
+import { generateButton, redoButton, undoButton } from "./controls";
 
 /** A sphere as the front left it, with two named patches. */
 async function roughMesh(size: number): Promise<Mesh> {
@@ -57,10 +58,10 @@ test("a mesh file is opened, improved, downloaded with its names, and restored b
   expect(written.triangles.map(({ name }) => name).toSorted()).toEqual(["north", "south"]);
   expect(written.triangles.flatMap(({ elements }) => elements)).toHaveLength(mesh.triangles.length / 3);
 
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   expect(await smallestAngle(page)).toBe(before);
   await expect(page.getByTestId("improvement-result")).toBeHidden();
-  await page.getByTestId("redo").click();
+  await redoButton(page).click();
   expect(await smallestAngle(page)).toBe(after);
   // The first improvement has left little to gain.
   const notice = page.getByTestId("notice-improvement");
@@ -96,11 +97,11 @@ test("a stopped improvement keeps a valid mesh, and Generate meshes the boundary
   await expect(app.viewport).toHaveAttribute("data-status", "done");
   await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "inspected");
 
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   const { tets } = await app.meshed();
   expect(tets).not.toBe(mesh.tetrahedra.length / 4);
   await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "passed");
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "inspected");
 });
 
@@ -114,7 +115,7 @@ test("the mesh just generated is improved from the Mesh menu", async ({ page }) 
   await expect(page.getByTestId("improvement")).toContainText("Improved");
   // The verdict is that of the improved mesh, not of the run.
   await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "inspected");
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await expect(page.getByTestId("verdict")).toHaveAttribute("data-verdict", "passed");
 });
 

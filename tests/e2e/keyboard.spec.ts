@@ -1,5 +1,6 @@
 import { expect, test } from "@playwright/test";
 import { AppPage } from "./app-page";
+import { toggle } from "./controls";
 
 test("a model can be opened, edited, meshed and undone without a mouse", async ({ page }) => {
   const app = new AppPage(page);
@@ -52,7 +53,7 @@ test("menus work with the keyboard, and single-key hotkeys do nothing while the 
   await page.keyboard.press("Enter");
   await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeChecked();
   await page.keyboard.press("Escape");
-  const cut = page.getByTestId("cut-toggle");
+  const cut = toggle(page, "Cut");
   await page.getByLabel("Filter (name, type, id)").fill("x");
   await expect(cut).not.toBeChecked();
   await page.getByTestId("viewport-canvas").focus();
@@ -150,7 +151,7 @@ test("a second Ctrl K leaves a palette open that has not appeared yet, and its k
   await page.keyboard.press("x");
   release();
   await expect(page.getByRole("textbox", { name: "Search commands" })).toHaveValue("xx");
-  await expect(page.getByTestId("cut-toggle")).not.toBeChecked();
+  await expect(toggle(page, "Cut")).not.toBeChecked();
 });
 
 test("keys are the palette's even if the focus returns to where it was before", async ({ page }) => {
@@ -174,7 +175,7 @@ test("keys are the palette's even if the focus returns to where it was before", 
   await expect(palette).toBeHidden();
   await page.getByRole("tab", { name: "Display" }).click();
   await expect(page.getByRole("radio", { name: "Plain" })).toBeChecked();
-  await expect(page.getByTestId("cut-toggle")).not.toBeChecked();
+  await expect(toggle(page, "Cut")).not.toBeChecked();
 });
 
 test("hotkeys win over the button that has the focus, also after a command of a menu", async ({ page }) => {
@@ -205,7 +206,7 @@ test("hotkeys win over the button that has the focus, also after a command of a 
   // The letters of hotkeys do not search the names of closed menus.
   await page.getByRole("menuitem", { name: "View" }).focus();
   await page.keyboard.press("x");
-  await expect(page.getByTestId("cut-toggle")).toBeChecked();
+  await expect(toggle(page, "Cut")).toBeChecked();
   await page.keyboard.press("e");
   await expect(page.getByRole("menuitem", { name: "View" })).toBeFocused();
   // Ctrl Enter opens no list, and closes one.
@@ -223,7 +224,7 @@ test("hotkeys win over the button that has the focus, also after a command of a 
   await page.getByTestId("cut-button").focus();
   await page.keyboard.press("Control+Enter");
   await app.meshed();
-  await expect(page.getByTestId("cut-toggle")).toBeChecked();
+  await expect(toggle(page, "Cut")).toBeChecked();
 });
 
 test("hotkeys keep working if the palette cannot be loaded", async ({ page }) => {

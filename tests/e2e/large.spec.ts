@@ -4,6 +4,7 @@ import { writeProject, type Project } from "tetrafront/project";
 import { gridMesh } from "../unit/web/grid-mesh";
 import { AppPage, sampleProject } from "./app-page";
 import { chooseFormat } from "./downloads";
+import { flipButton } from "./controls";
 
 /** Script of the worker that finds the faces and quality of large meshes; the tests delay it or make it fail. */
 const queryWorkerScript = /mesh-query-worker-.*\.js$/;
@@ -23,7 +24,7 @@ test("the page stays responsive until the faces of the mesh are found, and then 
   await expect(page.getByTestId("quality-histogram-facts")).toContainText("min –");
   await page.keyboard.press("x");
   await page.keyboard.press("z");
-  await page.getByTestId("cut-flip").click();
+  await flipButton(page).click();
   await page.getByRole("tab", { name: "Display" }).click();
   await expect(page.getByRole("switch", { name: "Mesh", exact: true })).toBeChecked();
 
@@ -31,9 +32,9 @@ test("the page stays responsive until the faces of the mesh are found, and then 
   await app.drawn();
   const cut = Number(await app.viewport.getAttribute("data-faces"));
   expect(cut).toBeGreaterThan(0);
-  await page.getByTestId("cut-flip").click();
+  await flipButton(page).click();
   await app.drawn();
-  await page.getByTestId("cut-flip").click();
+  await flipButton(page).click();
   await app.drawn();
   expect(Number(await app.viewport.getAttribute("data-faces"))).toBe(cut);
   await page.getByRole("tab", { name: "Inspector" }).click();

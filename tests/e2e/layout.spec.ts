@@ -1,6 +1,7 @@
 import { expect, test, type Locator } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { DrawPage } from "./draw-page";
+import { generateButton, tab } from "./controls";
 
 test("on a phone the panels are drawers, and everything needed can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -34,7 +35,7 @@ test("on a phone the panels are drawers, and everything needed can be reached", 
 
   const before = await app.mesh();
   await page.getByTestId("drawer-left").click();
-  await page.getByTestId("tab-examples").click();
+  await tab(page, "Examples").click();
   await page.getByTestId("example-unit-cube").click();
   await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
   await app.meshed();
@@ -447,7 +448,7 @@ test("on a phone the number of problems is beside the button of their list, and 
   await page.keyboard.press("Delete");
   await expect(button).toHaveAccessibleName("Log and problems: 4");
   await expect(button).toContainText("4");
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   await page.getByTestId("marker-0").click();
   await expect(drawer).toContainText("The surface is not closed");
   // The view with the problem is above the drawer.
@@ -501,7 +502,7 @@ test("the header fits at every width, both idle and during a run", async ({ page
     const layout = width < 700 ? "phone" : width < 1100 ? "narrow" : "wide";
     await expect(page.getByTestId("app")).toHaveAttribute("data-layout", layout);
     expect(await overflow(), `at ${width} pixels`).toBeLessThanOrEqual(0);
-    const generate = await page.getByTestId("generate").boundingBox();
+    const generate = await generateButton(page).boundingBox();
     expect((generate?.x ?? width) + (generate?.width ?? 0), `at ${width} pixels`).toBeLessThanOrEqual(width);
   }
 });
@@ -546,7 +547,7 @@ test("a part of the app that cannot be loaded is reported, and the rest keeps wo
   await page.route(/later-panels-.*\.js$/, (route) => route.abort());
   const app = new AppPage(page);
   const before = await app.openCube();
-  await page.getByTestId("tab-quality").click();
+  await tab(page, "Quality").click();
   await expect(page.getByRole("alert")).toContainText("could not be loaded");
   await page.getByRole("tab", { name: "Inspector" }).click();
   await expect(page.getByTestId("project-name")).toHaveValue("Unit cube");
@@ -558,7 +559,7 @@ test("parts of the app that load later are available offline", async ({ page, co
   await new AppPage(page).openCube();
   await (await fetched).finished();
   await context.setOffline(true);
-  await page.getByTestId("tab-quality").click();
+  await tab(page, "Quality").click();
   await expect(page.getByTestId("verdict")).toContainText("Verified");
 });
 
@@ -591,7 +592,7 @@ test("on a phone, numbers of tables and labels of charts keep to one line, and a
   expect(await drawer.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
   await page.keyboard.press("Escape");
   await page.getByTestId("drawer-right").click();
-  await page.getByTestId("tab-quality").click();
+  await tab(page, "Quality").click();
   await expect(page.getByTestId("worst-0")).toBeVisible();
   expect(await broken('[data-testid="worst"] td, [data-testid^="chart-"] span')).toEqual([]);
 });

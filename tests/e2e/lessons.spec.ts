@@ -4,6 +4,7 @@ import { expect, test, type Locator, type Page } from "@playwright/test";
 import { readFileSync } from "node:fs";
 import { parseLesson, type Lesson, type LessonTask } from "../../web/teach/lessons/lesson";
 import { listOf } from "../../web/teach/lessons/lesson-files";
+import { button, choice, nextStop, playButton, stopBefore, tab } from "./controls";
 
 const folder = new URL("../../public/lessons/", import.meta.url);
 const fileText = (name: string): string => readFileSync(new URL(name, folder), "utf8");
@@ -34,7 +35,7 @@ const stepOf = async (page: Page): Promise<number> =>
 async function playToEnd(page: Page): Promise<void> {
   const steps = Number(await page.getByTestId("viewport").getAttribute("data-steps"));
   await expect(async () => {
-    await page.getByTestId("player-end").click();
+    await button(page, "Last state of the phase").click();
     expect(await stepOf(page)).toBe(steps);
   }).toPass();
 }
@@ -44,13 +45,13 @@ async function complete(page: Page, asked: LessonTask, number: number): Promise<
   switch (asked.kind) {
     case "step":
       if (asked.reach === "end") return playToEnd(page);
-      await page.getByTestId("player-kind").selectOption(asked.reach);
+      await choice(page, "Jump to").selectOption(asked.reach);
       // Lines and patches come before the volume.
       if (["line", "patch"].includes(asked.reach) && (await stepOf(page)) >= 0) {
-        await page.getByTestId("player-before").click();
+        await stopBefore(page).click();
         return;
       }
-      await page.getByTestId("player-next").click();
+      await nextStop(page).click();
       return;
     case "color":
       await page.getByTestId("player-coloring").selectOption(asked.coloring);
@@ -92,7 +93,7 @@ lessons.forEach((lesson, index) => {
     expect(await violations(page)).toEqual([]);
     // Progress survives a reload.
     await page.goto("./?test=1&new=1");
-    await page.getByTestId("tab-lessons").click();
+    await tab(page, "Lessons").click();
     await expect(page.getByTestId(`lesson-${index + 1}`)).toContainText("done");
   });
 });
@@ -186,21 +187,21 @@ test("lesson 8 draws the heap of the front at every step, with the next base fac
 test("the lens has the numbers of the ideal point and of a distance that is too short", async ({ page }) => {
   await open(page, "&lesson=4");
   await expect(front(page)).toHaveAttribute("data-shown", "true");
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
   // Those that the lesson states for step 100.
   await expect(page.getByTestId("lens-ideal")).toContainText("R=0.091");
   await expect(page.getByTestId("lens-ideal")).toContainText("=0.126");
-  await page.getByTestId("player-kind").selectOption("too-close");
-  await page.getByTestId("player-next").click();
+  await choice(page, "Jump to").selectOption("too-close");
+  await nextStop(page).click();
   await expect(page.getByTestId("lens-refusal")).toContainText("<0.35");
 });
 
 test("the lens shows a node behind its base face, and the volume that is not positive", async ({ page }) => {
   await open(page, "&lesson=10");
   await expect(front(page)).toHaveAttribute("data-shown", "true");
-  await page.getByTestId("tab-front").click();
-  await page.getByTestId("player-kind").selectOption("behind");
-  await page.getByTestId("player-next").click();
+  await tab(page, "Front").click();
+  await choice(page, "Jump to").selectOption("behind");
+  await nextStop(page).click();
   const sentence = page.getByTestId("lens-sentence");
   await expect(sentence).toContainText("was refused: it is behind the base face, or in its plane");
   const name = /Node ([\d,]+)/.exec((await sentence.textContent()) ?? "")?.[1] ?? "none";
@@ -213,8 +214,8 @@ test("the lens shows a node behind its base face, and the volume that is not pos
 test("a task is done by a step that a fast player has passed", async ({ page }) => {
   await open(page, "&lesson=6");
   await expect(front(page)).toHaveAttribute("data-shown", "true");
-  await page.getByTestId("player-speed").selectOption("10000");
-  await page.getByTestId("player-play").click();
+  await choice(page, "Speed").selectOption("10000");
+  await playButton(page).click();
   await expect(task(page, 1)).toHaveAttribute("data-done", "true");
 });
 
@@ -247,11 +248,11 @@ test("wrong answers get a hint, and the right one counts after them", async ({ p
 test("another model ends the front of the lesson, and the lesson brings it back", async ({ page }) => {
   await open(page, "&lesson=4");
   await expect(front(page)).toHaveAttribute("data-shown", "true");
-  await page.getByTestId("player-close").click();
+  await button(page, "Show the model").click();
   await expect(front(page)).toHaveAttribute("data-shown", "false");
   await page.getByTestId("lesson-show").click();
   await expect(front(page)).toHaveAttribute("data-shown", "true");
-  await page.getByTestId("player-start").click();
+  await button(page, "First state of the phase").click();
   await page.getByTestId("lesson-show").click();
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", String(lessons[3]?.step));
 });
@@ -266,7 +267,7 @@ test("an address with a lesson that does not exist shows the list", async ({ pag
 test("a lesson with errors is named in the list, and does not hide the others", async ({ page }) => {
   await page.route("**/lessons/front.md", (route) => route.fulfill({ body: "---\ntitle: A\n---\nText." }));
   await open(page, "&new=1");
-  await page.getByTestId("tab-lessons").click();
+  await tab(page, "Lessons").click();
   await expect(page.getByTestId("lesson-errors")).toContainText(
     'front.md: field "model" is missing; add it.',
   );
@@ -454,8 +455,8 @@ test("the model of a lesson is not edited, and the app says why", async ({ page 
 test("the lens shows its formulas without scrolling", async ({ page }) => {
   await open(page, "&lesson=6");
   await expect(front(page)).toHaveAttribute("data-shown", "true");
-  await page.getByTestId("player-kind").selectOption("crosses");
-  await page.getByTestId("player-next").click();
+  await choice(page, "Jump to").selectOption("crosses");
+  await nextStop(page).click();
   const formula = page.getByTestId("lens-formula");
   await expect(formula.locator(".katex").last()).toBeInViewport({ ratio: 1 });
   await expect(formula.getByRole("heading")).toBeInViewport({ ratio: 1 });
@@ -465,12 +466,12 @@ test("the lens shows its formulas without scrolling, however long its sentences 
   await page.setViewportSize({ width: 1440, height: 900 });
   await open(page, "&lesson=10");
   await expect(front(page)).toHaveAttribute("data-shown", "true");
-  await page.getByTestId("player-kind").selectOption("crosses");
+  await choice(page, "Jump to").selectOption("crosses");
   const formula = page.getByTestId("lens").locator(".katex").last();
   await expect(formula).toBeInViewport({ ratio: 1 });
   for (let i = 0; i < 24; i++) {
     const before = (await page.getByTestId("lens").textContent()) ?? "";
-    await page.getByTestId("player-next").click();
+    await nextStop(page).click();
     await expect(page.getByTestId("lens")).not.toHaveText(before);
     await expect(formula).toBeInViewport({ ratio: 1 });
   }

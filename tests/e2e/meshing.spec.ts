@@ -1,6 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { createMesher } from "tetrafront";
 import { AppPage, sampleProject } from "./app-page";
+import { generateButton, redoButton, toggle, undoButton } from "./controls";
 
 test("the app opens with a meshed model and shows its numbers of elements", async ({ page }) => {
   const app = new AppPage(page);
@@ -52,12 +53,12 @@ test("moving a point makes the mesh stale, meshing again changes it, and undo re
   await expect(page.getByTestId("mesh-badge")).toBeHidden();
   for (const patch of [6, 4, 2]) {
     await expect(page.getByRole("button", { name: `Undo: Change type of patch ${patch}` })).toBeEnabled();
-    await page.getByTestId("undo").click();
+    await undoButton(page).click();
   }
   await page.getByRole("button", { name: "Undo: Move point 7" }).click();
   // The app has kept the old mesh: no second run is needed.
   expect(await app.meshed()).toEqual(before);
-  await page.getByTestId("redo").click();
+  await redoButton(page).click();
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
 });
 
@@ -89,7 +90,7 @@ test("the arrow keys step a number, and a held key is one step of undo", async (
     await expect(size).toHaveValue(value);
   }
   await page.keyboard.up("ArrowDown");
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await expect(size).toHaveValue("0.16");
   await size.press("Shift+ArrowUp");
   await expect(size).toHaveValue("0.26");
@@ -108,7 +109,7 @@ test("a long run shows progress and can be cancelled", async ({ page }) => {
   await page.getByTestId("cancel").click();
   await expect(app.viewport).toHaveAttribute("data-busy", "false");
   await expect(page.getByTestId("log")).toContainText("Cancelled after");
-  await expect(page.getByTestId("generate")).toBeEnabled();
+  await expect(generateButton(page)).toBeEnabled();
 });
 
 test("while a run is active, its Cancel is where Generate mesh was; a double click does not cancel", async ({
@@ -116,7 +117,7 @@ test("while a run is active, its Cancel is where Generate mesh was; a double cli
 }) => {
   const app = new AppPage(page);
   await app.openCube();
-  const generate = page.getByTestId("generate");
+  const generate = generateButton(page);
   const cancel = page.getByTestId("cancel-run");
   await page.getByText("Uniform", { exact: true }).click();
   await app.type("uniform-size", "0.02");
@@ -136,18 +137,18 @@ test("the mesh just made is seen as such, and the worst element is not buried in
   await app.openCube();
   await page.getByTestId("tree-patch-1").click();
   await page.keyboard.press("Shift+D");
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   await app.meshed();
   await expect(page.locator('[aria-selected="true"][role="treeitem"]')).toHaveCount(0);
   await page.getByRole("menuitem", { name: "Mesh", exact: true }).click();
   await expect(page.getByRole("menuitemcheckbox", { name: "Show target sizes" })).not.toBeChecked();
   await page.keyboard.press("Escape");
 
-  await expect(page.getByTestId("cut-toggle")).not.toBeChecked();
+  await expect(toggle(page, "Cut")).not.toBeChecked();
   await page.keyboard.press("Control+k");
   await page.keyboard.type("worst");
   await page.keyboard.press("Enter");
-  await expect(page.getByTestId("cut-toggle")).toBeChecked();
+  await expect(toggle(page, "Cut")).toBeChecked();
   await app.drawn();
   await expect(page.getByTestId("inspector")).toContainText(/tetrahedron|element/i);
 });

@@ -5,6 +5,7 @@ import { cubeProject } from "../support/projects";
 import { boxSurface } from "../support/surfaces";
 import { downloaded } from "./downloads";
 import { dropBytes } from "./drop-bytes";
+import { tab } from "./controls";
 
 test("a parameter moves the points whose coordinates use it; the file keeps it", async ({ page }) => {
   const app = new AppPage(page);
@@ -118,7 +119,7 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await row.click();
   await expect(page.getByText("2 entities selected")).toBeVisible();
 
-  await page.getByTestId("tab-history").click();
+  await tab(page, "History").click();
   const history = page.getByTestId("history");
   await expect(history.getByRole("button")).toHaveText([
     "As opened",

@@ -4,6 +4,7 @@ import { measured } from "../support/mesh-measures";
 import { countActions, expectActions } from "./actions";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
+import { undoButton } from "./controls";
 
 /** Opens an empty project, and counts the actions of the user from then on. */
 class PiecesPage {
@@ -198,7 +199,7 @@ test("Escape closes the panel and restores the project", async ({ page }) => {
   await pieces.press("Escape");
   await expect(pieces.panel).toBeHidden();
   await expect(pieces.row("patch-6")).toBeHidden();
-  await expect(page.getByTestId("undo")).toBeDisabled();
+  await expect(undoButton(page)).toBeDisabled();
 
   await pieces.start("Box…");
   const width = page.getByTestId("operation-width");
@@ -209,5 +210,5 @@ test("Escape closes the panel and restores the project", async ({ page }) => {
   await width.fill("2");
   await page.keyboard.press("Escape");
   await expect(pieces.panel).toBeHidden();
-  await expect(page.getByTestId("undo")).toBeDisabled();
+  await expect(undoButton(page)).toBeDisabled();
 });

@@ -5,6 +5,7 @@ import { readTrace } from "tetrafront/trace";
 import { boxSurface } from "../support/surfaces";
 import { starSurface, starTrace } from "../support/traces";
 import { AppPage, sampleProject } from "./app-page";
+import { button, choice, nextStop, playButton, recordButton, slider, stopBefore, tab } from "./controls";
 
 const star = Buffer.from(
   starTrace({
@@ -33,7 +34,7 @@ function hideLabels(page: Page): Promise<void> {
 async function openTrace(page: Page, content: Buffer): Promise<AppPage> {
   const app = new AppPage(page);
   await app.openCube();
-  await page.getByTestId("tab-front").click();
+  await tab(page, "Front").click();
   await chooseTrace(page, content);
   return app;
 }
@@ -58,19 +59,19 @@ test("an incomplete mesh is not spoken of while a trace is shown in its place", 
   await page.getByTestId("cancel").click();
   const badge = page.getByTestId("mesh-badge");
   await expect(badge).toContainText(/Cancelled at [\d,]+ of about [\d,]+ tetrahedra/);
-  await page.getByTestId("tab-front").click();
+  await tab(page, "Front").click();
   await chooseTrace(page, star);
   await expect(app.viewport).toHaveAttribute("data-step", "0");
   await expect(badge).toHaveCount(0);
-  await page.getByTestId("player-close").click();
+  await button(page, "Show the model").click();
   await expect(badge).toContainText(/Cancelled at [\d,]+ of about [\d,]+ tetrahedra/);
 });
 
 test("the front of the unit cube is recorded, played, and stepped through", async ({ page }) => {
   const app = new AppPage(page);
   const { fingerprint } = await app.openCube();
-  await page.getByTestId("tab-front").click();
-  await page.getByTestId("player-record").click();
+  await tab(page, "Front").click();
+  await recordButton(page).click();
   const { viewport } = app;
   await expect(viewport).toHaveAttribute("data-step", "0");
   const steps = Number(await viewport.getAttribute("data-steps"));
@@ -78,14 +79,14 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   expect(steps).toBeGreaterThan(100);
   expect(faces).toBeGreaterThan(100);
 
-  await page.getByTestId("player-forward").click();
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
+  await button(page, "Step forward").click();
   await expect(viewport).toHaveAttribute("data-step", "2");
-  await page.getByTestId("player-back").click();
+  await button(page, "Step back").click();
   await expect(viewport).toHaveAttribute("data-step", "1");
   await expect(page.getByTestId("lens-sentence")).toContainText("element 0 over the base face");
 
-  const scrub = page.getByTestId("player-scrub");
+  const scrub = slider(page, "Step of the front");
   await scrub.focus();
   await page.keyboard.press("PageUp");
   await expect(scrub).toHaveAttribute("aria-valuenow", "101");
@@ -97,8 +98,8 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   await page.keyboard.press("Home");
   await expect(viewport).toHaveAttribute("data-front-faces", String(faces));
 
-  await page.getByTestId("player-kind").selectOption("crosses");
-  await page.getByTestId("player-next").click();
+  await choice(page, "Jump to").selectOption("crosses");
+  await nextStop(page).click();
   await expect(page.getByTestId("lens-sentence")).toContainText(/would cut/);
   await expect(page.getByTestId("lens-what-if")).toContainText("it would cross face");
   // Its front is shown, without what the step has made, until the accepted candidate is chosen.
@@ -116,16 +117,16 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
     "Layer (c) finds the crossing: the side from node",
   );
 
-  await page.getByTestId("player-speed").selectOption("10000");
-  await page.getByTestId("player-play").click();
+  await choice(page, "Speed").selectOption("10000");
+  await playButton(page).click();
   await expect(viewport).toHaveAttribute("data-step", String(steps));
   expect(await violations(page)).toEqual([]);
 
   const download = page.waitForEvent("download");
-  await page.getByTestId("player-save").click();
+  await button(page, "Save trace").click();
   expect((await download).suggestedFilename()).toBe("unit-cube.tft");
 
-  await page.getByTestId("player-close").click();
+  await button(page, "Show the model").click();
   await expect(viewport).not.toHaveAttribute("data-steps");
   // Recording leaves the mesh as it is.
   expect((await app.mesh()).fingerprint).toBe(fingerprint);
@@ -134,8 +135,8 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
 test("lines and patches are played before the volume, with the plane beside space", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await page.getByTestId("tab-front").click();
-  await page.getByTestId("player-record").click();
+  await tab(page, "Front").click();
+  await recordButton(page).click();
   const { viewport } = app;
   await expect(viewport).toHaveAttribute("data-step", "0");
   const phase = page.getByTestId("player-phase");
@@ -144,7 +145,7 @@ test("lines and patches are played before the volume, with the plane beside spac
   await expect(phase).toHaveText("Volume");
   await expect(plane).toHaveCount(0);
 
-  await page.getByTestId("player-start").click();
+  await button(page, "First state of the phase").click();
   await expect(phase).toHaveText("Patches");
   await expect(plane).toBeVisible();
   await expect(plane).toContainText("Plane of patch “left”");
@@ -154,12 +155,12 @@ test("lines and patches are played before the volume, with the plane beside spac
   const edges = Number(await viewport.getAttribute("data-front-faces"));
   expect(edges).toBeGreaterThan(8);
   const width = (await page.getByTestId("viewport-canvas").boundingBox())?.width ?? 0;
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
   await expect(sentence).toContainText("makes a triangle over the base edge");
   await expect(page.getByTestId("lens-formula").locator("math").first()).toBeAttached();
   // Fronts of patches have edges, not faces.
-  await page.getByTestId("player-kind").selectOption({ label: "new node too close to an edge" });
-  await page.getByTestId("player-next").click();
+  await choice(page, "Jump to").selectOption({ label: "new node too close to an edge" });
+  await nextStop(page).click();
   await expect(sentence).toContainText(/would be too close to edge \d+/);
   await expect(page.getByTestId("lens-front-change")).toContainText("the front before the step");
   // The view names the same edges in space.
@@ -169,23 +170,23 @@ test("lines and patches are played before the volume, with the plane beside spac
   await page.getByTestId("plane-zoom").getByText("Base edge").click();
   expect(await violations(page)).toEqual([]);
 
-  await page.getByTestId("player-kind").selectOption("patch");
-  await page.getByTestId("player-next").click();
+  await choice(page, "Jump to").selectOption("patch");
+  await nextStop(page).click();
   await expect(sentence).toContainText("Patch “right” begins");
-  await page.getByTestId("player-start").click();
+  await button(page, "First state of the phase").click();
   await expect(sentence).toContainText("Patch “left” begins");
-  await page.getByTestId("player-start").click();
+  await button(page, "First state of the phase").click();
   await expect(phase).toHaveText("Lines");
   await expect(page.getByTestId("lens")).toContainText("the lines are not divided yet");
   await expect(plane).toHaveCount(0);
   const canvas = page.getByTestId("viewport-canvas");
   await expect.poll(async () => (await canvas.boundingBox())?.width ?? 0).toBeGreaterThan(1.8 * width);
-  await page.getByTestId("player-kind").selectOption("line");
-  await page.getByTestId("player-next").click();
+  await choice(page, "Jump to").selectOption("line");
+  await nextStop(page).click();
   await expect(sentence).toContainText(/Line 1 is .* target sizes long/);
 
   // One slider leads through all phases.
-  const scrub = page.getByTestId("player-scrub");
+  const scrub = slider(page, "Step of the front");
   await scrub.focus();
   await page.keyboard.press("End");
   await page.keyboard.press("ArrowRight");
@@ -214,11 +215,11 @@ test("the keys play, step and jump, but not in fields and buttons", async ({ pag
   await expect(viewport).toHaveAttribute("data-step", String(steps));
   await page.keyboard.press("Home");
   await expect(viewport).toHaveAttribute("data-step", "0");
-  await page.getByTestId("player-speed").selectOption("10000");
+  await choice(page, "Speed").selectOption("10000");
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Space");
   await expect(viewport).toHaveAttribute("data-step", String(steps));
-  await page.getByTestId("player-back").focus();
+  await button(page, "Step back").focus();
   await page.keyboard.press("Space");
   await expect(viewport).toHaveAttribute("data-step", String(steps - 1));
 });
@@ -227,8 +228,8 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   await openTrace(page, star);
   const lens = page.getByTestId("lens");
   await expect(lens).toContainText("before the first step");
-  await page.getByTestId("player-kind").selectOption("crosses");
-  await page.getByTestId("player-next").click();
+  await choice(page, "Jump to").selectOption("crosses");
+  await nextStop(page).click();
   await expect(page.getByTestId("lens-sentence")).toContainText(/was refused: .*face/);
   const canvas = page.getByTestId("viewport-canvas");
   // Without the labels: the edges of their lines can differ by a shade when they are painted again.
@@ -248,11 +249,11 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   await page.getByTestId("player-fade").uncheck();
   await expect.poll(async () => (await picture()).equals(before)).toBe(false);
   await page.getByTestId("player-fade").check();
-  await page.getByTestId("player-kind").selectOption("recovery");
-  await page.getByTestId("player-next").click();
+  await choice(page, "Jump to").selectOption("recovery");
+  await nextStop(page).click();
   await expect(lens).toContainText("elements around a pocket are removed");
-  await page.getByTestId("player-kind").selectOption("postponed");
-  await page.getByTestId("player-before").click();
+  await choice(page, "Jump to").selectOption("postponed");
+  await stopBefore(page).click();
   await expect(lens).toContainText("comes again under rule class 1");
   expect(await violations(page)).toEqual([]);
 });
@@ -331,7 +332,7 @@ test("a large trace is read with progress, and reading it can be cancelled: what
   const { viewport } = await openTrace(page, star);
   await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
   const steps = (await viewport.getAttribute("data-steps")) ?? "";
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
 
   const reading = page.getByTestId("player-reading");
   const stopped = readingShown(page, true);
@@ -367,7 +368,7 @@ test("with reduced motion, playing shows one picture per second, with a note", a
         }).observe(view ?? document.body, { attributeFilter: ["data-step"] });
       }),
   );
-  await page.getByTestId("player-play").click();
+  await playButton(page).click();
   await expect(page.getByTestId("player-stills")).toHaveText("Reduced motion: one picture per second");
   const pictures = await shown;
   pictures.forEach(({ step, at }, i) => {
@@ -376,7 +377,7 @@ test("with reduced motion, playing shows one picture per second, with a note", a
     expect(step - before.step).toBeGreaterThanOrEqual(20);
     expect(at - before.at).toBeGreaterThan(900);
   });
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
   await expect(page.getByTestId("player-stills")).toBeEmpty();
 });
 
@@ -407,14 +408,14 @@ test("the steps that are repeated are typed, and a number that does not fit is r
 
 test("a condition is typed, corrected, jumped to and paused at, by keyboard", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
-  await page.getByTestId("player-kind").selectOption("condition");
+  await choice(page, "Jump to").selectOption("condition");
   const field = page.getByTestId("player-condition");
   const hint = page.getByTestId("player-condition-hint");
   await field.fill("refused: ugly");
   await expect(hint).toHaveRole("alert");
   await expect(hint).toContainText("At character 10");
   await expect(field).toHaveAttribute("aria-invalid", "true");
-  await expect(page.getByTestId("player-next")).toBeDisabled();
+  await expect(nextStop(page)).toBeDisabled();
   expect(await violations(page)).toEqual([]);
 
   await field.fill("refused: crosses and postponed");
@@ -434,9 +435,9 @@ test("a condition is typed, corrected, jumped to and paused at, by keyboard", as
   await expect(hint).toHaveRole("alert");
   await expect(pauses).toBeChecked();
   await field.fill("recovery");
-  await page.getByTestId("player-speed").selectOption("500");
-  await page.getByTestId("player-play").click();
-  await expect(page.getByTestId("player-play")).toHaveAccessibleName("Play");
+  await choice(page, "Speed").selectOption("500");
+  await playButton(page).click();
+  await expect(playButton(page)).toHaveAccessibleName("Play");
   await expect(page.getByTestId("lens")).toContainText("pocket");
   await field.fill("front < 0");
   await field.press("Enter");
@@ -448,11 +449,11 @@ test("the reader chooses nodes of a patch, is judged, and sees what a wrong one 
 }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await page.getByTestId("tab-front").click();
-  await page.getByTestId("player-record").click();
-  await expect(page.getByTestId("player-kind")).toBeVisible();
-  await page.getByTestId("player-kind").selectOption("patch");
-  await page.getByTestId("player-before").click();
+  await tab(page, "Front").click();
+  await recordButton(page).click();
+  await expect(choice(page, "Jump to")).toBeVisible();
+  await choice(page, "Jump to").selectOption("patch");
+  await stopBefore(page).click();
   await page.getByTestId("game-toggle").click();
   const verdict = page.getByTestId("game-verdict");
   // The view names the nodes to choose from, and the lens does not explain another step.
@@ -485,11 +486,11 @@ test("the reader chooses nodes of a patch, is judged, and sees what a wrong one 
   expect(await violations(page)).toEqual([]);
   // Going back leads to the questions before.
   const reached = await app.viewport.getAttribute("data-step");
-  await page.getByTestId("player-back").click();
+  await button(page, "Step back").click();
   await expect
     .poll(async () => Number(await app.viewport.getAttribute("data-step")))
     .toBeLessThan(Number(reached));
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
   await expect(app.viewport).toHaveAttribute("data-step", reached ?? "");
   await page.getByTestId("game-toggle").click();
   await expect(page.getByTestId("plane-zoom")).toBeVisible();
@@ -501,12 +502,12 @@ test("after the last step come the sweeps of the optimizer, whose poor elements 
 }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await page.getByTestId("tab-front").click();
-  await page.getByTestId("player-record").click();
+  await tab(page, "Front").click();
+  await recordButton(page).click();
   await expect(app.viewport).toHaveAttribute("data-step", "0");
   const sweeps = page.getByTestId("sweeps");
   await expect(sweeps).toHaveCount(0);
-  await page.getByTestId("player-end").click();
+  await button(page, "Last state of the phase").click();
   const count = Number(await sweeps.getAttribute("data-sweeps"));
   expect(count).toBeGreaterThan(10);
   await expect(sweeps.getByRole("row")).toHaveCount(count + 2);
@@ -522,7 +523,7 @@ test("after the last step come the sweeps of the optimizer, whose poor elements 
   // The same row again, or another step, shows the front.
   await page.getByTestId(`sweep-${count}`).click();
   await expect(sweeps).toHaveAttribute("data-sweep", "");
-  await page.getByTestId("player-back").click();
+  await button(page, "Step back").click();
   await expect(sweeps).toHaveCount(0);
   await expect(page.getByTestId("lens-sentence")).toBeVisible();
 });
@@ -530,21 +531,21 @@ test("after the last step come the sweeps of the optimizer, whose poor elements 
 test("stepping back in the game of the volume leads to the question before", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await page.getByTestId("tab-front").click();
-  await page.getByTestId("player-record").click();
+  await tab(page, "Front").click();
+  await recordButton(page).click();
   await expect(app.viewport).toHaveAttribute("data-step", "0");
   await page.getByTestId("volume-game-toggle").click();
   const step = async (): Promise<number> => Number(await app.viewport.getAttribute("data-step"));
   await expect(page.getByTestId("volume-choice-new")).toBeVisible();
   const seen = [await step()];
   for (let question = 1; question < 8; question++) {
-    await page.getByTestId("player-forward").click();
+    await button(page, "Step forward").click();
     await expect.poll(step).toBeGreaterThan(seen.at(-1) ?? 0);
     seen.push(await step());
   }
   // Questions lie on some states only: the game goes back over the same ones.
   for (const before of seen.slice(0, -1).reverse()) {
-    await page.getByTestId("player-back").click();
+    await button(page, "Step back").click();
     await expect(app.viewport).toHaveAttribute("data-step", String(before));
   }
 });

@@ -4,6 +4,7 @@ import { boxSolid, stepFile } from "../support/step-files";
 import { AppPage } from "./app-page";
 import { dropBytes } from "./drop-bytes";
 import { recordRefusals } from "./policy";
+import { tab } from "./controls";
 
 const policyOf = async (page: Page): Promise<string> =>
   (await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute("content")) ?? "";
@@ -60,7 +61,7 @@ test("nothing is refused while a CAD file is meshed, bodies are joined and a pic
   await page.getByTestId("theme").click();
   await page.getByRole("menuitem", { name: "File" }).click();
   await page.keyboard.press("Escape");
-  await page.getByTestId("tab-quality").click();
+  await tab(page, "Quality").click();
   await expect(page.getByRole("tab", { name: "Quality", selected: true })).toBeVisible();
   expect(await refused()).toEqual([]);
 });

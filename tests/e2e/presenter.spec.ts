@@ -2,6 +2,7 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Locator, type Page } from "@playwright/test";
 import { AppPage } from "./app-page";
+import { button, choice, playButton, slider } from "./controls";
 
 async function openLesson(page: Page, number: number): Promise<void> {
   await page.goto(`./?test=1&lesson=${number}`);
@@ -25,7 +26,7 @@ test("presenter mode has larger type and a laser pointer that takes no clicks", 
   expect((dot?.x ?? 0) + (dot?.width ?? 0) / 2).toBeCloseTo(500, 0);
   expect((dot?.y ?? 0) + (dot?.height ?? 0) / 2).toBeCloseTo(400, 0);
   // The scrub bar goes where it is clicked, although its panel is enlarged.
-  const bar = await page.getByTestId("player-scrub").boundingBox();
+  const bar = await slider(page, "Step of the front").boundingBox();
   const viewport = page.getByTestId("viewport");
   await page.mouse.click((bar?.x ?? 0) + (bar?.width ?? 0) - 1, (bar?.y ?? 0) + 5);
   const last = Number(await viewport.getAttribute("data-steps"));
@@ -81,16 +82,16 @@ test("presenter mode enlarges the labels of the view, and knows the keys of a cl
   // Some clickers send arrows. A button or a list that was used last keeps the focus.
   await page.keyboard.press("ArrowRight");
   await expect.poll(step).toBe(first + 1);
-  await page.getByTestId("player-back").click();
+  await button(page, "Step back").click();
   await page.keyboard.press("ArrowLeft");
   await expect.poll(step).toBe(first - 1);
   await page.getByTestId("player-more").click();
-  await page.getByTestId("player-speed").selectOption({ index: 0 });
-  await page.getByTestId("player-speed").focus();
+  await choice(page, "Speed").selectOption({ index: 0 });
+  await choice(page, "Speed").focus();
   await page.keyboard.press("PageDown");
   await expect.poll(step).toBe(first);
   await page.keyboard.press("F5");
-  await expect(page.getByTestId("player-play")).toHaveAttribute("aria-label", /Pause/);
+  await expect(playButton(page)).toHaveAttribute("aria-label", /Pause/);
 });
 
 async function present(page: Page): Promise<void> {
@@ -120,7 +121,7 @@ for (const [width, height] of [
       rows.add(Math.round((y + height / 2) / 10));
     }
     expect(rows.size).toBe(1);
-    await expect(player.getByTestId("player-scrub")).toBeInViewport({ ratio: 1 });
+    await expect(slider(player, "Step of the front")).toBeInViewport({ ratio: 1 });
     const view = await boxOf(page.getByRole("main"));
     expect((await boxOf(page.getByTestId("presenter"))).y).toBeGreaterThanOrEqual(view.y + view.height);
     await expect
@@ -160,7 +161,7 @@ test("no formula of the lens is broken across lines", async ({ page }) => {
       .locator("p:has(.katex)")
       .evaluateAll((all) => all.map(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth));
     expect(Math.max(0, ...widths)).toBe(0);
-    await page.getByTestId("player-forward").click();
+    await button(page, "Step forward").click();
   }
 });
 
@@ -204,8 +205,8 @@ test("Escape ends presenter mode, but first a menu, a selection or text in a fie
   await expect(presenter).toBeVisible();
   // A list stays focused after a choice.
   await page.getByTestId("player-more").click();
-  await page.getByTestId("player-kind").selectOption("crosses");
-  await page.getByTestId("player-kind").focus();
+  await choice(page, "Jump to").selectOption("crosses");
+  await choice(page, "Jump to").focus();
   await page.keyboard.press("Escape");
   await expect(presenter).toHaveCount(0);
   await page.keyboard.press("Escape");
@@ -343,8 +344,8 @@ test("on a phone, the lens of lesson 10 shows its formulas without scrolling, an
     .toEqual(["node 137"]);
   // What is used less is behind a button.
   await page.getByTestId("player-more").click();
-  await expect(page.getByTestId("player-speed")).toBeVisible();
-  await expect(page.getByTestId("player-kind")).toBeVisible();
+  await expect(choice(page, "Speed")).toBeVisible();
+  await expect(choice(page, "Jump to")).toBeVisible();
 });
 
 test("presenter mode enlarges notices, which cover no legend", async ({ page }) => {

@@ -1,6 +1,7 @@
 import { expect, test } from "@playwright/test";
 import type { Project } from "tetrafront/project";
 import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
+import { generateButton } from "./controls";
 
 test("a problem of a model is shown in the inspector, in the view and in the list", async ({ page }) => {
   const app = new AppPage(page);
@@ -14,7 +15,7 @@ test("a problem of a model is shown in the inspector, in the view and in the lis
   await expect(page.getByTestId("inspector").locator("[data-code=not-planar]")).toContainText(/plan/);
   await expect(page.getByTestId("marker-0")).toBeVisible();
 
-  await page.getByTestId("generate").click();
+  await generateButton(page).click();
   await expect(page.getByTestId("status")).toContainText("The model has errors");
   await expect(page.getByTestId("problem-0")).toBeVisible();
   // The last mesh is still shown, as out of date.

@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 import { linkTo, type LinkedProject } from "../../web/commands/project-link";
 import { AppPage, countColours, forEachPixel, nextFrame, sampleProject } from "./app-page";
 import { downloaded } from "./downloads";
+import { button } from "./controls";
 
 const { models } = JSON.parse(readFileSync(new URL("../../public/index.json", import.meta.url), "utf8")) as {
   readonly models: readonly { readonly id: string }[];
@@ -91,7 +92,7 @@ test("a link holds the cut and the step of the front, also of a changed model", 
   // No run was begun and cancelled for it.
   await expect(page.getByTestId("status")).toContainText("Front after step 258 of");
   await expect(page.getByTestId("status")).not.toContainText(/cancelled|\b0 tetrahedra/);
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
   const link = await linkOf(page);
   await page.goto("about:blank");
   await page.goto(forTest(link));

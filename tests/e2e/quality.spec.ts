@@ -3,6 +3,7 @@ import { readFile } from "node:fs/promises";
 import type { MeshReport } from "tetrafront";
 import { readProject } from "tetrafront/project";
 import { AppPage, nextFrame } from "./app-page";
+import { tab, toggle, undoButton } from "./controls";
 
 /** Downloads the report from the app and returns it. */
 async function reportOf({ page }: AppPage): Promise<MeshReport> {
@@ -49,12 +50,12 @@ test("the quality report shows the statistics of all regions together and of eac
 test("radius ratios say what they are at the pointer", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await page.getByTestId("tab-quality").click();
+  await tab(page, "Quality").click();
   await page.getByRole("heading", { name: "Radius ratio" }).getByText("Radius ratio").hover();
   await expect(page.getByRole("tooltip")).toContainText("3r/R");
   await expect(page.getByRole("tooltip")).toHaveCSS("text-transform", "none");
   await expect(page.getByRole("tooltip")).toContainText("1: regular. 0: without volume");
-  await page.getByTestId("tab-patches").click();
+  await tab(page, "Patches").click();
   await page.getByTestId("patch-table").getByText("Mean 2r/R").hover();
   await expect(page.getByRole("tooltip")).toContainText("1: equilateral. 0: without area");
 });
@@ -63,7 +64,7 @@ test("a click on one of the worst elements moves the camera to it and highlights
   const app = new AppPage(page);
   await app.openCube();
   const { quality } = await reportOf(app);
-  await page.getByTestId("tab-quality").click();
+  await tab(page, "Quality").click();
   await app.stillView();
   const centre = [0.5, 0.5, 0.5] as const;
   const inView = (target: readonly [number, number, number]) =>
@@ -90,7 +91,7 @@ test("a click on one of the worst elements moves the camera to it and highlights
     expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.1 * (box?.height ?? 0));
   }
   // The mesh was cut open at the element.
-  const cut = page.getByTestId("cut-toggle");
+  const cut = toggle(page, "Cut");
   await expect(cut).toBeChecked();
   const open = await app.stillView();
   await page.keyboard.press("x");
@@ -122,7 +123,7 @@ test("the mesh settings affect the mesh, can be undone, and are saved in the fil
     order: "smallest-first",
     optimization: "none",
   });
-  for (let i = 0; i < 3; ++i) await page.getByTestId("undo").click();
+  for (let i = 0; i < 3; ++i) await undoButton(page).click();
   expect(await app.meshed()).toEqual(before);
 });
 
@@ -139,7 +140,7 @@ test("a closed shell inside a region is a cavity, or a region if the settings sa
   expect(filled.quality.regions).toHaveLength(2);
   expect(around?.volume).toBeCloseTo(hollow.volume, 9);
   expect(filled.volume).toBeCloseTo(hollow.volume + Number(inner?.volume), 9);
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   expect(await app.meshed()).toEqual(before);
 });
 
@@ -148,7 +149,7 @@ test("one switch measures the whole report of a stretched mesh in the metric or 
 }) => {
   const app = new AppPage(page);
   await app.open("dark", "wing-in-a-tunnel");
-  await page.getByTestId("tab-quality").click();
+  await tab(page, "Quality").click();
   const choice = page.getByTestId("quality-space");
   const facts = page.getByTestId("chart-dihedral-facts");
   const worst = page.getByTestId("worst-0");

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage, sampleProject } from "./app-page";
+import { redoButton, undoButton } from "./controls";
 
 const projectName = (page: Page) => page.getByTestId("project-name");
 
@@ -74,17 +75,17 @@ test("a reload keeps the project with its undo and redo steps", async ({ page })
   const app = new AppPage(page);
   await app.openCube();
   for (const name of ["one", "two", "three"]) await renameProject(page, name);
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await kept(app);
   await page.reload();
   await expect(projectName(page)).toHaveValue("two");
-  await page.getByTestId("redo").click();
+  await redoButton(page).click();
   await expect(projectName(page)).toHaveValue("three");
   for (const name of ["two", "one", "Unit cube"]) {
-    await page.getByTestId("undo").click();
+    await undoButton(page).click();
     await expect(projectName(page)).toHaveValue(name);
   }
-  await expect(page.getByTestId("undo")).toBeDisabled();
+  await expect(undoButton(page)).toBeDisabled();
 });
 
 test("an edit survives if the page crashes 0.1 s later", async ({ page, context }) => {
@@ -262,7 +263,7 @@ test("a document that an earlier version of the app has stored opens with its st
   const app = new AppPage(page);
   const points = (): Promise<string | null> => app.viewport.getAttribute("data-points");
   await expect.poll(points).toBe("6");
-  const undo = page.getByTestId("undo");
+  const undo = undoButton(page);
   const last = await undo.getAttribute("aria-label");
   await undo.click();
   await renameProject(page, "Renamed");

@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { countColours } from "./app-page";
+import { button, slider } from "./controls";
 
 async function violations(page: Page): Promise<string[]> {
   const axe = new AxeBuilder({ page }).setLegacyMode(true).options({ resultTypes: ["violations"] });
@@ -22,7 +23,7 @@ test("an embedded front shows its step without panels, and is played with button
   await expect(page).toHaveTitle(/Unit cube/);
   await expect(page.getByRole("tab")).toHaveCount(0);
   await expect(page.getByRole("menubar")).toHaveCount(0);
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
   await expect(viewport).toHaveAttribute("data-step", "101");
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press(",");
@@ -44,7 +45,7 @@ test("an embedded front says that it is shown as it would be with a refused cand
   const supposed = page.getByTestId("supposed-front");
   await expect(supposed).toContainText(/^Node 286 was refused: .* The view shows the front with it: face/);
   expect(await violations(page)).toEqual([]);
-  await page.getByTestId("player-forward").click();
+  await button(page, "Step forward").click();
   await expect(supposed).toBeHidden();
 });
 
@@ -116,8 +117,8 @@ test("a link leads to the same model, step, candidate, colours and camera", asyn
   await expect(viewport).toHaveAttribute("data-step", "258");
   await expect(page.getByTestId("lens-sentence")).toContainText("Node 286 was refused");
   await expect(page.getByTestId("player-coloring")).toHaveValue("layer");
-  await page.getByTestId("player-forward").click();
-  await page.getByTestId("player-share").click();
+  await button(page, "Step forward").click();
+  await button(page, "Share this step").click();
   await page.getByTestId("share-step-link").click();
   await expect(page.getByText("The link to this step is in the clipboard.")).toBeVisible();
   const link = new URL(await page.evaluate(() => navigator.clipboard.readText()));
@@ -127,7 +128,7 @@ test("a link leads to the same model, step, candidate, colours and camera", asyn
     color: "layer",
     camera: "3,-2,1.5,0.5,0.5,0.5",
   });
-  await page.getByTestId("player-share").click();
+  await button(page, "Share this step").click();
   await page.getByTestId("share-embed").click();
   await expect(page.getByText("in a web page is in the clipboard")).toBeVisible();
   const code = await page.evaluate(() => navigator.clipboard.readText());
@@ -155,8 +156,8 @@ test("on a phone, a link shows its step and the lens, and the view follows the s
   }
   expect(await violations(page)).toEqual([]);
   // In patches, the plane is beside space.
-  await page.getByTestId("player-start").click();
-  await page.getByTestId("player-start").click();
+  await button(page, "First state of the phase").click();
+  await button(page, "First state of the phase").click();
   await expect(page.getByTestId("plane-view")).toBeInViewport({ ratio: 0.9 });
 });
 
@@ -192,12 +193,12 @@ test("the link to a changed model holds it, and only examples are embedded", asy
   await page.getByRole("tab", { name: "Inspector" }).click();
   await page.getByTestId("project-name").fill("Mine");
   await page.getByTestId("project-name").press("Enter");
-  await page.getByTestId("player-share").click();
+  await button(page, "Share this step").click();
   await page.getByTestId("share-step-link").click();
   await expect(page.getByRole("dialog", { name: "Share link" })).toContainText("the step of the front");
   await expect(page.getByTestId("share-link-text")).toHaveValue(/#project=/);
   await page.keyboard.press("Escape");
-  await page.getByTestId("player-share").click();
+  await button(page, "Share this step").click();
   await page.getByTestId("share-embed").click();
   await expect(page.getByRole("dialog")).toContainText("unchanged examples");
 });
@@ -226,7 +227,7 @@ test("a step is saved as a picture and a drawing, the front as a film", async ({
   await expect(viewport).toHaveAttribute("data-step", "258");
   const saved = async (item: string) => {
     const download = page.waitForEvent("download");
-    await page.getByTestId("player-share").click();
+    await button(page, "Share this step").click();
     await page.getByTestId(item).click();
     const file = await download;
     return { name: file.suggestedFilename(), content: readFileSync(await file.path()) };
@@ -250,7 +251,7 @@ test("a step is saved as a picture and a drawing, the front as a film", async ({
 
   // The film of a short range, which the notice ends early.
   const download = page.waitForEvent("download");
-  await page.getByTestId("player-share").click();
+  await button(page, "Share this step").click();
   await page.getByTestId("share-webm").click();
   await expect(page.getByRole("button", { name: "Stop and save" })).toBeVisible();
   await viewport.evaluate(clickAfterStep, { step: 300, button: "Stop and save" });
@@ -263,7 +264,7 @@ test("a step is saved as a picture and a drawing, the front as a film", async ({
   await expect(viewport).toHaveAttribute("data-step", "258");
 
   // In a patch, too; its steps have the numbers that the player shows.
-  const scrub = page.getByTestId("player-scrub");
+  const scrub = slider(page, "Step of the front");
   await scrub.press("Home");
   await scrub.press("ArrowLeft");
   await scrub.press("PageDown");

@@ -1,5 +1,6 @@
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage, sampleProject } from "./app-page";
+import { undoButton } from "./controls";
 
 /** Runs a command by its name. */
 async function run(page: Page, name: string): Promise<void> {
@@ -23,9 +24,9 @@ test("a patch becomes smooth with its lines, and undo restores both", async ({ p
   await expect(page.getByTestId("line-type")).toHaveValue("Hermite line");
   await page.getByTestId("give-start-tangent").click();
   await expect(page.getByTestId("start-tangent-x")).toBeVisible();
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await expect(page.getByTestId("give-start-tangent")).toBeVisible();
-  await page.getByTestId("undo").click();
+  await undoButton(page).click();
   await expect(page.getByTestId("line-type")).toHaveValue("cubic spline");
 });
 

@@ -3,6 +3,7 @@ import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { boxSolid, stepFile } from "../support/step-files";
+import { flipButton, generateButton } from "./controls";
 
 const start = (page: Page) => page.getByTestId("start-page");
 
@@ -62,7 +63,7 @@ test("the start page closes on Escape after a click in the view, and on a comman
   await page.keyboard.press("Control+k");
   await search.fill("Cut across x");
   await page.keyboard.press("Enter");
-  await expect(page.getByTestId("cut-flip")).toBeVisible();
+  await expect(flipButton(page)).toBeVisible();
   await expect(start(page)).toBeHidden();
 });
 
@@ -136,7 +137,7 @@ test("a further tab shows the start page, and does not mesh the example again", 
   await isUnmeshed();
   await expect(start(second)).toBeHidden();
   // What the user has meshed is meshed again.
-  await second.getByTestId("generate").click();
+  await generateButton(second).click();
   await expect(viewport).toHaveAttribute("data-status", "done");
   await second.reload();
   await expect(viewport).toHaveAttribute("data-status", "done");

@@ -1,5 +1,6 @@
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage, countOrange, forEachPixel, nextFrame, sampleProject } from "./app-page";
+import { flipButton, toggle } from "./controls";
 
 /**
  * Returns the position of an entity in the view, by the query that `?test=1` provides; null if it is out of view.
@@ -180,7 +181,7 @@ test("the cut shows whole tetrahedra, on either side of its plane", async ({ pag
   await expect.poll(faces).not.toBe(whole);
   const first = await faces();
   expect((await app.viewport.screenshot()).equals(picture)).toBe(false);
-  await page.getByTestId("cut-flip").click();
+  await flipButton(page).click();
   await expect.poll(faces).not.toBe(first);
   // Both sides together show the boundary once and the faces of the cut twice.
   const second = await faces();
@@ -188,7 +189,7 @@ test("the cut shows whole tetrahedra, on either side of its plane", async ({ pag
   expect((first + second - whole) % 2).toBe(0);
   await page.getByRole("slider", { name: "Position" }).first().press("End");
   await expect.poll(faces).toBeLessThan(second);
-  await page.getByTestId("cut-toggle").press("Space");
+  await toggle(page, "Cut").press("Space");
   await expect.poll(faces).toBe(whole);
 });
 

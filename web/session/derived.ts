@@ -10,8 +10,8 @@ type Source = Parameters<Read>[0];
 type Listener<Value> = (value: Value, before: Value) => void;
 
 /**
- * A value computed from stores and other such values. It is computed when it is read, and only if a source has changed since:
- * whoever reads it never sees an old value, in whatever order the listeners of a store are called. If `compute` returns
+ * A value computed from stores and other such values. It is computed when it is read, and only if a source has changed since: it is
+ * never old, in whatever order the listeners of a store are called. If `compute` returns
  * `before`, its last value, nothing has changed for those who follow it.
  */
 export function derived<Value>(compute: (read: Read, before: Value | undefined) => Value): Readable<Value> {

@@ -189,6 +189,8 @@ export const pageStrings = {
     hint: "This browser stores every project that you change, with its undo history.",
     none: "No project has been changed yet.",
     openIn: { "this-tab": "Open now", "another-tab": "Open in another tab" },
+    /** The same, after the time of the last change. */
+    alsoOpenIn: { "this-tab": "open now", "another-tab": "open in another tab" },
     loading: "Reading the list",
     /** A refusal of the browser is a sentence already. */
     noList: (reason: string) => (reason === noStorage ? reason : `The list cannot be read: ${reason}.`),

@@ -4,7 +4,7 @@ import { formatCount } from "./format";
 export const linkStrings = {
   title: "Share link",
   intro:
-    "Whoever opens this link gets the model with its settings, seen as you see it now. The link itself holds all of it: nothing is uploaded, and no server sees it.",
+    "The link opens the model with its settings, seen as you see it now. The link itself holds all of it: nothing is uploaded, and no server sees it.",
   withStep: "It also leads to the step of the front that is shown.",
   field: "Link",
   length: (characters: number) => `${formatCount(characters)} characters`,

@@ -189,8 +189,9 @@ export class SurfaceClient {
     patchCount: number,
     values: Float32Array | Float64Array | null,
   ): Promise<DrawnSurface> {
-    const { copy, buffers } = await copyForTransfer(surface);
+    // Before the wait: the caller may change its values during it.
     const copied = values?.slice() ?? null;
+    const { copy, buffers } = await copyForTransfer(surface);
     return this.#worker.call("draw", { surface: copy, patchCount, values: copied }, [
       ...buffers,
       ...(copied ? [copied.buffer] : []),

@@ -12,8 +12,8 @@ export interface TransferCopy<T> {
 const numbersPerLook = 1 << 15;
 
 /**
- * Copies an object whose typed arrays are to be transferred to a worker while the caller keeps its own. It takes one pass
- * over the memory, in slices between which the page responds; a message that copies the arrays takes several, in one task.
+ * Copies an object whose typed arrays are to be transferred to a worker while the caller keeps its own. The arrays are copied in
+ * slices between which the page responds; a message would copy them in one task. They must not change before the promise resolves.
  */
 export async function copyForTransfer<T extends object>(holder: T): Promise<TransferCopy<T>> {
   const copied: [name: string, value: unknown][] = [];

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file The tetrahedral mesh that the stages of a run hand on: it moves from the front along a Morton curve to the
-/// optimizer and the volume limiter. The flat arrays of tetrafront/mesh.h are made of it for whoever reads the result.
+/// optimizer and the volume limiter. The flat arrays of tetrafront/mesh.h, the result, are made of it.
 
 #include <cstddef>
 #include <cstdint>

@@ -83,7 +83,7 @@ function resultWith(fingerprint: string): EngineResult {
   return {
     status: "done",
     hasFoundNothingBetter: false,
-    regionSizes: [],
+    regionStatistics: [],
     surface: {
       points: noPoints,
       triangles: none,
@@ -167,19 +167,19 @@ describe("runs", () => {
     expect((await runs[1])?.report.fingerprint).toBe("second");
   });
 
-  test("have the sizes of their regions from the worker, so that no task of the page grows with the mesh", async () => {
+  test("take the numbers and volumes of their regions from the worker's reply", async () => {
     const mesher = await readyMesher();
     const worker = workerNumber(0);
     const run = mesher.fillSurface(boxSurface(1));
     const regions = new Uint32Array([0, 1, 1]);
     const volume = { points: new Float64Array(12), tetrahedra: new Uint32Array(12), regions, front: none };
-    const regionSizes = [
+    const regionStatistics = [
       { tetrahedra: 1, volume: 0.5 },
       { tetrahedra: 2, volume: 0.25 },
     ];
-    const result = { ...resultWith(""), status: "cancelled", volume, regionSizes } as const;
+    const result = { ...resultWith(""), status: "cancelled", volume, regionStatistics } as const;
     worker.reply({ kind: "result", id: idOf(worker), result });
-    expect((await run).report.regions).toMatchObject(regionSizes);
+    expect((await run).report.regions).toMatchObject(regionStatistics);
   });
 
   test("ignore replies with other ids", async () => {

@@ -4,7 +4,7 @@ import { derived, sameItems } from "../../../web/session/derived";
 import { LatestTask, LatestTasks, pause } from "../../../web/session/latest-task";
 
 describe("a derived value", () => {
-  it("is never old for whoever reads it, in whatever order listeners are called", () => {
+  it("is never old, in whatever order listeners are called", () => {
     const store = createStore(() => ({ count: 1 }));
     const seen: number[] = [];
     let double = () => 0;

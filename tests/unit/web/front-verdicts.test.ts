@@ -43,6 +43,11 @@ function check(trace: Trace): Checked {
   return counts;
 }
 
+/** Fails with a message. Of the many candidates, each `expect` would cost as much as what it checks. */
+function demand(holds: boolean, message: string): void {
+  if (!holds) expect.fail(message);
+}
+
 /** Returns whether the candidate crosses a face, and the paper's layers find it. */
 function checkCandidate(
   trace: Trace,
@@ -52,9 +57,9 @@ function checkCandidate(
 ): boolean {
   const at = `step ${step.step}`;
   const element = newElement(trace, step.face, position, isNew ? null : node);
-  if (verdict === "behind") expect(isBehind(element), at).toBe(true);
+  if (verdict === "behind") demand(isBehind(element), `${at}: the apex is not behind the base face`);
   if (verdict === "accepted") {
-    if (sixVolumes(element.corners) <= 0) expect.fail(`${at}: the apex is behind the base face`);
+    demand(sixVolumes(element.corners) > 0, `${at}: the apex is behind the base face`);
     const crossed = crossedNear(trace, grid, element);
     const close = isNew ? tooCloseNear(trace, grid, step, position) : [];
     if (crossed.length + close.length > 0)
@@ -63,16 +68,22 @@ function checkCandidate(
   }
   if (verdict === "too-close") {
     const { distance, least } = distanceToFace(trace, step, position, culprit ?? 0);
-    expect(distance, at).toBeLessThan(least * (1 + rounding));
-    expect(tooCloseNear(trace, grid, step, position), at).toContain(culprit);
+    demand(distance < least * (1 + rounding), `${at}: the face is ${distance} away, not below ${least}`);
+    const close = tooCloseNear(trace, grid, step, position);
+    demand(
+      culprit !== null && close.includes(culprit),
+      `${at}: face ${culprit} is not among ${close.join()}`,
+    );
   }
   if (verdict !== "crosses") return false;
-  expect(crossesFace(trace, element, culprit ?? 0, touching), at).toBe(true);
+  const face = culprit ?? 0;
+  demand(crossesFace(trace, element, face, touching), `${at}: face ${face} is not crossed`);
   // The paper's layers (a) and (b) rule out nothing that crosses; (c) leaves only common nodes to the exact signs.
-  const { boxGap, minGap, shapeExcess, finds } = testByLayers(element, frontFace(trace, culprit ?? 0));
-  expect(boxGap, at).toBeLessThanOrEqual(minGap);
-  expect(shapeExcess, at).toBeLessThanOrEqual(tolerance);
-  if (!finds) expect(nodesOf(trace, culprit ?? 0).some((other) => element.nodes.includes(other))).toBe(true);
+  const { boxGap, minGap, shapeExcess, finds } = testByLayers(element, frontFace(trace, face));
+  demand(boxGap <= minGap, `${at}: the boxes are ${boxGap} apart, more than ${minGap}`);
+  demand(shapeExcess <= tolerance, `${at}: the shapes exceed by ${shapeExcess}`);
+  const hasCommonNode = finds || nodesOf(trace, face).some((other) => element.nodes.includes(other));
+  demand(hasCommonNode, `${at}: no layer finds face ${face}, and it has no common node`);
   return finds;
 }
 

@@ -9,7 +9,7 @@ import { packageDiagnostic, sentence } from "../diagnostics/package-diagnostic.j
 import { regionCounts } from "../diagnostics/sentences.js";
 import type { EnginePreview } from "../engine/loader.js";
 import type { EngineResult } from "../engine/protocol.js";
-import type { RegionSize } from "../engine/region-sizes.js";
+import type { RegionStatistics } from "../engine/region-statistics.js";
 import { NO_QUALITY, withRegions } from "../engine/quality-report.js";
 import { poorElementWarnings } from "../mesh/quality-warnings.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -23,9 +23,9 @@ import { namedMesh, type NameSource } from "./generated-mesh.js";
 
 /** Returns the engine's result; its mesh and its diagnostics use the names given by the user. */
 export function describedResult(result: EngineResult, names: NameSource, name: EntityNamer): MeshResult {
-  const { status, surface, volume, metricShapes, statistics, regionSizes } = result;
+  const { status, surface, volume, metricShapes, statistics, regionStatistics } = result;
   const { hasFoundNothingBetter, recording } = result;
-  const { mesh, indices } = namedMesh(result, names, regionSizes.length);
+  const { mesh, indices } = namedMesh(result, names, regionStatistics.length);
   const quality = withRegions(statistics.quality, indices);
   return {
     mesh,
@@ -38,7 +38,7 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
     report: {
       status,
       ...statistics,
-      regions: namedSizes(mesh, regionSizes, indices),
+      regions: namedRegions(mesh, regionStatistics, indices),
       quality,
       diagnostics: [
         ...describeAll(result.diagnostics, name).map((found) => withNamedRegions(found, indices)),
@@ -50,13 +50,13 @@ export function describedResult(result: EngineResult, names: NameSource, name: E
 }
 
 /** Returns the regions of a mesh, in their order. `indices`: per region of the run its region; several may be one. */
-function namedSizes(
+function namedRegions(
   { regions }: Mesh,
-  sizes: readonly RegionSize[],
+  statistics: readonly RegionStatistics[],
   indices: readonly number[],
 ): RegionSummary[] {
   const summaries = regions.map(({ name }) => ({ name, tetrahedra: 0, volume: 0 }));
-  sizes.forEach(({ tetrahedra, volume }, r) => {
+  statistics.forEach(({ tetrahedra, volume }, r) => {
     const summary = summaries[indices[r] ?? r];
     if (summary === undefined) return;
     summary.tetrahedra += tetrahedra;
@@ -67,8 +67,9 @@ function namedSizes(
 
 /** Returns the regions of a mesh that was measured. */
 export function regionsOf({ regions }: Mesh, quality: Pick<QualityReport, "regions">): RegionSummary[] {
+  const measured = new Map(quality.regions.map((one) => [one.region, one]));
   return regions.map(({ name }, r) => {
-    const { tetrahedra = 0, volume = 0 } = quality.regions.find(({ region }) => region === r) ?? {};
+    const { tetrahedra = 0, volume = 0 } = measured.get(r) ?? {};
     return { name, tetrahedra, volume };
   });
 }

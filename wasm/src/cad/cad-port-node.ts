@@ -1,9 +1,35 @@
 import { createRequire } from "node:module";
-import { parentPort } from "node:worker_threads";
+import { parentPort, Worker } from "node:worker_threads";
 import type { CadPort } from "./cad-port.js";
+import { crashOf } from "./crash.js";
 import { loadKernel } from "./kernel-node.js";
 import type { CreateOpenCascade } from "./opencascade.js";
 import type { CadRequest } from "./protocol.js";
+
+/**
+ * Ends this process when its creator is gone. It runs in a thread, because the library is busy for long, with some damaged files
+ * forever: until it returns, no event reaches the thread that called it. On Windows, a process keeps the number of a creator that is gone.
+ */
+const WATCH = `
+const { workerData: creator } = require("node:worker_threads");
+function isThere() {
+  if (process.platform !== "win32") return process.ppid === creator;
+  try {
+    return process.kill(creator, 0);
+  } catch {
+    return false;
+  }
+}
+setInterval(() => isThere() || process.kill(process.pid, "SIGKILL"), 1000);
+`;
+
+// As a process: a thread reports its errors by itself, and ends with its process.
+if (parentPort === null) {
+  // The exit code alone would not tell what failed.
+  process.on("uncaughtException", (failure) => process.send?.(crashOf(failure)));
+  process.on("disconnect", () => process.exit());
+  new Worker(WATCH, { eval: true, workerData: process.ppid }).unref();
+}
 
 export const cadPort: CadPort = {
   onRequest: (handle) => {

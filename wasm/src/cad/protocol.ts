@@ -64,9 +64,9 @@ export interface CadTrueFaces extends ModelTriangles {
   readonly missing: readonly string[];
 }
 
-/** How a worker ends by itself; `failed` if its cause is the file. */
+/** How a worker ends by itself; `failed` if its cause is the file, `ended` if another program ended it. */
 export interface CadCrash {
-  readonly kind: "failed" | "not-loaded" | "out-of-memory";
+  readonly kind: "failed" | "ended" | "not-loaded" | "out-of-memory";
   readonly message: string;
 }
 
@@ -80,7 +80,7 @@ export type CadReply =
   | { readonly kind: "read"; readonly shapes: readonly CadShape[] }
   /** OpenCascade rejects the file. */
   | { readonly kind: "rejected" }
-  /** OpenCascade failed in the file, its memory is exhausted, or the worker or the library could not be loaded. */
+  /** OpenCascade failed in the file, its memory is exhausted, it was ended, or the worker or the library could not be loaded. */
   | CadCrash
   | CadTimeout;
 

@@ -8,7 +8,7 @@ import type { MetricShapes } from "../mesh/quality.js";
 import type { FrontRecording, MeshReport, MeshStatus } from "../mesh/report.js";
 import type { BodySurfaceArrays, GridArrays, ModelArrays } from "../generated/constants.js";
 import type { CallName } from "./calls.js";
-import type { RegionSize } from "./region-sizes.js";
+import type { RegionStatistics } from "./region-statistics.js";
 import type { CompiledModule, EngineDiagnostics, EngineOptions } from "./loader.js";
 
 /** Regions that are meshed. */
@@ -92,7 +92,7 @@ export interface EngineResult extends EngineMesh {
   readonly metricShapes?: MetricShapes;
   readonly statistics: Omit<MeshReport, "diagnostics" | "status" | "regions">;
   /** Per region of the run. */
-  readonly regionSizes: readonly RegionSize[];
+  readonly regionStatistics: readonly RegionStatistics[];
   /** Of a run that records its steps. */
   readonly recording?: FrontRecording;
   /** Whether thorough optimization found no mesh that is better in one measure and worse in none. */

@@ -18,7 +18,7 @@ import {
 } from "./loader.js";
 import type { EngineResult, ModuleName, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
-import { regionSizes } from "./region-sizes.js";
+import { regionStatistics } from "./region-statistics.js";
 import { RunClock } from "./run-clock.js";
 import { failureOf, runInSlices, type SliceControl, workInSlices } from "./slices.js";
 import { buffersOf } from "./transfer.js";
@@ -237,7 +237,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     diagnostics,
     hasFoundNothingBetter,
     ...(recording && { recording }),
-    regionSizes: regionSizes(volume, statistics.quality),
+    regionStatistics: regionStatistics(volume, statistics.quality),
     statistics: { ...statistics, seconds: clock.seconds() },
   };
 }

@@ -192,6 +192,10 @@ export function failureOf(
       const smaller = "Export the parts one by one, or triangulate them in the CAD program and export STL.";
       return new ReadFailure({ code: "too-large-file", message, remedy: smaller });
     }
+    case "ended": {
+      const message = `the process that reads the ${name} file was ${reply.message}`;
+      return new ReadFailure({ message, remedy: "Read the file again; if it fails again, export it again." });
+    }
     case "timed-out": {
       const message = `the ${name} file seems to be damaged: OpenCascade was stopped after ${reply.seconds} s, far longer than files of this size take`;
       const simpler =

@@ -61,7 +61,7 @@ function Presentation() {
   useLargeView();
   useEscape(() => (isBlank ? setBlank(false) : app.shell.setState({ isPresenting: false })));
   useClicker((key) => {
-    // Whoever goes on wants to see something.
+    // Any other key shows the view again.
     setBlank(key === "blank" && !isBlank);
     if (key === "next") app.replay.move(1);
     if (key === "back") app.replay.move(-1);

@@ -128,7 +128,7 @@ function Recent() {
               <DocumentPicture id={id} />
               <span className={styles["name"]}>{name}</span>
               <span className={styles["time"]}>
-                {[formatTime(at, Date.now()), openIn && strings.recent.openIn[openIn].toLowerCase()]
+                {[formatTime(at, Date.now()), openIn && strings.recent.alsoOpenIn[openIn]]
                   .filter(Boolean)
                   .join(", ")}
               </span>

@@ -1,19 +1,31 @@
 import { lazy, type ComponentType } from "react";
+import type { App } from "../../app/app";
 import { loadFileDialogs } from "../../session/files";
+import { untilState } from "../../session/until-state";
 import type { Slots } from "../shared/slots";
 
 const load = () => import("./later-panels");
 
-/** Delay in milliseconds that leaves the connection to the first picture and the first mesh. */
+/** Delay in milliseconds that leaves the connection to the first picture, and to a run that begins with the page. */
 const aheadMs = 1500;
 
-/** Fetches the later panels in advance, so that they open immediately, also without a network. */
-export function fetchAhead({ load: loadSlots }: Slots): () => void {
-  const timer = setTimeout(() => {
+/**
+ * Fetches the later panels in advance, so that they open immediately, also without a network: after the first mesh, which needs the
+ * connection for the engine.
+ */
+export function fetchAhead(app: App, { load: loadSlots }: Slots): () => void {
+  let isUnmounted = false;
+  const fetchAll = async (): Promise<void> => {
+    await untilState(app.run.state, ({ busy }) => !busy);
+    if (isUnmounted) return;
     // A failed request is repeated, and its failure shown, when the user opens the panel.
     for (const later of [load, loadFileDialogs, loadSlots]) later().catch(() => undefined);
-  }, aheadMs);
-  return () => clearTimeout(timer);
+  };
+  const timer = setTimeout(() => void fetchAll(), aheadMs);
+  return () => {
+    isUnmounted = true;
+    clearTimeout(timer);
+  };
 }
 
 type Panels = Awaited<ReturnType<typeof load>>;

@@ -20,7 +20,7 @@ export function Page({ app, slots }: { readonly app: App; readonly slots: Slots 
   useCommandHotkeys(app);
   useHeldKeys(app);
   useScheme(app);
-  useEffect(() => fetchAhead(slots), [slots]);
+  useEffect(() => fetchAhead(app, slots), [app, slots]);
   const dropping = useFileDrop(app);
   return (
     <AppContext value={app}>

@@ -1,7 +1,7 @@
 import "@fontsource-variable/inter/wght.css";
 // First of the styles, because it sets the order of the layers.
 import "../../ui/theme/base.css";
-import "@mantine/core/styles.layer.css";
+import "../../ui/theme/component-styles";
 import { createRoot } from "react-dom/client";
 import { createApp } from "../../app/create-app";
 import { addressProblems, showAddressProblems } from "../commands/address-problems";

@@ -1,0 +1,87 @@
+/** What a first visit loads. */
+import { readdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { expect, test, type Request } from "@playwright/test";
+import { AppPage } from "./app-page";
+
+// What a service worker keeps for later would be counted.
+test.use({ serviceWorkers: "block" });
+
+/** Compressed, by the server of the tests. Of these, 323 kB are the engine, and 323 kB React, Mantine and three.js; 45 kB find what the pointer is over. */
+const MOST = { beforePaint: 400_000, beforeMesh: 1_090_000 } as const;
+
+interface Loaded {
+  readonly name: string;
+  readonly bytes: number;
+  /** Milliseconds since 1970. */
+  readonly begin: number;
+}
+
+async function loadedBy(request: Request): Promise<Loaded | null> {
+  const response = await request.response();
+  if (response === null) return null;
+  const bytes = Number(await response.headerValue("content-length")) || (await response.body()).length;
+  return { name: new URL(request.url()).pathname, bytes, begin: request.timing().startTime };
+}
+
+/** Notes in a page when its first mesh is there. */
+function noteFirstMesh(): void {
+  const isMeshed = () => document.querySelector("[data-status='done']") !== null;
+  new MutationObserver((_, observer) => {
+    if (!isMeshed()) return;
+    observer.disconnect();
+    performance.mark("first-mesh");
+  }).observe(document, { subtree: true, childList: true, attributeFilter: ["data-status"] });
+}
+
+test("a first visit loads little before the first paint, and nothing that the first mesh does not need before it", async ({
+  page,
+}) => {
+  const loading: Promise<Loaded | null>[] = [];
+  page.on("request", (request) => void loading.push(loadedBy(request).catch(() => null)));
+  await page.addInitScript(noteFirstMesh);
+  await new AppPage(page).open();
+  const loaded = (await Promise.all(loading)).filter((one) => one !== null);
+  const { painted, meshed } = await page.evaluate(() => {
+    const [paint] = performance.getEntriesByName("first-contentful-paint");
+    const [mesh] = performance.getEntriesByName("first-mesh");
+    const resources = performance.getEntriesByType("resource") as PerformanceResourceTiming[];
+    const before = resources.filter(({ responseEnd }) => responseEnd <= (paint?.startTime ?? 0));
+    const bytes = before.reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0);
+    return {
+      painted: { requests: 1 + before.length, bytes },
+      meshed: performance.timeOrigin + (mesh?.startTime ?? 0),
+    };
+  });
+  expect(painted.requests).toBeLessThanOrEqual(10);
+  expect(painted.bytes).toBeLessThan(MOST.beforePaint);
+  // A script of a worker is announced by the page and by the worker.
+  const bytesOf = new Map(
+    loaded.filter(({ begin }) => begin < meshed).map(({ name, bytes }) => [name, bytes]),
+  );
+  const list = [...bytesOf].map(([name, bytes]) => `${bytes} ${name}`);
+  expect(list).toContainEqual(expect.stringMatching(/engine-.*\.wasm$/));
+  expect(list).not.toContainEqual(expect.stringMatching(/later-panels|front-panels/));
+  const bytes = [...bytesOf.values()].reduce((sum, one) => sum + one, 0);
+  expect(bytes, list.join("\n")).toBeLessThan(MOST.beforeMesh);
+});
+
+test("the site has the styles of all components that it uses, and few others", () => {
+  const folder = fileURLToPath(new URL("../../web/dist/assets", import.meta.url));
+  const textOf = (type: string): string =>
+    readdirSync(folder)
+      .filter((name) => name.endsWith(type))
+      .map((name) => readFileSync(path.join(folder, name), "utf8"))
+      .join("\n");
+  const classesIn = (text: string): ReadonlySet<string> => new Set(text.match(/\bm_[\da-f]{6,8}\b/g));
+  const require = createRequire(new URL("../../web/package.json", import.meta.url));
+  const known = classesIn(readFileSync(require.resolve("@mantine/core/styles.css"), "utf8"));
+  const [used, styled] = [classesIn(textOf(".js")), classesIn(textOf(".css"))];
+  const needed = [...used].filter((name) => known.has(name));
+  expect(needed.length).toBeGreaterThan(100);
+  expect(needed.filter((name) => !styled.has(name))).toEqual([]);
+  const unused = [...styled].filter((name) => known.has(name) && !used.has(name));
+  expect(unused.length).toBeLessThan(10);
+});
