@@ -12,7 +12,6 @@ export {
 } from "./api/best-repair.js";
 export { withSolidsOfPatches } from "./api/touching-solids.js";
 export {
-  connectedGroups,
   isWithin,
   nearPairs,
   sharedPairs,
@@ -28,6 +27,7 @@ export { importKernel } from "./cad/kernel-browser.js";
 export type { FeatureKernel } from "./cad/features/session.js";
 export { createUnitBodies } from "./project/solid-bodies.js";
 export { bodyBox } from "./project/bodies.js";
+export { connectedGroups } from "./base/connected-groups.js";
 export { roundTime, TimeLeft } from "./base/time-left.js";
 export { STEP_HEIGHT } from "./base/limits.js";
 export { projectSchema } from "./project/schema.js";

@@ -1,10 +1,10 @@
 /** Divides a surface with several solids into bodies. */
 import * as v from "valibot";
+import { connectedGroups } from "../base/connected-groups.js";
 import { checkArgument } from "../calls/argument-checks.js";
 import { integers } from "../calls/schemas.js";
 import { NO_REGION } from "../generated/constants.js";
 import {
-  connectedGroups,
   partOfSolids,
   partOfTriangles,
   sharedPairs,
