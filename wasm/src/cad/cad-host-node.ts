@@ -3,7 +3,7 @@ import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
 import type { CadHost, CadWorker, CadWorkerEvents } from "./cad-host.js";
 import { crashOf } from "./crash.js";
-import type { CadLoaded, CadReply } from "./protocol.js";
+import type { CadProgress, CadReply } from "./protocol.js";
 
 /**
  * Compiles functions of a module once and fast. Most of the library's run a few times only: with optimized code, a part of 292 kB took
@@ -30,7 +30,7 @@ function startedProcess(events: CadWorkerEvents): CadWorker | undefined {
       stdio: ["ignore", "ignore", "ignore", "ipc"],
     });
     const ends = endings(events);
-    child.on("message", (reply) => events.onReply(reply as CadReply | CadLoaded));
+    child.on("message", (reply) => events.onReply(reply as CadReply | CadProgress));
     child.on("error", ends.onError);
     child.on("exit", (code, signal) => ends.onExit(signal ?? code));
     return {
@@ -48,7 +48,7 @@ function startedProcess(events: CadWorkerEvents): CadWorker | undefined {
 function startedThread(events: CadWorkerEvents): CadWorker {
   const worker = new Worker(script, { name: "tetrafront-cad", execArgv: [] });
   const ends = endings(events);
-  worker.on("message", (reply: CadReply | CadLoaded) => events.onReply(reply));
+  worker.on("message", (reply: CadReply | CadProgress) => events.onReply(reply));
   worker.on("error", ends.onError);
   worker.on("exit", ends.onExit);
   return {

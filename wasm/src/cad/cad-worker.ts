@@ -25,10 +25,11 @@ async function loadedKernel({ library }: CadRequest): Promise<CadKernel | undefi
   }
 }
 
-function readByKernel(kernel: CadKernel, { format, bytes, deflection }: CadRequest): CadReply {
+function readByKernel(kernel: CadKernel, { format, bytes, deflection, sharesFaces }: CadRequest): CadReply {
   if (format === "iges") return { kind: "rejected" };
   try {
-    const texts = fileTexts(kernel, { format, bytes, sharesFaces: true }, deflection);
+    const onSharing = sharesFaces ? () => cadPort.post({ kind: "sharing" }, []) : undefined;
+    const texts = fileTexts(kernel, { format, bytes }, deflection, onSharing);
     if (texts === undefined) return { kind: "rejected" };
     const step = format === "step" ? new TextDecoder("latin1").decode(bytes) : undefined;
     return { kind: "read", shapes: cadShapesOf(texts, step) };

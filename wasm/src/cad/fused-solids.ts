@@ -18,17 +18,25 @@ interface Solid {
 
 /**
  * Returns a shape with its solids fused; undefined if it has fewer than two, faces without a solid, or no solids that share
- * anything. Solids that overlap keep their faces, with those that touch them: the fuse would divide them. `hold` frees the result.
- * Takes 0.03 s per solid, if the kernel is compiled fast.
+ * anything. Solids that overlap keep their faces, with those that touch them: the fuse would divide them. `hold` frees the result;
+ * `onSharing` is called before the first fuse.
  */
-export function fusedSolids(kernel: CadKernel, shape: Shape, hold: Hold): FusedShape | undefined {
+export function fusedSolids(
+  kernel: CadKernel,
+  shape: Shape,
+  hold: Hold,
+  onSharing?: () => void,
+): FusedShape | undefined {
   const { TopAbs_SOLID, TopAbs_FACE } = kernel.TopAbs_ShapeEnum;
   const given = shapesIn(kernel, shape, TopAbs_SOLID, hold);
   if (given.length < 2 || shapesIn(kernel, shape, TopAbs_FACE, hold, TopAbs_SOLID).length > 0) return undefined;
   const solids = given.map((one): Solid => ({ shape: one, origins: [...facesOf(kernel, one, hold).keys()] }));
   let isChanged = false;
-  for (const group of connectedGroups(given.length, nearPairs(kernel, given, hold))) {
-    if (group.length < 2) continue;
+  const groups = connectedGroups(given.length, nearPairs(kernel, given, hold)).filter(
+    (group) => group.length > 1,
+  );
+  if (groups.length > 0) onSharing?.();
+  for (const group of groups) {
     const made = fusedGroup(
       kernel,
       group.flatMap((s) => given[s] ?? []),
@@ -64,14 +72,27 @@ function fusedGroup(kernel: CadKernel, given: readonly Shape[], hold: Hold): Sol
   const solids = given.map((solid): Solid | undefined => {
     const [made, ...others] = after(solid);
     if (made === undefined || others.length > 0) return undefined;
-    const parts = facesOf(kernel, solid, hold).map(after);
-    const origins = facesOf(kernel, made, hold).map((face) =>
-      parts.findIndex((own) => own.some((part) => part.IsSame(face))),
+    const parts = new Map<number, { readonly part: Shape; readonly face: number }[]>();
+    facesOf(kernel, solid, hold).forEach((one, face) => {
+      for (const part of after(one)) {
+        const hash = hashOf(kernel, part);
+        parts.set(hash, [...(parts.get(hash) ?? []), { part, face }]);
+      }
+    });
+    const faces = facesOf(kernel, made, hold);
+    const origins = faces.flatMap(
+      (face) => parts.get(hashOf(kernel, face))?.find(({ part }) => part.IsSame(face))?.face ?? [],
     );
-    return origins.includes(-1) ? undefined : { shape: made, origins };
+    return origins.length === faces.length ? { shape: made, origins } : undefined;
   });
-  return solids.every((solid) => solid !== undefined) ? solids : undefined;
+  const areDifferent = solids.every(
+    (solid, s) => !solids.slice(0, s).some((other) => other !== undefined && solid?.shape.IsSame(other.shape)),
+  );
+  return areDifferent && solids.every((solid) => solid !== undefined) ? solids : undefined;
 }
+
+const hashOf = (kernel: CadKernel, shape: Shape): number =>
+  kernel.ReplicadShapeHasher.HashCode(shape, 0x7fffffff);
 
 /** Returns pairs of shapes whose boxes, with their tolerances, touch. */
 function nearPairs(kernel: CadKernel, shapes: readonly Shape[], hold: Hold): [number, number][] {

@@ -78,6 +78,7 @@ export interface CadKernel {
   readonly STEPControl_Reader: new () => StepReader;
   readonly NCollection_List_TopoDS_Shape: new (other?: ShapeList) => ShapeList;
   readonly TopExp_Explorer: new (shape: Shape, find: EnumEntry, avoid: EnumEntry) => Explorer;
+  readonly ReplicadShapeHasher: { HashCode(shape: Shape, limit: number): number };
   readonly TopoDS_Builder: new () => ShapeBuilder;
   readonly TopoDS_Compound: new () => Shape;
   readonly BRepAlgoAPI_BuilderAlgo: new () => GeneralFuse;
@@ -139,17 +140,19 @@ export interface FileTexts {
 }
 
 /**
- * Returns the shape of a file; undefined if the kernel rejects the file. Throws what the kernel throws; then it must not be used again.
+ * Returns the shape of a file; undefined if the kernel rejects the file. `onSharing` is called before the search for what solids share,
+ * which may take long or fail; without it, there is none. Throws what the kernel throws; then it must not be used again.
  */
 export function fileTexts(
   kernel: CadKernel,
-  { sharesFaces, ...file }: Pick<ModelRequest, "format" | "bytes" | "sharesFaces">,
+  file: Pick<ModelRequest, "format" | "bytes">,
   deflection: Deflection,
+  onSharing?: () => void,
 ): FileTexts | undefined {
   return withHeld((hold) => {
     const shape = shapeIn(kernel, file, hold);
     if (shape === undefined) return undefined;
-    const fused = sharesFaces === true ? fusedSolids(kernel, shape, hold) : undefined;
+    const fused = onSharing === undefined ? undefined : fusedSolids(kernel, shape, hold, onSharing);
     if (fused === undefined) return { text: textOfShape(kernel, shape, deflection, hold) };
     const given = { text: kernel.BRepToolsWrapper.Write(shape), origins: fused.origins };
     return { text: textOfShape(kernel, fused.shape, deflection, hold), given };
