@@ -65,11 +65,7 @@ const cases: Record<string, Case> = {
     interfaces: { "0 1": 2 * Math.PI * RADIUS * 2 },
   },
   "three boxes at one edge": {
-    solids: () => [
-      box([0, 0, 0], [2, 2, 2]),
-      box([2, 0, 0], [2, 2, 2]),
-      box([0, 2, 0], [4, 2, 2]),
-    ],
+    solids: () => [box([0, 0, 0], [2, 2, 2]), box([2, 0, 0], [2, 2, 2]), box([0, 2, 0], [4, 2, 2])],
     volumes: [8, 8, 16],
     interfaces: { "0 1": 4, "0 2": 4, "1 2": 4 },
   },
@@ -111,7 +107,9 @@ const positionOf = (points: Float64Array, node: number): Position => {
 };
 
 const determinant = ([a, b, c]: readonly [Position, Position, Position]) =>
-  a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  a[0] * (b[1] * c[2] - b[2] * c[1]) -
+  a[1] * (b[0] * c[2] - b[2] * c[0]) +
+  a[2] * (b[0] * c[1] - b[1] * c[0]);
 
 /** Returns the volume of each region, of elements with ten nodes: the rule is exact for cubic functions. */
 function volumesOf({ points, tetrahedra, tetrahedronRegion, regions, curvedEdges }: Mesh): number[] {
@@ -163,7 +161,10 @@ function interfacesOf({ points, triangles, triangleRegions = new Uint32Array() }
       Position,
       Position,
     ];
-    const [u, v] = [b, c].map((p): Position => [p[0] - a[0], p[1] - a[1], p[2] - a[2]]) as [Position, Position];
+    const [u, v] = [b, c].map((p): Position => [p[0] - a[0], p[1] - a[1], p[2] - a[2]]) as [
+      Position,
+      Position,
+    ];
     const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     areas[pair.join(" ")] = (areas[pair.join(" ")] ?? 0) + Math.hypot(...normal) / 2;
   }

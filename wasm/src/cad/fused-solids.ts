@@ -29,7 +29,8 @@ export function fusedSolids(
 ): FusedShape | undefined {
   const { TopAbs_SOLID, TopAbs_FACE } = kernel.TopAbs_ShapeEnum;
   const given = shapesIn(kernel, shape, TopAbs_SOLID, hold);
-  if (given.length < 2 || shapesIn(kernel, shape, TopAbs_FACE, hold, TopAbs_SOLID).length > 0) return undefined;
+  if (given.length < 2 || shapesIn(kernel, shape, TopAbs_FACE, hold, TopAbs_SOLID).length > 0)
+    return undefined;
   const solids = given.map((one): Solid => ({ shape: one, origins: [...facesOf(kernel, one, hold).keys()] }));
   let isChanged = false;
   const groups = connectedGroups(given.length, nearPairs(kernel, given, hold)).filter(
@@ -86,7 +87,8 @@ function fusedGroup(kernel: CadKernel, given: readonly Shape[], hold: Hold): Sol
     return origins.length === faces.length ? { shape: made, origins } : undefined;
   });
   const areDifferent = solids.every(
-    (solid, s) => !solids.slice(0, s).some((other) => other !== undefined && solid?.shape.IsSame(other.shape)),
+    (solid, s) =>
+      !solids.slice(0, s).some((other) => other !== undefined && solid?.shape.IsSame(other.shape)),
   );
   return areDifferent && solids.every((solid) => solid !== undefined) ? solids : undefined;
 }
