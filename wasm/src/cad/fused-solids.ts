@@ -43,10 +43,10 @@ export function fusedSolids(
       group.flatMap((s) => given[s] ?? []),
       hold,
     );
-    made?.forEach((solid, k) => {
+    for (const [k, solid] of (made ?? []).entries()) {
       solids[group[k] ?? 0] = solid;
       isChanged = true;
-    });
+    }
   }
   if (!isChanged) return undefined;
   const [builder, whole] = [hold(new kernel.TopoDS_Builder()), hold(new kernel.TopoDS_Compound())];
