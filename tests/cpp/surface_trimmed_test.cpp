@@ -111,5 +111,52 @@ TEST(TrimmedSurface, NeedlesAreFilledOnceOrGivenUp) {
   EXPECT_GE(filled, 8);
 }
 
+/// A square with a round hole that is tangent to it at a vertex of both.
+TrimmedModel squareWithTangentHole(double width, double radius) {
+  TrimmedModel model;
+  model.vertices = {{0.0, 0.0, 0.0},
+                    {width, 0.0, 0.0},
+                    {width, width, 0.0},
+                    {0.0, width, 0.0},
+                    {0.0, 0.5 * width, 0.0}};
+  model.surfaces.emplace_back();
+  std::vector<Coedge> outer;
+  for (std::uint32_t v = 0; v < 5; ++v) {
+    const std::uint32_t next = (v + 1) % 5;
+    const Vec3 along = model.vertices[next] - model.vertices[v];
+    SpaceCurve line;
+    line.frame = {model.vertices[v], glm::normalize(along), {}, {}};
+    model.curves.push_back(line);
+    model.edges.push_back({v, 0.0, glm::length(along), v, next, 0.0});
+    outer.push_back({v, false, {}});
+  }
+  SpaceCurve circle;
+  circle.kind = CurveKind::kCircle;
+  circle.frame.origin = {radius, 0.5 * width, 0.0};
+  circle.frame.x = {-1.0, 0.0, 0.0};
+  circle.frame.y = {0.0, -1.0, 0.0};
+  circle.radius = radius;
+  model.curves.push_back(circle);
+  constexpr double kTurn = 6.283185307179586;
+  model.edges.push_back({5U, 0.0, kTurn, 4, 4, 0.0});
+  model.faces.push_back({0, false, {outer, {{5, true, {}}}}});
+  return model;
+}
+
+TEST(TrimmedSurface, LoopsMayTouchAtAVertex) {
+  const TrimmedModel model = squareWithTangentHole(4.0, 1.0);
+  for (const double size : {0.5, 0.2, 0.05}) {
+    SCOPED_TRACE(size);
+    const SurfaceMesh mesh = trimmedMeshOf(model, size);
+    const SurfaceMeasures found = measure(mesh, SizeField::uniform(size));
+    EXPECT_EQ(found.nonManifoldEdges, 0U);
+    EXPECT_EQ(found.borderEdges, mesh.sides.size() / 2);
+    // One hole, of which the vertex is a part of the outer loop too.
+    EXPECT_EQ(found.eulerCharacteristic(), 0);
+    EXPECT_NEAR(found.area, 16.0 - 3.141592653589793, 0.6 * size * size);
+    EXPECT_GT(found.minAngle, 1.0);
+  }
+}
+
 }  // namespace
 }  // namespace tetrafront::testing

@@ -11,14 +11,7 @@ export {
   type RemeshShapes,
 } from "./api/best-repair.js";
 export { withSolidsOfPatches } from "./api/touching-solids.js";
-export {
-  connectedGroups,
-  isWithin,
-  nearPairs,
-  sharedPairs,
-  solidUnits,
-  type SolidsSurface,
-} from "./formats/solid-units.js";
+export { isWithin, nearPairs, sharedPairs, solidUnits, type SolidsSurface } from "./formats/solid-units.js";
 export { differentNames } from "./formats/groups.js";
 export { featureSolid, type FeatureSolid } from "./formats/feature-solid.js";
 export type { FeatureFailure, LoopCurve, Profile } from "./cad/features/feature.js";
@@ -28,6 +21,7 @@ export { importKernel } from "./cad/kernel-browser.js";
 export type { FeatureKernel } from "./cad/features/session.js";
 export { createUnitBodies } from "./project/solid-bodies.js";
 export { bodyBox } from "./project/bodies.js";
+export { connectedGroups } from "./base/connected-groups.js";
 export { roundTime, TimeLeft } from "./base/time-left.js";
 export { STEP_HEIGHT } from "./base/limits.js";
 export { projectSchema } from "./project/schema.js";

@@ -18,6 +18,7 @@ struct Frame3 {
   Vec3 x{1.0, 0.0, 0.0};
   Vec3 y{0.0, 1.0, 0.0};
   Vec3 z{0.0, 0.0, 1.0};
+  friend bool operator==(const Frame3&, const Frame3&) = default;
 };
 
 /// A position of the parameter plane and two orthogonal unit axes, in either orientation.
@@ -42,6 +43,7 @@ struct SplineCurve {
   std::vector<double> knots;
   std::vector<Vector> poles;
   std::vector<double> weights;  ///< positive, one per pole; or empty
+  friend bool operator==(const SplineCurve&, const SplineCurve&) = default;
 };
 
 /// A curve in space. The fields that its kind does not name are not read.
@@ -51,6 +53,7 @@ struct SpaceCurve {
   double radius = 0.0;
   double minorRadius = 0.0;
   SplineCurve<Vec3> spline;
+  friend bool operator==(const SpaceCurve&, const SpaceCurve&) = default;
 };
 
 /// A curve in the parameter plane (u, v) of a surface.
@@ -86,6 +89,8 @@ struct SplineSurface {
   std::vector<Vec3> poles;
   std::vector<double> weights;  ///< positive, one per pole; or empty
 
+  friend bool operator==(const SplineSurface&, const SplineSurface&) = default;
+
   [[nodiscard]] std::size_t uCount() const { return uKnots.size() - uDegree - 1; }
   [[nodiscard]] std::size_t vCount() const { return vKnots.size() - vDegree - 1; }
 };
@@ -99,6 +104,7 @@ struct FaceSurface {
   double halfAngle = 0.0;  ///< of a cone, from -pi/2 to pi/2
   SplineSurface spline;
   SpaceCurve profile;  ///< of an extrusion or a revolution
+  friend bool operator==(const FaceSurface&, const FaceSurface&) = default;
 };
 
 /// A part of a curve between two vertices, which are the same for a closed edge. Faces share an edge.

@@ -33,6 +33,8 @@ constexpr double kMaxBentShare = 0.21;
 constexpr double kLongest = 1.5;
 /// Deviation at which reduced sizes aim / tolerance.
 constexpr double kReducedShare = 0.5;
+/// The same at a cusp.
+constexpr double kCuspShare = 0.9;
 /// Triangulations of the faces, with sizes reduced in between. Each gets rid of most triangles that are too far away.
 constexpr int kRefinements = 4;
 /// Share of the area too far away that a triangulation may leave, or no other follows.
@@ -62,6 +64,8 @@ bool areOfShape(const Remeshing& remeshing) {
 struct PlacedSizes {
   std::vector<Vec3> positions;
   std::vector<double> sizes;
+  /// Least sizes near cusps.
+  std::optional<RemeshSizes> targets;
 };
 
 /// Returns the sizes that the given surface asks for; none if there are too many triangles, or if the work was stopped.
@@ -77,7 +81,8 @@ Task<std::optional<PlacedSizes>> findSizes(Work& work, const Remeshing& remeshin
   ShapeSizes& shape = targets.ofShape;
   for (std::size_t i = 0; i < shape.sizes.size(); ++i)
     shape.sizes[i] = std::max(shape.sizes[i], targets.sizes->leastAt(shape.positions[i]));
-  co_return PlacedSizes{std::move(shape.positions), std::move(shape.sizes)};
+  co_return PlacedSizes{std::move(shape.positions), std::move(shape.sizes),
+                        std::move(targets.sizes)};
 }
 
 Task<SizeField> fieldOf(Work& work, const PlacedSizes& placed, const Remeshing& remeshing) {
@@ -227,21 +232,27 @@ void measureBeside(const Remeshing& remeshing, RemeshPass& pass) {
 
 /// Adds smaller sizes where triangles are farther from the given ones than the tolerance: large ones on faces that the given
 /// triangles show too roughly for their curvature. Returns their area.
-double addSizesWhereFar(const RemeshPass& pass, const SizeField& field, double tolerance,
-                        PlacedSizes& placed) {
+double addSizesWhereFar(const RemeshPass& pass, const SizeField& field,
+                        const RemeshLengths& lengths, PlacedSizes& placed) {
   double area = 0.0;
   FieldHint hint;
   for (const TriangleId t : IdRange<TriangleId>(pass.beneath.size())) {
     const double deviation = pass.remesh.triangleDeviation[t.index()];
-    if (deviation < tolerance) continue;
+    if (deviation < lengths.testedTolerance) continue;
     const TriangleCorners corners = cornersOf(pass.surface.mesh, t);
+    const Vec3 centroid = centroidOf(corners);
+    // At a cusp, where shorter edges have smaller angles, an edge is as long as the tolerance allows.
+    const bool isAtCusp = placed.targets->leastAt(centroid) > 0.0;
+    const double tolerance = isAtCusp ? lengths.tolerance : lengths.testedTolerance;
+    if (deviation < tolerance) continue;
     area += areaOf(corners);
     const double length = longestEdgeLengthOf(corners);
-    const Vec3 centroid = centroidOf(corners);
-    const double size = std::min(field.targetSizeAt(centroid, hint), length / kLongest);
+    const double size =
+        std::min(field.targetSizeAt(centroid, hint), isAtCusp ? length : length / kLongest);
+    const double share = isAtCusp ? kCuspShare : kReducedShare;
     placed.positions.push_back(centroid);
     // The deviation grows with the square of the length.
-    placed.sizes.push_back(size * std::sqrt(kReducedShare * tolerance / deviation));
+    placed.sizes.push_back(size * std::sqrt(share * tolerance / deviation));
   }
   return area;
 }
@@ -312,7 +323,6 @@ Task<ModelRemesh> remeshModel(Work& work, const Remeshing& remeshing) {
   work.beginPart(0.4);
   std::optional<PlacedSizes> placed = co_await findSizes(work, remeshing);
   if (!placed) co_return none;
-  const double tolerance = remeshing.lengths.testedTolerance;
   ModelRemesh made;
   double far = 0.0;
   for (int round = 0; round < kRefinements; ++round) {
@@ -322,7 +332,7 @@ Task<ModelRemesh> remeshModel(Work& work, const Remeshing& remeshing) {
     made = co_await remeshWith(work, field, remeshing);
     if (!made.pass) co_return made;
     const double before =
-        std::exchange(far, addSizesWhereFar(*made.pass, field, tolerance, *placed));
+        std::exchange(far, addSizesWhereFar(*made.pass, field, remeshing.lengths, *placed));
     // Where the given triangles are far from the faces, smaller ones are no nearer to them.
     if (far == 0.0 || (round > 0 && far > kLessArea * before)) break;
     work.leaveRest();

@@ -17,6 +17,7 @@
 #include "geom/angles.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
+#include "model/joined_solids.h"
 #include "model/model_numbers.h"
 #include "remesh/centred.h"
 #include "remesh/deviation.h"
@@ -190,6 +191,13 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
   co_return result;
 }
 
+/// Returns the faces of a model, those once that two solids share; none if they cannot be evaluated.
+std::optional<JoinedSolids> readSolids(std::span<const double> numbers) {
+  std::optional<ReadModel> read = readModel(numbers);
+  if (!read || !read->isSound) return std::nullopt;
+  return joinSolids(std::move(read->model));
+}
+
 }  // namespace
 
 Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std::uint32_t>& groups,
@@ -223,12 +231,13 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   work.beginPart(0.1);
   co_await reference.prepare(work);
   // A model far from the origin would have to be moved with its surface.
-  const std::optional<ReadModel> read =
-      model.empty() || centre != Vec3(0.0) ? std::nullopt : readModel(model);
-  const TrimmedModel* faces = read && read->isSound ? &read->model : nullptr;
+  const std::optional<JoinedSolids> solids =
+      model.empty() || centre != Vec3(0.0) ? std::nullopt : readSolids(model);
+  const TrimmedModel* faces = solids ? &solids->model : nullptr;
   const Remeshing remeshing{given, reference, movedSizes, settled, lengths, isStopped, faces};
   work.beginPart(0.95);
   SimplifiedSurface surface = co_await remeshAndDrop(work, remeshing);
+  for (std::uint32_t& face : surface.pass.remesh.failedFaces) face = solids->givenFaces[face];
   work.beginPart(1.0);
   SurfaceRemesh result = co_await finish(work, remeshing, surface);
   result.givenVolume = givenVolume;

@@ -129,6 +129,9 @@ bool sidesIntersect(const PlanarMesh& mesh, const PlanarMesh::Side& first,
   if (b == c && a == d) return true;
   if (b == c) return segmentsOverlap(mesh, b, a, d);
   if (a == d) return segmentsOverlap(mesh, a, b, c);
+  // Loops that touch have a node in common.
+  if (a == c) return segmentsOverlap(mesh, a, b, d);
+  if (b == d) return segmentsOverlap(mesh, b, a, c);
   return segmentsIntersect(mesh, a, b, c, d);
 }
 
@@ -161,6 +164,18 @@ SideRange sidesOfLoop(const PatchBoundary& boundary, std::size_t loop) {
           isLast ? static_cast<std::uint32_t>(boundary.origins.size()) : boundary.loops[loop + 1]};
 }
 
+/// Returns a node of a loop that no other loop touches; none if there is none.
+PlanarNodeId nodeApart(const PlanarMesh& mesh, const SideRange& loop) {
+  const auto isTouched = [&](PlanarNodeId node) {
+    return std::ranges::any_of(mesh.touchingSides, [&](std::uint32_t side) {
+      return mesh.sides[side].from == node || mesh.sides[side].to == node;
+    });
+  };
+  for (std::uint32_t side = loop.from; side < loop.to; ++side)
+    if (!isTouched(mesh.sides[side].from)) return mesh.sides[side].from;
+  return {};
+}
+
 /// Even-odd rule on a ray in the first direction, by exact orientations. No side of the loop may touch the node.
 bool isInside(const PlanarMesh& mesh, PlanarNodeId node, const SideRange& loop) {
   const Vec2& position = mesh.planeOf(node);
@@ -185,7 +200,8 @@ std::vector<std::uint32_t> findMisplacedSides(const PatchBoundary& boundary) {
   if (boundary.isFlipped) add(sidesOfLoop(boundary, 0));
   for (std::size_t hole = 1; hole < boundary.loops.size(); ++hole) {
     const SideRange sides = sidesOfLoop(boundary, hole);
-    const PlanarNodeId node = boundary.mesh.sides[sides.from].from;
+    const PlanarNodeId node = nodeApart(boundary.mesh, sides);
+    if (node.isNone()) continue;
     for (std::size_t loop = 0; loop < boundary.loops.size(); ++loop) {
       if (loop == hole) continue;
       const SideRange other = sidesOfLoop(boundary, loop);

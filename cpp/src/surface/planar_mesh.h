@@ -41,7 +41,9 @@ struct PlanarMesh {
   /// Per boundary node: 1 if no interior edge may connect it to another node marked 1. May be empty: all 0.
   std::vector<std::uint8_t> separated;
   std::uint32_t boundaryCount = 0;  ///< nodes 0 .. boundaryCount-1 lie on the patch's lines
-  std::vector<Side> sides;          ///< node i is an end of side i
+  std::vector<Side> sides;          ///< node i is an end of side i, except of those below
+  /// Sides that have a node of another loop in place of their own, because the loops touch there.
+  std::vector<std::uint32_t> touchingSides;
   std::vector<Triangle> triangles;
 
   /// Appends an interior node without triangles.
@@ -104,7 +106,10 @@ struct PlanarMesh {
       return side.from == node || side.to == node;
     };
     // Node i is the first node of side i, or the second one in a reversed loop.
-    return !isEnd(sides[a.index()], b) && !isEnd(sides[b.index()], a);
+    if (isEnd(sides[a.index()], b) || isEnd(sides[b.index()], a)) return false;
+    for (const std::uint32_t side : touchingSides)
+      if (isEnd(sides[side], a) && isEnd(sides[side], b)) return false;
+    return true;
   }
 
  private:

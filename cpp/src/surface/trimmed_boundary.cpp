@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "base/sort.h"
 #include "base/tolerance.h"
 #include "surface/carrier_table.h"
 
 namespace tetrafront {
 
 namespace {
+
+/// Distance of two occurrences of a node in the plane / length of a side there, below which loops touch.
+constexpr double kTouching = 0.1;
 
 /// A node of a loop in the plane, and the side that follows it.
 struct LoopNode {
@@ -49,6 +54,7 @@ class FaceBoundaryBuilder {
         placed_, {}, [](const PlacedLoop& loop) { return std::fabs(loop.twiceArea); });
     std::rotate(placed_.begin(), outer, outer + 1);
     for (std::size_t loop = 0; loop < placed_.size(); ++loop) append(loop);
+    joinTouchingLoops();
     addCarriers();
     boundary_.mesh.boundaryCount = static_cast<std::uint32_t>(boundary_.mesh.plane.size());
     return std::move(boundary_);
@@ -100,6 +106,40 @@ class FaceBoundaryBuilder {
     }
   }
 
+  /// Finds the nodes at which loops touch each other, and gives the sides of the later loop the node of the earlier one.
+  void joinTouchingLoops() {
+    PlanarMesh& mesh = boundary_.mesh;
+    std::vector<std::pair<NodeId, std::size_t>> occurrences;
+    for (std::size_t i = 0; i < mesh.plane.size(); ++i)
+      occurrences.emplace_back(mesh.surfaceNodes[i], i);
+    sortUnique(occurrences);
+    joined_.resize(mesh.plane.size());
+    std::iota(joined_.begin(), joined_.end(), std::size_t{0});
+    for (std::size_t k = 1; k < occurrences.size(); ++k) {
+      for (std::size_t before = k; before > 0; --before) {
+        const auto& [node, earlier] = occurrences[before - 1];
+        const std::size_t later = occurrences[k].second;
+        if (node != occurrences[k].first) break;
+        if (joined_[earlier] == earlier && areOne(earlier, later)) joined_[later] = earlier;
+      }
+    }
+    for (std::uint32_t side = 0; side < mesh.sides.size(); ++side) {
+      auto& [from, to] = mesh.sides[side];
+      const PlanarMesh::Side given = mesh.sides[side];
+      from = PlanarNodeId(joined_[from.index()]);
+      to = PlanarNodeId(joined_[to.index()]);
+      if (from != given.from || to != given.to) mesh.touchingSides.push_back(side);
+    }
+  }
+
+  /// Returns true if two occurrences of a node are at one position of the plane. On a seam and at a pole they are not.
+  [[nodiscard]] bool areOne(std::size_t earlier, std::size_t later) const {
+    const std::vector<Vec2>& plane = boundary_.mesh.plane;
+    const auto& [from, to] = boundary_.mesh.sides[later];
+    const double length = glm::length(plane[to.index()] - plane[from.index()]);
+    return glm::length(plane[later] - plane[earlier]) < kTouching * length;
+  }
+
   /// Nodes of an edge that is straight in the plane get a common carrier.
   void addCarriers() {
     PlanarMesh& mesh = boundary_.mesh;
@@ -120,7 +160,8 @@ class FaceBoundaryBuilder {
         if (!isStraight(nodes)) continue;
         const CarrierId carrier =
             table.findOrAdd(mesh.plane[nodes.front()], mesh.plane[nodes.back()]);
-        for (const std::size_t node : nodes) mesh.addCarrier(node, carrier);
+        for (const std::size_t node : nodes)
+          if (mesh.carriers[joined_[node]][1].isNone()) mesh.addCarrier(joined_[node], carrier);
       }
     }
   }
@@ -143,6 +184,7 @@ class FaceBoundaryBuilder {
   const SizeField* field_;
   const DividedLines* lines_;
   std::vector<PlacedLoop> placed_;
+  std::vector<std::size_t> joined_;  ///< per node: the one that its sides have
   PatchBoundary boundary_;
   FieldHint hint_;
 };

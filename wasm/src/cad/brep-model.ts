@@ -70,8 +70,14 @@ export function partsOfBrep(text: string, fileName: string): BrepPart[] {
   return partsIn(tables).parts.map((part) => {
     const builder = new ModelBuilder(tables);
     const model = builder.model([part]);
-    return { model, faces: builder.triangulated, kinds: part.faces.map((face) => kindOf(face, tables)) };
+    return { model, faces: builder.triangulated, kinds: kindsIn(part, tables) };
   });
+}
+
+/** Returns the kinds of the surfaces of the faces of each part, as `partsOfBrep` does. */
+export function kindsOfBrep(text: string, fileName: string): BrepPart["kinds"][] {
+  const tables = readTables(new BrepWords(text, fileName), text);
+  return partsIn(tables).parts.map((part) => kindsIn(part, tables));
 }
 
 /** A use of a shape where it is in the whole: locations and orientations of all uses above it included. */
@@ -93,6 +99,9 @@ const noteOf = (reason: string, count: number) => `${plural(count, "face")}: ${r
 
 const shapeOf = ({ shapes }: BrepTables, index: number): BrepShape =>
   shapes[index] ?? { kind: "group", uses: [] };
+
+const kindsIn = ({ faces }: Part, tables: BrepTables): BrepPart["kinds"] =>
+  faces.map((face) => kindOf(face, tables));
 
 function kindOf(face: Placed, tables: BrepTables): FaceSurface["kind"] | "other" {
   const { surface } = shapeOf(tables, face.shape) as FaceShape;

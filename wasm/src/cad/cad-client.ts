@@ -4,7 +4,7 @@ import { untilCancelled } from "../calls/cancelling.js";
 import { cadLibrary } from "./cad-library.js";
 import type { CadWorker } from "./cad-host.js";
 import { startFailure } from "./crash.js";
-import type { CadLoaded, CadReply, CadRequest, CadTimeout } from "./protocol.js";
+import type { CadProgress, CadReply, CadRequest, CadTimeout } from "./protocol.js";
 
 export const notLoadedRemedy = cadHost.remedyFor;
 
@@ -42,29 +42,52 @@ export function secondsForFiner(bytes: number): number {
 interface CadLimits {
   readonly reading?: number;
   readonly loading?: number;
+  /** For the search for faces that solids share, and what follows. */
+  readonly sharing?: number;
 }
 
+type CadQuestion = Omit<CadRequest, "library" | "sharesFaces">;
+
 /**
- * Resolves with the reply of the worker; a crash of the worker and the end of its times are replies, too. Rejects with a
- * `MesherError` of code `cancelled` if the signal is aborted.
+ * Resolves with the reply of the worker; a crash of the worker and the end of its times are replies, too. If it does not get to the
+ * end of the search for faces that solids share, another one reads the file without. Rejects with a `MesherError` of code
+ * `cancelled` if the signal is aborted.
  */
 export async function askForCad(
-  request: Omit<CadRequest, "library">,
+  question: CadQuestion,
   signal: AbortSignal | undefined,
-  { reading = secondsFor(request.bytes.length), loading = LOADING }: CadLimits = {},
+  limits: CadLimits = {},
 ): Promise<CadReply> {
+  const { reply, hasShared } = await answerTo({ ...question, sharesFaces: true }, signal, limits);
+  if (reply.kind === "read" || !hasShared) return reply;
+  const { reply: apart } = await answerTo({ ...question, sharesFaces: false }, signal, limits);
+  return apart.kind === "read" ? { ...apart, areApart: true } : apart;
+}
+
+/** `hasShared`: whether the worker has begun to search for faces that solids share. */
+async function answerTo(
+  request: CadQuestion & Pick<CadRequest, "sharesFaces">,
+  signal: AbortSignal | undefined,
+  { reading = secondsFor(request.bytes.length), loading = LOADING, sharing = reading }: CadLimits,
+): Promise<{ readonly reply: CadReply; readonly hasShared: boolean }> {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let worker: CadWorker | undefined;
+  let hasShared = false;
   try {
-    return await untilCancelled(
+    const reply = await untilCancelled(
       () =>
         new Promise<CadReply>((resolve) => {
           const stopAfter = (seconds: number, kind: CadTimeout["kind"]) => {
             clearTimeout(timer);
             timer = setTimeout(() => resolve({ kind, seconds }), seconds * 1000);
           };
-          const onReply = (reply: CadReply | CadLoaded) =>
-            reply.kind === "loaded" ? stopAfter(reading, "timed-out") : resolve(reply);
+          const onReply = (message: CadReply | CadProgress) => {
+            if (message.kind === "loaded") stopAfter(reading, "timed-out");
+            else if (message.kind === "sharing") {
+              hasShared = true;
+              stopAfter(sharing, "timed-out");
+            } else resolve(message);
+          };
           stopAfter(loading, "loading-timed-out");
           try {
             worker = cadHost.start({ onReply, onCrash: resolve });
@@ -75,6 +98,7 @@ export async function askForCad(
         }),
       signal,
     );
+    return { reply, hasShared };
   } finally {
     clearTimeout(timer);
     worker?.terminate();

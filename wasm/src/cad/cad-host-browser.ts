@@ -1,7 +1,7 @@
 import { ENDED, watchLife, type LifeReply } from "../calls/worker-life.js";
 import type { CadHost } from "./cad-host.js";
 import { crashOf } from "./crash.js";
-import type { CadLoaded, CadReply } from "./protocol.js";
+import type { CadProgress, CadReply } from "./protocol.js";
 
 const ADDRESSES =
   "pass their addresses to setCadLibrary(), and let the Content-Security-Policy allow 'unsafe-eval'.";
@@ -18,7 +18,7 @@ export const cadHost: CadHost = {
       name: "tetrafront-cad",
     });
     const life = watchLife(() => events.onCrash({ kind: "out-of-memory", message: ENDED }));
-    worker.onmessage = ({ data }: MessageEvent<CadReply | CadLoaded | LifeReply>) =>
+    worker.onmessage = ({ data }: MessageEvent<CadReply | CadProgress | LifeReply>) =>
       data.kind === "lives" ? life?.begin() : events.onReply(data);
     if (life !== undefined) worker.postMessage(life.request);
     worker.onmessageerror = () =>

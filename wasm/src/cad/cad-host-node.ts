@@ -3,7 +3,7 @@ import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
 import type { CadHost, CadWorker, CadWorkerEvents } from "./cad-host.js";
 import { crashOf, startFailure } from "./crash.js";
-import type { CadCrash, CadLoaded, CadReply, CadRequest } from "./protocol.js";
+import type { CadCrash, CadProgress, CadReply, CadRequest } from "./protocol.js";
 
 /**
  * Compiles functions of a module once and fast. Most of the library's run a few times only: with optimized code, a part of 292 kB took
@@ -69,7 +69,7 @@ function startedProcess(events: CadWorkerEvents): CadWorker {
     child.on("message", (reply) => {
       if (state === "ended") return;
       state = "answers";
-      events.onReply(reply as CadReply | CadLoaded);
+      events.onReply(reply as CadReply | CadProgress);
     });
     child.on("error", onFailure);
     child.on("exit", (code, signal) => onEnd(endOf(signal ?? code)));
@@ -139,7 +139,7 @@ function startedThread(events: CadWorkerEvents): CadWorker {
   const report = (crash: CadCrash): void => {
     if (!isTerminated) events.onCrash(crash);
   };
-  worker.on("message", (reply: CadReply | CadLoaded) => events.onReply(reply));
+  worker.on("message", (reply: CadReply | CadProgress) => events.onReply(reply));
   worker.on("error", (failure: unknown) => report(crashOf(failure)));
   worker.on("exit", (code) => report(endOf(code)));
   return {

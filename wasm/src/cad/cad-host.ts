@@ -1,5 +1,5 @@
 /** The worker of a CAD file as its creator sees it, the same in browsers and Node. */
-import type { CadCrash, CadFormat, CadLoaded, CadReply, CadRequest } from "./protocol.js";
+import type { CadCrash, CadFormat, CadProgress, CadReply, CadRequest } from "./protocol.js";
 
 /** The library that reads a format. For STEP and BREP, the first one that can be loaded. */
 export const cadLibrariesFor = (format: CadFormat): string =>
@@ -11,7 +11,7 @@ export interface CadWorker {
 }
 
 export interface CadWorkerEvents {
-  onReply(reply: CadReply | CadLoaded): void;
+  onReply(reply: CadReply | CadProgress): void;
   /** The worker ended by itself; no reply will follow. */
   onCrash(crash: CadCrash): void;
 }

@@ -1,11 +1,11 @@
 /** The creator of the worker as the worker sees it, the same in browsers and Node. */
 import type { CadKernel } from "./kernel.js";
 import type { CreateOpenCascade } from "./opencascade.js";
-import type { CadLibrary, CadLoaded, CadReply, CadRequest } from "./protocol.js";
+import type { CadLibrary, CadProgress, CadReply, CadRequest } from "./protocol.js";
 
 export interface CadPort {
   onRequest(handle: (request: CadRequest) => void): void;
-  post(reply: CadReply | CadLoaded, transfer: readonly ArrayBuffer[]): void;
+  post(reply: CadReply | CadProgress, transfer: readonly ArrayBuffer[]): void;
   /** Loads the library: its function that makes an instance, and the options that this function needs. */
   readonly library: (
     addresses: CadLibrary,

@@ -2,7 +2,7 @@
 import { cadPort } from "#cad-port";
 import { cadShapesOf } from "./cad-shapes.js";
 import { crashOf } from "./crash.js";
-import { type CadKernel, triangulatedText } from "./kernel.js";
+import { type CadKernel, fileTexts } from "./kernel.js";
 import { QUIET, readByOpenCascade } from "./opencascade.js";
 import type { CadReply, CadRequest } from "./protocol.js";
 
@@ -25,13 +25,14 @@ async function loadedKernel({ library }: CadRequest): Promise<CadKernel | undefi
   }
 }
 
-function readByKernel(kernel: CadKernel, { format, bytes, deflection }: CadRequest): CadReply {
+function readByKernel(kernel: CadKernel, { format, bytes, deflection, sharesFaces }: CadRequest): CadReply {
   if (format === "iges") return { kind: "rejected" };
   try {
-    const text = triangulatedText(kernel, { format, bytes }, deflection);
-    if (text === undefined) return { kind: "rejected" };
+    const onSharing = sharesFaces ? () => cadPort.post({ kind: "sharing" }, []) : undefined;
+    const texts = fileTexts(kernel, { format, bytes }, deflection, onSharing);
+    if (texts === undefined) return { kind: "rejected" };
     const step = format === "step" ? new TextDecoder("latin1").decode(bytes) : undefined;
-    return { kind: "read", shapes: cadShapesOf(text, step) };
+    return { kind: "read", shapes: cadShapesOf(texts, step) };
   } catch (failure) {
     return crashOf(failure);
   }

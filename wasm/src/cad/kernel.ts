@@ -4,19 +4,20 @@
  * ourselves. docs/CAD.md says why.
  */
 import { trimmedModelOfBrep } from "./brep-model.js";
+import { fusedSolids, type FusedShape } from "./fused-solids.js";
 import type { Deflection } from "./protocol.js";
 import { withLooks } from "./step-looks.js";
 import { CadFileError, type TrimmedModel } from "./trimmed-model.js";
 
 /** An object in the kernel's memory, which must be freed. */
-interface Held {
+export interface Held {
   delete(): void;
 }
 
 /** An entry of one of the kernel's enumerations. */
-type EnumEntry = string & { readonly isEnumEntry: true };
+export type EnumEntry = string & { readonly isEnumEntry: true };
 
-type Shape = Held & { IsNull(): boolean };
+export type Shape = Held & { IsNull(): boolean; IsSame(other: Shape): boolean };
 
 interface StepReader extends Held {
   ReadFile(path: string): EnumEntry;
@@ -24,7 +25,10 @@ interface StepReader extends Held {
   OneShape(): Shape;
 }
 
-interface ShapeList extends Held {
+export interface ShapeList extends Held {
+  Size(): number;
+  First(): Shape;
+  RemoveFirst(): void;
   Append(shape: Shape): Held | undefined;
 }
 
@@ -34,7 +38,8 @@ interface Explorer extends Held {
   Current(): Shape;
 }
 
-interface Box extends Held {
+export interface Box extends Held {
+  IsOut(other: Box): boolean;
   IsVoid(): boolean;
   GetXMin(): number;
   GetXMax(): number;
@@ -50,7 +55,14 @@ interface GeneralFuse extends Held {
   SetGlue(glue: EnumEntry): void;
   Build(progress: Held): void;
   HasErrors(): boolean;
-  Shape(): Shape;
+  HasModified(): boolean;
+  Modified(shape: Shape): ShapeList;
+  IsDeleted(shape: Shape): boolean;
+}
+
+interface ShapeBuilder extends Held {
+  MakeCompound(compound: Shape): void;
+  Add(whole: Shape, part: Shape): void;
 }
 
 /** The part of the kernel that is used here. */
@@ -64,8 +76,11 @@ export interface CadKernel {
   readonly BOPAlgo_GlueEnum: { readonly BOPAlgo_GlueOff: EnumEntry };
   readonly Message_ProgressRange: new () => Held;
   readonly STEPControl_Reader: new () => StepReader;
-  readonly NCollection_List_TopoDS_Shape: new () => ShapeList;
+  readonly NCollection_List_TopoDS_Shape: new (other?: ShapeList) => ShapeList;
   readonly TopExp_Explorer: new (shape: Shape, find: EnumEntry, avoid: EnumEntry) => Explorer;
+  readonly ReplicadShapeHasher: { HashCode(shape: Shape, limit: number): number };
+  readonly TopoDS_Builder: new () => ShapeBuilder;
+  readonly TopoDS_Compound: new () => Shape;
   readonly BRepAlgoAPI_BuilderAlgo: new () => GeneralFuse;
   readonly Bnd_Box: new () => Box;
   readonly BRepBndLib: { Add(shape: Shape, box: Box, usesTriangles: boolean): void };
@@ -108,26 +123,39 @@ export async function readTrimmedModel(
     withHeld((hold) => {
       const shape = shapeIn(loaded, { format, bytes }, hold);
       if (shape === undefined) throw new CadFileError(fileName, CANNOT_READ, REMEDY);
-      return loaded.BRepToolsWrapper.Write(sharesFaces ? fused(loaded, shape, fileName, hold) : shape);
+      const shared = sharesFaces ? fusedSolids(loaded, shape, hold)?.shape : undefined;
+      return loaded.BRepToolsWrapper.Write(shared ?? shape);
     }),
   );
   const model = trimmedModelOfBrep(text, fileName);
   return format === "step" ? withLooks(model, textOf(bytes)) : model;
 }
 
+/** The shape of a file as the texts of BREP files. */
+export interface FileTexts {
+  /** With triangles within a distance of its faces. Solids that touch share what they have in common. */
+  readonly text: string;
+  /** If solids share something: the shape as it is in the file, and the faces there. */
+  readonly given?: { readonly text: string; readonly origins: FusedShape["origins"] } | undefined;
+}
+
 /**
- * Returns the shape of a file as the text of a BREP file, with triangles within a distance of its faces; undefined if the kernel
- * rejects the file. Throws what the kernel throws; then it must not be used again.
+ * Returns the shape of a file; undefined if the kernel rejects the file. `onSharing` is called before the search for what solids share,
+ * which may take long or fail; without it, there is none. Throws what the kernel throws; then it must not be used again.
  */
-export function triangulatedText(
+export function fileTexts(
   kernel: CadKernel,
   file: Pick<ModelRequest, "format" | "bytes">,
   deflection: Deflection,
-): string | undefined {
+  onSharing?: () => void,
+): FileTexts | undefined {
   return withHeld((hold) => {
     const shape = shapeIn(kernel, file, hold);
     if (shape === undefined) return undefined;
-    return textOfShape(kernel, shape, deflection, hold);
+    const fused = onSharing === undefined ? undefined : fusedSolids(kernel, shape, hold, onSharing);
+    if (fused === undefined) return { text: textOfShape(kernel, shape, deflection, hold) };
+    const given = { text: kernel.BRepToolsWrapper.Write(shape), origins: fused.origins };
+    return { text: textOfShape(kernel, fused.shape, deflection, hold), given };
   });
 }
 
@@ -144,14 +172,18 @@ function textOfShape(kernel: CadKernel, shape: Shape, deflection: Deflection, ho
 /** Triangulates each solid by itself, and the faces that bound none: a relative distance depends on the box of each. */
 function triangulate(kernel: CadKernel, shape: Shape, deflection: Deflection, hold: Hold): void {
   const { TopAbs_SOLID, TopAbs_FACE, TopAbs_SHAPE } = kernel.TopAbs_ShapeEnum;
-  const mesh = (part: Shape) => {
+  const parts: { readonly part: Shape; readonly distance: number }[] = [];
+  const add = (part: Shape) => {
     const distance = deflection.distance * (deflection.isRelative ? meanSide(kernel, part, hold) : 1);
-    hold(new kernel.BRepMesh_IncrementalMesh(part, distance, false, deflection.angle, false));
+    parts.push({ part, distance });
   };
   const solids = hold(new kernel.TopExp_Explorer(shape, TopAbs_SOLID, TopAbs_SHAPE));
-  for (; solids.More(); solids.Next()) mesh(hold(solids.Current()));
-  // Faces that have triangles, which are finer, keep them.
-  if (hold(new kernel.TopExp_Explorer(shape, TopAbs_FACE, TopAbs_SOLID)).More()) mesh(shape);
+  for (; solids.More(); solids.Next()) add(hold(solids.Current()));
+  // Faces that have triangles, which are finer, keep them: those that a smaller solid shares.
+  parts.sort((one, other) => one.distance - other.distance);
+  if (hold(new kernel.TopExp_Explorer(shape, TopAbs_FACE, TopAbs_SOLID)).More()) add(shape);
+  for (const { part, distance } of parts)
+    hold(new kernel.BRepMesh_IncrementalMesh(part, distance, false, deflection.angle, false));
 }
 
 /** Returns the mean side of the box around a shape. */
@@ -169,7 +201,7 @@ const REMEDY = "Export the part again, or in another format; the file is damaged
 
 const textOf = (bytes: Uint8Array): string => new TextDecoder("latin1").decode(bytes);
 
-type Hold = <Kept extends Held>(object: Kept) => Kept;
+export type Hold = <Kept extends Held>(object: Kept) => Kept;
 
 /** Runs a task; all objects that it holds are freed at its end. */
 function withHeld<Result>(task: (hold: Hold) => Result): Result {
@@ -218,26 +250,4 @@ function stepShape(kernel: CadKernel, bytes: Uint8Array, hold: Hold): Shape {
   } finally {
     kernel.FS.unlink(PATH);
   }
-}
-
-/** Returns the solids of a shape cut along each other, so that common parts of their faces are one face. */
-function fused(kernel: CadKernel, shape: Shape, fileName: string, hold: Hold): Shape {
-  const { TopAbs_SOLID, TopAbs_SHAPE } = kernel.TopAbs_ShapeEnum;
-  const explorer = hold(new kernel.TopExp_Explorer(shape, TopAbs_SOLID, TopAbs_SHAPE));
-  const solids = hold(new kernel.NCollection_List_TopoDS_Shape());
-  let count = 0;
-  for (; explorer.More(); explorer.Next(), count++) {
-    // The list has a copy of its own.
-    const added = solids.Append(hold(explorer.Current()));
-    if (added !== undefined) hold(added);
-  }
-  if (count < 2) return shape;
-  const fuse = hold(new kernel.BRepAlgoAPI_BuilderAlgo());
-  fuse.SetArguments(solids);
-  fuse.SetNonDestructive(true);
-  fuse.SetGlue(kernel.BOPAlgo_GlueEnum.BOPAlgo_GlueOff);
-  fuse.Build(hold(new kernel.Message_ProgressRange()));
-  const message = "OpenCascade cannot find the faces that its solids share";
-  if (fuse.HasErrors()) throw new CadFileError(fileName, message, "Read the file without shared faces.");
-  return hold(fuse.Shape());
 }

@@ -21,6 +21,8 @@ export interface CadRequest {
   readonly format: CadFormat;
   readonly bytes: Uint8Array;
   readonly deflection: Deflection;
+  /** Whether solids that touch get common faces: the kernel's general fuse. */
+  readonly sharesFaces: boolean;
   /** Node finds the libraries by their names. */
   readonly library: CadLibrary;
 }
@@ -77,14 +79,17 @@ export interface CadTimeout {
 }
 
 export type CadReply =
-  | { readonly kind: "read"; readonly shapes: readonly CadShape[] }
+  | {
+      readonly kind: "read";
+      readonly shapes: readonly CadShape[];
+      /** Whether the search for common faces was given up. */
+      readonly areApart?: true;
+    }
   /** OpenCascade rejects the file. */
   | { readonly kind: "rejected" }
   /** OpenCascade failed in the file, its memory is exhausted, it was ended, or the worker or the library could not be loaded. */
   | CadCrash
   | CadTimeout;
 
-/** Sent before the reply, when the library has been loaded and begins to read. */
-export interface CadLoaded {
-  readonly kind: "loaded";
-}
+/** Sent before the reply: the library has been loaded and begins to read, or it begins to search for faces that solids share. */
+export type CadProgress = { readonly kind: "loaded" } | { readonly kind: "sharing" };

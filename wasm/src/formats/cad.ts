@@ -54,14 +54,15 @@ async function meshOf(
   signal: AbortSignal | undefined,
   onWork: ((fraction: number) => void) | undefined,
 ): Promise<Mesh> {
-  const shapes = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
+  const { shapes, areApart } = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
   const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
   const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
   const named = format === "step" ? await inSteps(namedByProducts(used, bytes), signal) : used;
   const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
   const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
   const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
-  const notes = [...damage, ...(made.notes ?? []), ...tooSmall, ...missingFaces(used, format)];
+  const apart = areApart === true ? [NOT_SHARED] : [];
+  const notes = [...damage, ...(made.notes ?? []), ...tooSmall, ...apart, ...missingFaces(used, format)];
   const trueFaces = trueFacesOf(used);
   const mesh = { ...made, ...(notes.length > 0 && { notes }), ...(trueFaces && { trueFaces }) };
   onWork?.(1);
@@ -122,6 +123,9 @@ function withFaceNames({ faces }: CadShape): Pick<CadShape, "faces"> {
   return { faces: faces.map((face, f) => ({ ...face, name: different[f] })) };
 }
 
+const NOT_SHARED =
+  "OpenCascade could not find the faces that solids share; they are found among the triangles";
+
 const TOO_SMALL = "OpenCascade could not triangulate the faces as finely as the size asks; they are coarser";
 
 interface FineRequest {
@@ -157,14 +161,14 @@ function isFineFor(size: number, points: Float64Array): boolean {
 async function shapesIn(
   request: Parameters<typeof askForCad>[0],
   signal: AbortSignal | undefined,
-): Promise<readonly CadShape[]> {
+): Promise<Pick<Extract<CadReply, { readonly kind: "read" }>, "shapes" | "areApart">> {
   const reply = await askForCad(request, signal);
   const { format, bytes } = request;
   const isDamaged = reply.kind === "rejected" || reply.kind === "failed";
   const damage = isDamaged && format === "step" ? damagedStep(bytes) : undefined;
   if (reply.kind !== "read") throw damage ?? failureOf(reply, format, bytes.length);
   const shapes = reply.shapes.filter(hasTriangles);
-  if (shapes.length > 0) return shapes;
+  if (shapes.length > 0) return { ...reply, shapes };
   const message = `the ${NAMES[format]} file contains no solids and no faces`;
   throw new ReadFailure({ code: "no-triangles", message, remedy: "Export the part as solids." });
 }

@@ -30,7 +30,7 @@ export async function featureSolid(
     triangulatedShape(kernel as unknown as CadKernel, shape as never, DEFLECTION),
   );
   if (result === undefined) return { surface: undefined, origins: [], edges, failures, isKernelSpent };
-  const shapes = cadShapesOf(result, undefined);
+  const shapes = cadShapesOf({ text: result }, undefined);
   const { mesh } = await inSteps(joinedSurface(shapes));
   const trueFaces = shapes.flatMap(({ trueFaces: own }) => own ?? []).map(({ missing: _, ...own }) => own);
   // The tag of a patch is the number of its face; faces that are shared come after them.

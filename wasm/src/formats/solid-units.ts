@@ -3,6 +3,7 @@
  * one file. Solids that may touch are prepared one by one until it is known which of them do: these become one surface. All
  * others are free, and one surface too.
  */
+import { connectedGroups } from "../base/connected-groups.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { SurfaceRegions, Mesh } from "../mesh/mesh.js";
 import { noVolume } from "./boundary.js";
@@ -41,20 +42,6 @@ export function nearPairs(boxes: readonly Box[]): (readonly [number, number])[] 
 /** Returns whether a box lies inside another one and touches none of its sides. */
 export function isWithin(inner: Box, outer: Box): boolean {
   return inner.low.every((x, k) => x > (outer.low[k] ?? x) && (inner.high[k] ?? x) < (outer.high[k] ?? x));
-}
-
-/** Returns the indices below `count` in groups that are connected by pairs, by their first ones; each is in one group. */
-export function connectedGroups(count: number, pairs: readonly (readonly [number, number])[]): number[][] {
-  const groupOf = Array.from({ length: count }, (_, index) => [index]);
-  for (const [one, other] of pairs) {
-    const [into = [], from = []] = [groupOf[one], groupOf[other]];
-    if (into === from) continue;
-    into.push(...from);
-    for (const index of from) groupOf[index] = into;
-  }
-  return [...new Set(groupOf)]
-    .map((group) => group.toSorted((a, b) => a - b))
-    .sort(([a = 0], [b = 0]) => a - b);
 }
 
 /**

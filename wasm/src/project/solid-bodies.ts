@@ -1,15 +1,10 @@
 /** Divides a surface with several solids into bodies. */
 import * as v from "valibot";
+import { connectedGroups } from "../base/connected-groups.js";
 import { checkArgument } from "../calls/argument-checks.js";
 import { integers } from "../calls/schemas.js";
 import { NO_REGION } from "../generated/constants.js";
-import {
-  connectedGroups,
-  partOfSolids,
-  partOfTriangles,
-  sharedPairs,
-  type SolidsSurface,
-} from "../formats/solid-units.js";
+import { partOfSolids, partOfTriangles, sharedPairs, type SolidsSurface } from "../formats/solid-units.js";
 import { type Mesh, type MeshGroup, isNumberedSolid, type SurfaceRegions } from "../mesh/mesh.js";
 import { createBody, type GivenTriangles, newBodySchema, type NewBody, surfaceSchema } from "./bodies.js";
 import type { ProjectBody } from "./project-types.js";
