@@ -37,7 +37,7 @@ PlaneFill fillOf(const Plane& plane) {
   return fillPlane(plane.points, plane.loops, plane.grid, plane.options, plane.experiment);
 }
 
-std::string fingerprintOf(const PlaneFill& fill) {
+std::string hashOf(const PlaneFill& fill) {
   Fingerprint fingerprint;
   fingerprint.add(fill.points);
   fingerprint.add(fill.triangles);

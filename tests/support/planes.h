@@ -22,7 +22,7 @@ struct Plane {
 [[nodiscard]] PlaneFill fillOf(const Plane& plane);
 
 /// Hash of the triangulation, as the package computes it: 16 hexadecimal digits.
-[[nodiscard]] std::string fingerprintOf(const PlaneFill& fill);
+[[nodiscard]] std::string hashOf(const PlaneFill& fill);
 
 struct StoredPlane {
   std::string line;  ///< all but the fingerprint

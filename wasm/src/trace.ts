@@ -1,6 +1,6 @@
 /**
  * Recorded runs, to show and explain how the front advances: `recordTrace()` records one, `loadTrace()` reads a file
- * (docs/TRACE.md).
+ * (docs/TRACE.md), and `fillPlane()` fills a polygon in the plane and records that.
  *
  *     import { loadTrace, recordTrace } from "tetrafront/trace";
  */
@@ -26,6 +26,7 @@ export type {
   SurfaceStep,
   TracedDivision,
 } from "./trace/surface-steps.js";
+export type { PlaneScoreParts, ScoreParts } from "./trace/score.js";
 export type { TracedFront } from "./trace/replay.js";
 export type { TracedMesh } from "./trace/final-mesh.js";
 export type { Lifetimes, TraceElements, TraceFaces, TraceNodes, TraceSteps } from "./trace/trace-columns.js";

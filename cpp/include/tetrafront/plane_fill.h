@@ -47,7 +47,8 @@ struct PlaneFill {
   std::vector<std::uint32_t> triangles;  ///< three nodes each, counter-clockwise
 };
 
-/// Fills the polygon in one call. The result is deterministic, and by default that of a drawn planar patch.
+/// Fills the polygon in one call. The result is deterministic, and by default that of a drawn planar patch with the axes x
+/// and y.
 ///
 /// `points`: x y per corner, loop after loop, finite; the first loop is the outer one, the others bound holes, in any
 /// orientation. `loops`: number of corners per loop, at least three. Neighbouring corners must differ. `grid`: in the

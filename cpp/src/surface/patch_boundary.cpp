@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "base/sort.h"
 #include "model/patch_projection.h"
@@ -228,8 +229,13 @@ std::vector<std::uint32_t> findInvalidSides(const PatchBoundary& boundary) {
 
 std::optional<LoopProblem> findLoopProblem(const PatchBoundary& boundary) {
   const std::vector<std::uint32_t> pairs = findIntersectingSides(boundary.mesh);
-  if (!pairs.empty()) return LoopProblem{LoopProblem::Kind::kCrossing, pairs[0], pairs[1]};
   std::optional<LoopProblem> found;
+  for (std::size_t i = 0; i < pairs.size(); i += 2) {
+    const LoopProblem pair{LoopProblem::Kind::kCrossing, pairs[i], pairs[i + 1]};
+    if (!found || std::pair(pair.first, pair.second) < std::pair(found->first, found->second))
+      found = pair;
+  }
+  if (found) return found;
   forEachMisplacedHole(boundary, [&](std::uint32_t hole, std::uint32_t loop) {
     if (found) return;
     const auto kind = loop == 0 ? LoopProblem::Kind::kHoleOutside : LoopProblem::Kind::kNestedHoles;

@@ -55,7 +55,7 @@ struct LoopProblem {
   std::uint32_t second;
 };
 
-/// Returns the first problem; none if findInvalidSides() finds no sides and the outer loop is not flipped. Exact.
+/// Returns the problem with the lowest indices; none if findInvalidSides() finds no sides and the outer loop is not flipped. Exact.
 [[nodiscard]] std::optional<LoopProblem> findLoopProblem(const PatchBoundary& boundary);
 
 }  // namespace tetrafront

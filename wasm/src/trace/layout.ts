@@ -2,7 +2,9 @@
 
 /** Before the version, the last of the first eight bytes. */
 export const MAGIC = "TFTRACE";
-export const TRACE_VERSION = 3;
+export const TRACE_VERSION = 4;
+/** Version with scores of fewer digits, and without their terms. */
+export const SHORT_SCORE_VERSION = 3;
 /** Version without sweeps of the optimizer. */
 export const FRONT_ONLY_VERSION = 2;
 /** Version without events of lines and patches. */
@@ -30,6 +32,9 @@ export const RULE_CLASSES = 5;
 export const NEW_REFUSED_BIT = 4;
 /** Bit of the detail of `accepted`: the candidate is a new node. */
 export const NEW_ACCEPTED_BIT = 8;
+/** Bits of the terms of a score. */
+export const WEDGE_BIT = 4;
+export const LOW_WEIGHT_BIT = 8;
 /** Detail of `postponed`: the face is set aside. */
 export const SET_ASIDE = 31;
 
