@@ -2,7 +2,7 @@
 import { createMesher } from "tetrafront";
 import { readTrace, recordTrace, type Trace, type TracedCandidate } from "tetrafront/trace";
 import { beforeAll, expect, test } from "vitest";
-import { sphereSurface } from "../../support/surfaces.js";
+import { needleGearSurface } from "../../support/surfaces.js";
 
 type Corners = readonly (readonly number[])[];
 let trace: Trace;
@@ -10,7 +10,7 @@ let trace: Trace;
 beforeAll(async () => {
   const mesher = await createMesher();
   try {
-    const recorded = await recordTrace(mesher, sphereSurface(6), { size: 0.3, optimization: "none" });
+    const recorded = await recordTrace(mesher, needleGearSurface(12, 0.3), { optimization: "none" });
     const read = readTrace(recorded.trace ?? new Uint8Array());
     if (!read.success) throw new Error(read.errors[0].message);
     trace = read.value;
@@ -68,18 +68,23 @@ test("parts add up to the score, and higher scores are tried first", () => {
 });
 
 test("the shape is that of the element, and new nodes weigh less by the factors of the rules", () => {
-  const heights = new Set<number>();
+  const heights = new Set<number | undefined>();
   for (const { base, candidate, step } of candidates()) {
     const { parts, position, isNew, score } = candidate;
     if (parts === null) throw new Error("no parts");
     const shape = cubedMeanRatio([...base, position]);
     expect(parts.shape, `step ${step}`).toBeCloseTo(shape, parts.pocket > 0 ? 2 : 3);
-    if (!isNew) continue;
-    const factor = Math.cbrt(Math.sqrt(score / (shape * 0.85 ** 3)));
-    heights.add(Math.round(100 * factor));
+    // The positions of flat elements have too few digits.
+    if (!isNew || shape < 0.1) continue;
+    // In attempts at a pocket, new nodes weigh less.
+    const factors = [0.85, 0.6].map((weight) => Math.cbrt(Math.sqrt(score / (shape * weight ** 3))));
+    const known = [1, 0.85, 0.7, 0.55, 0.4].find((height) =>
+      factors.some((f) => Math.abs(f - height) < 1e-3),
+    );
+    expect(known, `step ${step}`).toBeDefined();
+    heights.add(known);
   }
-  expect([...heights].every((height) => [100, 85, 70, 55, 40].includes(height))).toBe(true);
-  expect(heights.size).toBeGreaterThan(2);
+  expect(heights.size).toBeGreaterThan(1);
 });
 
 test("a node of three faces of the front fills a pocket, one at an acute angle a wedge", () => {
