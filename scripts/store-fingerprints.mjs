@@ -1,6 +1,7 @@
 /**
- * npm run fingerprints: stores the fingerprints of the meshes of all models of the gallery and of all bodies of the regression
- * tests in tests/fingerprints, and the front in tests/fixtures. Run it after a change that changes meshes for the better, and say in its message why they differ.
+ * npm run fingerprints: stores the fingerprints of the meshes of all models of the gallery, of all bodies of the regression tests and
+ * of the polygons filled in the plane in tests/fingerprints, and the front in tests/fixtures. Run it after a change that changes meshes
+ * for the better, and say in its message why they differ.
  */
 import { rmSync } from "node:fs";
 import path from "node:path";
@@ -14,7 +15,7 @@ await main(async () => {
   rmSync(inRoot("tests", "fingerprints", "bodies.txt"), { force: true });
   await must(
     path.join(buildFolders.release, "tetrafront_tests"),
-    ["--gtest_brief=1", "--gtest_filter=*/Regression*:SurfaceRecorder.AStalledFront*"],
+    ["--gtest_brief=1", "--gtest_filter=*/Regression*:SurfaceRecorder.AStalledFront*:PlaneFill.Fingerprints"],
     {
       env: { TETRAFRONT_STORE_FINGERPRINTS: "1" },
     },

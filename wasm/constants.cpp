@@ -19,15 +19,18 @@
 #include "geom/coordinates.h"
 #include "js_types.h"
 #include "reflection.h"
+#include "surface/rules.h"
 #include "tetrafront/covering_grid.h"
 #include "tetrafront/diagnostic_values.h"
 #include "tetrafront/mesh_improvement.h"
 #include "tetrafront/options.h"
+#include "tetrafront/plane_fill.h"
 #include "tetrafront/quality_statistics.h"
 #include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
 #include "tetrafront/status.h"
 #include "tetrafront/surface_tools.h"
+#include "volume/rules.h"
 
 namespace tetrafront::border {
 namespace {
@@ -226,6 +229,7 @@ void printEnums() {
   printEnum<FrontOrder>("FrontOrder", "FRONT_ORDERS", "Order in which faces leave the front.");
   printEnum<Optimization>("Optimization", "OPTIMIZATIONS",
                           "Effort on the shape of the elements after the front has closed.");
+  printEnum<PlaneStatus>("PlaneStatus", "PLANE_STATUSES", "How a fill of a polygon has ended.");
   printEnum<CheckedOption>("CheckedOption", "CHECKED_OPTIONS", "Options that the engine checks.");
   printEnum<Failure>("CallFailure", "CALL_FAILURES",
                      "Reason for which a call of the engine failed.");
@@ -264,10 +268,33 @@ void printNumbers() {
               "Width of a bin of edge length / target length.");
 }
 
+/// Prints what the scores of candidates are made of, in space and in the plane.
+void printScoreRules() {
+  printNumber("CLOSING_BONUS", kClosingBonus,
+              "Bonus on the mean ratio for each edge at which a candidate meets a face.");
+  printNumber("WEDGE_BONUS", kWedgeBonus, "Added to the score of the apex of a wedge.");
+  printNumber("POCKET_BONUS", kPocketBonus, "Added to the score of a candidate at three edges.");
+  printNumber("NEW_NODE_WEIGHT", kNewNodeWeight, "Weight of the mean ratio of a new node.");
+  printNumber("LOW_NEW_NODE_WEIGHT", kLowNewNodeWeight,
+              "The same in some attempts at a pocket.");
+  std::string heights;
+  for (const double height : kHeights) heights += (heights.empty() ? "" : ", ") + textOf(height);
+  print("/** Heights tried for a new node, as factors of the ideal height. */");
+  print("export const NEW_NODE_HEIGHTS = [" + heights + "] as const;");
+  printNumber("CAPTURE_RADIUS", kCaptureRadius,
+              "In the plane: distance within which a node replaces the ideal point, in lengths of "
+              "the new edges.");
+  printNumber("MIN_LENGTH_RATIO", kMinLengthRatio,
+              "In the plane: smallest length of new edges / length of the base edge.");
+  printNumber("MAX_LENGTH_RATIO", kMaxLengthRatio,
+              "In the plane: largest length of new edges / length of the base edge.");
+}
+
 void printModule() {
   print("// Made by wasm/constants.cpp from the headers of the engine.\n");
   printEnums();
   printNumbers();
+  printScoreRules();
   printDefaults<MeshOptions>("MESH_DEFAULTS", "Defaults of a run; a size of 0 means none.");
   printDefaults<InspectionOptions>("INSPECTION_DEFAULTS", "Defaults of an inspection.");
   printDefaults<RepairOptions>("REPAIR_DEFAULTS", "Defaults of a repair.");
@@ -275,6 +302,7 @@ void printModule() {
                                "Defaults of a remeshing; 0, or a negative number of layers, leaves "
                                "the choice to the engine.");
   printDefaults<ImproveOptions>("IMPROVE_DEFAULTS", "Defaults of an improvement.");
+  printDefaults<PlaneOptions>("PLANE_DEFAULTS", "Defaults of the fill of a polygon.");
   printDefaults<ProposalOptions>("PROPOSAL_DEFAULTS",
                                  "Defaults of size proposals; 0 leaves a size to the engine.");
   printNumber("SOURCE_GROWTH", SizeSource{}.growth, "Default growth of a source.");

@@ -8,6 +8,7 @@ import { thirdPartyNotices } from "../scripts/lib/site-notices.mjs";
 import { offlineSite } from "../scripts/lib/site-offline.mjs";
 import { contentSecurityPolicy } from "../scripts/lib/site-policy.mjs";
 import { preloadedApp } from "../scripts/lib/site-preload.mjs";
+import { lessonTraces } from "../scripts/lib/site-traces.mjs";
 
 /** Isolated pages may share memory with their workers; the app works without it too. */
 const isolation = {
@@ -46,6 +47,7 @@ export default defineConfig({
     contentSecurityPolicy(),
     compressedAnswers(),
     notices,
+    lessonTraces(),
     offlineSite({ source: inRoot("./service-worker.ts") }),
   ],
   worker: { format: "es", plugins: () => [withoutNodeModules(), notices.ofWorker()] },

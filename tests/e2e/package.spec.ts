@@ -13,6 +13,7 @@ import { expect, test, type Page } from "@playwright/test";
 import webpack, { type Configuration, type StatsCompilation } from "webpack";
 
 import { freshInstall, type FreshInstall } from "../support/fresh-install.js";
+import { storedPlanes } from "../support/planes.js";
 import { boxSolid, stepFile } from "../support/step-files.js";
 
 const bin = (name: string) => fileURLToPath(new URL(`../../node_modules/.bin/${name}`, import.meta.url));
@@ -152,6 +153,36 @@ for (const [file, reason] of [
     await expect(page).toHaveTitle("done");
   });
 }
+
+test("a page fills polygons in its own thread, without the engine, as natively", async ({ page }) => {
+  const folder = path.join(fresh.folder, "page");
+  if (!existsSync(folder)) fresh.example("page");
+  const [plane] = storedPlanes();
+  if (!plane) throw new Error("no polygon is stored");
+  const given = { loops: plane.loops.map((loop) => [...loop]), sizes: plane.sizes, options: plane.options };
+  writeFileSync(path.join(folder, "plane.html"), '<script type="module" src="plane.js"></script>');
+  writeFileSync(path.join(folder, "plane.js"), FILL_PLANE.replace("GIVEN", JSON.stringify(given)));
+  const missing = new Set<string>(["plane.wasm"]);
+  const fetched: string[] = [];
+  page.context().on("request", (request) => fetched.push(path.basename(request.url())));
+  await page.goto(`${await served(folder, STRICT, missing)}plane.html`);
+  await expect(page).toHaveTitle(/^engine-not-loaded: .*plane\.wasm is .* status 404/);
+  missing.clear();
+  await page.evaluate("fill()");
+  await expect(page).toHaveTitle(plane.fingerprint);
+  expect(fetched.filter((name) => name.endsWith(".wasm"))).toEqual(["plane.wasm", "plane.wasm"]);
+  expect(page.workers()).toHaveLength(0);
+});
+
+/** Fills a polygon; `fill()` tries again. */
+const FILL_PLANE = `import { fillPlane } from "./node_modules/tetrafront/dist/page/tetrafront.js";
+const { loops, sizes, options } = GIVEN;
+globalThis.fill = () =>
+  fillPlane(loops.map((loop) => Float64Array.from(loop)), sizes, options).then(
+    (filled) => { document.title = filled.success ? filled.fingerprint : filled.message; },
+    ({ code, message }) => { document.title = code + ": " + message; },
+  );
+await fill();`;
 
 /** Fills a tetrahedron; `inspect()` and `fill()` do more with the same mesher. */
 const FILL_THEN_INSPECT = `import { createMesher } from "./node_modules/tetrafront/dist/page/tetrafront.js";

@@ -44,7 +44,8 @@ class TraceCursor {
   std::size_t at_ = 0;
 };
 
-constexpr std::size_t kScore = 2;
+/// A score, and its terms.
+constexpr std::size_t kScore = 4;
 constexpr std::size_t kFloat = 4;
 constexpr std::size_t kDouble = 8;
 

@@ -1,6 +1,6 @@
 /**
  * Recorded runs, to show and explain how the front advances: `recordTrace()` records one, `loadTrace()` reads a file
- * (docs/TRACE.md).
+ * (docs/TRACE.md), and `fillPlane()` fills a polygon in the plane and records that.
  *
  *     import { loadTrace, recordTrace } from "tetrafront/trace";
  */
@@ -26,6 +26,7 @@ export type {
   SurfaceStep,
   TracedDivision,
 } from "./trace/surface-steps.js";
+export type { PlaneScoreParts, ScoreParts } from "./trace/score.js";
 export type { TracedFront } from "./trace/replay.js";
 export type { TracedMesh } from "./trace/final-mesh.js";
 export type { Lifetimes, TraceElements, TraceFaces, TraceNodes, TraceSteps } from "./trace/trace-columns.js";
@@ -42,6 +43,8 @@ export {
   type EdgeRefusal,
   FRONT_CHANGES,
   type FrontChange,
+  PLANAR_ENDS,
+  type PlanarEnd,
   type Refusal,
   REFUSALS,
   STATION_ENDS,
@@ -52,4 +55,19 @@ export {
   type TraceStatus,
 } from "./trace/layout.js";
 export { recordTrace, type RecordedMesh, type RecordingOptions } from "./api/trace-recording.js";
+export { fillPlane, loadPlaneFront, type PlaneFront } from "./api/plane-filling.js";
+export type {
+  FilledPlane,
+  FillPlaneOptions,
+  FillPlaneResult,
+  PlaneErrorCode,
+  PlaneExperiment,
+  PlaneLoop,
+  PlaneMesh,
+  PlaneNode,
+  PlaneSegment,
+  PlaneSizes,
+  PlaneSource,
+  UnfilledPlane,
+} from "./api/plane-types.js";
 export type { FrontRecording } from "./mesh/report.js";

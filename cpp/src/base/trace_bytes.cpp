@@ -41,11 +41,6 @@ void TraceBytes::shorterNumber(double value) {
   for (const std::uint32_t shift : {8U, 16U, 24U}) byte(bits >> shift);
 }
 
-void TraceBytes::score(double value) {
-  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-  appendBytes(bytes_, static_cast<std::uint16_t>(bits >> 16U));
-}
-
 void TraceBytes::position(const Vec3& at) {
   for (int axis = 0; axis < 3; ++axis) number(at[axis]);
 }

@@ -26,8 +26,6 @@ class TraceBytes {
   void shortNumber(double value);
   /// Writes the upper three bytes of a float, rounded: four to five digits.
   void shorterNumber(double value);
-  /// Writes the upper half of a float: three digits, for display.
-  void score(double value);
   void position(const Vec3& at);
   void offset(const Vec3& from, const Vec3& to);
   /// Writes a list of ascending indices: its length, then each minus the one before it.

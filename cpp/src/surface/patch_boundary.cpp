@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "base/sort.h"
 #include "model/patch_projection.h"
@@ -135,6 +136,7 @@ bool sidesIntersect(const PlanarMesh& mesh, const PlanarMesh::Side& first,
   return segmentsIntersect(mesh, a, b, c, d);
 }
 
+/// Returns the pairs of sides that intersect, one after the other.
 std::vector<std::uint32_t> findIntersectingSides(const PlanarMesh& mesh) {
   Quadtree tree(regionOf(mesh));
   std::vector<std::uint32_t> intersecting;
@@ -190,6 +192,21 @@ bool isInside(const PlanarMesh& mesh, PlanarNodeId node, const SideRange& loop) 
   return inside;
 }
 
+/// Calls `use(hole, other)` for each hole outside the outer loop, with that loop, and for each hole inside another one.
+template <class Use>
+void forEachMisplacedHole(const PatchBoundary& boundary, const Use& use) {
+  const auto count = static_cast<std::uint32_t>(boundary.loops.size());
+  for (std::uint32_t hole = 1; hole < count; ++hole) {
+    const PlanarNodeId node = nodeApart(boundary.mesh, sidesOfLoop(boundary, hole));
+    if (node.isNone()) continue;
+    for (std::uint32_t loop = 0; loop < count; ++loop) {
+      if (loop == hole) continue;
+      if (isInside(boundary.mesh, node, sidesOfLoop(boundary, loop)) != (loop == 0))
+        use(hole, loop);
+    }
+  }
+}
+
 /// Finds the sides of a flipped outer loop, of holes outside it, and of holes inside each other, together with the
 /// sides of the other loop.
 std::vector<std::uint32_t> findMisplacedSides(const PatchBoundary& boundary) {
@@ -198,18 +215,10 @@ std::vector<std::uint32_t> findMisplacedSides(const PatchBoundary& boundary) {
     for (std::uint32_t side = range.from; side < range.to; ++side) misplaced.push_back(side);
   };
   if (boundary.isFlipped) add(sidesOfLoop(boundary, 0));
-  for (std::size_t hole = 1; hole < boundary.loops.size(); ++hole) {
-    const SideRange sides = sidesOfLoop(boundary, hole);
-    const PlanarNodeId node = nodeApart(boundary.mesh, sides);
-    if (node.isNone()) continue;
-    for (std::size_t loop = 0; loop < boundary.loops.size(); ++loop) {
-      if (loop == hole) continue;
-      const SideRange other = sidesOfLoop(boundary, loop);
-      if (isInside(boundary.mesh, node, other) == (loop == 0)) continue;
-      add(sides);
-      add(other);
-    }
-  }
+  forEachMisplacedHole(boundary, [&](std::uint32_t hole, std::uint32_t loop) {
+    add(sidesOfLoop(boundary, hole));
+    add(sidesOfLoop(boundary, loop));
+  });
   return misplaced;
 }
 
@@ -232,6 +241,23 @@ std::vector<std::uint32_t> findInvalidSides(const PatchBoundary& boundary) {
   if (invalid.empty()) invalid = findMisplacedSides(boundary);
   sortUnique(invalid);
   return invalid;
+}
+
+std::optional<LoopProblem> findLoopProblem(const PatchBoundary& boundary) {
+  const std::vector<std::uint32_t> pairs = findIntersectingSides(boundary.mesh);
+  std::optional<LoopProblem> found;
+  for (std::size_t i = 0; i < pairs.size(); i += 2) {
+    const LoopProblem pair{LoopProblem::Kind::kCrossing, pairs[i], pairs[i + 1]};
+    if (!found || std::pair(pair.first, pair.second) < std::pair(found->first, found->second))
+      found = pair;
+  }
+  if (found) return found;
+  forEachMisplacedHole(boundary, [&](std::uint32_t hole, std::uint32_t loop) {
+    if (found) return;
+    const auto kind = loop == 0 ? LoopProblem::Kind::kHoleOutside : LoopProblem::Kind::kNestedHoles;
+    found = LoopProblem{kind, hole, loop};
+  });
+  return found;
 }
 
 }  // namespace tetrafront

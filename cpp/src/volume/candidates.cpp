@@ -86,7 +86,8 @@ void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTes
     double score = quality * kClosingFactor[std::min<std::size_t>(closed, 3)];
     if (wedge) score += kWedgeBonus;
     if (fillsPocket) score += kPocketBonus;
-    candidates_.push_back({score, node, position});
+    const ScoreTerms terms{.closed = std::min<std::uint8_t>(closed, 3), .isWedge = wedge};
+    candidates_.push_back({score, node, terms, position});
   }
 }
 
@@ -97,7 +98,8 @@ void CandidateList::offerNew(const Neighbourhood& around, const BaseFace& base,
   const double* y = around.unitY();
   const double* z = around.unitZ();
   const std::size_t count = around.nodeCount();
-  for (const double factor : kHeights) {
+  for (std::size_t height = 0; height < kHeights.size(); ++height) {
+    const double factor = kHeights[height];
     const Vec3 position = base.centroid + base.unitNormal * (ideal.height * factor);
     const double quality = cubedMeanRatio(base, position);
     if (!(quality > 0.0) || quality < minCubedQuality) continue;
@@ -112,7 +114,9 @@ void CandidateList::offerNew(const Neighbourhood& around, const BaseFace& base,
     }
     if (isTooClose) continue;
     const double score = quality * cube(weight) * cube(factor) * cube(factor);
-    candidates_.push_back({score, Candidate::kNewNode, position});
+    const ScoreTerms terms{.height = static_cast<std::uint8_t>(height),
+                           .hasLowWeight = weight == kLowNewNodeWeight};
+    candidates_.push_back({score, Candidate::kNewNode, terms, position});
   }
 }
 

@@ -13,9 +13,9 @@ constexpr std::array<RuleVariant, 6> kVariants{{
     {},
     {.sizeFactor = 0.8, .smallestFirst = true},
     {.sizeFactor = 1.25},
-    {.sizeFactor = 0.65, .newNodeWeight = 0.6},
-    {.newNodeWeight = 0.6, .smallestFirst = true},
-    {.sizeFactor = 1.1, .newNodeWeight = 0.6, .newNodes = false},
+    {.sizeFactor = 0.65, .newNodeWeight = kLowNewNodeWeight},
+    {.newNodeWeight = kLowNewNodeWeight, .smallestFirst = true},
+    {.sizeFactor = 1.1, .newNodeWeight = kLowNewNodeWeight, .newNodes = false},
 }};
 constexpr std::uint32_t kPasses = kMaxRings * kVariants.size();
 

@@ -78,6 +78,8 @@ inline constexpr double kMinIdealHeight = 0.3;
 inline constexpr std::array<double, 5> kHeights{1.0, 0.85, 0.7, 0.55, 0.4};
 /// Weight of the mean ratio of a new node relative to existing nodes.
 inline constexpr double kNewNodeWeight = 0.85;
+/// The same in some attempts at a pocket.
+inline constexpr double kLowNewNodeWeight = 0.6;
 /// Bonus on the mean ratio for each edge of the base at which the candidate meets an existing face.
 inline constexpr double kClosingBonus = 0.03;
 /// The apex of a face with a dihedral angle below 90 degrees to the base is preferred, down to this

@@ -22,6 +22,9 @@ constexpr std::uint32_t kStretchedBase = 8;
 constexpr std::uint32_t kRemeshedBase = 16;
 constexpr std::uint32_t kRefusedNewNode = 4;
 constexpr std::uint32_t kAcceptedNewNode = 8;
+// Bits of the terms of a score.
+constexpr std::uint32_t kWedge = 4;
+constexpr std::uint32_t kLowWeight = 8;
 
 std::uint32_t head(TraceEvent event, std::uint32_t detail) {
   return static_cast<std::uint32_t>(event) | detail << kKindBits;
@@ -86,12 +89,20 @@ void StepRecorder::base(const Front& front, FaceId face, const UnitSpace& space,
   bytes_.varint(candidates);
 }
 
-void StepRecorder::refused(const Front& front, NodeId node, const Vec3& position, double score,
-                           Refusal why, FaceId culprit) {
+void StepRecorder::writeScore(const Candidate& candidate) {
+  const ScoreTerms& terms = candidate.terms;
+  bytes_.shorterNumber(candidate.score);
+  bytes_.byte(candidate.node == Candidate::kNewNode
+                  ? terms.height + (terms.hasLowWeight ? kLowWeight : 0)
+                  : terms.closed + (terms.isWedge ? kWedge : 0));
+}
+
+void StepRecorder::refused(const Front& front, NodeId node, const Vec3& position,
+                           const Candidate& candidate, Refusal why, FaceId culprit) {
   ++counts_.refused[static_cast<std::size_t>(why)];
   const std::uint32_t isNew = node.isNone() ? kRefusedNewNode : 0;
   bytes_.byte(head(TraceEvent::kRefused, static_cast<std::uint32_t>(why) + isNew));
-  bytes_.score(score);
+  writeScore(candidate);
   if (node.isNone()) {
     bytes_.offset(front.node(firstNode_), position);
   } else {
@@ -100,16 +111,17 @@ void StepRecorder::refused(const Front& front, NodeId node, const Vec3& position
   if (why != Refusal::kBehind) bytes_.difference(culprit.value, base_.value);
 }
 
-void StepRecorder::accepted(const Front& front, const NodeTriple& nodes, NodeId apex, bool isNew,
-                            double score, const std::array<FaceId, 3>& existing,
+void StepRecorder::accepted(const Front& front, const NodeTriple& nodes, NodeId apex,
+                            const Candidate& candidate, const std::array<FaceId, 3>& existing,
                             const std::array<FaceId, 3>& added, std::uint32_t region) {
   ++counts_.accepted;
+  const bool isNew = candidate.node == Candidate::kNewNode;
   std::uint32_t detail = isNew ? kAcceptedNewNode : 0;
   for (std::uint32_t corner = 0; corner < 3; ++corner) {
     if (!existing[corner].isNone()) detail |= 1U << corner;
   }
   bytes_.byte(head(TraceEvent::kAccepted, detail));
-  bytes_.score(score);
+  writeScore(candidate);
   if (isNew) {
     bytes_.position(front.node(apex));
     nodes_.push_back(front.node(apex));

@@ -53,13 +53,13 @@ class StepRecorder {
   void base(const Front& front, FaceId face, const UnitSpace& space, const Vec3& ideal,
             std::size_t facesNear, std::size_t candidates);
   /// `position`: of a candidate without a node. `culprit`: the face that it crosses or is too close to.
-  void refused(const Front& front, NodeId node, const Vec3& position, double score, Refusal why,
-               FaceId culprit);
+  void refused(const Front& front, NodeId node, const Vec3& position, const Candidate& candidate,
+               Refusal why, FaceId culprit);
   /// Call it after the front has changed. `nodes`: of the base face; `existing`: per corner, the face that left the front, or
   /// none; `added`: the face that joined it instead.
-  void accepted(const Front& front, const NodeTriple& nodes, NodeId apex, bool isNew, double score,
-                const std::array<FaceId, 3>& existing, const std::array<FaceId, 3>& added,
-                std::uint32_t region);
+  void accepted(const Front& front, const NodeTriple& nodes, NodeId apex,
+                const Candidate& candidate, const std::array<FaceId, 3>& existing,
+                const std::array<FaceId, 3>& added, std::uint32_t region);
   /// `next`: the rule class of the next attempt, or kNoNextClass.
   void postponed(std::uint32_t next);
   static constexpr std::uint32_t kNoNextClass = 31;
@@ -82,6 +82,7 @@ class StepRecorder {
     bool isActive = false;
   };
 
+  void writeScore(const Candidate& candidate);
   void setFace(FaceId slot, const NodeTriple& nodes, std::uint32_t region);
   void removeFace(FaceId slot) { faces_[slot.index()].isActive = false; }
   [[nodiscard]] bool isSame(const Front& front, std::size_t slot) const;

@@ -95,13 +95,11 @@ class RecordingTrace {
   }
   void refused(const Front& front, NodeId node, const UnitSpace& space, const Candidate& candidate,
                Refusal why, FaceId culprit) {
-    recorder_->refused(front, node, space.toSpace(candidate.unitPosition), candidate.score, why,
-                       culprit);
+    recorder_->refused(front, node, space.toSpace(candidate.unitPosition), candidate, why, culprit);
   }
   void accepted(const Front& front, const FrontFace& base, NodeId apex, const Candidate& candidate,
                 const std::array<FaceId, 3>& existing, const std::array<FaceId, 3>& added) {
-    recorder_->accepted(front, base.nodes, apex, candidate.node == Candidate::kNewNode,
-                        candidate.score, existing, added, base.region);
+    recorder_->accepted(front, base.nodes, apex, candidate, existing, added, base.region);
   }
   void postponed(bool comesAgain, std::uint32_t ruleClass) {
     recorder_->postponed(comesAgain ? ruleClass : StepRecorder::kNoNextClass);

@@ -63,7 +63,7 @@ describe("the packed files", () => {
     expect(files.filter((name) => /\.m[jt]s$/.test(name))).toEqual(["bin/tetrafront.mjs"]);
     const generated = [
       "dist/project.schema.json",
-      ...["engine", "tools", "trace"].flatMap((name) =>
+      ...["engine", "tools", "trace", "plane"].flatMap((name) =>
         ["js", "d.ts", "wasm"].map((type) => `dist/engine/${name}.${type}`),
       ),
     ];

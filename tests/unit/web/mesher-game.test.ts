@@ -88,6 +88,8 @@ it.each(["behind", "crosses", "too-close", "same-node", "outside"] as const)(
       node,
       isNew: false,
       plane: [0, 0],
+      score: 0,
+      parts: { shape: 0, ideal: 0, distance: 0 },
       verdict,
       culprit: verdict === "crosses" ? 7 : null,
     } as const;

@@ -1,7 +1,6 @@
-/** The scores of candidates for triangles, computed again, against the order in which the engine tried them. */
+/** The scores of candidates for triangles, against the order in which the engine tried them, and their parts. */
 import { expect, test } from "vitest";
 import { createMesher } from "tetrafront";
-import { scoreOf } from "../../../web/teach/player/planar-judge";
 import { recordSurface } from "../../support/recorded-models";
 
 test.each(["unit-cube", "s-duct", "square-to-circle"])(
@@ -14,13 +13,13 @@ test.each(["unit-cube", "s-duct", "square-to-circle"])(
       let compared = 0;
       for (let state = 1; state <= surface.stepCount; state++) {
         const step = surface.stepAt(state);
-        const front = step?.kind === "edge" ? surface.fronts[step.front] : undefined;
-        if (step?.kind !== "edge" || !front) continue;
-        const scores = step.candidates.map((candidate) => scoreOf(front, step, candidate));
-        scores.forEach((score, i) => {
+        if (step?.kind !== "edge") continue;
+        step.candidates.forEach(({ score, parts, isNew }, i) => {
+          expect(score).toBe(parts.shape + parts.ideal + parts.distance);
+          if (isNew) expect(parts).toEqual({ shape: 0, ideal: 2, distance: -0.55 });
           if (i === 0) return;
           compared++;
-          expect(score, `state ${state}`).toBeLessThanOrEqual((scores[i - 1] ?? 0) + 1e-6);
+          expect(score, `state ${state}`).toBeLessThanOrEqual((step.candidates[i - 1]?.score ?? 0) + 1e-4);
         });
       }
       expect(compared).toBeGreaterThan(20);

@@ -8,8 +8,9 @@ import type { MetricShapes } from "../mesh/quality.js";
 import type { FrontRecording, MeshReport, MeshStatus } from "../mesh/report.js";
 import type { BodySurfaceArrays, GridArrays, ModelArrays } from "../generated/constants.js";
 import type { CallName } from "./calls.js";
+import type { CompiledModule } from "./instantiated.js";
+import type { EngineDiagnostics, EngineOptions } from "./loader.js";
 import type { RegionStatistics } from "./region-statistics.js";
-import type { CompiledModule, EngineDiagnostics, EngineOptions } from "./loader.js";
 
 /** Regions that are meshed. */
 export type MeshedRegions = {

@@ -14,6 +14,7 @@ import {
   SET_ASIDE,
   STRETCHED_BIT,
 } from "./layout.js";
+import type { RecordedScore } from "./score.js";
 import type { TraceCursor } from "./trace-cursor.js";
 
 /** x y z. */
@@ -61,28 +62,29 @@ export function readBase(cursor: TraceCursor, detail: number): BaseEvent {
 export type CandidateEvent =
   { readonly isNew: false; readonly node: number } | { readonly isNew: true; readonly position: Triple };
 
-export interface RefusedEvent {
+/** Reads a score; files of earlier versions have other ones. */
+export type ReadScore = (cursor: TraceCursor, isNew: boolean) => RecordedScore;
+
+export interface RefusedEvent extends RecordedScore {
   readonly reason: Refusal;
-  readonly score: number;
   /** The position of a new node is relative to the base face's first node. */
   readonly candidate: CandidateEvent;
   /** Number of a face minus that of the base face; undefined for a candidate behind the base face. */
   readonly culprit: number | undefined;
 }
 
-export function readRefused(cursor: TraceCursor, detail: number): RefusedEvent {
+export function readRefused(cursor: TraceCursor, detail: number, readScore: ReadScore): RefusedEvent {
   const isNew = (detail & NEW_REFUSED_BIT) !== 0;
   const reason = REFUSALS[detail - (isNew ? NEW_REFUSED_BIT : 0)];
   if (reason === undefined) return cursor.fail(`there is no reason ${detail} for a refusal`, cursor.at - 1);
-  const score = cursor.score();
+  const score = readScore(cursor, isNew);
   const candidate: CandidateEvent = isNew
     ? { isNew, position: floats(cursor) }
     : { isNew, node: cursor.zigzag() };
-  return { reason, score, candidate, culprit: reason === "behind" ? undefined : cursor.zigzag() };
+  return { reason, ...score, candidate, culprit: reason === "behind" ? undefined : cursor.zigzag() };
 }
 
-export interface AcceptedEvent {
-  readonly score: number;
+export interface AcceptedEvent extends RecordedScore {
   /** The position of a new node is absolute. */
   readonly candidate: CandidateEvent;
   /** Per corner of the base face: whether the front has the element's face opposite it. */
@@ -91,16 +93,16 @@ export interface AcceptedEvent {
   readonly faces: readonly number[];
 }
 
-export function readAccepted(cursor: TraceCursor, detail: number): AcceptedEvent {
+export function readAccepted(cursor: TraceCursor, detail: number, readScore: ReadScore): AcceptedEvent {
   if (detail >= 2 * NEW_ACCEPTED_BIT)
     cursor.fail("the detail of an accepted candidate is wrong", cursor.at - 1);
   const isNew = (detail & NEW_ACCEPTED_BIT) !== 0;
-  const score = cursor.score();
+  const score = readScore(cursor, isNew);
   const candidate: CandidateEvent = isNew
     ? { isNew, position: doubles(cursor) }
     : { isNew, node: cursor.zigzag() };
   const has = [(detail & 1) !== 0, (detail & 2) !== 0, (detail & 4) !== 0] as const;
-  return { score, candidate, has, faces: [cursor.zigzag(), cursor.zigzag(), cursor.zigzag()] };
+  return { ...score, candidate, has, faces: [cursor.zigzag(), cursor.zigzag(), cursor.zigzag()] };
 }
 
 /** Returns the rule class under which a postponed face comes again; null if it is set aside. */

@@ -2,7 +2,9 @@
 
 /** Before the version, the last of the first eight bytes. */
 export const MAGIC = "TFTRACE";
-export const TRACE_VERSION = 3;
+export const TRACE_VERSION = 4;
+/** Version with scores of fewer digits, and without their terms. */
+export const SHORT_SCORE_VERSION = 3;
 /** Version without sweeps of the optimizer. */
 export const FRONT_ONLY_VERSION = 2;
 /** Version without events of lines and patches. */
@@ -30,6 +32,9 @@ export const RULE_CLASSES = 5;
 export const NEW_REFUSED_BIT = 4;
 /** Bit of the detail of `accepted`: the candidate is a new node. */
 export const NEW_ACCEPTED_BIT = 8;
+/** Bits of the terms of a score. */
+export const WEDGE_BIT = 4;
+export const LOW_WEIGHT_BIT = 8;
 /** Detail of `postponed`: the face is set aside. */
 export const SET_ASIDE = 31;
 
@@ -96,6 +101,14 @@ export type StationEnd = (typeof STATION_ENDS)[number];
 export const EDGE_REFUSALS = ["behind", "crosses", "too-close", "same-node", "outside"] as const;
 /** See docs/TRACE.md; `behind`: the candidate is not on the unmeshed side of the base edge. */
 export type EdgeRefusal = (typeof EDGE_REFUSALS)[number];
+
+/** Ways in which a 2-D front ends, by their number in the file. */
+export const PLANAR_ENDS = ["covered", "stalled", "stopped"] as const;
+/**
+ * `covered`: the front has covered its patch; `stalled`: edges were set aside, because the patch folds over itself or rules were
+ * taken away; `stopped`: it was ended while it had edges to take.
+ */
+export type PlanarEnd = (typeof PLANAR_ENDS)[number];
 
 /** Step at which things die that are part of the final state. */
 export const NEVER = 0xffffffff;

@@ -9,9 +9,16 @@ import { inSteps } from "../calls/yielder.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import { asTooLarge, ReadFailure, readSafely } from "../formats/read-result.js";
 import { parseHeader, type TraceHeader } from "./header.js";
-import { FRONT_ONLY_VERSION, MAGIC, TRACE_VERSION, VOLUME_ONLY_VERSION } from "./layout.js";
+import {
+  FRONT_ONLY_VERSION,
+  MAGIC,
+  SHORT_SCORE_VERSION,
+  TRACE_VERSION,
+  VOLUME_ONLY_VERSION,
+} from "./layout.js";
 import { TracedOptimization } from "./optimization.js";
 import { Replay } from "./replay.js";
+import { readScore, readShortScore } from "./score.js";
 import { SurfaceReplay } from "./surface-replay.js";
 import { SurfaceTrace } from "./surface-trace.js";
 import { readSweeps } from "./sweep-events.js";
@@ -100,7 +107,8 @@ function cursorOf(bytes: Uint8Array): TraceCursor {
 
 function* traceIn(cursor: TraceCursor): Steps<Trace> {
   const { header, version } = readHeader(cursor);
-  const replay = new Replay(cursor, header.nodes);
+  const readAnyScore = version === TRACE_VERSION ? readScore : readShortScore;
+  const replay = new Replay(cursor, header.nodes, readAnyScore);
   yield* replay.readNodes();
   const surface = version === VOLUME_ONLY_VERSION ? undefined : yield* new SurfaceReplay(cursor).readEvents();
   yield* replay.readEvents();
@@ -125,7 +133,7 @@ function* traceIn(cursor: TraceCursor): Steps<Trace> {
   const boundary = nodes.positions.subarray(0, 3 * header.nodes);
   const optimization = sweeps && new TracedOptimization(cursor.file, sweeps, boundary);
   const columns = [nodes, faces, elements, steps] as const;
-  return new Trace(cursor.file, header, ...columns, replay.fronts, traced, optimization, lists);
+  return new Trace(cursor.file, header, ...columns, replay.fronts, traced, optimization, lists, readAnyScore);
 }
 
 function readHeader(cursor: TraceCursor): { readonly header: TraceHeader; readonly version: number } {
@@ -139,7 +147,7 @@ function readHeader(cursor: TraceCursor): { readonly header: TraceHeader; readon
     throw new ReadFailure({ message: "byte 0: this is no trace of a front", remedy, offset: 0 });
   }
   const version = cursor.byte();
-  if (![VOLUME_ONLY_VERSION, FRONT_ONLY_VERSION, TRACE_VERSION].includes(version)) {
+  if (![VOLUME_ONLY_VERSION, FRONT_ONLY_VERSION, SHORT_SCORE_VERSION, TRACE_VERSION].includes(version)) {
     const remedy = "Use the version of Tetrafront that recorded the trace, or record it again.";
     const offset = MAGIC.length;
     const message = `byte ${offset}: version ${version} of the format is not known`;

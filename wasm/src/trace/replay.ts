@@ -13,6 +13,7 @@ import {
   readChange,
   readPostponed,
   readRefused,
+  type ReadScore,
   type RefusedEvent,
 } from "./events.js";
 import { GrowingArray } from "./growing-array.js";
@@ -65,7 +66,11 @@ export class Replay {
   #open: { readonly number: number; readonly face: number; readonly firstNode: number } | undefined;
 
   /** The cursor is at the positions of the boundary's nodes. */
-  constructor(cursor: TraceCursor, boundaryNodes: number) {
+  constructor(
+    cursor: TraceCursor,
+    boundaryNodes: number,
+    readonly readScore: ReadScore,
+  ) {
     this.#cursor = cursor;
     this.#boundaryNodes = boundaryNodes;
     if (24 * boundaryNodes > cursor.ahead) cursor.fail(`the file is too short for ${boundaryNodes} nodes`);
@@ -116,10 +121,10 @@ export class Replay {
         this.#beginStep(readBase(cursor, detail));
         return true;
       case EVENT.refused:
-        this.#refuse(readRefused(cursor, detail));
+        this.#refuse(readRefused(cursor, detail, this.readScore));
         return true;
       case EVENT.accepted:
-        this.#accept(readAccepted(cursor, detail));
+        this.#accept(readAccepted(cursor, detail, this.readScore));
         return true;
       case EVENT.postponed:
         readPostponed(cursor, detail);

@@ -1,5 +1,6 @@
 /** What a trace has of lines and patches: all that was ever made, and single steps, decoded when they are asked for. */
-import type { EdgeRefusal, StationEnd } from "./layout.js";
+import type { EdgeRefusal, PlanarEnd, StationEnd } from "./layout.js";
+import type { PlaneScoreParts } from "./score.js";
 import type { PlaneSample } from "./surface-events.js";
 import type { TracePosition } from "./trace-step.js";
 
@@ -56,8 +57,7 @@ export interface PlanarFront {
   readonly trianglesBorn: Uint32Array;
   /** Per node: the step that makes it. Ascending. */
   readonly nodesBorn: Uint32Array;
-  /** Whether an edge could not be completed: the patch folds over itself. */
-  readonly hasStalled: boolean;
+  readonly end: PlanarEnd;
   /** The triangulation after its improvement; null if the run ended before. */
   readonly improved: ImprovedPatch | null;
 }
@@ -128,6 +128,9 @@ export interface EdgeCandidate {
   readonly node: number | null;
   readonly isNew: boolean;
   readonly plane: PlanePosition;
+  /** Higher scores are tried first; the sum of the parts. Four digits are right. */
+  readonly score: number;
+  readonly parts: PlaneScoreParts;
   readonly verdict: "accepted" | EdgeRefusal;
   /** Index of the edge that the triangle would cross, or that the new node is too close to; else null. */
   readonly culprit: number | null;

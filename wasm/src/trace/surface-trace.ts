@@ -10,6 +10,7 @@ import {
   readRefusedEdge,
   readStation,
 } from "./surface-events.js";
+import { planeScore, planeScoreParts, type PlaneBase } from "./score.js";
 import {
   newNodePosition,
   type ReplayedSurface,
@@ -274,7 +275,8 @@ export class SurfaceTrace {
     const sample = this.#samples[this.#columns.samples[step] ?? 0] ?? { size: 1, metric: [1, 0, 1] };
     const end = outcomeIn(cursor);
     const ideal = idealOf(end, pairAt(front.plane, nodes[0]));
-    const candidates = this.#candidates(step, front, nodes, ideal);
+    const ends = [pairAt(front.plane, nodes[0]), pairAt(front.plane, nodes[1])] as const;
+    const candidates = this.#candidates(step, front, { ends, ideal, metric: sample.metric });
     const triangle = outcome === "accepted" ? firstFrom(front.trianglesBorn, step) : null;
     return {
       kind: "edge",
@@ -299,12 +301,7 @@ export class SurfaceTrace {
     };
   }
 
-  #candidates(
-    step: number,
-    front: PlanarFront,
-    [from, to]: readonly [number, number],
-    ideal: readonly [number, number],
-  ): readonly EdgeCandidate[] {
+  #candidates(step: number, front: PlanarFront, base: PlaneBase): readonly EdgeCandidate[] {
     const { firstCandidates, candidateNodes, candidateCulprits, candidateVerdicts } = this.#columns;
     const candidates: EdgeCandidate[] = [];
     let refusedNew = 0;
@@ -312,13 +309,18 @@ export class SurfaceTrace {
       const known = candidateNodes[i] ?? NONE;
       const node = known === NONE ? null : known;
       const culprit = candidateCulprits[i] ?? NONE;
+      const isNew = node === null || front.nodesBorn[node] === step;
+      const plane =
+        node === null
+          ? newNodePosition(...base.ends, base.ideal, refusedNew++)
+          : pairAt(front.plane, node);
+      const parts = planeScoreParts(base, plane, isNew);
       candidates.push({
         node,
-        isNew: node === null || front.nodesBorn[node] === step,
-        plane:
-          node === null
-            ? newNodePosition(pairAt(front.plane, from), pairAt(front.plane, to), ideal, refusedNew++)
-            : pairAt(front.plane, node),
+        isNew,
+        plane,
+        score: planeScore(parts),
+        parts,
         verdict: EDGE_REFUSALS[candidateVerdicts[i] ?? ACCEPTED] ?? "accepted",
         culprit: culprit === NONE ? null : culprit,
       });

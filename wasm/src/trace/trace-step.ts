@@ -1,5 +1,6 @@
 /** One step of a trace, decoded when it is asked for. */
 import type { FrontChange, Refusal } from "./layout.js";
+import type { ScoreParts } from "./score.js";
 
 /** x y z. */
 export type TracePosition = readonly [number, number, number];
@@ -11,8 +12,10 @@ export interface TracedCandidate {
   /** Whether the node did not exist before this step. */
   readonly isNew: boolean;
   readonly position: TracePosition;
-  /** Higher scores are tried first. */
+  /** Higher scores are tried first. Four digits are right; in files of version 3 or earlier, two. */
   readonly score: number;
+  /** What the score is made of; null in files of version 3 or earlier. */
+  readonly parts: ScoreParts | null;
   readonly verdict: "accepted" | Refusal;
   /** Index of the face that the element would cross, or that the new node is too close to; else null. */
   readonly culprit: number | null;

@@ -1,5 +1,5 @@
 /** A trace that has been read: every state of the front without replay, and every step on demand. */
-import { readAccepted, readBase, readPostponed, readRefused } from "./events.js";
+import { readAccepted, readBase, readPostponed, readRefused, type ReadScore } from "./events.js";
 import { type FinalLists, finalMesh, type TracedMesh } from "./final-mesh.js";
 import type { TraceHeader } from "./header.js";
 import { EVENT, type FrontChange, KIND_BITS, NONE, type Refusal, REFUSALS } from "./layout.js";
@@ -43,6 +43,7 @@ export interface TraceSummary {
 export class Trace {
   readonly #bytes: Uint8Array;
   readonly #lists: FinalLists;
+  readonly #readScore: ReadScore;
 
   constructor(
     bytes: Uint8Array,
@@ -58,9 +59,11 @@ export class Trace {
     /** The sweeps of the optimizer after the front; null if they were not recorded. */
     readonly optimization: TracedOptimization | null,
     lists: FinalLists,
+    readScore: ReadScore,
   ) {
     this.#bytes = bytes;
     this.#lists = lists;
+    this.#readScore = readScore;
   }
 
   /** Number of steps; the states are 0 to this number. */
@@ -173,14 +176,15 @@ export class Trace {
     const first = cursor.byte();
     const detail = first >> KIND_BITS;
     const isAccepted = first % (1 << KIND_BITS) === EVENT.accepted;
-    const event = isAccepted ? readAccepted(cursor, detail) : readRefused(cursor, detail);
+    const read = isAccepted ? readAccepted : readRefused;
+    const event = read(cursor, detail, this.#readScore);
     const node = noneAsNull(this.steps.candidateNodes[index]);
-    const { score, candidate } = event;
+    const { score, parts, candidate } = event;
     const position =
       node === null && candidate.isNew ? sum(origin, candidate.position) : this.#position(node ?? 0);
     const culprit = noneAsNull(this.steps.candidateCulprits[index]);
     const verdict = "reason" in event ? event.reason : "accepted";
-    return { node, isNew: candidate.isNew, position, score, verdict, culprit };
+    return { node, isNew: candidate.isNew, position, score, parts, verdict, culprit };
   }
 
   #position(node: number): TracePosition {

@@ -2,7 +2,7 @@
  * What would happen if a candidate for a triangle were accepted: an independent check in doubles of the engine's verdicts
  * in the plane of a patch. The part of an edge that lies in the triangle is found by clipping, not by signs.
  */
-import type { EdgeCandidate, EdgeStep, PlanarFront, PlanePosition } from "tetrafront/trace";
+import type { EdgeStep, PlanarFront, PlanePosition } from "tetrafront/trace";
 
 /** How near to the border of a triangle an edge counts as touching it, as a share of the triangle's size. */
 export const touching = 1e-9;
@@ -11,8 +11,6 @@ const minLengthRatio = 0.55;
 const maxLengthRatio = 2;
 /** Least distance of a new node from every edge of the front, in lengths of the new edges. */
 export const clearance = 0.55;
-/** Largest distance at which a node replaces the ideal point, in lengths of the new edges. */
-const captureRadius = 0.55;
 
 export const planeOf = (front: PlanarFront, node: number): PlanePosition => [
   front.plane[2 * node] ?? 0,
@@ -61,30 +59,6 @@ export function distanceToEdge(
     yy * along[1] * offset[1];
   const part = Math.min(1, Math.max(0, dot / metricLength(metric, along) ** 2));
   return metricLength(metric, [offset[0] - part * along[0], offset[1] - part * along[1]]);
-}
-
-/** Returns the shape of a triangle in space: 1 for equal sides, 0 without area, negative behind the base edge. */
-function shapeOf(metric: EdgeStep["metric"], [a, b, c]: NewTriangle["corners"]): number {
-  const [xx, xy, yy] = metric;
-  const doubleArea = Math.sqrt(xx * yy - xy * xy) * crossed(minus(b, a), minus(c, a));
-  const squares = [minus(b, a), minus(c, b), minus(a, c)].map((side) => metricLength(metric, side) ** 2);
-  return (2 * Math.sqrt(3) * doubleArea) / squares.reduce((sum, square) => sum + square, 0);
-}
-
-/**
- * Returns what a candidate is ranked by; the highest comes first (cpp/src/surface/planar_front.cpp). Nodes that can replace the
- * ideal point have 2 less their distance from it, in lengths of the new edges; a new node 2 less the largest such distance;
- * other nodes the shape of their triangle, at most 1.
- */
-export function scoreOf(
-  front: PlanarFront,
-  step: EdgeStep,
-  { plane, isNew }: Pick<EdgeCandidate, "plane" | "isNew">,
-): number {
-  if (isNew) return 2 - captureRadius;
-  const away = metricLength(step.metric, minus(plane, step.ideal)) / targetLength(front, step);
-  if (away < captureRadius) return 2 - away;
-  return shapeOf(step.metric, newTriangle(front, step.nodes, plane, null).corners);
 }
 
 /** A base edge and a candidate; the candidate's node is null if it is new. */

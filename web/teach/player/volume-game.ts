@@ -116,6 +116,7 @@ export function chosenCandidate(trace: Trace, { question, answer }: VolumeTask):
     isNew: node === null,
     position: node === null ? question.step.idealPoint : positionOf(trace, node),
     score: 0,
+    parts: null,
     verdict: kind === "best" || kind === "possible" ? "accepted" : kind,
     culprit: faces[0] ?? null,
   };

@@ -145,7 +145,7 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
 });
 
 function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
-  const scores = recordedScores(candidates.map(({ score }) => score));
+  const scores = recordedScores(candidates);
   return candidates.map(({ node, isNew, verdict, culprit }, i) => ({
     name: isNew ? null : node,
     score: scores[i] ?? "",

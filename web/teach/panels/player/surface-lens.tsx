@@ -2,7 +2,6 @@ import { Text } from "@mantine/core";
 import { lazy, Suspense, useMemo } from "react";
 import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront/trace";
 import { labelAt, type EntityLabels } from "../../player/entity-labels";
-import { scoreOf } from "../../player/planar-judge";
 import {
   decisiveCandidate,
   examineCandidate,
@@ -94,7 +93,7 @@ function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly 
   ];
   const rows = step.candidates.map((candidate) => ({
     name: candidate.isNew ? null : candidate.node,
-    score: scoreOf(front, step, candidate).toFixed(3),
+    score: candidate.score.toFixed(3),
     verdict: texts.verdictAt(texts.patch.verdicts[candidate.verdict], candidate.culprit),
   }));
   return (
