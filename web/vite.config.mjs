@@ -8,6 +8,7 @@ import { thirdPartyNotices } from "../scripts/lib/site-notices.mjs";
 import { offlineSite } from "../scripts/lib/site-offline.mjs";
 import { contentSecurityPolicy } from "../scripts/lib/site-policy.mjs";
 import { preloadedApp } from "../scripts/lib/site-preload.mjs";
+import { lessonEntries, lessonSite } from "./teach/article/compiler/lesson-site.ts";
 
 /** Isolated pages may share memory with their workers; the app works without it too. */
 const isolation = {
@@ -29,8 +30,13 @@ function withoutNodeModules() {
   };
 }
 
+const lessons = {
+  root: inRoot("."),
+  sources: inRoot("./lessons"),
+  models: inRoot("../public/index.json"),
+};
 /** Every page of the site. */
-const pages = ["./index.html", "./embed.html"].map(inRoot);
+const pages = [...["./index.html", "./embed.html"].map(inRoot), ...lessonEntries(lessons)];
 const notices = thirdPartyNotices();
 
 export default defineConfig({
@@ -39,6 +45,7 @@ export default defineConfig({
   // Relative addresses: the built site works from any folder of any host.
   base: "./",
   plugins: [
+    lessonSite(lessons),
     react(),
     withoutNodeModules(),
     embindWithoutText(),
@@ -67,7 +74,11 @@ export default defineConfig({
       input: pages,
       output: {
         codeSplitting: {
-          groups: startGroups(inRoot("./main.tsx"), inRoot("./teach/embed/start-embed.tsx")),
+          groups: startGroups({
+            app: inRoot("./main.tsx"),
+            embed: inRoot("./teach/embed/start-embed.tsx"),
+            lesson: inRoot("./teach/article/runtime/start-lesson.ts"),
+          }),
         },
       },
     },
