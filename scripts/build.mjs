@@ -10,6 +10,7 @@ import {
   bundlePages,
   dropOrphans,
   minifyScripts,
+  MODULES,
   writeProjectSchema,
 } from "./lib/package-files.mjs";
 import { buildFolders, inRoot } from "./lib/paths.mjs";
@@ -37,9 +38,7 @@ export const steps = {
       ],
       { skip: ["node_modules", "dist", "THIRD-PARTY-NOTICES.txt"] },
     );
-    const types = ["engine", "tools", "trace"].map((module) =>
-      inRoot("wasm", "dist", "engine", `${module}.d.ts`),
-    );
+    const types = MODULES.map((module) => inRoot("wasm", "dist", "engine", `${module}.d.ts`));
     const hash = hashOf([...inputs, ...types]);
     const stamp = inRoot("wasm", "dist", ".built-from");
     if (isFresh(stamp, hash)) return;

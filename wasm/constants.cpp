@@ -23,6 +23,7 @@
 #include "tetrafront/diagnostic_values.h"
 #include "tetrafront/mesh_improvement.h"
 #include "tetrafront/options.h"
+#include "tetrafront/plane_fill.h"
 #include "tetrafront/quality_statistics.h"
 #include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
@@ -226,6 +227,7 @@ void printEnums() {
   printEnum<FrontOrder>("FrontOrder", "FRONT_ORDERS", "Order in which faces leave the front.");
   printEnum<Optimization>("Optimization", "OPTIMIZATIONS",
                           "Effort on the shape of the elements after the front has closed.");
+  printEnum<PlaneStatus>("PlaneStatus", "PLANE_STATUSES", "How a fill of a polygon has ended.");
   printEnum<CheckedOption>("CheckedOption", "CHECKED_OPTIONS", "Options that the engine checks.");
   printEnum<Failure>("CallFailure", "CALL_FAILURES",
                      "Reason for which a call of the engine failed.");
@@ -275,6 +277,7 @@ void printModule() {
                                "Defaults of a remeshing; 0, or a negative number of layers, leaves "
                                "the choice to the engine.");
   printDefaults<ImproveOptions>("IMPROVE_DEFAULTS", "Defaults of an improvement.");
+  printDefaults<PlaneOptions>("PLANE_DEFAULTS", "Defaults of the fill of a polygon.");
   printDefaults<ProposalOptions>("PROPOSAL_DEFAULTS",
                                  "Defaults of size proposals; 0 leaves a size to the engine.");
   printNumber("SOURCE_GROWTH", SizeSource{}.growth, "Default growth of a source.");

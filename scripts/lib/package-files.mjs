@@ -6,7 +6,7 @@ import { ENGINE_PARTS, noticesText } from "./notices.mjs";
 import { inRoot } from "./paths.mjs";
 
 /** The modules of the compiled engine in dist/engine. */
-const MODULES = ["engine", "tools", "trace"];
+export const MODULES = ["engine", "tools", "trace", "plane"];
 
 /** Files in dist that are not compiled from TypeScript. */
 const EMSCRIPTENS = new Set(
@@ -125,8 +125,8 @@ export async function bundlePages() {
         setup({ onResolve, onLoad }) {
           // The words are only for the JSON Schema, which is written already.
           onLoad({ filter: /\/project\/words\.js$/ }, () => ({ contents: "export const WORDS = {};" }));
-          onResolve({ filter: /\/loader\.js$/ }, () => ({
-            path: "../engine/loader.js",
+          onResolve({ filter: /\/(plane-)?loader\.js$/ }, ({ path: name }) => ({
+            path: `../engine/${path.basename(name)}`,
             external: true,
           }));
         },

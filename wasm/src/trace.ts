@@ -42,6 +42,8 @@ export {
   type EdgeRefusal,
   FRONT_CHANGES,
   type FrontChange,
+  PLANAR_ENDS,
+  type PlanarEnd,
   type Refusal,
   REFUSALS,
   STATION_ENDS,
@@ -52,4 +54,19 @@ export {
   type TraceStatus,
 } from "./trace/layout.js";
 export { recordTrace, type RecordedMesh, type RecordingOptions } from "./api/trace-recording.js";
+export { fillPlane, loadPlaneFront, type PlaneFront } from "./api/plane-filling.js";
+export type {
+  FilledPlane,
+  FillPlaneOptions,
+  FillPlaneResult,
+  PlaneErrorCode,
+  PlaneExperiment,
+  PlaneLoop,
+  PlaneMesh,
+  PlaneNode,
+  PlaneSegment,
+  PlaneSizes,
+  PlaneSource,
+  UnfilledPlane,
+} from "./api/plane-types.js";
 export type { FrontRecording } from "./mesh/report.js";

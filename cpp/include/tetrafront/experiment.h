@@ -4,7 +4,8 @@
 
 namespace tetrafront {
 
-/// Rules of a recorded run (trace.h). By default, they are those of every run.
+/// Rules of a recorded run (trace.h), or of a polygon that is filled (plane_fill.h), where edges take the place of
+/// faces. By default, they are those of every run.
 struct FrontExperiment {
   /// Relaxes the rules for a face that cannot be completed. Otherwise such a face is left to recovery at once.
   bool relaxation = true;

@@ -76,10 +76,21 @@ Vec2 MappedSurface::clamped(const Vec2& plane) const {
 
 PatchSurface::PatchSurface(const ResolvedModel& model, const Patch& patch)
     : model_(&model), patch_(&patch), surface_(makeSurface(model, patch)) {
-  flat_ = model.curve(patch.loops.front().front()).flatAxes();
-  for (const Loop& loop : spanningLoops(patch))
-    for (const OrientedLine& line : loop) flat_.restrictTo(model.curve(line).flatAxes());
-  for (const OrientedLine& line : patch.sections) flat_.restrictTo(model.curve(line).flatAxes());
+  findFlatAxes();
+}
+
+PatchSurface::PatchSurface(const ResolvedModel& model, const Patch& patch,
+                           const PlanarSurface& plane)
+    : model_(&model), patch_(&patch), surface_(plane) {
+  findFlatAxes();
+}
+
+void PatchSurface::findFlatAxes() {
+  flat_ = model_->curve(patch_->loops.front().front()).flatAxes();
+  for (const Loop& loop : spanningLoops(*patch_))
+    for (const OrientedLine& line : loop) flat_.restrictTo(model_->curve(line).flatAxes());
+  for (const OrientedLine& line : patch_->sections)
+    flat_.restrictTo(model_->curve(line).flatAxes());
 }
 
 PatchSurface::Surface PatchSurface::makeSurface(const ResolvedModel& model, const Patch& patch) {

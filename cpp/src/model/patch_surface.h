@@ -47,6 +47,8 @@ class PatchSurface {
  public:
   /// `patch` must be usable (checkModel()); `model` must outlive this.
   PatchSurface(const ResolvedModel& model, const Patch& patch);
+  /// Makes the surface of a planar patch that lies in `plane`, with the axes of this plane.
+  PatchSurface(const ResolvedModel& model, const Patch& patch, const PlanarSurface& plane);
   /// Makes the surface of a trimmed face: neither planar() nor mapped(), and without lines of a drawn model.
   explicit PatchSurface(const FacePlane& face) : surface_(face) {}
 
@@ -75,6 +77,7 @@ class PatchSurface {
  private:
   using Surface = std::variant<PlanarSurface, MappedSurface, FacePlane>;
   static Surface makeSurface(const ResolvedModel& model, const Patch& patch);
+  void findFlatAxes();
 
   const ResolvedModel* model_ = nullptr;
   const Patch* patch_ = nullptr;

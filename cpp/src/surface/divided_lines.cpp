@@ -88,6 +88,20 @@ const LineDivision& LineDivider::divide(LineId line, const SizeField& field, Tra
 }
 
 template <class Trace>
+const LineDivision& LineDivider::keepWhole(LineId line, const SizeField& field, Trace trace) {
+  LineDivision& division = lines_.divisions[line.index()];
+  const Curve& curve = model_->curve(line);
+  FieldHint hint;
+  division = {};
+  division.parameters = {0.0, 1.0};
+  division.nodes = {curve.position(0.0), curve.position(1.0)};
+  division.length = curve.length() / field.sizeAt(curve.position(0.5), hint);
+  trace->line(line, curve);
+  trace->divided(division);
+  return division;
+}
+
+template <class Trace>
 void LineDivider::halveSides(const std::set<LineSide>& sides, Trace trace) {
   // In descending order, so that the indices of the other sides stay valid.
   for (auto entry = sides.rbegin(); entry != sides.rend(); ++entry) {
@@ -100,6 +114,9 @@ void LineDivider::halveSides(const std::set<LineSide>& sides, Trace trace) {
 
 template const LineDivision& LineDivider::divide(LineId, const SizeField&, NullSurfaceTrace);
 template const LineDivision& LineDivider::divide(LineId, const SizeField&, RecordingSurfaceTrace);
+template const LineDivision& LineDivider::keepWhole(LineId, const SizeField&, NullSurfaceTrace);
+template const LineDivision& LineDivider::keepWhole(LineId, const SizeField&,
+                                                    RecordingSurfaceTrace);
 template void LineDivider::halveSides(const std::set<LineSide>&, NullSurfaceTrace);
 template void LineDivider::halveSides(const std::set<LineSide>&, RecordingSurfaceTrace);
 

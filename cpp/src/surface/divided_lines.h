@@ -43,6 +43,10 @@ class LineDivider {
   template <class Trace>
   const LineDivision& divide(LineId line, const SizeField& field, Trace trace);
 
+  /// Makes a used line one side. `trace` as above.
+  template <class Trace>
+  const LineDivision& keepWhole(LineId line, const SizeField& field, Trace trace);
+
   /// Adds a node in the middle of each side, and numbers all nodes again.
   template <class Trace>
   void halveSides(const std::set<LineSide>& sides, Trace trace);

@@ -132,6 +132,7 @@ bool sidesIntersect(const PlanarMesh& mesh, const PlanarMesh::Side& first,
   return segmentsIntersect(mesh, a, b, c, d);
 }
 
+/// Returns the pairs of sides that intersect, one after the other.
 std::vector<std::uint32_t> findIntersectingSides(const PlanarMesh& mesh) {
   Quadtree tree(regionOf(mesh));
   std::vector<std::uint32_t> intersecting;
@@ -175,6 +176,20 @@ bool isInside(const PlanarMesh& mesh, PlanarNodeId node, const SideRange& loop) 
   return inside;
 }
 
+/// Calls `use(hole, other)` for each hole outside the outer loop, with that loop, and for each hole inside another one.
+template <class Use>
+void forEachMisplacedHole(const PatchBoundary& boundary, const Use& use) {
+  const auto count = static_cast<std::uint32_t>(boundary.loops.size());
+  for (std::uint32_t hole = 1; hole < count; ++hole) {
+    const PlanarNodeId node = boundary.mesh.sides[sidesOfLoop(boundary, hole).from].from;
+    for (std::uint32_t loop = 0; loop < count; ++loop) {
+      if (loop == hole) continue;
+      if (isInside(boundary.mesh, node, sidesOfLoop(boundary, loop)) != (loop == 0))
+        use(hole, loop);
+    }
+  }
+}
+
 /// Finds the sides of a flipped outer loop, of holes outside it, and of holes inside each other, together with the
 /// sides of the other loop.
 std::vector<std::uint32_t> findMisplacedSides(const PatchBoundary& boundary) {
@@ -183,17 +198,10 @@ std::vector<std::uint32_t> findMisplacedSides(const PatchBoundary& boundary) {
     for (std::uint32_t side = range.from; side < range.to; ++side) misplaced.push_back(side);
   };
   if (boundary.isFlipped) add(sidesOfLoop(boundary, 0));
-  for (std::size_t hole = 1; hole < boundary.loops.size(); ++hole) {
-    const SideRange sides = sidesOfLoop(boundary, hole);
-    const PlanarNodeId node = boundary.mesh.sides[sides.from].from;
-    for (std::size_t loop = 0; loop < boundary.loops.size(); ++loop) {
-      if (loop == hole) continue;
-      const SideRange other = sidesOfLoop(boundary, loop);
-      if (isInside(boundary.mesh, node, other) == (loop == 0)) continue;
-      add(sides);
-      add(other);
-    }
-  }
+  forEachMisplacedHole(boundary, [&](std::uint32_t hole, std::uint32_t loop) {
+    add(sidesOfLoop(boundary, hole));
+    add(sidesOfLoop(boundary, loop));
+  });
   return misplaced;
 }
 
@@ -216,6 +224,18 @@ std::vector<std::uint32_t> findInvalidSides(const PatchBoundary& boundary) {
   if (invalid.empty()) invalid = findMisplacedSides(boundary);
   sortUnique(invalid);
   return invalid;
+}
+
+std::optional<LoopProblem> findLoopProblem(const PatchBoundary& boundary) {
+  const std::vector<std::uint32_t> pairs = findIntersectingSides(boundary.mesh);
+  if (!pairs.empty()) return LoopProblem{LoopProblem::Kind::kCrossing, pairs[0], pairs[1]};
+  std::optional<LoopProblem> found;
+  forEachMisplacedHole(boundary, [&](std::uint32_t hole, std::uint32_t loop) {
+    if (found) return;
+    const auto kind = loop == 0 ? LoopProblem::Kind::kHoleOutside : LoopProblem::Kind::kNestedHoles;
+    found = LoopProblem{kind, hole, loop};
+  });
+  return found;
 }
 
 }  // namespace tetrafront

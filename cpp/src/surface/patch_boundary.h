@@ -3,6 +3,7 @@
 /// @file The initial front of one patch: the sides of its lines in the patch's plane.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/ids.h"
@@ -41,5 +42,20 @@ struct PatchBoundary {
 /// misplaced loops: a flipped outer loop, a hole outside the outer loop together with that loop, and two holes of
 /// which one contains the other.
 [[nodiscard]] std::vector<std::uint32_t> findInvalidSides(const PatchBoundary& boundary);
+
+/// One reason why loops do not bound a piece of the plane.
+struct LoopProblem {
+  enum class Kind : std::uint8_t {
+    kCrossing = 0,     ///< sides `first` and `second` intersect, except at a common node
+    kHoleOutside = 1,  ///< loop `first` is outside the outer loop, which is loop `second`
+    kNestedHoles = 2,  ///< loop `first` is inside loop `second`, another hole
+  };
+  Kind kind;
+  std::uint32_t first;
+  std::uint32_t second;
+};
+
+/// Returns the first problem; none if findInvalidSides() finds no sides and the outer loop is not flipped. Exact.
+[[nodiscard]] std::optional<LoopProblem> findLoopProblem(const PatchBoundary& boundary);
 
 }  // namespace tetrafront

@@ -39,7 +39,7 @@ void BasicPatchMesher<Trace>::step(std::uint32_t budget) {
   } else if (front_.advance(budget)) {
     hasStalled_ = front_.hasStalled();
     isCovered_ = !hasStalled_;
-    trace_->ended(mesh_, hasStalled_);
+    trace_->ended(mesh_, hasStalled_ ? PlanarFrontEnd::kStalled : PlanarFrontEnd::kCovered);
   }
 }
 

@@ -4,11 +4,19 @@
 #include <bit>
 #include <cmath>
 
+#include "base/scrambled.h"
 #include "base/sort.h"
 #include "base/tolerance.h"
 #include "surface/rules.h"
 
 namespace tetrafront {
+
+namespace {
+
+/// Bits of a key below the number of failed attempts.
+constexpr int kPassShift = 62;
+
+}  // namespace
 
 template <class Trace>
 BasicPlanarFront<Trace>::BasicPlanarFront(const PatchMetric& metric, PlanarMesh& mesh, Trace trace)
@@ -21,12 +29,30 @@ BasicPlanarFront<Trace>::BasicPlanarFront(const PatchMetric& metric, PlanarMesh&
 
 // ---- bookkeeping of the front ------------------------------------------------------------------
 
-/// Smallest size first, in classes of a factor of sqrt(2) (the exponent of the squared size); within a class
-/// layer by layer, so that the front stays smooth; then in order of creation.
+/// Fewer failed attempts come first. In the layered order of every run, smallest size first, in classes of a factor of
+/// sqrt(2) (the exponent of the squared size); within a class layer by layer, so that the front stays smooth; then in
+/// order of creation.
 template <class Trace>
 std::uint64_t BasicPlanarFront<Trace>::keyOf(const Edge& edge) {
-  return (std::uint64_t{edge.pass} << 62U) | (sizeClassOf(edge) << 48U) |
-         (std::uint64_t{edge.layer} << 32U) | sequence_++;
+  const PlanarRules& rules = trace_.rules();
+  const std::uint64_t pass = std::uint64_t{edge.pass} << kPassShift;
+  const std::uint64_t sequence = sequence_++;
+  switch (rules.order) {
+    case FrontOrder::kLayered:
+      return pass | (sizeClassOf(edge) << 48U) | (std::uint64_t{edge.layer} << 32U) | sequence;
+    case FrontOrder::kSmallestFirst: {
+      // The bits of a positive float, read as an integer, grow with it; there are 31 of them.
+      const auto length = static_cast<float>(
+          glm::length(mesh_->positionOf(edge.to) - mesh_->positionOf(edge.from)));
+      return pass | (std::uint64_t{std::bit_cast<std::uint32_t>(length)} << 31U) | sequence;
+    }
+    case FrontOrder::kFirstIn:
+      return pass | sequence;
+    case FrontOrder::kRandom:
+      return pass | (scrambled((std::uint64_t{rules.seed} << 32U) + sequence) &
+                     ((std::uint64_t{1} << kPassShift) - 1));
+  }
+  return pass | sequence;
 }
 
 template <class Trace>
@@ -67,7 +93,7 @@ bool BasicPlanarFront<Trace>::advance(std::uint32_t budget) {
     const std::uint32_t id = heap_.pop();
     if (completeEdge(id)) continue;
     Edge& edge = edges_[id];
-    const bool comesAgain = edge.pass < kLastPass;
+    const bool comesAgain = edge.pass < kLastPass && trace_.rules().experiment.relaxation;
     trace_->postponed(comesAgain ? edge.pass + 1U : SurfaceRecorder::kNoNextPass);
     // It stays an obstacle, without which the front would run over what is filled; a later triangle may still close it.
     if (!comesAgain) continue;
@@ -113,7 +139,7 @@ typename BasicPlanarFront<Trace>::Base BasicPlanarFront<Trace>::makeBase(std::ui
   }
   const double height =
       std::sqrt(base.targetLength * base.targetLength - 0.25 * base.length * base.length);
-  base.ideal = base.middle + height * base.inward;
+  base.ideal = base.middle + trace_.rules().height * height * base.inward;
   return base;
 }
 
@@ -246,7 +272,7 @@ bool BasicPlanarFront<Trace>::tryNewNode(const Base& base) {
 template <class Trace>
 std::uint32_t BasicPlanarFront<Trace>::firstTooClose(const Base& base) const {
   const Metric2& metric = base.sample.metric;
-  const double clearance = kClearance * base.targetLength;
+  const double clearance = trace_.rules().experiment.tolerance * kClearance * base.targetLength;
   for (const std::uint32_t id : nearEdges_) {
     if (id == base.id) continue;
     const Vec2 from = mesh_->planeOf(edges_[id].from);

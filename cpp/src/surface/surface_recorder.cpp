@@ -192,8 +192,8 @@ void SurfaceRecorder::writeIdealPoint() {
   bytes_.shortNumber(offset.y);
 }
 
-void SurfaceRecorder::ended(const PlanarMesh& mesh, bool hasStalled) {
-  bytes_.byte(head(SurfaceEvent::kEnded, hasStalled ? 1 : 0));
+void SurfaceRecorder::ended(const PlanarMesh& mesh, PlanarFrontEnd end) {
+  bytes_.byte(head(SurfaceEvent::kEnded, static_cast<std::uint32_t>(end)));
   Fingerprint fingerprint;
   for (const PlanarMesh::Triangle& triangle : mesh.triangles) {
     for (const PlanarNodeId node : triangle) fingerprint.add(std::uint64_t{node.value});

@@ -27,6 +27,13 @@ enum class PlanarRefusal : std::uint8_t {
   kOutside = 4,  ///< a new node would be outside the box around the patch
 };
 
+/// How a 2-D front ends.
+enum class PlanarFrontEnd : std::uint8_t {
+  kCovered = 0,  ///< it has covered the patch
+  kStalled = 1,  ///< it has taken all its edges, but not covered the patch
+  kStopped = 2,  ///< it was stopped while it had edges to take
+};
+
 class SurfaceRecorder {
  public:
   /// Appends to `bytes`, which must outlive this.
@@ -71,8 +78,7 @@ class SurfaceRecorder {
   /// `next`: the pass of the next attempt, or kNoNextPass.
   void postponed(std::uint32_t next);
   static constexpr std::uint32_t kNoNextPass = 15;
-  /// The front has ended: it has covered the patch, or has stalled.
-  void ended(const PlanarMesh& mesh, bool hasStalled);
+  void ended(const PlanarMesh& mesh, PlanarFrontEnd end);
   /// The triangulation was improved.
   void improved(const PlanarMesh& mesh);
 

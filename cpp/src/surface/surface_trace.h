@@ -1,11 +1,12 @@
 #pragma once
 
 /// @file What the surface mesher says of each of its steps, for teaching: compile-time hooks, all of them empty and inline in a
-/// normal build, as in volume/trace.h.
+/// normal build, as in volume/trace.h. A recorded front may also have other rules.
 
 #include <array>
 #include <cstdint>
 
+#include "surface/planar_rules.h"
 #include "surface/surface_recorder.h"
 
 namespace tetrafront {
@@ -18,6 +19,7 @@ struct NullSurfaceTrace {
   NullSurfaceTrace() = default;
   explicit NullSurfaceTrace(Recorder* /*recorder*/) {}
   const NullSurfaceTrace* operator->() const { return this; }
+  static constexpr PlanarRules rules() { return {}; }
 
   // Events, as SurfaceRecorder writes them.
   void line(LineId /*line*/, const Curve& /*curve*/) const {}
@@ -34,15 +36,17 @@ struct NullSurfaceTrace {
   void accepted(const PlanarMesh& /*mesh*/, PlanarNodeId /*apex*/, bool /*isNew*/,
                 const std::array<SurfaceRecorder::EdgeChange, 2>& /*changes*/) const {}
   void postponed(std::uint32_t /*next*/) const {}
-  void ended(const PlanarMesh& /*mesh*/, bool /*hasStalled*/) const {}
+  void ended(const PlanarMesh& /*mesh*/, PlanarFrontEnd /*end*/) const {}
   void improved(const PlanarMesh& /*mesh*/) const {}
 };
 
-/// Passes every step to a recorder, which must outlive the mesher.
+/// Passes every step to a recorder, which must outlive the mesher, and may change rules of the fronts.
 struct RecordingSurfaceTrace {
   using Recorder = SurfaceRecorder;
   Recorder* recorder = nullptr;
+  PlanarRules planarRules{};
   Recorder* operator->() const { return recorder; }
+  [[nodiscard]] const PlanarRules& rules() const { return planarRules; }
 };
 
 }  // namespace tetrafront

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/scrambled.h"
+
 namespace tetrafront {
 namespace {
 
@@ -49,14 +51,6 @@ double powerOfFour(int exponent) {
   constexpr int kDoubleMantissaBits = 52;
   return std::bit_cast<double>(static_cast<std::uint64_t>(kBias + 2 * exponent)
                                << kDoubleMantissaBits);
-}
-
-/// Returns a number that looks random: the finalizer of SplitMix64 (Steele, Lea and Flood, 2014).
-/// Different numbers have different results.
-std::uint64_t scrambled(std::uint64_t number) {
-  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9U;
-  number = (number ^ (number >> 27U)) * 0x94d049bb133111ebU;
-  return number ^ (number >> 31U);
 }
 
 /// Spreads the last four bits of `x`, with two free bits after each.

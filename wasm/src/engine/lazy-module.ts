@@ -1,5 +1,6 @@
 /** A module of the engine in this worker: one instance, loaded on first use. */
-import type { CompiledModule, LoadedModule } from "./loader.js";
+import type { CompiledModule } from "./instantiated.js";
+import type { LoadedModule } from "./loader.js";
 
 /** What loading needs from the worker. */
 export interface LazyModuleEvents<Instance> {

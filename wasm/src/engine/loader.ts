@@ -1,9 +1,10 @@
 /**
  * Loads the compiled engine: the module "engine", which previews and fills models, fills surfaces and improves meshes, the module
  * "trace", whose runs record the steps of the front, and the module "tools", for everything else. The only file that names
- * the compiled modules.
+ * the compiled modules, but for plane-loader.ts.
  */
 import createEngine, { type MainModule as Engine, type Run } from "./engine.js";
+import { type CompiledModule, type CompileModule, instantiated } from "./instantiated.js";
 import type { MainModule as Tools } from "./tools.js";
 import type { MainModule as TraceEngine, Run as TracedRun } from "./trace.js";
 
@@ -42,9 +43,6 @@ export type EngineRun = Run &
 /** A tool of the engine. */
 export type EngineTool = ToolsOf<Tools> | ToolsOf<Engine>;
 
-/** Fetches and compiles the file; the reason of a failure names the file. */
-export type CompileModule = (address: URL) => Promise<CompiledModule>;
-
 /** An instance of a module and its compiled code, for other workers. */
 export interface LoadedModule<Instance> {
   readonly instance: Instance;
@@ -62,7 +60,7 @@ export type LoadModule<Instance> = (
 
 export const loadEngine: LoadModule<Engine> = async (given, compile) => {
   const module = given ?? (await compile(new URL("./engine.wasm", import.meta.url)));
-  return instantiated(createEngine, module);
+  return { instance: await instantiated(createEngine, module), module };
 };
 
 export const loadTools: LoadModule<Tools> = async (given, compile) => {
@@ -70,7 +68,7 @@ export const loadTools: LoadModule<Tools> = async (given, compile) => {
     import("./tools.js"),
     given === undefined ? compile(new URL("./tools.wasm", import.meta.url)) : Promise.resolve(given),
   ]);
-  return instantiated(createTools, module);
+  return { instance: await instantiated(createTools, module), module };
 };
 
 export const loadTraceEngine: LoadModule<TraceEngine> = async (given, compile) => {
@@ -78,29 +76,5 @@ export const loadTraceEngine: LoadModule<TraceEngine> = async (given, compile) =
     import("./trace.js"),
     given === undefined ? compile(new URL("./trace.wasm", import.meta.url)) : Promise.resolve(given),
   ]);
-  return instantiated(createTrace, module);
+  return { instance: await instantiated(createTrace, module), module };
 };
-
-type ReceiveInstance = (instance: WebAssembly.Instance, module: WebAssembly.Module) => void;
-
-/** `create`: the function that Emscripten makes for a module. */
-async function instantiated<Instance>(
-  create: (options: { readonly instantiateWasm: unknown }) => Promise<Instance>,
-  compiled: CompiledModule,
-): Promise<LoadedModule<Instance>> {
-  const module = compiled as WebAssembly.Module;
-  const instance = await new Promise<Instance>((resolve, reject) => {
-    // Emscripten's own promise does not report failures in this function.
-    const instantiateWasm = (imports: WebAssembly.Imports, receive: ReceiveInstance) => {
-      WebAssembly.instantiate(module, imports)
-        .then((instance) => receive(instance, module))
-        .catch(reject);
-      return {};
-    };
-    create({ instantiateWasm }).then(resolve, reject);
-  });
-  return { instance, module };
-}
-
-/** A WebAssembly.Module, under a name that also exists without the types of browsers. */
-export type CompiledModule = object;

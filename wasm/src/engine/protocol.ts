@@ -9,7 +9,8 @@ import type { FrontRecording, MeshReport, MeshStatus } from "../mesh/report.js";
 import type { BodySurfaceArrays, GridArrays, ModelArrays } from "../generated/constants.js";
 import type { CallName } from "./calls.js";
 import type { RegionSize } from "./region-sizes.js";
-import type { CompiledModule, EngineDiagnostics, EngineOptions } from "./loader.js";
+import type { CompiledModule } from "./instantiated.js";
+import type { EngineDiagnostics, EngineOptions } from "./loader.js";
 
 /** Regions that are meshed. */
 export type MeshedRegions = {

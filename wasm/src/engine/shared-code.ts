@@ -3,7 +3,7 @@
  * worker that needs a module compiles it and returns it; workers that need it meanwhile wait, later ones get it at
  * once. If the first one fails, the next one in the queue compiles.
  */
-import type { CompiledModule } from "./loader.js";
+import type { CompiledModule } from "./instantiated.js";
 
 /** A worker that needs the code of one module. */
 export interface CodeLoader {

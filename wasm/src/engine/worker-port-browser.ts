@@ -1,3 +1,4 @@
+import { compile } from "#compile";
 import { receiveWatched, type LifeRequest } from "../calls/worker-life.js";
 import type { Request } from "./protocol.js";
 import type { WorkerPort } from "./worker-port.js";
@@ -15,19 +16,7 @@ const waiting: (() => void)[] = [];
 channel.port1.onmessage = () => waiting.shift()?.();
 
 export const workerPort: WorkerPort = {
-  compile: async ({ href }) => {
-    const failed = (reason: unknown): never => {
-      throw new Error(`${href}${reason instanceof Error ? `: ${String(reason)}` : ` ${String(reason)}`}`);
-    };
-    const response = await fetch(href).catch(failed);
-    if (!response.ok) return failed(`is answered with HTTP status ${response.status}`);
-    // Browsers compile while receiving only if the server states the right type.
-    const isNamed = response.headers.get("Content-Type") === "application/wasm";
-    const compiling = isNamed
-      ? WebAssembly.compileStreaming(response)
-      : response.arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
-    return compiling.catch(failed);
-  },
+  compile,
   post: (reply, transfer = []) => scope.postMessage(reply, [...transfer]),
   onRequest: (handle) => {
     const receive = receiveWatched(handle, (reply) => scope.postMessage(reply, []));

@@ -1,5 +1,5 @@
 /** The creator as the worker sees it, the same in browsers and Node. */
-import type { CompileModule } from "./loader.js";
+import type { CompileModule } from "./instantiated.js";
 import type { Reply, Request } from "./protocol.js";
 
 export interface WorkerPort {

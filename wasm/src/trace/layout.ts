@@ -97,6 +97,14 @@ export const EDGE_REFUSALS = ["behind", "crosses", "too-close", "same-node", "ou
 /** See docs/TRACE.md; `behind`: the candidate is not on the unmeshed side of the base edge. */
 export type EdgeRefusal = (typeof EDGE_REFUSALS)[number];
 
+/** Ways in which a 2-D front ends, by their number in the file. */
+export const PLANAR_ENDS = ["covered", "stalled", "stopped"] as const;
+/**
+ * `covered`: the front has covered its patch; `stalled`: edges were set aside, because the patch folds over itself or rules were
+ * taken away; `stopped`: it was ended while it had edges to take.
+ */
+export type PlanarEnd = (typeof PLANAR_ENDS)[number];
+
 /** Step at which things die that are part of the final state. */
 export const NEVER = 0xffffffff;
 /** Index of no node, face or element. */

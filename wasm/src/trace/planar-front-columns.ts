@@ -1,6 +1,6 @@
 /** The 2-D front of a patch while its events are read. */
 import { GrowingArray } from "./growing-array.js";
-import { NEVER, NONE } from "./layout.js";
+import { NEVER, NONE, type PlanarEnd } from "./layout.js";
 import type { PatchEvent } from "./surface-events.js";
 import type { ImprovedPatch, PlanarFront } from "./surface-steps.js";
 import { Fingerprint } from "./fingerprint.js";
@@ -25,7 +25,7 @@ export class PlanarFrontColumns {
   lastBase = 0;
   lastSizeClass = 0;
   #improved: ImprovedPatch | null = null;
-  hasStalled = false;
+  end: PlanarEnd = "covered";
 
   /** `positions`: x y z per node of the boundary. */
   constructor(event: PatchEvent, step: number, positions: Float64Array) {
@@ -137,7 +137,7 @@ export class PlanarFrontColumns {
       triangles: this.#triangles.copy(),
       trianglesBorn: this.#trianglesBorn.copy(),
       nodesBorn: this.#nodesBorn.copy(),
-      hasStalled: this.hasStalled,
+      end: this.end,
       improved: this.#improved,
     };
   }

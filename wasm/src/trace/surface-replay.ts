@@ -1,7 +1,14 @@
 /** Replays the events of lines and patches once, up to the first event of the volume, and checks every event. */
 import { PAUSE, type Steps } from "../base/steps.js";
 import { GrowingArray } from "./growing-array.js";
-import { EDGE_REFUSALS, EVENTS_PER_SLICE, NONE, SURFACE_EVENT, SURFACE_KIND_BITS } from "./layout.js";
+import {
+  EDGE_REFUSALS,
+  EVENTS_PER_SLICE,
+  NONE,
+  PLANAR_ENDS,
+  SURFACE_EVENT,
+  SURFACE_KIND_BITS,
+} from "./layout.js";
 import { PlanarFrontColumns } from "./planar-front-columns.js";
 import {
   type AcceptedEdgeEvent,
@@ -156,6 +163,10 @@ export class SurfaceReplay {
     const first = cursor.byte();
     const kind = first & ((1 << SURFACE_KIND_BITS) - 1);
     const detail = first >> SURFACE_KIND_BITS;
+    const { line, halved, numbered, patch } = SURFACE_EVENT;
+    const mayFollow: readonly number[] = [0, line, halved, numbered, patch];
+    // The triangulation of the patch was not improved.
+    if (this.#hasEnded && mayFollow.includes(kind)) this.#endPatch();
     if (kind === 0) {
       cursor.at = this.#eventOffset;
       return false;
@@ -190,10 +201,11 @@ export class SurfaceReplay {
         this.#accept(readAcceptedEdge(cursor, detail));
         break;
       case SURFACE_EVENT.postponed:
-        this.#postpone(readPostponedEdge(cursor, detail).nextPass);
+        readPostponedEdge(cursor, detail);
+        this.#postpone();
         break;
       case SURFACE_EVENT.ended:
-        this.#endFront(detail === 1);
+        this.#endFront(detail);
         break;
       case SURFACE_EVENT.improved:
         this.#improve();
@@ -358,21 +370,22 @@ export class SurfaceReplay {
     patch.addEdge(number, from, to, this.#step);
   }
 
-  #postpone(next: number | null): void {
-    const patch = this.#front;
-    if (next === null) patch.removeEdge(this.#openBase.number, this.#step);
+  /** An edge that is set aside stays in the front: others must not cross it, and a later triangle may close it. */
+  #postpone(): void {
     this.#base = undefined;
-    this.#end("postponed", patch.size);
+    this.#end("postponed", this.#front.size);
   }
 
-  #endFront(hasStalled: boolean): void {
+  #endFront(detail: number): void {
     const patch = this.#front;
+    const end = PLANAR_ENDS[detail] ?? this.#fail(`there is no end ${detail} of a front`);
     const hash = readHash(this.#cursor);
-    if (patch.size > 0) this.#fail(`the front of patch ${patch.patch} ends before it is closed`);
+    if (patch.size > 0 && end === "covered")
+      this.#fail(`the front of patch ${patch.patch} ends before it is closed`);
     if (patch.hash() !== hash) this.#fail(`the triangles of patch ${patch.patch} are not those recorded`);
     this.#hasEnded = true;
-    patch.hasStalled = hasStalled;
-    if (hasStalled) this.#endPatch();
+    patch.end = end;
+    if (end !== "covered") this.#endPatch();
   }
 
   #improve(): void {

@@ -1,5 +1,5 @@
 /** What a trace has of lines and patches: all that was ever made, and single steps, decoded when they are asked for. */
-import type { EdgeRefusal, StationEnd } from "./layout.js";
+import type { EdgeRefusal, PlanarEnd, StationEnd } from "./layout.js";
 import type { PlaneSample } from "./surface-events.js";
 import type { TracePosition } from "./trace-step.js";
 
@@ -56,8 +56,7 @@ export interface PlanarFront {
   readonly trianglesBorn: Uint32Array;
   /** Per node: the step that makes it. Ascending. */
   readonly nodesBorn: Uint32Array;
-  /** Whether an edge could not be completed: the patch folds over itself. */
-  readonly hasStalled: boolean;
+  readonly end: PlanarEnd;
   /** The triangulation after its improvement; null if the run ended before. */
   readonly improved: ImprovedPatch | null;
 }
