@@ -13,6 +13,8 @@ export function thirdPartyNotices() {
   const noteStyles = (_code, id) => {
     if (!/\.css$/.test(id)) return null;
     modules.add(id);
+    // Styles within a page have no file.
+    if (id.includes("?")) return null;
     for (const [, font] of readFileSync(id, "utf8").matchAll(/url\("(@[^"]+)"\)/g))
       modules.add(inRoot("node_modules", font));
     return null;
