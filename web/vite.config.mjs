@@ -9,6 +9,7 @@ import { offlineSite } from "../scripts/lib/site-offline.mjs";
 import { contentSecurityPolicy } from "../scripts/lib/site-policy.mjs";
 import { preloadedApp } from "../scripts/lib/site-preload.mjs";
 import { lessonTraces } from "../scripts/lib/site-traces.mjs";
+import { lessonEntries, lessonSite } from "./teach/article/compiler/lesson-site.ts";
 
 /** Isolated pages may share memory with their workers; the app works without it too. */
 const isolation = {
@@ -30,8 +31,13 @@ function withoutNodeModules() {
   };
 }
 
+const lessons = {
+  root: inRoot("."),
+  sources: inRoot("./lessons"),
+  models: inRoot("../public/index.json"),
+};
 /** Every page of the site. */
-const pages = ["./index.html", "./embed.html"].map(inRoot);
+const pages = [...["./index.html", "./embed.html"].map(inRoot), ...lessonEntries(lessons)];
 const notices = thirdPartyNotices();
 
 export default defineConfig({
@@ -40,6 +46,7 @@ export default defineConfig({
   // Relative addresses: the built site works from any folder of any host.
   base: "./",
   plugins: [
+    lessonSite(lessons),
     react(),
     withoutNodeModules(),
     embindWithoutText(),
@@ -69,7 +76,11 @@ export default defineConfig({
       input: pages,
       output: {
         codeSplitting: {
-          groups: startGroups(inRoot("./main.tsx"), inRoot("./teach/embed/start-embed.tsx")),
+          groups: startGroups({
+            app: inRoot("./main.tsx"),
+            embed: inRoot("./teach/embed/start-embed.tsx"),
+            lesson: inRoot("./teach/article/runtime/start-lesson.ts"),
+          }),
         },
       },
     },

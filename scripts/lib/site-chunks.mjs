@@ -51,12 +51,17 @@ function importedBy(id, ctx) {
   return [...direct, ...owned];
 }
 
-/** Adds modules and all that they import statically. */
-function addClosure(ids, ctx, found = new Set()) {
+/** Returns what a module imports, statically or not. */
+function allImports(id, ctx) {
+  return [...importedBy(id, ctx), ...(ctx.getModuleInfo(id)?.dynamicallyImportedIds ?? [])];
+}
+
+/** Adds modules and all that they import. */
+function addClosure(ids, ctx, importsOf = importedBy, found = new Set()) {
   for (const id of ids) {
     if (found.has(id)) continue;
     found.add(id);
-    addClosure(importedBy(id, ctx), ctx, found);
+    addClosure(importsOf(id, ctx), ctx, importsOf, found);
   }
   return found;
 }
@@ -64,11 +69,11 @@ const THREE = /[\\/]node_modules[\\/](three|camera-controls|three-)/;
 const LIBRARY = /[\\/]node_modules[\\/]/;
 
 /**
- * Sorts what the app imports statically: libraries, which change seldom, with the modules of ours that replace parts of them; what
- * the embedded front imports too; the rest. No group imports one after it, because scripts that import each other would begin
- * in the wrong order.
+ * Sorts what the app imports statically: what the lessons import too, so that their pages need nothing else of the app; libraries,
+ * which change seldom, with the modules of ours that replace parts of them; what the embedded front imports too; the rest. No
+ * group imports one after it, because scripts that import each other would begin in the wrong order.
  */
-function sortedStart(app, embed, ctx) {
+function sortedStart({ app, embed, lesson }, ctx) {
   const all = addClosure([app], ctx);
   const matching = (pattern) =>
     addClosure(
@@ -78,6 +83,7 @@ function sortedStart(app, embed, ctx) {
   return {
     all,
     groups: {
+      lesson: addClosure([lesson], ctx, allImports),
       three: matching(THREE),
       libraries: matching(LIBRARY),
       shared: addClosure([embed], ctx),
@@ -86,11 +92,12 @@ function sortedStart(app, embed, ctx) {
   };
 }
 
-/** Returns the groups of the bundler. `app` and `embed`: the first modules of the app and of the embedded front. */
-export function startGroups(app, embed) {
+/** Returns the groups of the bundler. `app`, `embed` and `lesson`: the first modules of the app, the embedded front and lessons. */
+export function startGroups(first) {
+  const { app } = first;
   let start;
   const name = (id, ctx) => {
-    start ??= sortedStart(app, embed, ctx);
+    start ??= sortedStart(first, ctx);
     // The boot script needs helpers of the bundler, and nothing else. The first module of the app starts it: what other pages load
     // must not bring it along.
     if (!start.all.has(id) || id === app || id.includes("preload-helper")) return null;

@@ -21,8 +21,8 @@ export function siteFiles(folder) {
     const sha256 = createHash("sha256").update(content).digest("hex");
     hash.update(`${name} ${sha256}\n`);
     files.push({
-      // The page is known by its folder: some hosts redirect from its name.
-      path: name === "index.html" ? "./" : `./${name}`,
+      // Pages are known by their folders: some hosts redirect from their names.
+      path: `./${name.replace(/(^|\/)index\.html$/, "$1")}`,
       bytes: content.length,
       // Names of the others change with their content.
       ...(!name.startsWith("assets/") && { sha256 }),

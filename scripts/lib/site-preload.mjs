@@ -35,8 +35,8 @@ export function preloadedApp() {
     apply: "build",
     transformIndexHtml: {
       order: "post",
-      handler(_html, { filename, bundle, chunk }) {
-        if (!bundle || !chunk || !filename.endsWith("index.html")) return [];
+      handler(_html, { path, bundle, chunk }) {
+        if (!bundle || !chunk || path !== "/index.html") return [];
         return tagsFor(chunk, bundle);
       },
     },

@@ -39,6 +39,7 @@ const orderName = (part: string): string =>
 
 export const lessonStrings = {
   title: "Lessons",
+  article: "Read as an article",
   lens: "Lens and colours",
   intro:
     "Lessons on the advancing-front method. Each opens a model, shows a state of its front, and sets tasks that the app checks.",

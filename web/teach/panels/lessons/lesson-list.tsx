@@ -1,5 +1,6 @@
 import { UnstyledButton } from "@mantine/core";
-import { IconCircleCheckFilled } from "@tabler/icons-react";
+import { IconBook2, IconCircleCheckFilled } from "@tabler/icons-react";
+import { articleOf } from "../../article/articles";
 import { openLesson } from "../../commands/lesson-actions";
 import { isFinished } from "../../lessons/course";
 import type { Course } from "../../lessons/lesson-files";
@@ -19,8 +20,9 @@ export function LessonList({ course: { lessons, errors } }: { readonly course: C
         {lessons.map((lesson, index) => {
           if (!lesson) return null;
           const done = lesson.tasks.filter((_, task) => progress[lesson.id]?.includes(task)).length;
+          const article = articleOf(index + 1);
           return (
-            <li key={lesson.id}>
+            <li key={lesson.id} className={styles["row"]}>
               <UnstyledButton
                 className={styles["entry"]}
                 data-testid={`lesson-${index + 1}`}
@@ -33,6 +35,19 @@ export function LessonList({ course: { lessons, errors } }: { readonly course: C
                   {done > 0 && texts.done(done, lesson.tasks.length)}
                 </span>
               </UnstyledButton>
+              {article !== null && (
+                <a
+                  className={styles["article"]}
+                  href={article}
+                  target="_blank"
+                  rel="noopener"
+                  title={texts.article}
+                  aria-label={`${texts.article}: ${lesson.title}`}
+                  data-testid={`article-${index + 1}`}
+                >
+                  <IconBook2 size={16} aria-hidden />
+                </a>
+              )}
             </li>
           );
         })}

@@ -1,0 +1,130 @@
+/** The crossing test of lesson 6, in the plane and in space, against independent checks. */
+import { describe, expect, test } from "vitest";
+import {
+  testCrossing,
+  type Crossed,
+  type Point,
+} from "../../../web/teach/article/figures/crossing/crossing-rules";
+import { isStoppedByFourth, pairsOf } from "../../../web/teach/article/figures/crossing-space/pairs";
+import { paintedPieces } from "../../../web/teach/article/figures/crossing-space/painted-pieces";
+import type { Triangle } from "../../../web/teach/player/crossing";
+
+/** Numbers from 0 to 1, the same in every run. */
+function* randomNumbers(seed: number): Generator<number, never> {
+  for (let state = seed; ;) {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    yield state / 2 ** 32;
+  }
+}
+
+const triangle = { a: [0, 0], b: [1, 0], p: [0.5, 1] } as const;
+
+describe("the crossing test in the plane", () => {
+  test.each([
+    ["boxes apart", [1.2, 0], [1.5, 1], 1, false],
+    ["beyond a line", [0.9, 0.9], [1.1, 0.2], 2, false],
+    ["a crossing", [-0.5, 0.5], [1.5, 0.5], 3, true],
+    ["a side inside", [0.45, 0.3], [0.55, 0.4], 3, false],
+  ] as const)("%s", (_name, q, r, layer, isCrossing) => {
+    const found = testCrossing({ ...triangle, q, r }, 0);
+    expect([found.layer, found.isCrossing]).toEqual([layer, isCrossing]);
+  });
+
+  test("a side inside is known to be inside", () => {
+    expect(testCrossing({ ...triangle, q: [0.45, 0.3], r: [0.55, 0.4] }, 0).isInside).toBe(true);
+  });
+
+  test("a near miss is refused with a tolerance alone", () => {
+    const near: Crossed = { ...triangle, q: [0.2, 1.02], r: [0.8, 1.02] };
+    expect(testCrossing(near, 0).isCrossing).toBe(false);
+    const found = testCrossing(near, 0.05);
+    expect([found.isCrossing, found.meets]).toEqual([true, false]);
+  });
+
+  test("a common node is no crossing", () => {
+    const found = testCrossing({ ...triangle, q: [0.5, 1], r: [1.2, 0.4] }, 0.05);
+    expect(found.pairs.every(({ isShared }) => isShared)).toBe(true);
+    expect(found.isCrossing).toBe(false);
+  });
+
+  test("random sides cross if their ends lie on different sides of a new side, and its ends on different sides of them", () => {
+    const numbers = randomNumbers(46);
+    const point = (): Point => [numbers.next().value * 2 - 0.5, numbers.next().value * 2 - 0.5];
+    const sign = (a: Point, b: Point, c: Point) =>
+      Math.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    let crossings = 0;
+    for (let i = 0; i < 2000; i++) {
+      const [q, r] = [point(), point()];
+      const meets = [triangle.a, triangle.b].some(
+        (from) =>
+          sign(from, triangle.p, q) !== sign(from, triangle.p, r) &&
+          sign(q, r, from) !== sign(q, r, triangle.p),
+      );
+      const found = testCrossing({ ...triangle, q, r }, 0);
+      expect(found.isCrossing, JSON.stringify([q, r])).toBe(meets);
+      if (meets) crossings++;
+    }
+    expect(crossings).toBeGreaterThan(200);
+  });
+
+  test("equation 1 holds at the point where both lines meet", () => {
+    const [q, r] = [
+      [-0.5, 0.2],
+      [1.5, 0.9],
+    ] as const;
+    for (const { from, alphas, at } of testCrossing({ ...triangle, q, r }, 0).pairs) {
+      const other = [q[0] + alphas[1] * (r[0] - q[0]), q[1] + alphas[1] * (r[1] - q[1])];
+      expect(at?.[0]).toBeCloseTo(other[0] ?? NaN, 12);
+      expect(at?.[1]).toBeCloseTo(from[1] + alphas[0] * (triangle.p[1] - from[1]), 12);
+      expect(alphas[2]).toBeCloseTo(1 - alphas[0], 12);
+    }
+  });
+});
+
+const front: Triangle = [
+  [0, 0, 0],
+  [2, 0, 0],
+  [0, 2, 0],
+];
+
+describe("the crossing test in space", () => {
+  test("two sides of a face that stands in another cross it", () => {
+    const pairs = pairsOf(
+      [
+        [0.5, 0.5, -1],
+        [0.5, 0.5, 1],
+        [1.4, 0.4, 1],
+      ],
+      front,
+    );
+    expect(pairs.map(({ excess }) => excess <= 0)).toEqual([true, false, true, false, false, false]);
+  });
+
+  test("the fourth value alone stops a side beyond the long side of the face", () => {
+    const [pair] = pairsOf(
+      [
+        [1.5, 1.5, -1],
+        [1.5, 1.5, 1],
+        [1.6, 1.5, 1],
+      ],
+      front,
+    );
+    expect(pair && isStoppedByFourth(pair, 0)).toBe(true);
+    expect(pair?.alphas[3]).toBeCloseTo(-0.5, 12);
+  });
+
+  test("a face is painted in two pieces, on either side of the other", () => {
+    const pieces = paintedPieces(
+      front,
+      [
+        [0.5, 0.5, -1],
+        [0.5, 0.5, 1],
+        [1, 0.4, 1],
+      ],
+      [0, 0, 9],
+    );
+    expect(pieces.map(({ isFirst }) => isFirst)).toEqual([false, true, false]);
+    expect(pieces[0]?.corners.every(([, , z]) => z <= 0)).toBe(true);
+    expect(pieces[2]?.corners.every(([, , z]) => z >= 0)).toBe(true);
+  });
+});

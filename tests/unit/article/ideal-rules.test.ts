@@ -1,0 +1,76 @@
+/** The ideal point of lesson 4, against the rules of the engine. */
+import { readFileSync } from "node:fs";
+import { describe, expect, test } from "vitest";
+import {
+  circleCentre,
+  idealRules,
+  isWithin,
+  placeIdealPoint,
+  type Corners,
+} from "../../../web/teach/article/figures/ideal/ideal-rules";
+
+const even: Corners = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [0.5, Math.sqrt(3) / 2, 0],
+];
+const blunt: Corners = [
+  [-1, 0, 0],
+  [1, 0, 0],
+  [0, 0.2, 0],
+];
+
+describe("the ideal point", () => {
+  test("has the constants of the engine", () => {
+    const header = readFileSync("cpp/src/volume/rules.h", "utf8");
+    for (const [name, value] of Object.entries(idealRules)) {
+      const [, text] = new RegExp(`${name} = ([\\d.]+);`).exec(header) ?? [];
+      expect([name, Number(text)]).toEqual([name, value]);
+    }
+  });
+
+  test("over an equilateral face of the right size gives the regular tetrahedron", () => {
+    const { height, edges, limit } = placeIdealPoint(even, 1 / 0.97, false);
+    expect(height).toBeCloseTo(Math.sqrt(2 / 3), 12);
+    for (const edge of edges) expect(edge).toBeCloseTo(1, 12);
+    expect(limit).toBe("none");
+  });
+
+  test("satisfies Pythagoras when no limit is met", () => {
+    const { height, h, radius } = placeIdealPoint(
+      [
+        [0, 0, 0],
+        [1.1, 0.1, 0],
+        [0.3, 0.8, 0],
+      ],
+      1.1,
+      false,
+    );
+    expect(height ** 2 + radius ** 2).toBeCloseTo(h ** 2, 12);
+  });
+
+  test.each([
+    ["small sizes", 0.1, "low", 0.55],
+    ["large sizes", 9, "large", 2],
+    ["circles that are small for the size", 1.6, "wide", 1.552],
+  ] as const)("holds %s", (_name, size, limit, h) => {
+    const point = placeIdealPoint(even, size, false);
+    expect(point.limit).toBe(limit);
+    expect(point.h).toBeCloseTo(h, 12);
+  });
+
+  test("is never lower than the root of 1 - 0.95² of h", () => {
+    const { height, h, square, limit } = placeIdealPoint(blunt, 1, false);
+    expect(square).toBeLessThan(0);
+    expect(limit).toBe("low");
+    expect(height / h).toBeCloseTo(Math.sqrt(1 - 0.95 ** 2), 12);
+  });
+
+  test("over the centre has edges alike, and leaves a blunt face", () => {
+    const { edges, foot } = placeIdealPoint(blunt, 2, true);
+    expect(Math.max(...edges) - Math.min(...edges)).toBeLessThan(1e-12);
+    expect(isWithin(foot, blunt)).toBe(false);
+    expect(isWithin(placeIdealPoint(blunt, 2, false).foot, blunt)).toBe(true);
+    expect(circleCentre(even)[1]).toBeCloseTo(Math.sqrt(3) / 6, 12);
+  });
+});

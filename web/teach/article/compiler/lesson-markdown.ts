@@ -1,0 +1,104 @@
+/**
+ * Markdown with the ties of lessons: `[0.12](drag:A.size)`, `show`, `go`, `mark`, `open`, and formulas between dollar signs. Ties
+ * are read by rules of markdown-it of their own, because the target of a link cannot have blanks.
+ */
+import MarkdownIt, { type StateBlock, type StateInline, type Token } from "markdown-it";
+
+export const tieKinds = ["drag", "show", "go", "mark", "open"] as const;
+export type TieKind = (typeof tieKinds)[number];
+
+export interface Tie {
+  readonly kind: TieKind;
+  readonly label: string;
+  readonly target: string;
+}
+
+/** What stands in a paragraph and is neither text nor a mark of Markdown. */
+export type Inline =
+  | ({ readonly type: "tie" } & Tie)
+  | { readonly type: "formula"; readonly tex: string; readonly isDisplayed: boolean }
+  | { readonly type: "link"; readonly address: string };
+
+/** An inline part and its line in the text, from 0. */
+export interface PlacedInline {
+  readonly inline: Inline;
+  readonly line: number;
+}
+
+const tiePattern = new RegExp(String.raw`^\[([^\]]+)\]\((${tieKinds.join("|")}):([^)]*)\)`);
+
+/** `render` returns the HTML of a tie or formula. */
+export function makeMarkdown(render: (inline: Inline) => string): MarkdownIt {
+  const markdown = new MarkdownIt({ html: false, typographer: true, quotes: "“”‘’" });
+  markdown.inline.ruler.before("link", "tie", readTie);
+  markdown.inline.ruler.before("escape", "formula", readFormula);
+  markdown.block.ruler.before("paragraph", "formula", readDisplayedFormula, { alt: ["paragraph"] });
+  const rule = (tokens: Token[], index: number): string => {
+    const inline = tokens[index] && inlineOf(tokens[index]);
+    return inline ? render(inline) : "";
+  };
+  markdown.renderer.rules["tie"] = rule;
+  markdown.renderer.rules["formula"] = rule;
+  return markdown;
+}
+
+/** Returns all ties, formulas and links of a text with their lines. */
+export function inlinesIn(markdown: MarkdownIt, text: string): readonly PlacedInline[] {
+  return markdown.parse(text, {}).flatMap((token) => {
+    const first = token.map?.[0] ?? 0;
+    const own = inlineOf(token);
+    if (own) return [{ inline: own, line: first }];
+    let line = first;
+    return (token.children ?? []).flatMap((child) => {
+      if (child.type === "softbreak" || child.type === "hardbreak") line++;
+      const inline = inlineOf(child);
+      const placed = inline ? [{ inline, line }] : [];
+      // A label may go over two lines.
+      if (inline?.type === "tie") line += inline.label.split("\n").length - 1;
+      return placed;
+    });
+  });
+}
+
+function inlineOf(token: Token): Inline | null {
+  if (token.type === "tie") return { type: "tie", ...(token.meta as Tie) };
+  if (token.type === "formula") return { type: "formula", tex: token.content, isDisplayed: token.block };
+  if (token.type === "link_open") return { type: "link", address: token.attrGet("href") ?? "" };
+  return null;
+}
+
+function readTie(state: StateInline, isSilent: boolean): boolean {
+  const found = tiePattern.exec(state.src.slice(state.pos));
+  if (!found) return false;
+  const [whole, label = "", kind, target = ""] = found;
+  if (!isSilent) {
+    const token = state.push("tie", "", 0);
+    token.meta = { kind, label, target: target.trim() };
+  }
+  state.pos += whole.length;
+  return true;
+}
+
+function readFormula(state: StateInline, isSilent: boolean): boolean {
+  const [whole, tex = ""] = /^\$((?:\\.|[^$\\])+)\$/.exec(state.src.slice(state.pos)) ?? [];
+  if (whole === undefined) return false;
+  if (!isSilent) state.push("formula", "", 0).content = tex;
+  state.pos += whole.length;
+  return true;
+}
+
+function readDisplayedFormula(state: StateBlock, first: number, last: number, isSilent: boolean): boolean {
+  const lineAt = (line: number): string =>
+    state.src.slice((state.bMarks[line] ?? 0) + (state.tShift[line] ?? 0), state.eMarks[line]).trim();
+  if (lineAt(first) !== "$$") return false;
+  let end = first + 1;
+  while (end < last && lineAt(end) !== "$$") end++;
+  if (end >= last) return false;
+  if (isSilent) return true;
+  const token = state.push("formula", "", 0);
+  token.block = true;
+  token.content = state.getLines(first + 1, end, 0, false);
+  token.map = [first, end + 1];
+  state.line = end + 1;
+  return true;
+}

@@ -1,0 +1,77 @@
+/** The HTML of the pages of lessons. Vite adds scripts and styles, scripts/lib/site-policy.mjs the policy. */
+import type { CompiledLesson } from "./compile-lesson.ts";
+import { attribute } from "./formulas.ts";
+
+export interface ListedLesson {
+  readonly number: number;
+  readonly title: string;
+  readonly summary: string;
+}
+
+const themeScript = `
+      // The colours that the app has remembered, before anything is drawn.
+      try {
+        const chosen = localStorage.getItem("mantine-color-scheme-value");
+        if (chosen === "dark" || chosen === "light") document.documentElement.dataset.theme = chosen;
+      } catch {
+        // Without storage, the page has the colours of the system.
+      }
+    `;
+
+/** Returns a page. `root` leads from it to the root of the site. */
+function page(title: string, description: string, root: string, css: string, body: string): string {
+  return `<!doctype html>
+<html lang="en">
+  <head>
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <meta name="color-scheme" content="light dark" />
+    <meta name="theme-color" media="(prefers-color-scheme: dark)" content="#14171c" />
+    <meta name="theme-color" media="(prefers-color-scheme: light)" content="#fbfaf7" />
+    <meta name="description" content="${attribute(description)}" />
+    <link rel="icon" type="image/svg+xml" href="${root}icon.svg" />
+    <title>${attribute(title)}</title>
+    <script>${themeScript}</script>
+    ${css === "" ? "" : `<style>${css}</style>`}
+  </head>
+  <body>
+${body}
+    <script type="module" src="/teach/article/runtime/start-lesson.ts"></script>
+  </body>
+</html>
+`;
+}
+
+const header = (links: string): string =>
+  `<header class="top"><nav aria-label="Site">${links}</nav><button id="theme" type="button" aria-label="Dark or light" title="Dark or light"><span></span></button></header>`;
+
+/** Returns the page of one lesson; `all` are the written lessons in their order. */
+export function lessonPage(number: number, lesson: CompiledLesson, all: readonly ListedLesson[]): string {
+  const index = all.findIndex((each) => each.number === number);
+  const link = (each: ListedLesson | undefined, rel: string, label: string): string =>
+    each
+      ? `<a rel="${rel}" href="../${each.number}/"><span>${label}</span>${each.number}. ${attribute(each.title)}</a>`
+      : "<span></span>";
+  const body = `${header('<a href="../">Lessons</a><a href="../../">Tetrafront</a>')}
+<main>
+<p class="number">Lesson ${number}</p>
+${lesson.html}
+<nav class="next" aria-label="Lessons">${link(all[index - 1], "prev", "Before")}${link(all[index + 1], "next", "Next")}</nav>
+</main>`;
+  return page(`${lesson.title} – Tetrafront`, lesson.summary, "../../", lesson.css, body);
+}
+
+/** Returns the page that lists all written lessons. */
+export function lessonListPage(all: readonly ListedLesson[]): string {
+  const entries = all.map(
+    ({ number, title, summary }) =>
+      `<li><a href="./${number}/"><span class="digit">${number}</span><h2>${attribute(title)}</h2><p>${attribute(summary)}</p></a></li>`,
+  );
+  const body = `${header('<a href="../">Tetrafront</a>')}
+<main class="contents">
+<h1>The advancing front</h1>
+<p class="lead">How a computer fills a shape with triangles and tetrahedra. Each lesson is one article, and each figure is the method itself: drag everything.</p>
+<ol>${entries.join("")}</ol>
+</main>`;
+  return page("Lessons – Tetrafront", "Lessons about the advancing-front method", "../", "", body);
+}

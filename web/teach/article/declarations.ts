@@ -1,0 +1,13 @@
+import type { FigureDeclaration } from "./declaration.ts";
+import { crossingDeclaration } from "./figures/crossing/declaration.ts";
+import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
+import { frontDeclaration } from "./figures/front/declaration.ts";
+import { idealDeclaration } from "./figures/ideal/declaration.ts";
+
+/** Every kind of figure, by the name that lessons use. */
+export const declarations: Readonly<Record<string, FigureDeclaration>> = {
+  front: frontDeclaration,
+  ideal: idealDeclaration,
+  crossing: crossingDeclaration,
+  "crossing-space": crossingSpaceDeclaration,
+};

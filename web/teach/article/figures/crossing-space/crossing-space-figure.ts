@@ -1,0 +1,255 @@
+/** Two triangles in space whose corners move; the chosen pair of a side and a face is drawn as the path of equation (1). */
+import { effect } from "@preact/signals-core";
+import type { Position } from "../../../../document/position";
+import { addScaled, between as betweenPositions, length, subtract } from "../../../../document/vectors";
+import type { Triangle } from "../../../player/crossing";
+import { ValueBar } from "../../kit/bars";
+import { colours, type ColourName } from "../../kit/colours";
+import { button, element } from "../../kit/dom";
+import type { Figure } from "../../kit/figure";
+import { Motion } from "../../kit/motion";
+import { between, Pen, widths } from "../../kit/pen";
+import { Camera } from "../../kit/space";
+import { Stage, type HandleOptions, type Pixel } from "../../kit/stage";
+import type { Values } from "../../kit/values";
+import { isStoppedByFourth, pairsOf, type SpacePair } from "./pairs";
+import { paintedPieces } from "./painted-pieces";
+
+interface Faces {
+  readonly front: Triangle;
+  readonly added: Triangle;
+}
+
+const front: Triangle = [
+  [-0.9, -0.45, 0.05],
+  [0.85, -0.5, 0],
+  [0.1, 0.95, 0.05],
+];
+const poses: Readonly<Record<string, Faces>> = {
+  through: {
+    front,
+    added: [
+      [-0.3, 0, 0.75],
+      [0.35, -0.12, -0.55],
+      [0.75, 0.35, 0.7],
+    ],
+  },
+  above: {
+    front,
+    added: [
+      [-0.3, 0, 0.85],
+      [0.3, -0.12, 0.22],
+      [0.75, 0.35, 0.8],
+    ],
+  },
+  beside: {
+    front,
+    added: [
+      [1, -0.1, 0.75],
+      [1.15, -0.3, -0.5],
+      [1.5, 0.2, 0.4],
+    ],
+  },
+};
+const reach = 1.7;
+/** A meeting point farther away than this is not drawn. */
+const farAway = 3;
+const minArea = 0.08;
+
+export class CrossingSpaceFigure implements Figure {
+  readonly #stage = new Stage(() => this.#draw());
+  readonly #camera = new Camera(this.#stage, {
+    target: [0.1, 0.15, 0.12],
+    distance: 4.1,
+    yaw: 0.35,
+    pitch: 0.42,
+  });
+  readonly #pen = new Pen(this.#stage.context);
+  readonly #motion = new Motion();
+  readonly #bars = ["*α*^1", "*α*^2", "*α*^3", "*α*^4"].map((name) => new ValueBar(name));
+  readonly #status = element("p", { class: "status", role: "status" });
+  readonly #buttons = Array.from({ length: 6 }, (_none, index) =>
+    button(
+      { "data-pair": String(index + 1) },
+      index < 3 ? `new side ${index + 1}` : `front side ${index - 2}`,
+      () => this.#choose(index),
+    ),
+  );
+  #faces: Faces = poses["through"] as Faces;
+  #pairs: readonly SpacePair[] = [];
+  /** The pair that the reader has chosen; null for the one nearest to a crossing. */
+  #chosen: number | null = null;
+  #shown = 0;
+  #values: Values | null = null;
+  #lit: string | null = null;
+  /** Whether the reader has made the present state, and not a word of the text. */
+  #isHandled = false;
+
+  mount(host: HTMLElement, values: Values): void {
+    this.#values = values;
+    const choices = element(
+      "div",
+      { class: "choices", role: "group", "aria-label": "Pair of a side and a face" },
+      ...this.#buttons,
+    );
+    const bars = element("div", { class: "bars wide" }, ...this.#bars.flatMap(({ parts }) => parts));
+    host.append(this.#stage.element, choices, bars, this.#status);
+    this.#stage.setHandles([0, 1, 2, 3, 4, 5].map((index) => this.#handle(index)));
+    effect(() => {
+      values.number("t");
+      this.#compute();
+    });
+  }
+
+  go({ pose = "" }: Readonly<Record<string, string>>): void {
+    const target = poses[pose];
+    if (!target) return;
+    this.#isHandled = false;
+    const from = this.#faces;
+    this.#chosen = null;
+    const moved = (a: Triangle, b: Triangle, t: number): Triangle =>
+      a.map((corner, i) => betweenPositions(corner, b[i] as Position, t)) as unknown as Triangle;
+    this.#motion.run(700, (t) => {
+      this.#faces = { front: moved(from.front, target.front, t), added: moved(from.added, target.added, t) };
+      this.#compute();
+    });
+  }
+
+  mark(part: string | null): void {
+    this.#lit = part;
+    this.#stage.requestDraw();
+  }
+
+  #choose(index: number): void {
+    this.#chosen = this.#chosen === index ? null : index;
+    this.#compute();
+  }
+
+  /** Corners move in the plane through them that faces the reader. */
+  #handle(index: number): HandleOptions {
+    const face = index < 3 ? "front" : "added";
+    const corner = (): Position => this.#faces[face][index % 3] as Position;
+    return {
+      name: `${face}-${(index % 3) + 1}`,
+      label: `Corner ${(index % 3) + 1} of the ${face === "front" ? "face of the front" : "new face"}`,
+      look: face === "front" ? "active solid" : "new solid",
+      at: () => this.#camera.pixel(corner()),
+      begin: () => this.#motion.stop(),
+      move: (pixel) => {
+        const hit = this.#camera.onPlane(pixel, corner(), this.#camera.axes[2]);
+        if (!hit || length(hit) > reach) return;
+        const triangle = this.#faces[face].map((old, i) =>
+          i === index % 3 ? hit : old,
+        ) as unknown as Triangle;
+        if (areaOf(triangle) < minArea) return;
+        this.#faces = { ...this.#faces, [face]: triangle };
+        this.#isHandled = true;
+        this.#compute();
+      },
+    };
+  }
+
+  #compute(): void {
+    const values = this.#values;
+    if (!values) return;
+    const tolerance = values.number("t");
+    this.#pairs = pairsOf(this.#faces.added, this.#faces.front);
+    const hits = this.#pairs.filter(({ excess }) => excess <= tolerance).length;
+    const excesses = this.#pairs.map(({ excess }) => excess);
+    this.#shown = this.#chosen ?? excesses.indexOf(Math.min(...excesses));
+    const pair = this.#pairs[this.#shown] as SpacePair;
+    const [a1, a2, a3, a4] = pair.alphas;
+    values.put({
+      crossing: hits > 0,
+      hits,
+      pair: this.#shown + 1,
+      a1,
+      a2,
+      a3,
+      a4,
+      excess: pair.excess,
+      onlyfourth: hits === 0 && this.#pairs.some((each) => isStoppedByFourth(each, tolerance)),
+      handled: this.#isHandled,
+      verdict: hits > 0 ? "refused" : "allowed",
+    });
+    this.#bars.forEach((bar, i) => bar.show([pair.alphas[i] ?? 0], tolerance));
+    this.#buttons.forEach((node, i) => {
+      node.setAttribute("aria-pressed", String(i === this.#shown));
+      node.classList.toggle("refused", (this.#pairs[i]?.excess ?? Infinity) <= tolerance);
+    });
+    const count = element("b", hits > 0 ? { class: "refused" } : {}, `${hits} of 6`);
+    this.#status.replaceChildren(
+      count,
+      hits > 0 ? " pairs cross: the new face is refused." : " pairs cross: the new face is allowed.",
+    );
+    this.#stage.requestDraw();
+  }
+
+  #draw(): void {
+    const c = colours();
+    const pen = this.#pen;
+    const at = (position: Position): Pixel => this.#camera.pixel(position);
+    const tolerance = this.#values?.number("t") ?? 0;
+    const { front: frontFace, added } = this.#faces;
+    for (const { corners, isFirst } of paintedPieces(frontFace, added, this.#camera.eye)) {
+      const isLit = this.#lit === (isFirst ? "front" : "new");
+      pen.polygon(corners.map(at), c.ground, 0.55);
+      pen.polygon(corners.map(at), isFirst ? c.active : c.new, isLit ? 0.5 : 0.24);
+    }
+    this.#pairs.forEach(({ side, isNewSide, excess }, i) => {
+      const isRefused = excess <= tolerance;
+      const isLit = this.#lit === (isNewSide ? "new" : "front");
+      const colour = c[isRefused ? "refused" : isNewSide ? "new" : "active"];
+      const width = i === this.#shown || isLit ? widths.active : widths.front;
+      pen.line(
+        at(side[0]),
+        at(side[1]),
+        colour,
+        width,
+        isRefused && i !== this.#shown ? { dash: [8, 7] } : {},
+      );
+    });
+    this.#drawCut(tolerance);
+    this.#drawPath(tolerance);
+  }
+
+  /** The piece of a line that both triangles have in common. */
+  #drawCut(tolerance: number): void {
+    const ends = this.#pairs.flatMap(({ at, excess }) =>
+      at && excess <= Math.min(0, tolerance) ? [at] : [],
+    );
+    const [from, to] = ends;
+    if (from && to) this.#pen.line(this.#camera.pixel(from), this.#camera.pixel(to), colours().refused, 6);
+  }
+
+  #drawPath(tolerance: number): void {
+    const pair = this.#pairs[this.#shown];
+    if (!pair) return;
+    const { face, side, at, alphas, excess } = pair;
+    const pixel = (position: Position): Pixel => this.#camera.pixel(position);
+    const look: ColourName & ("refused" | "active") = excess <= tolerance ? "refused" : "active";
+    const colour = colours()[look];
+    this.#stage.label("**x**_f", pixel(face[0]), { dx: -16, dy: 16 });
+    this.#stage.label("**x**_s", pixel(side[0]), { dx: -16, dy: -18 });
+    if (!at || length(at) > farAway) return;
+    const corner = addScaled(face[0], subtract(face[1], face[0]), alphas[0]);
+    const isLit = this.#lit === "path";
+    const [start, turn, end] = [pixel(face[0]), pixel(corner), pixel(at)];
+    for (const [u, v] of [
+      [start, turn],
+      [turn, end],
+    ] as const)
+      this.#pen.line(u, v, colour, isLit ? 7 : 4);
+    this.#pen.line(pixel(side[0]), end, colour, isLit ? 7 : 4);
+    if (excess <= tolerance) this.#pen.cross(end, 9, colour, 3.5);
+    else this.#pen.circle(end, 6, colours().plate, { stroke: colour, width: 2.5 });
+    this.#stage.label("*α*^1**g**_1", between(start, turn, 0.5), { look, dy: 18 });
+    this.#stage.label("*α*^2**g**_2", between(turn, end, 0.5), { look, dx: 34, dy: 6 });
+    this.#stage.label("*α*^3**g**_3", between(pixel(side[0]), end, 0.5), { look, dx: -36 });
+  }
+}
+
+function areaOf([a, b, c]: Triangle): number {
+  const [u, v] = [subtract(b, a), subtract(c, a)];
+  return Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+}

@@ -1,0 +1,10 @@
+import type { Figure } from "../kit/figure";
+
+/** Loads each kind of figure when it is near the window. */
+export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
+  front: async () => new (await import("./front/front-figure")).FrontFigure(),
+  ideal: async () => new (await import("./ideal/ideal-figure")).IdealFigure(),
+  crossing: async () => new (await import("./crossing/crossing-figure")).CrossingFigure(),
+  "crossing-space": async () =>
+    new (await import("./crossing-space/crossing-space-figure")).CrossingSpaceFigure(),
+};

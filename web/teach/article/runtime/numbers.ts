@@ -1,0 +1,89 @@
+/** Numbers in sentences and formulas: those that the reader drags, and those that follow a figure. */
+import { effect } from "@preact/signals-core";
+import { digits } from "../kit/dom";
+import { tiedTo, type PageFigures } from "./page-figure";
+
+/** Pixels of a pointer over which a number runs through its whole range. */
+const dragLength = 240;
+const placesOf = (text: string): number => (text.split(".")[1] ?? "").replace(/\D.*$/, "").length;
+
+/** Makes every scrubbable number follow the pointer and the keys. */
+export function tieDraggedNumbers(figures: PageFigures): void {
+  for (const node of document.querySelectorAll<HTMLElement>("[data-drag]")) {
+    const { figure, name } = tiedTo(figures, node.dataset["drag"] ?? "");
+    const range = figure.values.range(name);
+    if (!range) continue;
+    const places = placesOf(String(range.step));
+    const unit = node.dataset["unit"] ?? "";
+    effect(() => {
+      const value = figure.values.number(name);
+      node.textContent = `${digits(value, places)}${unit}`;
+      node.setAttribute("aria-valuenow", String(value));
+      node.setAttribute("aria-valuetext", `${value.toFixed(places)}${unit}`);
+    });
+    const ask = (value: number): void => {
+      void figure.load();
+      figure.values.ask(name, value);
+    };
+    node.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      event.preventDefault();
+      node.focus({ preventScroll: true });
+      node.setPointerCapture(event.pointerId);
+      node.classList.add("held");
+      const [x, start] = [event.clientX, figure.values.number(name)];
+      const move = ({ clientX }: PointerEvent): void =>
+        ask(start + ((clientX - x) / dragLength) * (range.max - range.min));
+      node.addEventListener("pointermove", move);
+      const end = (): void => {
+        node.classList.remove("held");
+        node.removeEventListener("pointermove", move);
+      };
+      for (const type of ["pointerup", "pointercancel"]) node.addEventListener(type, end, { once: true });
+    });
+    node.addEventListener("keydown", (event) => {
+      const value = keyedValue(event.key, figure.values.number(name), range);
+      if (value === null) return;
+      event.preventDefault();
+      ask(value);
+    });
+  }
+}
+
+interface Limits {
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+}
+
+/** Returns the value that a key of a slider asks for; null for other keys. */
+export function keyedValue(key: string, value: number, { min, max, step }: Limits): number | null {
+  const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10 }[key];
+  if (steps !== undefined) return value + steps * step;
+  return key === "Home" ? min : key === "End" ? max : null;
+}
+
+/** Makes every shown number and every value in a formula follow its figure, with the digits that the author wrote. */
+export function tieShownValues(figures: PageFigures): void {
+  for (const node of document.querySelectorAll<HTMLElement>("[data-show]")) {
+    const { figure, name } = tiedTo(figures, node.dataset["show"] ?? "");
+    const places = placesOf(node.textContent);
+    effect(() => {
+      const value = figure.values.get(name);
+      if (value === undefined) return;
+      const text = typeof value === "number" ? digits(value, places) : value;
+      if (node.textContent !== text) node.textContent = text;
+    });
+  }
+  for (const formula of document.querySelectorAll<HTMLElement>(".formula[aria-label*='{']")) {
+    const template = formula.getAttribute("aria-label") ?? "";
+    effect(() => {
+      const label = template.replaceAll(/\{([A-Z]\.\w+)\}/g, (_whole, target: string) => {
+        const { figure, name } = tiedTo(figures, target);
+        const value = figure.values.get(name);
+        return typeof value === "number" ? digits(value, 2) : (value ?? "");
+      });
+      formula.setAttribute("aria-label", label);
+    });
+  }
+}

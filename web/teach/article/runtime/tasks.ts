@@ -1,0 +1,18 @@
+/** Tasks: conditions on the values of figures. The page notices when one holds, and says so. */
+import { effect } from "@preact/signals-core";
+import { evaluate, parseCondition } from "../condition";
+import type { PageFigures } from "./page-figure";
+
+export function watchTasks(figures: PageFigures): void {
+  for (const task of document.querySelectorAll<HTMLElement>(".task")) {
+    const until = parseCondition(task.dataset["until"] ?? "");
+    const stop = effect(() => {
+      const value = evaluate(until, ({ figure, name }) => figures.get(figure)?.values.number(name) ?? NaN);
+      if (value !== 1 || task.dataset["done"] === "true") return;
+      task.dataset["done"] = "true";
+      task.setAttribute("aria-label", `${task.getAttribute("aria-label") ?? ""}, done`);
+      task.querySelector(".because p")?.removeAttribute("hidden");
+      queueMicrotask(() => stop());
+    });
+  }
+}
