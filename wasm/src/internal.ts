@@ -21,7 +21,7 @@ export {
 } from "./formats/solid-units.js";
 export { differentNames } from "./formats/groups.js";
 export { featureSolid, type FeatureSolid } from "./formats/feature-solid.js";
-export type { FeatureFailure, LoopCurve, Profile } from "./cad/features/feature.js";
+export type { FeatureFailure, Loop, LoopCurve, Profile } from "./cad/features/feature.js";
 export { brepOfFile, type PartFile } from "./cad/features/import.js";
 export type { EdgeLine } from "./cad/features/evaluate.js";
 export { importKernel } from "./cad/kernel-browser.js";

@@ -3,6 +3,7 @@ import { bodiesOf } from "../document/entities";
 import { replaceBody } from "../document/body-edits";
 import { expressionsOfFeature } from "../document/operations/feature-numbers";
 import { pieceOperations } from "../document/operations/pieces";
+import { loftOperations } from "../document/operations/solid-lofts";
 import { featureSweeps } from "../document/operations/sweeps";
 import { sew } from "../document/operations/solid-sewing";
 import { editBoolean } from "../document/operations/solid-booleans";
@@ -67,7 +68,13 @@ export async function importPart(app: App): Promise<void> {
 /** Opens the panel of a feature. Returns false for features that have none. */
 export function editFeature(app: App, solid: Solid, feature: SolidFeature): boolean {
   const expressions = expressionsOfFeature(app.documents.project, solid.id, feature.id);
-  const operation = [...pieceOperations, ...featureSweeps, ...changeOperations, editBoolean]
+  const operation = [
+    ...pieceOperations,
+    ...featureSweeps,
+    ...loftOperations,
+    ...changeOperations,
+    editBoolean,
+  ]
     .map((one) => one.edit(solid, feature, expressions))
     .find((one) => one !== null);
   if (!operation) return false;

@@ -120,6 +120,12 @@ export const operationStrings = {
     notPlane: "The loops of a solid must lie in a plane.",
     curvesOfFeatures:
       "Loops of solids consist of straight lines, arcs, circles, and splines without tangents. Draw the others as splines.",
+    twoSections:
+      "Select two or more closed loops one after the other: planar patches, or lines that form loops.",
+    openSection: (name: string) => `The lines connected to ${name} do not form one closed loop.`,
+    loopAndPath:
+      "Select a planar patch or lines that form one closed loop, and the lines of a path that begins there.",
+    oneOpenPath: "The lines of the path must form one chain with two ends, without branches.",
     onePatch: "Select one planar patch.",
     noOpposite: "No planar patch opposite is parallel to this one, so that the hole cannot go through.",
     outside: "The circle does not lie within the patch.",
@@ -148,6 +154,15 @@ export const operationStrings = {
       diameter: "Diameter",
       centre: "Centre",
     },
+  },
+  lofts: {
+    loft: { title: "Loft", noun: "loft" },
+    sweep: { title: "Sweep along lines", noun: "sweep" },
+    order: "Order",
+    orders: { selected: "As selected", nearest: "Nearest next" },
+    ruled: "Straight between loops",
+    through: (names: readonly string[]) => `Through ${names.join(", ")}, in this order.`,
+    along: (count: number) => `Along ${countOf(count, "line")}.`,
   },
   paste: {
     title: "Paste",
