@@ -138,3 +138,24 @@ test("a drawn loop is swept along drawn lines, and cut from the solid there", as
   await page.keyboard.press("Control+Shift+z");
   await expect(app.viewport).toHaveAttribute("data-lines", "4");
 });
+
+test("a solid explodes into patches that can be edited", async ({ page }) => {
+  const app = new AppPage(page);
+  await page.goto("./?test=1&new=1");
+  await expect(app.viewport).toHaveAttribute("data-frames", /./);
+  await startOperation(page, "Cylinder…");
+  await page.getByTestId("piece-operation").getByText("New").click();
+  await computed(page);
+  await acceptOperation(page);
+  await expect(app.viewport).toHaveAttribute("data-solids", "1");
+  await page.getByText("Explode into patches…").click();
+  await computed(page);
+  await expect(page.getByTestId("operation-note")).toContainText("3 faces keep their exact shape");
+  await expect(app.viewport).toHaveAttribute("data-patches", "3");
+  await acceptOperation(page);
+  await expect(app.viewport).toHaveAttribute("data-solids", "0");
+  await expect(page.locator("[data-testid^=tree-patch-]").getByText("Cylinder 1 side")).toBeVisible();
+  await page.keyboard.press("Control+z");
+  await expect(app.viewport).toHaveAttribute("data-solids", "1");
+  await expect(app.viewport).toHaveAttribute("data-patches", "0");
+});

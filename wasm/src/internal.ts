@@ -24,6 +24,7 @@ export { featureSolid, type FeatureSolid } from "./formats/feature-solid.js";
 export type { FeatureFailure, Loop, LoopCurve, Profile } from "./cad/features/feature.js";
 export { brepOfFile, type PartFile } from "./cad/features/import.js";
 export type { EdgeLine } from "./cad/features/evaluate.js";
+export { type DrawnSolid, drawnSolid, type SolidDrawing } from "./cad/features/drawing.js";
 export { importKernel } from "./cad/kernel-browser.js";
 export type { FeatureKernel } from "./cad/features/session.js";
 export { createUnitBodies } from "./project/solid-bodies.js";

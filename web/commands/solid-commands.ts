@@ -5,6 +5,7 @@ import { expressionsOfFeature } from "../document/operations/feature-numbers";
 import { pieceOperations } from "../document/operations/pieces";
 import { loftOperations } from "../document/operations/solid-lofts";
 import { featureSweeps } from "../document/operations/sweeps";
+import { explode } from "../document/operations/solid-explosion";
 import { sew } from "../document/operations/solid-sewing";
 import { editBoolean } from "../document/operations/solid-booleans";
 import { changeOperations } from "../document/operations/solid-changes";
@@ -34,6 +35,12 @@ export const solidCommands: readonly Command[] = [
     enabled: (app) => app.documents.project.patches.length > 0,
     needs: () => operationStrings.solids.noPatches,
   }),
+  define("create", 11)(
+    explode.id,
+    operationStrings.opens(explode.title),
+    (app) => startOperation(app, explode),
+    { enabled: hasSolid, needs: () => operationStrings.solids.exploded.noSolid },
+  ),
 ];
 
 /** Adds the solids of a CAD file as a solid, whose first feature they are. */

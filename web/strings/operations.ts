@@ -219,6 +219,19 @@ export const operationStrings = {
     chamfer: { noun: "chamfer", title: "Chamfer" },
     shell: { noun: "shell", title: "Shell" },
     sewn: { noun: "sewn solid", title: "Sew patches to a solid" },
+    exploded: {
+      title: "Explode into patches",
+      step: "Explode solid into patches",
+      noSolid: "Select a solid, or one of its patches.",
+      left: (faces: readonly string[]) =>
+        `No kind of patch fits ${faces.join(", ")}: curved with holes, or with more than four edges. Explode into a body instead, which keeps all faces as they are.`,
+      exact: (count: number) =>
+        count === 1 ? "1 face keeps its exact shape." : `${count} faces keep their exact shape.`,
+      near: (faces: readonly string[]) =>
+        `These keep their edges, and are near their surface between them: ${faces.join(", ")}.`,
+      forgotten: "Features and parameters are forgotten. Names, marks and painted sizes stay.",
+      noPlace: "Colours of faces and element sizes of the solid are forgotten, too.",
+    },
     noPatches: "Draw closed patches, or select one of them.",
     drilled: { noun: "hole", title: "Hole" },
     moved: { noun: "move", title: "Move of a solid" },
@@ -273,6 +286,7 @@ export const operationStrings = {
     uses: { new: "new", join: "joined", cut: "cut", intersect: "intersected" },
     explode: "Explode into a body",
     explodeHint: "The features are forgotten; the triangles and true faces stay.",
+    explodeToPatches: "Explode into patches…",
   },
   directions: { x: "X", y: "Y", z: "Z", other: "Other" },
   pieces: {

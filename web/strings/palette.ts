@@ -62,6 +62,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   "tool-measure": "measure distance length angle ruler dimension how far",
   extrude: "sweep pull thicken",
   revolve: "sweep lathe turn spin",
+  "solid-explode": "dissolve ungroup convert lines faces patches",
   "solid-loft": "blend skin taper solid",
   "solid-sweep": "pipe path rail follow extrude guide solid",
   "offset-copy": "shell thicken parallel",

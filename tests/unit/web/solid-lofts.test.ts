@@ -7,6 +7,7 @@ import {
   type ProjectBody,
   type SolidFeature,
 } from "tetrafront/project";
+import { drawnSolid } from "../../../wasm/dist/cad/features/drawing.js";
 import type { FeatureKernel } from "../../../wasm/dist/cad/features/session.js";
 import { emptyProject } from "../../../web/document/create";
 import { documentKey } from "../../../web/document/content-keys";
@@ -45,6 +46,7 @@ const solids: SolidMaker = {
     return Promise.resolve({ ...body, ...(failures.length > 0 && { failures }) });
   },
   edgesOf: () => Promise.resolve([]),
+  drawn: (features) => Promise.resolve(drawnSolid(kernel, features)),
 };
 
 const [loft, sweep] = loftOperations;
