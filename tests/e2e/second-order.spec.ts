@@ -50,6 +50,10 @@ test("a dropped STEP file is meshed, shown and saved with curved second-order el
     .first()
     .click();
   await expect(section.getByRole("button", { pressed: true })).toHaveCount(1);
+  // The choice stays with the browser.
+  await page.reload();
+  await app.meshed();
+  await expect(section.getByRole("switch", { name: "Second order" })).toBeChecked();
   await section.getByRole("switch", { name: "Second order" }).uncheck({ force: true });
   await expect(bars).toBeHidden();
 });

@@ -2,6 +2,7 @@ import type { App } from "../app/app";
 import { isEmptyProject } from "../document/entities";
 import type { Operation } from "../document/operations/operation";
 import { pieceOperations } from "../document/operations/pieces";
+import { loftOperations } from "../document/operations/solid-lofts";
 import { sweepOperations } from "../document/operations/sweeps";
 import { duplicateOperation, transformOperations } from "../document/operations/transforms";
 import { settledProject } from "../session/document-store";
@@ -33,9 +34,11 @@ export const pieceCommands: readonly Command[] = pieceOperations.map((operation)
 );
 
 /** Commands that open the panel of an operation that sweeps the selection or drills a hole. */
-export const sweepCommands: readonly Command[] = sweepOperations.map((operation) =>
-  open("create", 12, operation),
-);
+export const sweepCommands: readonly Command[] = [
+  ...sweepOperations.slice(0, 2),
+  ...loftOperations,
+  ...sweepOperations.slice(2),
+].map((operation) => open("create", 12, operation));
 
 /** Commands that copy the selection, accept the open operation, or open the panel of an operation that transforms it. */
 export const transformCommands: readonly Command[] = [

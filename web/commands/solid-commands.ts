@@ -3,7 +3,9 @@ import { bodiesOf } from "../document/entities";
 import { replaceBody } from "../document/body-edits";
 import { expressionsOfFeature } from "../document/operations/feature-numbers";
 import { pieceOperations } from "../document/operations/pieces";
+import { loftOperations } from "../document/operations/solid-lofts";
 import { featureSweeps } from "../document/operations/sweeps";
+import { explode } from "../document/operations/solid-explosion";
 import { sew } from "../document/operations/solid-sewing";
 import { editBoolean } from "../document/operations/solid-booleans";
 import { changeOperations } from "../document/operations/solid-changes";
@@ -33,6 +35,12 @@ export const solidCommands: readonly Command[] = [
     enabled: (app) => app.documents.project.patches.length > 0,
     needs: () => operationStrings.solids.noPatches,
   }),
+  define("create", 11)(
+    explode.id,
+    operationStrings.opens(explode.title),
+    (app) => startOperation(app, explode),
+    { enabled: hasSolid, needs: () => operationStrings.solids.exploded.noSolid },
+  ),
 ];
 
 /** Adds the solids of a CAD file as a solid, whose first feature they are. */
@@ -67,7 +75,13 @@ export async function importPart(app: App): Promise<void> {
 /** Opens the panel of a feature. Returns false for features that have none. */
 export function editFeature(app: App, solid: Solid, feature: SolidFeature): boolean {
   const expressions = expressionsOfFeature(app.documents.project, solid.id, feature.id);
-  const operation = [...pieceOperations, ...featureSweeps, ...changeOperations, editBoolean]
+  const operation = [
+    ...pieceOperations,
+    ...featureSweeps,
+    ...loftOperations,
+    ...changeOperations,
+    editBoolean,
+  ]
     .map((one) => one.edit(solid, feature, expressions))
     .find((one) => one !== null);
   if (!operation) return false;

@@ -2,6 +2,7 @@ import type { Mesher, MeshResult } from "tetrafront";
 import { inOrder } from "tetrafront/internal";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { failureText } from "./failure-text";
+import { keptOrder } from "./kept-order";
 import type { MeshRun } from "./run";
 
 export interface SecondOrderState {
@@ -14,7 +15,7 @@ export interface SecondOrderState {
 /** Curves the edges of the mesh that is shown, while this is switched on. */
 export class SecondOrder {
   readonly state: StoreApi<SecondOrderState> = createStore<SecondOrderState>(() => ({
-    isOn: false,
+    isOn: keptOrder.isSecond(),
     failure: null,
   }));
   readonly #run: MeshRun;
@@ -33,6 +34,7 @@ export class SecondOrder {
   }
 
   setOn(isOn: boolean): void {
+    keptOrder.keep(isOn);
     this.state.setState({ isOn, failure: null });
     void this.#follow();
   }

@@ -1,4 +1,4 @@
-import type { FeatureFailure, PartFile } from "tetrafront/internal";
+import type { DrawnSolid, FeatureFailure, PartFile } from "tetrafront/internal";
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
 import { nextBodyIds } from "../document/body-edits";
 import type { SolidMaker } from "../document/operations/operation";
@@ -39,6 +39,7 @@ export class Solids implements SolidMaker {
     return {
       bodyOf: (project, before, features) => this.bodyOf(project, before, features, signal),
       edgesOf: (features) => this.edgesOf(features),
+      drawn: (features) => this.drawn(features),
     };
   }
 
@@ -79,6 +80,11 @@ export class Solids implements SolidMaker {
     asked.catch(() => this.#edges.delete(key));
     for (const oldest of [...this.#edges.keys()].slice(0, -maxKept)) this.#edges.delete(oldest);
     return asked;
+  }
+
+  /** Returns the solid of features as lines and patches. */
+  drawn(features: readonly SolidFeature[]): Promise<DrawnSolid> {
+    return this.#inTurn((client) => client.draw(features));
   }
 
   /** Returns the solids of a CAD file as the text of a BREP file. */

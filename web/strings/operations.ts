@@ -120,6 +120,12 @@ export const operationStrings = {
     notPlane: "The loops of a solid must lie in a plane.",
     curvesOfFeatures:
       "Loops of solids consist of straight lines, arcs, circles, and splines without tangents. Draw the others as splines.",
+    twoSections:
+      "Select two or more closed loops one after the other: planar patches, or lines that form loops.",
+    openSection: (name: string) => `The lines connected to ${name} do not form one closed loop.`,
+    loopAndPath:
+      "Select a planar patch or lines that form one closed loop, and the lines of a path that begins there.",
+    oneOpenPath: "The lines of the path must form one chain with two ends, without branches.",
     onePatch: "Select one planar patch.",
     noOpposite: "No planar patch opposite is parallel to this one, so that the hole cannot go through.",
     outside: "The circle does not lie within the patch.",
@@ -148,6 +154,15 @@ export const operationStrings = {
       diameter: "Diameter",
       centre: "Centre",
     },
+  },
+  lofts: {
+    loft: { title: "Loft", noun: "loft" },
+    sweep: { title: "Sweep along lines", noun: "sweep" },
+    order: "Order",
+    orders: { selected: "As selected", nearest: "Nearest next" },
+    ruled: "Straight between loops",
+    through: (names: readonly string[]) => `Through ${names.join(", ")}, in this order.`,
+    along: (count: number) => `Along ${countOf(count, "line")}.`,
   },
   paste: {
     title: "Paste",
@@ -204,6 +219,19 @@ export const operationStrings = {
     chamfer: { noun: "chamfer", title: "Chamfer" },
     shell: { noun: "shell", title: "Shell" },
     sewn: { noun: "sewn solid", title: "Sew patches to a solid" },
+    exploded: {
+      title: "Explode into patches",
+      step: "Explode solid into patches",
+      noSolid: "Select a solid, or one of its patches.",
+      left: (faces: readonly string[]) =>
+        `No kind of patch fits ${faces.join(", ")}: curved with holes, or with more than four edges. Explode into a body instead, which keeps all faces as they are.`,
+      exact: (count: number) =>
+        count === 1 ? "1 face keeps its exact shape." : `${count} faces keep their exact shape.`,
+      near: (faces: readonly string[]) =>
+        `These keep their edges, and are near their surface between them: ${faces.join(", ")}.`,
+      forgotten: "Features and parameters are forgotten. Names, marks and painted sizes stay.",
+      noPlace: "Colours of faces and element sizes of the solid are forgotten, too.",
+    },
     noPatches: "Draw closed patches, or select one of them.",
     drilled: { noun: "hole", title: "Hole" },
     moved: { noun: "move", title: "Move of a solid" },
@@ -258,6 +286,7 @@ export const operationStrings = {
     uses: { new: "new", join: "joined", cut: "cut", intersect: "intersected" },
     explode: "Explode into a body",
     explodeHint: "The features are forgotten; the triangles and true faces stay.",
+    explodeToPatches: "Explode into patches…",
   },
   directions: { x: "X", y: "Y", z: "Z", other: "Other" },
   pieces: {

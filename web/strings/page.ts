@@ -13,7 +13,14 @@ export const pageStrings = {
   submenus: {
     edit: { 2: "Select related", 4: "Work plane", 5: "Snapping", 6: "Transform", 7: "Combine bodies" },
     view: { 5: "Colours and edges", 6: "Settings" },
-    create: { 2: "Line from points", 3: "Patch from lines", 5: "Source", 10: "Solid piece", 11: "Sweep" },
+    create: {
+      2: "Line from points",
+      3: "Patch from lines",
+      5: "Source",
+      10: "Solid piece",
+      11: "Solid from patches, features",
+      12: "Sweep",
+    },
   } as Readonly<
     Partial<Record<"file" | "edit" | "create" | "view" | "mesh" | "help", Readonly<Record<number, string>>>>
   >,

@@ -1,5 +1,5 @@
 /** Makes solids of features by the kernel, which is loaded with the first one. */
-import { brepOfFile, featureSolid, importKernel, type FeatureKernel } from "tetrafront/internal";
+import { brepOfFile, drawnSolid, featureSolid, importKernel, type FeatureKernel } from "tetrafront/internal";
 import { createBodies, type ProjectBody, type ProjectBodyPatch } from "tetrafront/project";
 import { faceLabel } from "../document/operations/feature-names";
 import { kernelFiles } from "./cad-library";
@@ -22,6 +22,11 @@ async function loadedKernel(): Promise<FeatureKernel> {
 
 serveCalls<SolidProtocol>({
   import: async (file) => ({ answer: brepOfFile(await loadedKernel(), file) }),
+  draw: async (features) => {
+    const answer = drawnSolid(await loadedKernel(), features);
+    if (answer.isKernelSpent) loading = null;
+    return { answer };
+  },
   evaluate: async (request) => {
     const kernel = await loadedKernel();
     const { surface, origins, edges, failures, isKernelSpent } = await featureSolid(kernel, request.features);

@@ -1,4 +1,4 @@
-import type { EdgeLine, FeatureFailure, PartFile } from "tetrafront/internal";
+import type { DrawnSolid, EdgeLine, FeatureFailure, PartFile } from "tetrafront/internal";
 import type { ProjectBody, SolidFeature } from "tetrafront/project";
 import { unpackedBody } from "./packed-bodies";
 import type { NewBody, PackedNewBody } from "./surface-files";
@@ -23,6 +23,8 @@ export interface SolidAnswer<Body> {
 
 export interface SolidProtocol {
   readonly evaluate: { readonly argument: SolidRequest; readonly answer: SolidAnswer<PackedNewBody> };
+  /** What the solid of features is as lines and patches. */
+  readonly draw: { readonly argument: readonly SolidFeature[]; readonly answer: DrawnSolid };
   /** The text of a BREP file with the solids of a CAD file. */
   readonly import: { readonly argument: PartFile; readonly answer: string };
 }
@@ -38,6 +40,10 @@ export class SolidClient {
     const { made, ...answer } = await this.#worker.call("evaluate", request);
     if (made === null) return { made, ...answer };
     return { made: { body: await unpackedBody(made.packed), loaded: made.loaded }, ...answer };
+  }
+
+  draw(features: readonly SolidFeature[]): Promise<DrawnSolid> {
+    return this.#worker.call("draw", features);
   }
 
   importPart(file: PartFile): Promise<string> {

@@ -13,6 +13,9 @@ import { emptyProject } from "../../../web/document/create";
 import { expressionsOfFeature } from "../../../web/document/operations/feature-numbers";
 import type { FieldExpressions, FieldValues, Operation } from "../../../web/document/operations/operation";
 import { pieceOperations } from "../../../web/document/operations/pieces";
+import type { Entity } from "../../../web/document/entities";
+import { explode } from "../../../web/document/operations/solid-explosion";
+import { loftOperations } from "../../../web/document/operations/solid-lofts";
 import { changeOperations } from "../../../web/document/operations/solid-changes";
 import { isSolid } from "../../../web/document/operations/solids";
 import { setParameter } from "../../../web/document/parameters";
@@ -45,7 +48,71 @@ const solids = {
     return Promise.resolve({ ...kept, id: 1, ...made, ...(failures.length > 0 && { failures }) });
   },
   edgesOf: () => Promise.resolve([{ name: "1/top|1/left", faces: ["1/top", "1/left"] as const }]),
+  drawn: () => drawn(),
 };
+
+/** A tetrahedron, whatever the features are. */
+const drawn = () =>
+  Promise.resolve({
+    drawing: {
+      points: [
+        [0, 0, 0],
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+      ] as const,
+      lines: [
+        [0, 1],
+        [1, 2],
+        [2, 0],
+        [0, 3],
+        [1, 3],
+        [2, 3],
+      ].map((points) => ({ type: "straight", points }) as const),
+      patches: [
+        [3, 2, 1],
+        [1, 5, -4],
+        [2, 6, -5],
+        [3, 4, -6],
+      ].map((loop, face) => ({ type: "planar", loops: [loop], face, isExact: true }) as const),
+      left: [],
+    },
+    faces: ["1/top", "1/left", "1/front", "1/bottom"],
+    failures: [],
+    isKernelSpent: false,
+  });
+
+/** Two squares, whose lines are 1 to 4 and 5 to 8, and a path of the line 9. */
+const loops: Pick<Project, "points" | "lines" | "expressions"> = {
+  points: [0, 1].flatMap((z) =>
+    [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+      [0, 1],
+      [2, 2],
+    ].map(([x = 0, y = 0], k) => ({ id: 5 * z + k + 1, position: [x, y, z] as const })),
+  ),
+  lines: [
+    ...[0, 5].flatMap((first, z) =>
+      [0, 1, 2, 3].map((k) => ({
+        id: 4 * z + k + 1,
+        type: "straight" as const,
+        points: [first + k + 1, first + ((k + 1) % 4) + 1],
+      })),
+    ),
+    { id: 9, type: "straight", points: [5, 10] },
+  ],
+  expressions: [6, 7, 8, 9].map((id) => ({ kind: "point", id, field: "position.2", expression: "a/2" })),
+};
+
+const lines = (...ids: readonly number[]): Entity[] => ids.map((id) => ({ kind: "line", id }));
+const selections = new Map<Operation, readonly Entity[]>(
+  loftOperations.map((operation, k) => [
+    operation,
+    k === 0 ? lines(1, 2, 3, 4, 5, 6, 7, 8) : lines(1, 2, 3, 4, 9),
+  ]),
+);
 
 const solidIn = ({ project }: DocumentStore) => project.bodies?.find(isSolid);
 const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
@@ -54,6 +121,7 @@ const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve)
 class Work {
   readonly documents = new DocumentStore({
     ...emptyProject(),
+    ...loops,
     parameters: [
       { name: "a", expression: "2" },
       { name: "b", expression: "a/8" },
@@ -74,7 +142,11 @@ class Work {
     const { documents } = this;
     const solid = solidIn(documents);
     const kind = this.#random() % 6;
-    if (!solid || kind < 2) await this.#run(this.#of([...pieceOperations.slice(0, 7), ...changeOperations]));
+    if (!solid || kind < 2)
+      await this.#run(
+        this.#of([...pieceOperations.slice(0, 7), ...changeOperations, ...loftOperations, ...loftOperations]),
+      );
+    else if (this.#random() % 12 === 0) await this.#run(explode);
     else if (kind === 2)
       documents.edit(setParameter(this.#of(["a", "b"]), this.#of(["1", "3", "0", "a+1", "20"])));
     else if (kind === 3) await this.#edit();
@@ -96,16 +168,22 @@ class Work {
     if (!solid) return;
     const feature = this.#of(solid.features);
     const texts = expressionsOfFeature(this.documents.project, solid.id, feature.id);
-    const panels = [...pieceOperations, ...changeOperations].map((one) => one.edit(solid, feature, texts));
+    const panels = [...pieceOperations, ...loftOperations, ...changeOperations].map((one) =>
+      one.edit(solid, feature, texts),
+    );
     const panel = panels.find((one) => one !== null);
     if (panel) await this.#run(panel);
   }
 
   async #run(operation: Operation): Promise<void> {
-    const subject = { project: this.documents.project, selection: [] };
+    const subject = { project: this.documents.project, selection: selections.get(operation) ?? [] };
     const initial = operation.initial(subject);
     const makes = solidIn(this.documents) ? "cut" : "new";
-    const values: FieldValues = { ...initial, ...("makes" in initial && { makes }) };
+    const values: FieldValues = {
+      ...initial,
+      ...("makes" in initial && { makes }),
+      ...("keepProfile" in initial && { keepProfile: this.#random() % 4 > 0 }),
+    };
     const numbers = Object.keys(values).filter(
       (key) => typeof values[key] === "number" && !/count|sides/.test(key),
     );

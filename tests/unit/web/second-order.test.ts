@@ -1,4 +1,4 @@
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { afterAll, beforeAll, expect, it, vi } from "vitest";
 import { createMesher, type Mesher, type MeshResult, readSurface } from "tetrafront";
 import { createBodies } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
@@ -77,3 +77,23 @@ it("an improved mesh is curved again", async () => {
   expect(curvedOnSurface(shown())).toBe(curvedOnSurface(before));
   expect(curvedOnSurface(before)).toBeGreaterThan(50);
 }, 60_000);
+
+it("is remembered by the browser for the next session", () => {
+  const kept = new Map<string, string>();
+  vi.stubGlobal("localStorage", {
+    getItem: (key: string) => kept.get(key) ?? null,
+    setItem: (key: string, value: string) => void kept.set(key, value),
+    removeItem: (key: string) => void kept.delete(key),
+  });
+  const next = (): SecondOrder =>
+    new SecondOrder(
+      new MeshRun(new DocumentStore(emptyProject()), Promise.resolve(mesher)),
+      Promise.resolve(mesher),
+    );
+  expect(next().state.getState().isOn).toBe(false);
+  next().setOn(true);
+  expect(next().state.getState().isOn).toBe(true);
+  next().setOn(false);
+  expect(next().state.getState().isOn).toBe(false);
+  vi.unstubAllGlobals();
+});

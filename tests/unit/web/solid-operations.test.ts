@@ -46,6 +46,10 @@ class NotedSolids implements SolidMaker {
   edgesOf() {
     return Promise.resolve(this.#edges);
   }
+
+  drawn(): Promise<never> {
+    return Promise.reject(new Error("not drawn"));
+  }
 }
 
 const { points, triangles } = createBody(

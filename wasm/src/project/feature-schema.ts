@@ -27,6 +27,10 @@ const curve = v.variant("kind", [
   }),
   objectWith({ kind: v.literal("spline"), points: listOf(threeNumbers), isClosed: v.optional(v.boolean()) }),
   objectWith({ kind: v.literal("circle"), center: threeNumbers, axis: threeNumbers, radius: number }),
+  objectWith({
+    kind: v.literal("three-point-circle"),
+    points: v.pipe(v.strictTuple([threeNumbers, threeNumbers, threeNumbers]), v.readonly()),
+  }),
 ]);
 const loop = listOf(curve);
 const profile = objectWith({ outer: loop, holes: v.optional(listOf(loop)) });

@@ -1,3 +1,4 @@
+import type { DrawnSolid } from "tetrafront/internal";
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
 import type { Offer } from "../create";
 import type { Entity } from "../entities";
@@ -140,6 +141,8 @@ export interface SolidMaker {
   edgesOf(
     features: readonly SolidFeature[],
   ): Promise<readonly { readonly name: string; readonly faces: readonly [string, string] }[]>;
+  /** Returns the solid as lines and patches. */
+  drawn(features: readonly SolidFeature[]): Promise<DrawnSolid>;
 }
 
 /** An operation with its fields. `Values` is a type of the same keys as the fields. */

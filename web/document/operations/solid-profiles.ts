@@ -6,7 +6,7 @@ import { findRecord, type Entity } from "../entities";
 import { expressionFinder } from "../expression-edits";
 import { orderLoops } from "../loops";
 import { liesInPlane } from "../patch-rules";
-import { quantityPosition, valuesOf, type QuantityPosition } from "../quantity-positions";
+import { isPlain, quantityPosition, valuesOf, type QuantityPosition } from "../quantity-positions";
 import { distance } from "../vectors";
 import type { Typed } from "./feature-numbers";
 
@@ -17,24 +17,40 @@ export type FoundProfile =
   | { readonly success: true; readonly profile: Typed<Profile> }
   | { readonly success: false; readonly reason: string };
 
+type LineSteps = readonly number[];
+
 /** Returns the profile within a selected planar patch, or within selected lines. */
 export function drawnProfile(project: Project, selection: readonly Entity[]): FoundProfile {
   const loops = loopsOf(project, selection);
-  const [outer, ...holes] = loops ?? [];
-  if (!outer || !loops) return { success: false, reason: refusals.oneProfile };
+  if (!loops || loops.length === 0) return { success: false, reason: refusals.oneProfile };
+  return profileWithin(project, loops);
+}
+
+/** Returns the profile within loops of lines, the outer one first. */
+export function profileWithin(project: Project, loops: readonly LineSteps[]): FoundProfile {
   if (!liesInPlane(project, loops)) return { success: false, reason: refusals.notPlane };
+  const curves = drawnCurves(project, loops);
+  if (!curves) return { success: false, reason: refusals.curvesOfFeatures };
+  const [outer = [], ...holes] = curves;
+  return { success: true, profile: { outer, ...(holes.length > 0 && { holes }) } };
+}
+
+/** Returns chains of lines as curves of the kernel; null if there is a kind of line that it has not. */
+export function drawnCurves(
+  project: Project,
+  chains: readonly LineSteps[],
+): readonly (readonly Typed<LoopCurve>[])[] | null {
   const textOf = expressionFinder(project);
   const positionOf = (id: number): QuantityPosition =>
     quantityPosition(
       findRecord(project, "point", id)?.position ?? [0, 0, 0],
       [0, 1, 2].map((axis) => textOf({ kind: "point", id, field: `position.${axis}` })),
     );
-  const curves = [outer, ...holes].map((loop) =>
-    loop.map((step) => curveOf(findRecord(project, "line", Math.abs(step)), step < 0, positionOf)),
+  const curves = chains.map((chain) =>
+    chain.map((step) => curveOf(findRecord(project, "line", Math.abs(step)), step < 0, positionOf)),
   );
-  if (curves.flat().includes(null)) return { success: false, reason: refusals.curvesOfFeatures };
-  const [first = [], ...others] = curves.map((loop) => loop.filter((curve) => curve !== null));
-  return { success: true, profile: { outer: first, ...(others.length > 0 && { holes: others }) } };
+  if (curves.flat().includes(null)) return null;
+  return curves.map((chain) => chain.filter((curve) => curve !== null));
 }
 
 function loopsOf(project: Project, selection: readonly Entity[]) {
@@ -65,6 +81,8 @@ function curveOf(
     return { kind: "spline", points: isClosed ? points.slice(1) : points, isClosed };
   }
   if (line.type !== "circle") return null;
+  // A radius has no expression of its own: the points keep theirs.
+  if (![a, b, c].every(isPlain)) return { kind: "three-point-circle", points: [a, b, c] };
   const circle = circleThrough(valuesOf(a), valuesOf(b), valuesOf(c));
   if (!circle) return null;
   const { centre, normal, start } = circle;

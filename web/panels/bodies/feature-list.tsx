@@ -3,6 +3,8 @@ import { IconArrowDown, IconArrowUp, IconPencil, IconTrash } from "@tabler/icons
 import type { SolidFeature } from "tetrafront/project";
 import { useStore } from "zustand";
 import { editFeature, explodeSolid, setFeatures } from "../../commands/solid-commands";
+import { startOperation } from "../../commands/start-operation";
+import { explode } from "../../document/operations/solid-explosion";
 import { featureLabel } from "../../document/operations/feature-names";
 import type { Solid } from "../../document/operations/solids";
 import { operationStrings } from "../../strings";
@@ -35,6 +37,7 @@ export function FeatureList({ solid }: { readonly solid: Solid }) {
       <Text size="xs" c="dimmed" my={4} role="status" data-testid="solid-status">
         {solid.isOutdated !== true ? texts.hint : isPending ? operationStrings.computing : failure}
       </Text>
+      <TextButton onClick={() => startOperation(app, explode)}>{texts.explodeToPatches}</TextButton>
       <TextButton title={texts.explodeHint} onClick={() => explodeSolid(app, solid)}>
         {texts.explode}
       </TextButton>

@@ -22,13 +22,14 @@ export interface Placement {
 
 /**
  * A piece of a loop. An arc runs through its second point; a closed spline returns to its first point, which is given
- * once. A circle runs counter-clockwise about its axis.
+ * once. A circle runs counter-clockwise about its axis, or from its first point over the second to the third.
  */
 export type LoopCurve =
   | { readonly kind: "line"; readonly points: readonly [Vector, Vector] }
   | { readonly kind: "arc"; readonly points: readonly [Vector, Vector, Vector] }
   | { readonly kind: "spline"; readonly points: readonly Vector[]; readonly isClosed?: boolean | undefined }
-  | { readonly kind: "circle"; readonly center: Vector; readonly axis: Vector; readonly radius: number };
+  | { readonly kind: "circle"; readonly center: Vector; readonly axis: Vector; readonly radius: number }
+  | { readonly kind: "three-point-circle"; readonly points: readonly [Vector, Vector, Vector] };
 
 /** Curves one after the other: each begins where the one before it ends. */
 export type Loop = readonly LoopCurve[];
@@ -73,7 +74,7 @@ export interface PieceKinds {
   readonly revolve: { readonly profile: Profile } & Rotation;
   /** All sections have equally many holes. */
   readonly loft: { readonly sections: readonly Profile[]; readonly isRuled?: boolean | undefined };
-  /** The path begins at the profile. */
+  /** The path begins at the profile, and is open. */
   readonly sweep: { readonly profile: Profile; readonly path: Loop };
   /** The solid that plane faces enclose. Their loops meet along equal curves. */
   readonly sew: { readonly faces: readonly Profile[] };

@@ -58,8 +58,27 @@ export const polygon = (corners: readonly Vector[]): Loop =>
     points: [corner, corners[(c + 1) % corners.length] ?? corner],
   }));
 
+/** A curve with circles by their radius only. */
+type KernelCurve = Exclude<LoopCurve, { readonly kind: "three-point-circle" }>;
+
+/** Returns a curve with a circle through three points as one with a radius. Throws if they lie on a straight line. */
+function kernelCurve(curve: LoopCurve): KernelCurve {
+  if (curve.kind !== "three-point-circle") return curve;
+  const [start, over, end] = curve.points;
+  const [a, b] = [minus(over, start), minus(end, start)];
+  const axis = cross(a, b);
+  const square = dot(axis, axis);
+  const longest = Math.max(dot(a, a), dot(b, b));
+  if (!(square > FLAT * FLAT * longest * longest))
+    throw new FeatureError("The three points of a circle lie on a straight line.", "Move one of the points.");
+  const weighted = minus(scaled(b, dot(a, a)), scaled(a, dot(b, b)));
+  const arm = scaled(cross(weighted, axis), 1 / (2 * square));
+  return { kind: "circle", center: plus(start, arm), axis, radius: lengthOf(arm) };
+}
+
 /** Returns positions on a curve that determine its plane. */
-function samplesOf(curve: LoopCurve): readonly Vector[] {
+function samplesOf(given: LoopCurve): readonly Vector[] {
+  const curve = kernelCurve(given);
   if (curve.kind !== "circle") return curve.points;
   const { center, axis, radius } = curve;
   const { at } = frameOf({ position: center, axis });
@@ -90,11 +109,12 @@ function areaVector(loop: Loop): Vector {
 }
 
 /** Returns whether a curve has no ends. */
-const isClosed = (curve: LoopCurve): boolean =>
+const isClosed = (curve: KernelCurve): boolean =>
   curve.kind === "circle" || (curve.kind === "spline" && curve.isClosed === true);
 
 /** Makes a wire of curves, whose ends are common vertices. Throws if they do not follow one another. */
-export function wireOf(session: Session, loop: Loop, closed: boolean): Wire {
+export function wireOf(session: Session, given: Loop, closed: boolean): Wire {
+  const loop = given.map(kernelCurve);
   const edges =
     loop.length === 1 && loop.every(isClosed)
       ? loop.map((curve) => closedEdge(session, curve))
@@ -109,7 +129,7 @@ export function wireOf(session: Session, loop: Loop, closed: boolean): Wire {
   return { wire: session.hold(maker.Wire()), edges: used };
 }
 
-function closedEdge(session: Session, curve: LoopCurve): TopoDS_Edge {
+function closedEdge(session: Session, curve: KernelCurve): TopoDS_Edge {
   const { BRepBuilderAPI_MakeEdge, gp_Circ } = session.kernel;
   if (curve.kind !== "circle")
     return session.hold(session.hold(new BRepBuilderAPI_MakeEdge(curveOf(session, curve))).Edge());
@@ -118,7 +138,7 @@ function closedEdge(session: Session, curve: LoopCurve): TopoDS_Edge {
   return session.hold(session.hold(new BRepBuilderAPI_MakeEdge(circle)).Edge());
 }
 
-function chain(session: Session, loop: Loop, closed: boolean): TopoDS_Edge[] {
+function chain(session: Session, loop: readonly KernelCurve[], closed: boolean): TopoDS_Edge[] {
   const ends = loop.map((curve): readonly [Vector, Vector] => {
     if (curve.kind === "circle" || isClosed(curve) || curve.points.length < 2)
       throw new FeatureError("A closed curve is in a loop with others.");
@@ -147,13 +167,13 @@ function chain(session: Session, loop: Loop, closed: boolean): TopoDS_Edge[] {
     const points = curve.points.slice();
     points[0] = joints[c] as Vector;
     points[points.length - 1] = joints[next] as Vector;
-    return edgeBetween(session, { ...curve, points } as LoopCurve, vertices[c], vertices[next]);
+    return edgeBetween(session, { ...curve, points } as KernelCurve, vertices[c], vertices[next]);
   });
 }
 
 function edgeBetween(
   session: Session,
-  curve: LoopCurve,
+  curve: KernelCurve,
   start: TopoDS_Vertex | undefined,
   end: TopoDS_Vertex | undefined,
 ): TopoDS_Edge {
@@ -168,7 +188,7 @@ function edgeBetween(
   return session.hold(maker.Edge());
 }
 
-function curveOf(session: Session, curve: LoopCurve) {
+function curveOf(session: Session, curve: KernelCurve) {
   const { GC_MakeArcOfCircle, GeomAPI_Interpolate, NCollection_Array1_gp_Pnt, NCollection_HArray1_gp_Pnt } =
     session.kernel;
   if (curve.kind === "arc") {
