@@ -3,6 +3,8 @@ import { crossingDeclaration } from "./figures/crossing/declaration";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration";
 import { frontDeclaration } from "./figures/front/declaration";
 import { idealDeclaration } from "./figures/ideal/declaration";
+import { pocketDeclaration } from "./figures/pocket/declaration";
+import { stallDeclaration } from "./figures/stall/declaration";
 
 /** Every kind of figure, by the name that lessons use. */
 export const declarations: Readonly<Record<string, FigureDeclaration>> = {
@@ -10,4 +12,6 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   ideal: idealDeclaration,
   crossing: crossingDeclaration,
   "crossing-space": crossingSpaceDeclaration,
+  pocket: pocketDeclaration,
+  stall: stallDeclaration,
 };

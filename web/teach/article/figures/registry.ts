@@ -7,4 +7,6 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   crossing: async () => new (await import("./crossing/crossing-figure")).CrossingFigure(),
   "crossing-space": async () =>
     new (await import("./crossing-space/crossing-space-figure")).CrossingSpaceFigure(),
+  pocket: async () => new (await import("./pocket/pocket-figure")).PocketFigure(),
+  stall: async () => new (await import("./stall/stall-figure")).StallFigure(),
 };
