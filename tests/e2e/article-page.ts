@@ -66,25 +66,28 @@ export class ArticlePage {
     return [box.x + box.width / 2, box.y + box.height / 2];
   }
 
-  /** Drags from a pixel to another one. */
-  async drag(from: Pixel, to: Pixel, steps = 8): Promise<void> {
+  /** Drags from a pixel to another one; `held` runs before the end. */
+  async drag(from: Pixel, to: Pixel, held: () => Promise<void> = () => Promise.resolve()): Promise<void> {
+    const steps = 8;
     const at = (i: number): Pixel => [
       from[0] + ((to[0] - from[0]) * i) / steps,
       from[1] + ((to[1] - from[1]) * i) / steps,
     ];
-    if (this.isTouched) return this.#dragByFinger(at, steps);
+    if (this.isTouched) return this.#dragByFinger(at, steps, held);
     await this.page.mouse.move(...from);
     await this.page.mouse.down();
     for (let i = 1; i <= steps; i++) await this.page.mouse.move(...at(i));
+    await held();
     await this.page.mouse.up();
   }
 
-  async #dragByFinger(at: (i: number) => Pixel, steps: number): Promise<void> {
+  async #dragByFinger(at: (i: number) => Pixel, steps: number, held: () => Promise<void>): Promise<void> {
     const session = await this.page.context().newCDPSession(this.page);
     const send = (type: "touchStart" | "touchMove" | "touchEnd", points: readonly Pixel[]) =>
       session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
     await send("touchStart", [at(0)]);
     for (let i = 1; i <= steps; i++) await send("touchMove", [at(i)]);
+    await held();
     await send("touchEnd", []);
     await session.detach();
   }

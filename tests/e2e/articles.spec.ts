@@ -5,9 +5,24 @@ import { ArticlePage, type Pixel } from "./article-page";
 import { recordRefusals } from "./policy";
 
 const settings = {
-  "1440 light": { viewport: { width: 1440, height: 900 }, colorScheme: "light", reducedMotion: "no-preference", hasTouch: false },
-  "390 dark": { viewport: { width: 390, height: 844 }, colorScheme: "dark", reducedMotion: "no-preference", hasTouch: true },
-  "reduced motion": { viewport: { width: 1440, height: 900 }, colorScheme: "dark", reducedMotion: "reduce", hasTouch: false },
+  "1440 light": {
+    viewport: { width: 1440, height: 900 },
+    colorScheme: "light",
+    reducedMotion: "no-preference",
+    hasTouch: false,
+  },
+  "390 dark": {
+    viewport: { width: 390, height: 844 },
+    colorScheme: "dark",
+    reducedMotion: "no-preference",
+    hasTouch: true,
+  },
+  "reduced motion": {
+    viewport: { width: 1440, height: 900 },
+    colorScheme: "dark",
+    reducedMotion: "reduce",
+    hasTouch: false,
+  },
 } as const;
 
 /** Compressed bytes of what a page fetches before the reader does anything. */
@@ -57,18 +72,28 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       // A corner that is pulled across the shape makes the boundary cross itself.
       await lesson.see("A");
       const before = await lesson.values("A");
-      const [from, across] = [await lesson.middle(lesson.handle("A", "corner-1")), await lesson.middle(lesson.handle("A", "corner-5"))];
-      await page.mouse.move(...from);
-      await lesson.drag(from, part(from, across, 1.06));
-      await expect.poll(async () => (await lesson.values("A"))["corners"]).toBe(before["corners"]);
-      await expect.poll(() => lesson.middle(lesson.handle("A", "corner-1")).then(([x]) => Math.abs(x - across[0]) > 30)).toBe(true);
+      const [from, across] = [
+        await lesson.middle(lesson.handle("A", "corner-1")),
+        await lesson.middle(lesson.handle("A", "corner-5")),
+      ];
+      await lesson.drag(from, part(from, across, 1.06), async () => {
+        await expect(lesson.figure("A").locator(".notice")).toContainText("crosses itself");
+      });
+      const offset = async (): Promise<number> => {
+        const [x, y] = await lesson.middle(lesson.handle("A", "corner-1"));
+        return Math.hypot(x - from[0], y - from[1]);
+      };
+      await expect.poll(offset).toBeLessThan(1);
+      await expect(lesson.figure("A").locator(".notice")).toBeEmpty();
+      expect(await lesson.value("A", "triangles")).toBe(before["triangles"]);
 
       const number = page.getByTestId("number-size");
       await number.focus();
       await page.keyboard.press("Home");
       expect(await lesson.value("A", "size")).toBe(0.06);
       await lesson.done(3);
-      for (let i = 0; i < 25 && (await lesson.value("A", "refused")) > 2; i++) await page.keyboard.press("ArrowRight");
+      for (let i = 0; i < 25 && (await lesson.value("A", "refused")) > 2; i++)
+        await page.keyboard.press("ArrowRight");
       await lesson.done(2);
       await isSound(lesson);
     });
@@ -114,7 +139,8 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await lesson.drag(at, [at[0] - 24, at[1]]);
       expect(await lesson.value("A", "size")).toBeLessThan(1.35);
       await number.focus();
-      for (let i = 0; i < 60 && (await lesson.value("A", "size")) > 1.04; i++) await page.keyboard.press("ArrowLeft");
+      for (let i = 0; i < 60 && (await lesson.value("A", "size")) > 1.04; i++)
+        await page.keyboard.press("ArrowLeft");
       await lesson.done(1);
 
       await lesson.see("A");
@@ -144,7 +170,10 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await lesson.isUndone();
 
       // In units of the drawing, the active side goes from (0.32, 0.2) to (0.86, 0.2).
-      const [a, b] = [await lesson.middle(lesson.handle("A", "a")), await lesson.middle(lesson.handle("A", "b"))];
+      const [a, b] = [
+        await lesson.middle(lesson.handle("A", "a")),
+        await lesson.middle(lesson.handle("A", "b")),
+      ];
       const scale = (b[0] - a[0]) / 0.54;
       const to = (x: number, y: number): Pixel => [a[0] + (x - 0.32) * scale, a[1] - (y - 0.2) * scale];
       await lesson.dragHandle("A", "q", to(0.72, 0.74));
@@ -215,13 +244,18 @@ test("each first view is under 300 kB, without requests to other hosts", async (
   }
 });
 
-test("the list leads to every lesson, the app to its article, and the policy refuses nothing", async ({ page }) => {
+test("the list leads to every lesson, the app to its article, and the policy refuses nothing", async ({
+  page,
+}) => {
   const refused = await recordRefusals(page);
   await page.goto("./lessons/");
   await page.getByRole("link", { name: /The ideal point/ }).click();
   await expect(page.getByTestId("figure-A")).toHaveAttribute("data-ready", "true");
   const policy = page.locator('meta[http-equiv="Content-Security-Policy"]');
-  await expect(policy).toHaveAttribute("content", /^default-src 'none'; script-src 'self' 'wasm-unsafe-eval'/);
+  await expect(policy).toHaveAttribute(
+    "content",
+    /^default-src 'none'; script-src 'self' 'wasm-unsafe-eval'/,
+  );
   await page.getByRole("link", { name: /Next/ }).click();
   await expect(page.getByTestId("figure-A")).toHaveAttribute("data-ready", "true");
   expect(await refused()).toEqual([]);

@@ -55,9 +55,15 @@ describe("a lesson is compiled", () => {
   });
 
   test("with numbers that are dragged, shown, and in formulas", () => {
-    const { html, css } = compile("[0.12](drag:A.size) and [71](show:A.triangles), $\\sqrt{\\live{A.size}{0.12}}$");
-    expect(html).toContain('role="slider" tabindex="0" data-drag="A.size" data-unit="" data-testid="number-size"');
-    expect(html).toContain('aria-valuemin="0.06" aria-valuemax="0.26" aria-valuenow="0.12" aria-valuetext="0.12"');
+    const { html, css } = compile(
+      "[0.12](drag:A.size) and [71](show:A.triangles), $\\sqrt{\\live{A.size}{0.12}}$",
+    );
+    expect(html).toContain(
+      'role="slider" tabindex="0" data-drag="A.size" data-unit="" data-testid="number-size"',
+    );
+    expect(html).toContain(
+      'aria-valuemin="0.06" aria-valuemax="0.26" aria-valuenow="0.12" aria-valuetext="0.12"',
+    );
     expect(html).toContain('<output class="live" data-show="A.triangles">71</output>');
     expect(html).toMatch(/data-show="A\.size"><span class="mord">0\.12<\/span>/);
     expect(html).toContain('aria-label="square root of {A.size}"');
@@ -77,7 +83,9 @@ describe("a lesson is compiled", () => {
   test("with tasks in their order", () => {
     const task = (ask: string) => `\`\`\`task\nask: ${ask}\nuntil: A.refused == 0\nbecause: So.\n\`\`\`\n`;
     const { html } = compile(task("One.") + task("Two."));
-    expect([...html.matchAll(/data-testid="(task-\d)" data-until="([^"]*)"/g)].map(([, ...found]) => found)).toEqual([
+    expect(
+      [...html.matchAll(/data-testid="(task-\d)" data-until="([^"]*)"/g)].map(([, ...found]) => found),
+    ).toEqual([
       ["task-1", "A.refused == 0"],
       ["task-2", "A.refused == 0"],
     ]);
@@ -85,11 +93,14 @@ describe("a lesson is compiled", () => {
   });
 
   test("with a walk", () => {
-    const walk = "::: walk\n\n```figure front B\nsize: 0.2 in 0.1..0.3 by 0.1\n```\n\n::: stops\n@ B step=0\nFirst.\n\n@ B step=end\nLast.\n\nStill last.\n:::\n\nAfter.";
+    const walk =
+      "::: walk\n\n```figure front B\nsize: 0.2 in 0.1..0.3 by 0.1\n```\n\n::: stops\n@ B step=0\nFirst.\n\n@ B step=end\nLast.\n\nStill last.\n:::\n\nAfter.";
     const { html } = compile(walk);
     expect(html).toMatch(/<section class="walk"><figure [^>]*id="figure-B"/);
     expect(html).toContain('<div class="stop" data-go="B step=0"><p>First.</p>\n</div>');
-    expect(html).toContain('data-go="B step=end"><p>Last.</p>\n<p>Still last.</p>\n</div></div></section>\n<p>After.</p>');
+    expect(html).toContain(
+      'data-go="B step=end"><p>Last.</p>\n<p>Still last.</p>\n</div></div></section>\n<p>After.</p>',
+    );
   });
 
   test("without HTML of the author", () => {
@@ -100,40 +111,172 @@ describe("a lesson is compiled", () => {
 describe("a mistake is reported with its line and a remedy", () => {
   test.each([
     ["unknown figure", "[1](show:B.size)", "lessons/9.md:9: There is no figure B. Use A."],
-    ["unknown value", "A line.\nAnd [1](show:A.sise)", 'lessons/9.md:10: The figure A has no value "sise". Use size, shape, triangles, refused or verdict.'],
-    ["number that cannot be dragged", "[1](drag:A.triangles)", 'lessons/9.md:9: "A.triangles" cannot be dragged. Use A.size.'],
-    ["dragged word", "[small](drag:A.size)", 'lessons/9.md:9: "small" is no number. Write a number, and its unit after it.'],
-    ["unknown step", "[x](go:A step=ends)", 'lessons/9.md:9: "ends" is no step of the figure A. Use end, middle or a number.'],
+    [
+      "unknown value",
+      "A line.\nAnd [1](show:A.sise)",
+      'lessons/9.md:10: The figure A has no value "sise". Use size, shape, triangles, refused or verdict.',
+    ],
+    [
+      "number that cannot be dragged",
+      "[1](drag:A.triangles)",
+      'lessons/9.md:9: "A.triangles" cannot be dragged. Use A.size.',
+    ],
+    [
+      "dragged word",
+      "[small](drag:A.size)",
+      'lessons/9.md:9: "small" is no number. Write a number, and its unit after it.',
+    ],
+    [
+      "unknown step",
+      "[x](go:A step=ends)",
+      'lessons/9.md:9: "ends" is no step of the figure A. Use end, middle or a number.',
+    ],
     ["number for a word", "[x](go:A pose=1)", 'lessons/9.md:9: "1" is no pose of the figure A. Use even.'],
-    ["unknown state", "[x](go:A stop=1)", 'lessons/9.md:9: The figure A has no state "stop". Use step or pose.'],
-    ["unreadable state", "[x](go:A end)", 'lessons/9.md:9: "A end" names no state of a figure. Write it like "A step=0 beat=4".'],
-    ["unknown part", "[x](mark:A.side)", 'lessons/9.md:9: The figure A has no part "side". Use front or refused.'],
-    ["unknown model", "[x](open:model=cube)", 'lessons/9.md:9: There is no model "cube". Use an id of public/index.json.'],
-    ["unreadable step of a model", "[x](open:model=unit-cube step=a)", 'lessons/9.md:9: "a" is no step. Write a whole number.'],
-    ["lesson that is not written", "[x](../5/)", "lessons/9.md:9: There is no lesson 5 yet. Remove the link."],
-    ["value in a formula", "$\\live{A.h}{1}$", 'lessons/9.md:9: The figure A has no value "h". Use size, shape, triangles, refused or verdict.'],
-    ["unreadable formula", "Text\n\n$$\n\\frac{1}\n$$", /^lessons\/9\.md:11: The formula cannot be read: KaTeX parse error: .* Correct the LaTeX\.$/],
-    ["unknown kind of figure", "```figure fronts B\n```", 'lessons/9.md:9: There is no figure "fronts". Use front.'],
-    ["figure without a letter", "```figure front\n```", 'lessons/9.md:9: "front" has no letter. Write "figure front A", with one capital letter.'],
-    ["two figures of one letter", figure, "lessons/9.md:9: There are two figures A. Give one of them another letter."],
-    ["unknown option", "```figure front B\nsize: 1 in 0..2 by 1\nsice: 1\n```", 'lessons/9.md:11: The figure "front" has no option "sice". Use size, shape or caption.'],
-    ["missing option", "```figure front B\n```", 'lessons/9.md:9: The option "size" is missing. Add a line such as "size: 0.5 in 0..1 by 0.01".'],
-    ["start outside a range", "```figure front B\nsize: 3 in 0..2 by 1\n```", 'lessons/9.md:10: "3 in 0..2 by 1" is no range. Write "size: START in MIN..MAX by STEP", with the start between both limits.'],
-    ["unknown word of an option", "```figure front B\nsize: 1 in 0..2 by 1\nshape: shoe\n```", 'lessons/9.md:11: "shoe" is no shape. Use boot or fish.'],
-    ["line that is no field", "```task\nask: a\nuntil: 1 == 1\nbecause: b\n!\n```", 'lessons/9.md:13: "!" is no field. Write "name: value".'],
-    ["task without a condition", "```task\nask: a\nbecause: b\n```", 'lessons/9.md:9: The task has no "until". Add a line "until: …".'],
-    ["unknown field of a task", "```task\nask: a\nuntil: 1 == 1\nbecause: b\nhint: c\n```", 'lessons/9.md:13: A task has no field "hint". Use ask, until and because.'],
-    ["unreadable condition", "```task\nask: a\nuntil: A.refused =\nbecause: b\n```", 'lessons/9.md:11: The condition cannot be read: expected and, or, or the end, found "=". Write it like "A.touched and A.refused == 0".'],
-    ["value of a condition", "```task\nask: a\nuntil: A.reused == 0\nbecause: b\n```", 'lessons/9.md:11: The figure A has no value "reused". Use size, shape, triangles, refused or verdict.'],
-    ["text in a condition", "```task\nask: a\nuntil: A.verdict == 0\nbecause: b\n```", 'lessons/9.md:11: "A.verdict" is a text. Compare a number.'],
-    ["block without an end", "```task\nask: a\nuntil: 1 == 1\nbecause: b", 'lessons/9.md:9: The block "task" does not end. Close it with a line ```.'],
-    ["walk without a figure", "::: walk\n::: stops\n:::", 'lessons/9.md:9: The walk has no figure. Add a block ```figure before "::: stops".'],
-    ["text before the stops", `::: walk\nText\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n::: stops\n:::`, 'lessons/9.md:10: A walk begins with its figure. Put the text after "::: stops".'],
-    ["walk without stops", `::: walk\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n:::`, 'lessons/9.md:9: The walk has no stops. Add "::: stops" after the figure.'],
-    ["stop of an unknown figure", `::: walk\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n::: stops\n@ C step=0\nText\n:::`, "lessons/9.md:14: There is no figure C. Use A or B."],
-    ["text without a stop", `::: walk\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n::: stops\nText\n:::`, 'lessons/9.md:14: This text belongs to no stop. Begin the stop with a line such as "@ A step=0 beat=1".'],
-    ["walk without an end", `::: walk\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n::: stops\n@ B step=0\nText`, 'lessons/9.md:9: The walk does not end. End it with a line ":::".'],
-    ["unknown division", "::: stroll", 'lessons/9.md:9: "::: stroll" does not belong here. Begin a walk with "::: walk", end it with ":::".'],
+    [
+      "unknown state",
+      "[x](go:A stop=1)",
+      'lessons/9.md:9: The figure A has no state "stop". Use step or pose.',
+    ],
+    [
+      "unreadable state",
+      "[x](go:A end)",
+      'lessons/9.md:9: "A end" names no state of a figure. Write it like "A step=0 beat=4".',
+    ],
+    [
+      "unknown part",
+      "[x](mark:A.side)",
+      'lessons/9.md:9: The figure A has no part "side". Use front or refused.',
+    ],
+    [
+      "unknown model",
+      "[x](open:model=cube)",
+      'lessons/9.md:9: There is no model "cube". Use an id of public/index.json.',
+    ],
+    [
+      "unreadable step of a model",
+      "[x](open:model=unit-cube step=a)",
+      'lessons/9.md:9: "a" is no step. Write a whole number.',
+    ],
+    [
+      "lesson that is not written",
+      "[x](../5/)",
+      "lessons/9.md:9: There is no lesson 5 yet. Remove the link.",
+    ],
+    [
+      "value in a formula",
+      "$\\live{A.h}{1}$",
+      'lessons/9.md:9: The figure A has no value "h". Use size, shape, triangles, refused or verdict.',
+    ],
+    [
+      "unreadable formula",
+      "Text\n\n$$\n\\frac{1}\n$$",
+      /^lessons\/9\.md:11: The formula cannot be read: KaTeX parse error: .* Correct the LaTeX\.$/,
+    ],
+    [
+      "unknown kind of figure",
+      "```figure fronts B\n```",
+      'lessons/9.md:9: There is no figure "fronts". Use front.',
+    ],
+    [
+      "figure without a letter",
+      "```figure front\n```",
+      'lessons/9.md:9: "front" has no letter. Write "figure front A", with one capital letter.',
+    ],
+    [
+      "two figures of one letter",
+      figure,
+      "lessons/9.md:9: There are two figures A. Give one of them another letter.",
+    ],
+    [
+      "unknown option",
+      "```figure front B\nsize: 1 in 0..2 by 1\nsice: 1\n```",
+      'lessons/9.md:11: The figure "front" has no option "sice". Use size, shape or caption.',
+    ],
+    [
+      "missing option",
+      "```figure front B\n```",
+      'lessons/9.md:9: The option "size" is missing. Add a line such as "size: 0.5 in 0..1 by 0.01".',
+    ],
+    [
+      "start outside a range",
+      "```figure front B\nsize: 3 in 0..2 by 1\n```",
+      'lessons/9.md:10: "3 in 0..2 by 1" is no range. Write "size: START in MIN..MAX by STEP", with the start between both limits.',
+    ],
+    [
+      "unknown word of an option",
+      "```figure front B\nsize: 1 in 0..2 by 1\nshape: shoe\n```",
+      'lessons/9.md:11: "shoe" is no shape. Use boot or fish.',
+    ],
+    [
+      "line that is no field",
+      "```task\nask: a\nuntil: 1 == 1\nbecause: b\n!\n```",
+      'lessons/9.md:13: "!" is no field. Write "name: value".',
+    ],
+    [
+      "task without a condition",
+      "```task\nask: a\nbecause: b\n```",
+      'lessons/9.md:9: The task has no "until". Add a line "until: …".',
+    ],
+    [
+      "unknown field of a task",
+      "```task\nask: a\nuntil: 1 == 1\nbecause: b\nhint: c\n```",
+      'lessons/9.md:13: A task has no field "hint". Use ask, until and because.',
+    ],
+    [
+      "unreadable condition",
+      "```task\nask: a\nuntil: A.refused =\nbecause: b\n```",
+      'lessons/9.md:11: The condition cannot be read: expected and, or, or the end, found "=". Write it like "A.touched and A.refused == 0".',
+    ],
+    [
+      "value of a condition",
+      "```task\nask: a\nuntil: A.reused == 0\nbecause: b\n```",
+      'lessons/9.md:11: The figure A has no value "reused". Use size, shape, triangles, refused or verdict.',
+    ],
+    [
+      "text in a condition",
+      "```task\nask: a\nuntil: A.verdict == 0\nbecause: b\n```",
+      'lessons/9.md:11: "A.verdict" is a text. Compare a number.',
+    ],
+    [
+      "block without an end",
+      "```task\nask: a\nuntil: 1 == 1\nbecause: b",
+      'lessons/9.md:9: The block "task" does not end. Close it with a line ```.',
+    ],
+    [
+      "walk without a figure",
+      "::: walk\n::: stops\n:::",
+      'lessons/9.md:9: The walk has no figure. Add a block ```figure before "::: stops".',
+    ],
+    [
+      "text before the stops",
+      `::: walk\nText\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n::: stops\n:::`,
+      'lessons/9.md:10: A walk begins with its figure. Put the text after "::: stops".',
+    ],
+    [
+      "walk without stops",
+      `::: walk\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n:::`,
+      'lessons/9.md:9: The walk has no stops. Add "::: stops" after the figure.',
+    ],
+    [
+      "stop of an unknown figure",
+      `::: walk\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n::: stops\n@ C step=0\nText\n:::`,
+      "lessons/9.md:14: There is no figure C. Use A or B.",
+    ],
+    [
+      "text without a stop",
+      `::: walk\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n::: stops\nText\n:::`,
+      'lessons/9.md:14: This text belongs to no stop. Begin the stop with a line such as "@ A step=0 beat=1".',
+    ],
+    [
+      "walk without an end",
+      `::: walk\n\`\`\`figure front B\nsize: 1 in 0..2 by 1\n\`\`\`\n::: stops\n@ B step=0\nText`,
+      'lessons/9.md:9: The walk does not end. End it with a line ":::".',
+    ],
+    [
+      "unknown division",
+      "::: stroll",
+      'lessons/9.md:9: "::: stroll" does not belong here. Begin a walk with "::: walk", end it with ":::".',
+    ],
   ])("%s", (_name, body, expected) => {
     const found = mistakes(body);
     if (typeof expected === "string") expect(found).toContain(expected);
@@ -141,7 +284,9 @@ describe("a mistake is reported with its line and a remedy", () => {
   });
 
   test("missing title", () => {
-    expect(mistakes("", "Text\n\n")).toContain('lessons/9.md:1: The title is missing. Begin the file with a line "# Title".');
+    expect(mistakes("", "Text\n\n")).toContain(
+      'lessons/9.md:1: The title is missing. Begin the file with a line "# Title".',
+    );
   });
 
   test("all mistakes at once", () => {

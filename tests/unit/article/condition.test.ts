@@ -42,7 +42,10 @@ describe("conditions", () => {
     try {
       parseCondition(text);
     } catch (error) {
-      expect([(error as ConditionMismatch).expected, (error as ConditionMismatch).found]).toEqual([expected, found]);
+      expect([(error as ConditionMismatch).expected, (error as ConditionMismatch).found]).toEqual([
+        expected,
+        found,
+      ]);
     }
   });
 

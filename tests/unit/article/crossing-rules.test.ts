@@ -1,13 +1,17 @@
 /** The crossing test of lesson 6, in the plane and in space, against independent checks. */
 import { describe, expect, test } from "vitest";
-import { testCrossing, type Crossed, type Point } from "../../../web/teach/article/figures/crossing/crossing-rules";
+import {
+  testCrossing,
+  type Crossed,
+  type Point,
+} from "../../../web/teach/article/figures/crossing/crossing-rules";
 import { isStoppedByFourth, pairsOf } from "../../../web/teach/article/figures/crossing-space/pairs";
 import { paintedPieces } from "../../../web/teach/article/figures/crossing-space/painted-pieces";
 import type { Triangle } from "../../../web/teach/player/crossing";
 
 /** Numbers from 0 to 1, the same in every run. */
 function* randomNumbers(seed: number): Generator<number, never> {
-  for (let state = seed; ; ) {
+  for (let state = seed; ;) {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
     yield state / 2 ** 32;
   }
@@ -46,13 +50,15 @@ describe("the crossing test in the plane", () => {
   test("random sides cross if their ends lie on different sides of a new side, and its ends on different sides of them", () => {
     const numbers = randomNumbers(46);
     const point = (): Point => [numbers.next().value * 2 - 0.5, numbers.next().value * 2 - 0.5];
-    const sign = (a: Point, b: Point, c: Point) => Math.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    const sign = (a: Point, b: Point, c: Point) =>
+      Math.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
     let crossings = 0;
     for (let i = 0; i < 2000; i++) {
       const [q, r] = [point(), point()];
       const meets = [triangle.a, triangle.b].some(
         (from) =>
-          sign(from, triangle.p, q) !== sign(from, triangle.p, r) && sign(q, r, from) !== sign(q, r, triangle.p),
+          sign(from, triangle.p, q) !== sign(from, triangle.p, r) &&
+          sign(q, r, from) !== sign(q, r, triangle.p),
       );
       const found = testCrossing({ ...triangle, q, r }, 0);
       expect(found.isCrossing, JSON.stringify([q, r])).toBe(meets);
@@ -62,7 +68,10 @@ describe("the crossing test in the plane", () => {
   });
 
   test("equation 1 holds at the point where both lines meet", () => {
-    const [q, r] = [[-0.5, 0.2], [1.5, 0.9]] as const;
+    const [q, r] = [
+      [-0.5, 0.2],
+      [1.5, 0.9],
+    ] as const;
     for (const { from, alphas, at } of testCrossing({ ...triangle, q, r }, 0).pairs) {
       const other = [q[0] + alphas[1] * (r[0] - q[0]), q[1] + alphas[1] * (r[1] - q[1])];
       expect(at?.[0]).toBeCloseTo(other[0] ?? NaN, 12);
@@ -72,22 +81,48 @@ describe("the crossing test in the plane", () => {
   });
 });
 
-const front: Triangle = [[0, 0, 0], [2, 0, 0], [0, 2, 0]];
+const front: Triangle = [
+  [0, 0, 0],
+  [2, 0, 0],
+  [0, 2, 0],
+];
 
 describe("the crossing test in space", () => {
   test("two sides of a face that stands in another cross it", () => {
-    const pairs = pairsOf([[0.5, 0.5, -1], [0.5, 0.5, 1], [1.4, 0.4, 1]], front);
+    const pairs = pairsOf(
+      [
+        [0.5, 0.5, -1],
+        [0.5, 0.5, 1],
+        [1.4, 0.4, 1],
+      ],
+      front,
+    );
     expect(pairs.map(({ excess }) => excess <= 0)).toEqual([true, false, true, false, false, false]);
   });
 
   test("the fourth value alone stops a side beyond the long side of the face", () => {
-    const [pair] = pairsOf([[1.5, 1.5, -1], [1.5, 1.5, 1], [1.6, 1.5, 1]], front);
+    const [pair] = pairsOf(
+      [
+        [1.5, 1.5, -1],
+        [1.5, 1.5, 1],
+        [1.6, 1.5, 1],
+      ],
+      front,
+    );
     expect(pair && isStoppedByFourth(pair, 0)).toBe(true);
     expect(pair?.alphas[3]).toBeCloseTo(-0.5, 12);
   });
 
   test("a face is painted in two pieces, on either side of the other", () => {
-    const pieces = paintedPieces(front, [[0.5, 0.5, -1], [0.5, 0.5, 1], [1, 0.4, 1]], [0, 0, 9]);
+    const pieces = paintedPieces(
+      front,
+      [
+        [0.5, 0.5, -1],
+        [0.5, 0.5, 1],
+        [1, 0.4, 1],
+      ],
+      [0, 0, 9],
+    );
     expect(pieces.map(({ isFirst }) => isFirst)).toEqual([false, true, false]);
     expect(pieces[0]?.corners.every(([, , z]) => z <= 0)).toBe(true);
     expect(pieces[2]?.corners.every(([, , z]) => z >= 0)).toBe(true);

@@ -37,7 +37,15 @@ describe("the ideal point", () => {
   });
 
   test("satisfies Pythagoras when no limit is met", () => {
-    const { height, h, radius } = placeIdealPoint([[0, 0, 0], [1.1, 0.1, 0], [0.3, 0.8, 0]], 1.1, false);
+    const { height, h, radius } = placeIdealPoint(
+      [
+        [0, 0, 0],
+        [1.1, 0.1, 0],
+        [0.3, 0.8, 0],
+      ],
+      1.1,
+      false,
+    );
     expect(height ** 2 + radius ** 2).toBeCloseTo(h ** 2, 12);
   });
 

@@ -2,7 +2,11 @@
 import path from "node:path";
 import { describe, expect, test } from "vitest";
 import { articleOf } from "../../../web/teach/article/articles";
-import { lessonEntries, lessonNumbers, makeLessonPage } from "../../../web/teach/article/compiler/lesson-site";
+import {
+  lessonEntries,
+  lessonNumbers,
+  makeLessonPage,
+} from "../../../web/teach/article/compiler/lesson-site";
 
 const folders = {
   root: path.resolve("web"),
@@ -14,7 +18,9 @@ const pageOf = (number: number): string => makeLessonPage(`${number}/index.html`
 
 describe("the pages of the lessons", () => {
   test("are known to the app", () => {
-    const known = Array.from({ length: 12 }, (_none, number) => number).filter((number) => articleOf(number) !== null);
+    const known = Array.from({ length: 12 }, (_none, number) => number).filter(
+      (number) => articleOf(number) !== null,
+    );
     expect(known).toEqual(numbers);
     expect(articleOf(4)).toBe("./lessons/4/");
   });

@@ -1,10 +1,10 @@
-import type { FigureDeclaration } from "./declaration";
-import { crossingDeclaration } from "./figures/crossing/declaration";
-import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration";
-import { frontDeclaration } from "./figures/front/declaration";
-import { idealDeclaration } from "./figures/ideal/declaration";
-import { pocketDeclaration } from "./figures/pocket/declaration";
-import { stallDeclaration } from "./figures/stall/declaration";
+import type { FigureDeclaration } from "./declaration.ts";
+import { crossingDeclaration } from "./figures/crossing/declaration.ts";
+import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
+import { frontDeclaration } from "./figures/front/declaration.ts";
+import { idealDeclaration } from "./figures/ideal/declaration.ts";
+import { pocketDeclaration } from "./figures/pocket/declaration.ts";
+import { stallDeclaration } from "./figures/stall/declaration.ts";
 
 /** Every kind of figure, by the name that lessons use. */
 export const declarations: Readonly<Record<string, FigureDeclaration>> = {

@@ -2,10 +2,10 @@
  * Compiles a lesson, Markdown with figures and ties, to HTML (docs/LESSONS.md). It runs when the site is built, and finds the
  * mistakes that a reader would otherwise meet: figures, values, states and parts that do not exist.
  */
-import { ConditionMismatch, parseCondition, valuesIn } from "../condition";
-import { readDestination, type FigureDeclaration } from "../declaration";
-import { planFigure, type Declarations, type PlannedFigure } from "./figure-plans";
-import { attribute, FormulaSheet, liveValuesIn } from "./formulas";
+import { ConditionMismatch, parseCondition, valuesIn } from "../condition.ts";
+import { readDestination, type FigureDeclaration } from "../declaration.ts";
+import { planFigure, type Declarations, type PlannedFigure } from "./figure-plans.ts";
+import { attribute, FormulaSheet, liveValuesIn } from "./formulas.ts";
 import {
   splitLesson,
   type FigureBlock,
@@ -13,9 +13,9 @@ import {
   type TaskBlock,
   type TextBlock,
   type WalkBlock,
-} from "./lesson-blocks";
-import { LessonError, listOf, type LessonMistake } from "./lesson-error";
-import { inlinesIn, makeMarkdown, type Inline, type Tie } from "./lesson-markdown";
+} from "./lesson-blocks.ts";
+import { LessonError, listOf, type LessonMistake } from "./lesson-error.ts";
+import { inlinesIn, makeMarkdown, type Inline, type Tie } from "./lesson-markdown.ts";
 
 export interface LessonContext {
   readonly declarations: Declarations;

@@ -1,7 +1,7 @@
 /** Reads the blocks `figure` of a lesson: which instrument, which letter, and where its inputs begin. */
-import type { FigureDeclaration, FigurePlan, Range } from "../declaration";
-import type { Field, FigureBlock } from "./lesson-blocks";
-import { listOf, type NoteMistake } from "./lesson-error";
+import type { FigureDeclaration, FigurePlan, Range } from "../declaration.ts";
+import type { Field, FigureBlock } from "./lesson-blocks.ts";
+import { listOf, type NoteMistake } from "./lesson-error.ts";
 
 export type Declarations = Readonly<Record<string, FigureDeclaration>>;
 

@@ -1,5 +1,5 @@
 /** Splits the text of a lesson into its blocks: text, figures, tasks, and walks with their stops. */
-import type { NoteMistake } from "./lesson-error";
+import type { NoteMistake } from "./lesson-error.ts";
 
 export interface Field {
   readonly name: string;

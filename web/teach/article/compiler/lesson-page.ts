@@ -1,6 +1,6 @@
 /** The HTML of the pages of lessons. Vite adds scripts and styles, scripts/lib/site-policy.mjs the policy. */
-import type { CompiledLesson } from "./compile-lesson";
-import { attribute } from "./formulas";
+import type { CompiledLesson } from "./compile-lesson.ts";
+import { attribute } from "./formulas.ts";
 
 export interface ListedLesson {
   readonly number: number;

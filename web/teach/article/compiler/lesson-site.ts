@@ -2,9 +2,9 @@
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import type { Plugin } from "vite";
-import { declarations } from "../declarations";
-import { compileLesson, type CompiledLesson } from "./compile-lesson";
-import { lessonListPage, lessonPage } from "./lesson-page";
+import { declarations } from "../declarations.ts";
+import { compileLesson, type CompiledLesson } from "./compile-lesson.ts";
+import { lessonListPage, lessonPage } from "./lesson-page.ts";
 
 export interface LessonFolders {
   /** Root of the app; the pages are in its virtual folder `lessons`. */

@@ -49,7 +49,11 @@ export class FilmPlayer {
 
   constructor(readonly options: FilmPlayerOptions) {
     this.#play = button({ class: "round play", "aria-label": "Play" }, "", () => this.#togglePlay());
-    this.#history = element("div", { class: "history", role: "slider", tabindex: "0", "aria-label": "Step" }, this.#canvas);
+    this.#history = element(
+      "div",
+      { class: "history", role: "slider", tabindex: "0", "aria-label": "Step" },
+      this.#canvas,
+    );
     const back = button({ class: "round", "aria-label": "One step back" }, "", () => this.#stepBack());
     const on = button({ class: "round", "aria-label": "One step on" }, "", () => this.#stepOn());
     drawIcon(this.#play, "M8 5l11 7-11 7z");
@@ -61,7 +65,11 @@ export class FilmPlayer {
       made.append(element("i"), element("span", {}, label));
       return made;
     });
-    this.beats = element("div", { class: "beats", role: "group", "aria-label": "Beats of the step" }, ...this.#beatButtons);
+    this.beats = element(
+      "div",
+      { class: "beats", role: "group", "aria-label": "Beats of the step" },
+      ...this.#beatButtons,
+    );
     this.#listen();
     new ResizeObserver(() => this.#drawHistory()).observe(this.#history);
     onTheme(() => this.#drawHistory());
@@ -176,7 +184,7 @@ export class FilmPlayer {
         node.addEventListener(type, () => (this.#isHandled = true), { capture: true });
     const scrub = ({ clientX }: PointerEvent): void => {
       const { left, width } = history.getBoundingClientRect();
-      this.seek(((clientX - left) / width) * this.#film.stepCount, 0);
+      this.seek(((clientX - left - 7) / (width - 14)) * this.#film.stepCount, 0);
     };
     history.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
@@ -185,7 +193,9 @@ export class FilmPlayer {
       scrub(event);
       history.addEventListener("pointermove", scrub);
       for (const type of ["pointerup", "pointercancel"])
-        history.addEventListener(type, () => history.removeEventListener("pointermove", scrub), { once: true });
+        history.addEventListener(type, () => history.removeEventListener("pointermove", scrub), {
+          once: true,
+        });
     });
     history.addEventListener("keydown", (event) => {
       const to = this.#keyed(event.key);
@@ -231,11 +241,12 @@ export class FilmPlayer {
     const c = colours();
     const ground = height - 9;
     const most = Math.max(1, ...sizes);
-    const at = (step: number): number => 3 + (step / Math.max(1, stepCount)) * (width - 6);
+    const at = (step: number): number => 7 + (step / Math.max(1, stepCount)) * (width - 14);
     const area = (to: number, colour: string): void => {
       context.beginPath();
       context.moveTo(at(0), ground);
-      for (let step = 0; step <= to; step++) context.lineTo(at(step), ground - ((sizes[step] ?? 0) / most) * (ground - 12));
+      for (let step = 0; step <= to; step++)
+        context.lineTo(at(step), ground - ((sizes[step] ?? 0) / most) * (ground - 12));
       context.lineTo(at(to), ground);
       context.closePath();
       context.fillStyle = colour;

@@ -1,4 +1,4 @@
-import type { FigureDeclaration } from "../../declaration";
+import type { FigureDeclaration } from "../../declaration.ts";
 
 /** Two triangles in space: six pairs of a side and a face, and equation 1 of the paper as a path. */
 export const crossingSpaceDeclaration: FigureDeclaration = {

@@ -1,4 +1,4 @@
-import type { FigureDeclaration } from "../../declaration";
+import type { FigureDeclaration } from "../../declaration.ts";
 
 /** A new triangle and a side of the front in the plane, compared in the three layers of the paper. */
 export const crossingDeclaration: FigureDeclaration = {

@@ -1,4 +1,4 @@
-import type { FigureDeclaration } from "../../declaration";
+import type { FigureDeclaration } from "../../declaration.ts";
 
 /** A polygon that the engine's front in the plane fills again whenever the reader changes it. */
 export const frontDeclaration: FigureDeclaration = {

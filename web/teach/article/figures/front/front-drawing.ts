@@ -48,8 +48,13 @@ export class FrontDrawing {
       if (born > step) break;
       const age = isFull ? 1 : clamp(((step - born) / span) * 1.2, 0, 1);
       const points = corners.map((node) => this.at(film.nodes[node] ?? [0, 0]));
-      this.pen.polygon(points, mix(c["new-soft"], c.stone, age), 1, { colour: c.edge, width: widths.mesh * this.boldness });
+      this.pen.polygon(points, mix(c["new-soft"], c.stone, age), 1, {
+        colour: c.edge,
+        width: widths.mesh * this.boldness,
+      });
     }
+    const outline = { colour: c.edge, width: 2 * this.boldness };
+    for (const loop of loops) this.pen.polygon(loop.map(this.at), null, 1, outline);
   }
 
   #drawFront({ film, step, lit }: DrawnFront): void {
@@ -64,13 +69,16 @@ export class FrontDrawing {
       this.pen.line(a, b, c.ink, width, { alpha: isDimmed ? 0.55 : 1 });
       for (const node of ends) seen.add(node);
     }
-    for (const node of seen) this.pen.circle(this.at(film.nodes[node] ?? [0, 0]), dotRadius * this.boldness, c.ink);
+    for (const node of seen)
+      this.pen.circle(this.at(film.nodes[node] ?? [0, 0]), dotRadius * this.boldness, c.ink);
   }
 
   /** Beats: 1 the active side, 2 the ideal point, 3 the candidates, 4 the test, 5 the new triangle. */
   #drawStep({ film, beat, lit }: DrawnFront, step: FilmStep): void {
     const c = colours();
-    const [a, b] = (film.sides[step.base]?.ends ?? [0, 0]).map((node) => this.at(film.nodes[node] ?? [0, 0])) as [Pixel, Pixel];
+    const [a, b] = (film.sides[step.base]?.ends ?? [0, 0]).map((node) =>
+      this.at(film.nodes[node] ?? [0, 0]),
+    ) as [Pixel, Pixel];
     const middle = between(a, b, 0.5);
     const t = [0, 1, 2, 3, 4].map((i) => ease(beat - i)) as [number, number, number, number, number];
     const fades = 1 - t[4];
@@ -82,18 +90,23 @@ export class FrontDrawing {
     });
     step.candidates.forEach((candidate, i) => {
       const shown = clamp(t[3] * (last + 1) - i, 0, 1);
-      if (candidate.refusal !== null && shown > 0 && fades > 0) this.#drawRefusal(film, candidate, [a, b], shown * fades);
+      if (candidate.refusal !== null && shown > 0 && fades > 0)
+        this.#drawRefusal(film, candidate, [a, b], shown * fades);
     });
     const accepted = step.candidates[chosen];
     if (accepted && t[3] > 0.6) {
       const grown = t[4] > 0 ? 1 : (t[3] - 0.6) / 0.4;
       const colour = mix(c["new-soft"], c.new, 1 - 0.6 * t[4]);
       const alpha = 0.35 + 0.5 * t[4];
-      this.pen.polygon([a, b, between(middle, this.at(accepted.at), grown)], colour, alpha, { colour: c.new, width: 2.5 * this.boldness });
+      this.pen.polygon([a, b, between(middle, this.at(accepted.at), grown)], colour, alpha, {
+        colour: c.new,
+        width: 2.5 * this.boldness,
+      });
     }
     this.pen.glow(a, b, c.active, t[0] * (lit === "active" ? 1.4 : 1) * (1 - 0.6 * t[4]));
     if (t[1] > 0 && fades > 0) this.#drawIdeal(middle, this.at(step.ideal), t[1], fades, lit === "ideal");
-    if (accepted && t[3] > 0.6 && fades > 0.1) this.pen.circle(this.at(accepted.at), 5 * this.boldness, c.new, { stroke: c.ground, width: 1.5 });
+    if (accepted && t[3] > 0.6 && fades > 0.1)
+      this.pen.circle(this.at(accepted.at), 5 * this.boldness, c.new, { stroke: c.ground, width: 1.5 });
   }
 
   #drawIdeal(middle: Pixel, ideal: Pixel, grown: number, alpha: number, isLit: boolean): void {
@@ -102,21 +115,45 @@ export class FrontDrawing {
     this.pen.line(middle, to, c.active, 1.6 * this.boldness, { alpha });
     if (grown < 0.3) return;
     if (isLit) this.pen.circle(to, 14, c.active, { alpha: 0.25 });
-    this.pen.circle(to, 5.5 * this.boldness, c.plate, { alpha, stroke: c.active, width: 2.5, strokeAlpha: alpha });
+    this.pen.circle(to, 5.5 * this.boldness, c.plate, {
+      alpha,
+      stroke: c.active,
+      width: 2.5,
+      strokeAlpha: alpha,
+    });
   }
 
-  #drawCandidate({ at }: FilmCandidate, [a, b]: readonly [Pixel, Pixel], middle: Pixel, out: number, fades: number): void {
+  #drawCandidate(
+    { at }: FilmCandidate,
+    [a, b]: readonly [Pixel, Pixel],
+    middle: Pixel,
+    out: number,
+    fades: number,
+  ): void {
     const c = colours();
     const to = between(middle, this.at(at), out);
-    for (const end of [a, b]) this.pen.line(end, to, c.ink, 1.3 * this.boldness, { alpha: 0.5 * fades, dash: [3, 4] });
-    if (out > 0.5) this.pen.circle(to, 4 * this.boldness, c.ink, { alpha: fades, stroke: c.ground, width: 1.5, strokeAlpha: fades });
+    for (const end of [a, b])
+      this.pen.line(end, to, c.ink, 1.3 * this.boldness, { alpha: 0.5 * fades, dash: [3, 4] });
+    if (out > 0.5)
+      this.pen.circle(to, 4 * this.boldness, c.ink, {
+        alpha: fades,
+        stroke: c.ground,
+        width: 1.5,
+        strokeAlpha: fades,
+      });
   }
 
-  #drawRefusal(film: FrontFilm, { at, culprit }: FilmCandidate, [a, b]: readonly [Pixel, Pixel], alpha: number): void {
+  #drawRefusal(
+    film: FrontFilm,
+    { at, culprit }: FilmCandidate,
+    [a, b]: readonly [Pixel, Pixel],
+    alpha: number,
+  ): void {
     const c = colours();
     const to = this.at(at);
     this.pen.polygon([a, b, to], c.refused, 0.1 * alpha);
-    for (const end of [a, b]) this.pen.line(end, to, c.refused, 1.8 * this.boldness, { alpha: 0.9 * alpha, dash: [5, 4] });
+    for (const end of [a, b])
+      this.pen.line(end, to, c.refused, 1.8 * this.boldness, { alpha: 0.9 * alpha, dash: [5, 4] });
     const side = culprit === null ? undefined : film.sides[culprit];
     if (!side) return this.pen.cross(to, 6.5 * this.boldness, c.refused, 3, alpha);
     const [u, v] = side.ends.map((node) => this.at(film.nodes[node] ?? [0, 0])) as [Pixel, Pixel];

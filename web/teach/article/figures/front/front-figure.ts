@@ -1,6 +1,6 @@
 /** A polygon that the engine's own front in the plane fills; every change of the shape or the size fills it again. */
 import { effect, untracked } from "@preact/signals-core";
-import { loadPlaneFront, type FilledPlane, type PlaneFront } from "tetrafront/trace";
+import { loadPlaneFront, type PlaneFront, type UnfilledPlane } from "tetrafront/trace";
 import { colours } from "../../kit/colours";
 import { element } from "../../kit/dom";
 import type { Figure } from "../../kit/figure";
@@ -22,10 +22,8 @@ const margin = 0.02;
 /** Width of the stage in pixels below which lines are thinner. */
 const smallStage = 500;
 
-type Failed = Extract<FilledPlane, { readonly success: false }>;
-
 /** Why a shape has no inside, for readers; other reasons are those of the engine. */
-const shapeTexts: Readonly<Partial<Record<Failed["code"], string>>> = {
+const shapeTexts: Readonly<Partial<Record<UnfilledPlane["code"], string>>> = {
   crossing: "The boundary crosses itself, so it has no inside. Let go, and it springs back.",
   "same-corner": "Two corners would be in one place. Let go, and the shape springs back.",
   "too-many-sides": "This size needs too many sides.",
@@ -48,7 +46,7 @@ export class FrontFigure implements Figure {
   #values: Values | null = null;
   #engine: PlaneFront | null = null;
   #film: FrontFilm | null = null;
-  #failed: Failed | null = null;
+  #failed: UnfilledPlane | null = null;
   /** The segment whose middle the reader drags, and the new corner. */
   #added: { readonly segment: number; readonly corner: number } | null = null;
   #isTouched = false;
@@ -120,7 +118,9 @@ export class FrontFigure implements Figure {
       look: "ghost",
       at: () =>
         this.#view.pixel(
-          this.#added?.segment === index ? this.#polygon.corner(this.#added.corner) : this.#polygon.middle(index),
+          this.#added?.segment === index
+            ? this.#polygon.corner(this.#added.corner)
+            : this.#polygon.middle(index),
         ),
       begin: () => {
         this.#begin();
@@ -138,7 +138,9 @@ export class FrontFigure implements Figure {
     };
   }
 
+  /** The shape to which an impossible one springs back is that before the movement. */
   #begin(): void {
+    this.#polygon.keep();
     this.#spring.stop();
     this.#player.pause();
   }
@@ -149,16 +151,17 @@ export class FrontFigure implements Figure {
     this.#fill();
   }
 
-  /** An impossible shape springs back to the last one that could be filled. */
   #settle(): void {
-    if (this.#polygon.isKept) return;
+    if (!this.#failed) return;
     const [from, to] = [this.#polygon.corners, this.#polygon.sound];
     const isSame = from.length === to.length;
     this.#spring.run(
       350,
       (t) => {
         if (isSame && t < 1)
-          this.#polygon.restore(from.map(([x, y], i) => [x + ((to[i]?.[0] ?? x) - x) * t, y + ((to[i]?.[1] ?? y) - y) * t]));
+          this.#polygon.restore(
+            from.map(([x, y], i) => [x + ((to[i]?.[0] ?? x) - x) * t, y + ((to[i]?.[1] ?? y) - y) * t]),
+          );
         this.#stage.requestDraw();
       },
       () => {
@@ -176,7 +179,6 @@ export class FrontFigure implements Figure {
     this.#failed = filled.success ? null : filled;
     this.#notice.textContent = filled.success ? "" : (shapeTexts[filled.code] ?? filled.message);
     if (filled.success) {
-      this.#polygon.keep();
       this.#film = filmOf(filled);
       this.#player.setFilm(this.#film);
     }
@@ -246,7 +248,7 @@ export class FrontFigure implements Figure {
     this.#stage.element.classList.toggle("playing", isPlaying);
   }
 
-  #drawFailed({ segments }: Failed): void {
+  #drawFailed({ segments }: UnfilledPlane): void {
     const c = colours();
     const corners = this.#polygon.corners.map((corner) => this.#view.pixel(corner));
     this.#pen.polygon(corners, c.refused, 0.06, { colour: c.ink, width: 2.25 });

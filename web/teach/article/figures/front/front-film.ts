@@ -96,7 +96,10 @@ export function filmOf({ trace, front }: Filled): FrontFilm {
 }
 
 function pairsIn(values: Float64Array): readonly PlanePoint[] {
-  return Array.from({ length: values.length / 2 }, (_none, i): PlanePoint => [values[2 * i] ?? 0, values[2 * i + 1] ?? 0]);
+  return Array.from({ length: values.length / 2 }, (_none, i): PlanePoint => [
+    values[2 * i] ?? 0,
+    values[2 * i + 1] ?? 0,
+  ]);
 }
 
 function worstOf(nodes: readonly PlanePoint[], triangles: readonly FilmTriangle[]): FrontFilm["worst"] {

@@ -12,15 +12,18 @@ const maxScale = 5;
 const minScale = 1.25;
 
 const reasons = {
-  behind: "lies behind the side",
+  behind: "behind the side",
   crosses: "crosses a side",
-  "too-close": "is too close to a side",
-  "same-node": "is a node already",
-  outside: "lies outside the shape",
+  "too-close": "too close to a side",
+  "same-node": "already a node",
+  outside: "outside the shape",
 } as const;
 
 /** What the present beat shows, in words, and the role that gives the words their colour. */
-export function captionOf({ candidates }: FilmStep, beat: number): { readonly text: string; readonly look: string } {
+export function captionOf(
+  { candidates }: FilmStep,
+  beat: number,
+): { readonly text: string; readonly look: string } {
   const refusal = candidates.find((candidate) => candidate.refusal !== null)?.refusal;
   const accepted = candidates.find((candidate) => candidate.refusal === null);
   if (beat <= 1) return { text: "active side", look: "active" };
@@ -44,12 +47,15 @@ export class Lens {
   draw(drawn: DrawnFront, step: FilmStep): void {
     const { film } = drawn;
     const shown: readonly PlanePoint[] = [
-      ...(film.sides[step.base]?.ends ?? []).map((node) => film.nodes[node] ?? [0, 0]),
+      ...(film.sides[step.base]?.ends ?? []).map((node): PlanePoint => film.nodes[node] ?? [0, 0]),
       step.ideal,
       ...step.candidates.map(({ at }) => at),
     ];
     const [xs, ys] = [shown.map(([x]) => x), shown.map(([, y]) => y)];
-    const centre: PlanePoint = [(Math.min(...xs) + Math.max(...xs)) / 2, (Math.min(...ys) + Math.max(...ys)) / 2];
+    const centre: PlanePoint = [
+      (Math.min(...xs) + Math.max(...xs)) / 2,
+      (Math.min(...ys) + Math.max(...ys)) / 2,
+    ];
     const spread = Math.max(...shown.map(([x, y]) => Math.hypot(x - centre[0], y - centre[1])));
     const radius = clamp(this.stage.width * 0.155, 54, 122);
     const scale = Math.min(maxScale * this.view.scale, (0.8 * radius) / spread);
@@ -61,7 +67,10 @@ export class Lens {
     context.save();
     this.pen.circle(at, radius, c.ground);
     context.clip();
-    const enlarged = ([x, y]: PlanePoint): Pixel => [at[0] + (x - centre[0]) * scale, at[1] - (y - centre[1]) * scale];
+    const enlarged = ([x, y]: PlanePoint): Pixel => [
+      at[0] + (x - centre[0]) * scale,
+      at[1] - (y - centre[1]) * scale,
+    ];
     new FrontDrawing(this.pen, enlarged, 1.25).draw(drawn);
     context.restore();
     this.pen.circle(at, radius, null, { stroke: c.ink, width: 1.75 });

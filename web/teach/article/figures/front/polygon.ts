@@ -1,4 +1,4 @@
-/** A polygon whose corners are moved, added and removed; it remembers the last shape that could be filled. */
+/** A polygon whose corners are moved, added and removed; it remembers a shape to go back to. */
 import type { PlanePoint } from "../../kit/plane-view";
 
 /** Fewest and most corners. */
@@ -46,21 +46,17 @@ export class Polygon {
     return true;
   }
 
-  /** Marks the present shape as one that can be filled. */
+  /** Remembers the present shape. */
   keep(): void {
     this.#sound = this.#corners;
   }
 
-  get isKept(): boolean {
-    return this.#sound === this.#corners;
-  }
-
-  /** Returns the last shape that could be filled. */
+  /** Returns the remembered shape. */
   get sound(): readonly PlanePoint[] {
     return this.#sound;
   }
 
-  restore(corners: readonly PlanePoint[] = this.#sound): void {
+  restore(corners: readonly PlanePoint[]): void {
     this.#corners = corners;
   }
 }

@@ -1,4 +1,4 @@
-import type { FigureDeclaration } from "../../declaration";
+import type { FigureDeclaration } from "../../declaration.ts";
 
 /** One face of the front with its ideal point; the right triangle of h and R stands in the scene. */
 export const idealDeclaration: FigureDeclaration = {
