@@ -4,7 +4,9 @@ import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.t
 import { frontDeclaration } from "./figures/front/declaration.ts";
 import { idealDeclaration } from "./figures/ideal/declaration.ts";
 import { pocketDeclaration } from "./figures/pocket/declaration.ts";
+import { sliverDeclaration } from "./figures/sliver/declaration.ts";
 import { stallDeclaration } from "./figures/stall/declaration.ts";
+import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
 
 /** Every kind of figure, by the name that lessons use. */
 export const declarations: Readonly<Record<string, FigureDeclaration>> = {
@@ -14,4 +16,6 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   "crossing-space": crossingSpaceDeclaration,
   pocket: pocketDeclaration,
   stall: stallDeclaration,
+  sliver: sliverDeclaration,
+  sweeps: sweepsDeclaration,
 };

@@ -1,4 +1,4 @@
-import type { FigureDeclaration } from "../../declaration";
+import type { FigureDeclaration } from "../../declaration.ts";
 
 /** A twisted prism: a pocket with the tetrahedra on its own corners, or with a node that must see all of its faces. */
 export const pocketDeclaration: FigureDeclaration = {

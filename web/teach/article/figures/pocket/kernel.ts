@@ -1,6 +1,7 @@
 /** The kernel of a pocket: all positions that see all of its faces. It is convex: what the planes of the faces leave of a box. */
 import type { Position } from "../../../../document/position";
 import { add, between, cross, dot, mean, scale, subtract } from "../../../../document/vectors";
+import { clamp } from "../../kit/motion";
 import type { Pocket } from "./pocket-rules";
 
 /** A convex body as its faces, each a polygon in one plane; empty if there is none. */
@@ -17,7 +18,7 @@ export function kernelOf({ corners, faces }: Pocket): ConvexBody {
   for (const face of faces) {
     const [a, b, c] = face.map((corner) => corners[corner] ?? [0, 0, 0]) as [Position, Position, Position];
     const normal = cross(subtract(b, a), subtract(c, a));
-    body = clip(body, (position) => dot(normal, subtract(position, a)) + rounding * dot(normal, normal) ** 0.75, normal);
+    body = clip(body, (position) => dot(normal, subtract(position, a)), normal);
   }
   return body;
 }
@@ -36,20 +37,23 @@ function boxBetween(low: Position, high: Position): ConvexBody {
 
 /** Returns the part of a body where `height` is positive, with the face that the cut makes. */
 function clip(body: ConvexBody, height: (position: Position) => number, normal: Position): ConvexBody {
+  const limit = rounding * Math.hypot(...normal) ** 1.5;
+  const isKept = (position: Position): boolean => height(position) > -limit;
+  if (body.every((polygon) => polygon.every(isKept))) return body;
   const cut: Position[] = [];
   const kept = body.flatMap((polygon) => {
     const part = polygon.flatMap((from, i) => {
       const to = polygon[(i + 1) % polygon.length] ?? from;
-      const [h, k] = [height(from), height(to)];
-      const own = h > 0 ? [from] : [];
-      if (h > 0 === k > 0) return own;
-      const end = between(from, to, h / (h - k));
+      const own = isKept(from) ? [from] : [];
+      if (Math.abs(height(from)) <= limit) cut.push(from);
+      if (isKept(from) === isKept(to)) return own;
+      const end = between(from, to, clamp(height(from) / (height(from) - height(to)), 0, 1));
       cut.push(end);
       return [...own, end];
     });
     return part.length >= 3 ? [part] : [];
   });
-  return cut.length >= 3 && kept.length > 0 ? [...kept, aroundMiddle(cut, normal)] : kept.length > 2 ? kept : [];
+  return kept.length > 0 && cut.length >= 3 ? [...kept, aroundMiddle(cut, normal)] : [];
 }
 
 /** Returns the corners of a convex polygon in their order around its middle, counter-clockwise seen against the normal. */

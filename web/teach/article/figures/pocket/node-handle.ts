@@ -5,10 +5,10 @@ import type { Camera } from "../../kit/space";
 import type { HandleOptions } from "../../kit/stage";
 
 export interface MovedNode {
-  at(): Position;
-  moveTo(position: Position): void;
-  begin(): void;
-  describe(): string;
+  readonly at: () => Position;
+  readonly moveTo: (position: Position) => void;
+  readonly begin: () => void;
+  readonly describe: () => string;
 }
 
 /** Returns a handle whose position stays within a box. */

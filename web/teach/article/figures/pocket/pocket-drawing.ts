@@ -1,6 +1,6 @@
 /** Draws a pocket as a vessel: deep blue inside, its near walls like glass; what is refused is red, what is new is gold. */
 import type { Position } from "../../../../document/position";
-import { add, addScaled, cross, dot, mean, scale, subtract, unit } from "../../../../document/vectors";
+import { add, cross, dot, mean, scale, subtract, unit } from "../../../../document/vectors";
 import { colours, mix, type Colour } from "../../kit/colours";
 import { between, widths, type Pen } from "../../kit/pen";
 import type { Camera } from "../../kit/space";
@@ -12,6 +12,8 @@ import { edgesOf, facesOf, type Diagonal, type Element, type Face, type Pair, ty
 const light: Position = unit([-0.55, -0.6, 0.58]) ?? [0, 0, 1];
 /** The colour of shadows in both themes. */
 const shadow: Colour = [20, 26, 36];
+/** Pixels between a corner and its number. */
+const nameDistance = 20;
 /** How far opened elements move, as a share of the way from the middle of the pocket. */
 const opening = 0.75;
 
@@ -32,6 +34,8 @@ export interface DrawnPocket {
   readonly strong: readonly Pair[];
   readonly lit: string | null;
   readonly areCornersNamed: boolean;
+  /** Whether there are many edges, so that all are thin. */
+  readonly isFine?: boolean;
 }
 
 export interface DrawnElements {
@@ -67,7 +71,8 @@ export class PocketDrawing {
     this.#drawEdges(drawn, true);
     pocket.faces.forEach((face, index) => {
       if (drawn.seen[index] !== false) return;
-      this.pen.cross(this.#pixel(middleOf(pocket, face)), 7, colours().refused, 3);
+      const [size, width] = drawn.isFine ? [4.5, 2] : [7, 3];
+      this.pen.cross(this.#pixel(middleOf(pocket, face)), size, colours().refused, width);
     });
     if (drawn.areCornersNamed) this.#nameCorners(pocket);
   }
@@ -116,7 +121,7 @@ export class PocketDrawing {
     return [...painted].sort((a, b) => depth(b) - depth(a));
   }
 
-  #drawWall({ pocket, seen, lit }: DrawnPocket, { face, index }: Painted, isFar: boolean): void {
+  #drawWall({ pocket, seen, lit, isFine }: DrawnPocket, { face, index }: Painted, isFar: boolean): void {
     const c = colours();
     const corners = face.map((corner) => pocket.corners[corner] ?? [0, 0, 0]) as [Position, Position, Position];
     const normal = unit(cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]))) ?? [0, 0, 1];
@@ -125,15 +130,20 @@ export class PocketDrawing {
     const deep = isSeen ? c.active : c.refused;
     const fill: Colour = isFar ? mix(mix(deep, shadow, 0.3), mix(c.void, deep, 0.36), shade) : mix(deep, c.plate, 0.5 * shade);
     const isLit = lit === "walls" || (lit === "ends" && index < 2);
-    this.pen.polygon(
-      corners.map((corner) => this.#pixel(corner)),
-      fill,
-      (isFar ? 0.78 : isSeen ? 0.13 : 0.26) + (isLit ? 0.2 : 0),
+    const pixels = corners.map((corner) => this.#pixel(corner));
+    this.pen.polygon(pixels, fill, (isFar ? 0.78 : isSeen ? 0.13 : 0.26) + (isLit ? 0.2 : 0));
+    if (isSeen || isFine) return;
+    const middle: Pixel = [0, 1].map((i) => pixels.reduce((sum, pixel) => sum + (pixel[i] ?? 0) / 3, 0)) as unknown as Pixel;
+    pixels.forEach((pixel, i) =>
+      this.pen.line(between(pixel, middle, 0.09), between(pixels[(i + 1) % 3] ?? pixel, middle, 0.09), c.refused, 1.75, {
+        dash: [7, 6],
+        alpha: isFar ? 0.6 : 0.9,
+      }),
     );
   }
 
   /** Edges of near walls are full, and those behind the pocket thin. */
-  #drawEdges({ pocket, strong, lit }: DrawnPocket, isNear: boolean): void {
+  #drawEdges({ pocket, strong, lit, isFine }: DrawnPocket, isNear: boolean): void {
     const c = colours();
     const near = new Set(
       pocket.faces
@@ -146,7 +156,7 @@ export class PocketDrawing {
       const isStrong = strong.some((each) => keyOf(each) === keyOf(edge));
       if (isStrong && lit === "bent") this.pen.glow(from, to, c.active);
       else if (isStrong) this.pen.line(from, to, c.active, isNear ? 4 : 3, { alpha: isNear ? 1 : 0.75 });
-      else this.pen.line(from, to, c.ink, isNear ? widths.front : 1.25, { alpha: isNear ? 1 : 0.6 });
+      else this.pen.line(from, to, c.ink, (isNear ? widths.front : 1.25) * (isFine ? 0.55 : 1), { alpha: isNear ? 1 : 0.6 });
     }
   }
 
@@ -188,7 +198,7 @@ export class PocketDrawing {
     for (const ends of culprits) this.#drawDiagonal(pocket, ends, false);
   }
 
-  #drawSpokes({ pocket, seen, lit }: DrawnPocket, node: Position): void {
+  #drawSpokes({ pocket, seen, lit, isFine }: DrawnPocket, node: Position): void {
     const c = colours();
     const at = this.#pixel(node);
     const seesAll = !seen.includes(false);
@@ -197,7 +207,7 @@ export class PocketDrawing {
     this.pen.line(at, ground, c.ink, 1, { alpha: 0.35, dash: [2, 4] });
     this.pen.circle(ground, 3, c.ink, { alpha: 0.35 });
     pocket.faces.forEach((face, index) => {
-      if (seen[index] === false)
+      if (seen[index] === false && !isFine)
         this.pen.line(at, this.#pixel(middleOf(pocket, face)), c.refused, 1.75, { dash: [6, 5], alpha: 0.9 });
     });
     if (seesAll)
@@ -206,10 +216,12 @@ export class PocketDrawing {
   }
 
   #nameCorners({ corners }: Pocket): void {
-    const middle = mean(corners);
+    const middle = this.#pixel(mean(corners));
     corners.forEach((corner, index) => {
-      const [x, y] = this.#pixel(addScaled(middle, subtract(corner, middle), 1.16));
-      this.stage.label(String(index + 1), [x, y], { look: "soft" });
+      const [x, y] = this.#pixel(corner);
+      const size = Math.hypot(x - middle[0], y - middle[1]) || 1;
+      const by = nameDistance / size;
+      this.stage.label(String(index + 1), [x + (x - middle[0]) * by, y + (y - middle[1]) * by], { look: "soft" });
     });
   }
 }

@@ -1,4 +1,4 @@
-import type { FigureDeclaration } from "../../declaration";
+import type { FigureDeclaration } from "../../declaration.ts";
 
 /** The pockets of a front that has stalled: a node that the reader moves, and how the engine closed them. */
 export const stallDeclaration: FigureDeclaration = {

@@ -20,7 +20,7 @@ const names = ["First pocket", "Second pocket", "Third pocket"];
 /** Width, depth and height of the box in the scene. */
 const box: Position = [1.15, 1.15, 1.1];
 /** Where the node begins, as shares of the box of the pocket. */
-const start: Position = [0.85, 0.2, 0.93];
+const start: Position = [0.62, 0.3, 0.7];
 /** The rod has 64 sides, each of two needles. */
 const rodSides = 64;
 
@@ -46,7 +46,7 @@ function scaled(each: RodPocket): Scaled {
   const span = (axis: number): number => (isWhole && axis < 2 ? 2 : (high[axis] ?? 0) - (low[axis] ?? 0)) || 1;
   const factor = (axis: number): number => ((box[axis] ?? 1) * (isWhole && axis < 2 ? 1.25 : 1)) / span(axis);
   const middle = (axis: number): number => (isWhole && axis < 2 ? 0 : ((low[axis] ?? 0) + (high[axis] ?? 0)) / 2);
-  const lift = (axis: number): number => (axis === 2 ? (box[2] ?? 0) / 2 : 0);
+  const lift = (axis: number): number => (axis === 2 ? box[2] / 2 : 0);
   return {
     ...each,
     low,
@@ -128,7 +128,7 @@ export class StallFigure implements Figure {
 
   #startOf(index: number): Position {
     const { low, high } = this.#all[index] as Scaled;
-    return mapped(low, (x, axis) => x + ((high[axis] ?? 0) - x) * (start[axis] ?? 0));
+    return mapped(low, (x, axis) => x + ((high[axis] ?? x) - x) * (start[axis] ?? 0));
   }
 
   #choose(index: number): void {
@@ -198,6 +198,7 @@ export class StallFigure implements Figure {
       strong: [],
       lit: this.#lit,
       areCornersNamed: false,
+      isFine: isWhole,
     });
     const look = this.#seen.includes(false) ? "refused" : "new";
     this.#stage.label(String(this.#values?.word("sight")), this.#camera.pixel(at), { dy: -26, look });
