@@ -47,6 +47,8 @@ describe("the sweeps over the cube", () => {
     expect(film.isWorse(8)).toBe(true);
     expect(film.sweepOf(4)).toMatchObject({ kind: "split", addedNodes: 75 });
     expect(film.sweepOf(8)).toMatchObject({ kind: "collapse", removedNodes: 64 });
-    expect(after.dihedral.min).toBeGreaterThan(33.5);
+    expect(after.dihedral.min).toBeCloseTo(33.5, 1);
+    expect(after.dihedral.max).toBeCloseTo(125.6, 1);
+    expect(after.tetrahedra).toBe(1753);
   });
 });

@@ -217,7 +217,7 @@ export class PocketFigure implements Figure {
     });
     for (const [shown, node] of this.#choices) {
       node.setAttribute("aria-pressed", String(shown === this.#shown));
-      node.setAttribute("aria-disabled", String(this.#reasonAgainst(shown) !== null));
+      node.toggleAttribute("data-off", this.#reasonAgainst(shown) !== null);
     }
     this.#stage.handle("node")?.node.classList.toggle("refused", this.#seen.includes(false));
     this.#stage.element.classList.toggle("playing", this.#shown !== "pocket");

@@ -14,8 +14,10 @@ import type { Values } from "../../kit/values";
 import { drawGround } from "../ideal/ground";
 import { kindOf, measureFour, poorAngles, tetrahedronEdges, type Four, type FourKind, type FourMeasures } from "./sliver-rules";
 
+/** The lift that makes the tetrahedron regular. */
+const regularLift = 0.88;
 /** Half the diagonal of the square. */
-const half = 0.62;
+const half = regularLift / Math.SQRT2;
 /** Height of the middle of the points above the ground. */
 const height = 0.5;
 const reach = 1.15;

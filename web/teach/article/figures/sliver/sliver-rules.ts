@@ -63,18 +63,16 @@ export const poorAngles = { min: 30, max: 135 } as const;
 const alike = 1.6;
 
 /**
- * Names a tetrahedron. A sliver has edges that are alike, two opposite angles near 180° and four near 0°; a cap has one corner
- * near the face opposite, and so three large angles; a needle has one short face, a wedge one short edge.
+ * Names a tetrahedron. A needle has one short face and a wedge one short edge, whatever their angles; a sliver has edges that are
+ * alike and two large angles, opposite to each other; a cap has a corner near the face opposite, and so three large angles.
  */
 export function kindOf({ edges, angles }: FourMeasures): FourKind {
-  const [least, most] = [Math.min(...angles), Math.max(...angles)];
-  if (least >= poorAngles.min && most <= poorAngles.max) return "good";
-  const large = angles.filter((angle) => angle > poorAngles.max).length;
-  const isAlike = Math.max(...edges) / Math.min(...edges) <= alike;
-  if (large === 3) return "cap";
-  if (large === 2 && isAlike) return "sliver";
-  const short = edges.filter((edge) => edge < Math.max(...edges) / 3).length;
+  const longest = Math.max(...edges);
+  const short = edges.filter((edge) => edge < longest / 3).length;
   if (short === 3) return "needle";
   if (short === 1) return "wedge";
-  return "poor";
+  if (Math.min(...angles) >= poorAngles.min && Math.max(...angles) <= poorAngles.max) return "good";
+  const large = angles.filter((angle) => angle > poorAngles.max).length;
+  if (large === 3) return "cap";
+  return large === 2 && longest / Math.min(...edges) <= alike ? "sliver" : "poor";
 }

@@ -32,11 +32,11 @@ const cubeEdges: readonly (readonly [number, number])[] = [
 
 export class SweepsFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0.5, 0.5, 0.48], distance: 3.9, yaw: 0.5, pitch: 0.32 });
+  readonly #camera = new Camera(this.#stage, { target: [0.5, 0.5, 0.5], distance: 3.35, yaw: 0.5, pitch: 0.32 });
   readonly #pen = new Pen(this.#stage.context);
   readonly #histogram = new Histogram();
   readonly #status = element("p", { class: "status", role: "status" });
-  readonly #player = new FilmPlayer({
+  readonly #player: FilmPlayer = new FilmPlayer({
     beats: ["1", "2", "3", "4", "5"],
     onChange: () => this.#changed(),
     describe: () => `sweep ${this.#player.finished}, ${this.#values?.number("poor") ?? 0} poor elements`,
@@ -95,6 +95,10 @@ export class SweepsFigure implements Figure {
       poor,
       ` poor of ${tetrahedra} elements, angles from ${digits(dihedral.min, 1)}° to ${digits(dihedral.max, 1)}°.`,
     );
+    this.#histogram.element.setAttribute(
+      "aria-label",
+      `Smallest angles of ${tetrahedra} elements; ${outOfRange} elements are poor`,
+    );
     this.#stage.requestDraw();
   }
 
@@ -112,11 +116,6 @@ export class SweepsFigure implements Figure {
     this.#drawCube(false);
     const bars = now.bars.map((count, bar) => count + ((next.bars[bar] ?? 0) - count) * t);
     this.#histogram.show(bars, film.stateAt(0).bars, this.#lit === "histogram");
-    const { outOfRange, tetrahedra } = film.measuresAt(this.#player.finished);
-    this.#histogram.element.setAttribute(
-      "aria-label",
-      `Smallest angles of ${tetrahedra} elements; ${outOfRange} elements are poor`,
-    );
   }
 
   /** The edges of the cube: those behind the elements, then those in front of them. */
