@@ -9,9 +9,14 @@ export function thirdPartyNotices() {
   const note = (context) => {
     for (const id of context.getModuleIds()) modules.add(id);
   };
-  // Styles import others, which are no modules.
-  const noteStyles = (code, id) => {
-    if (/\.css$/.test(id)) modules.add(id);
+  // Styles import others, which are no modules, and name fonts of packages.
+  const noteStyles = (_code, id) => {
+    if (!/\.css$/.test(id)) return null;
+    modules.add(id);
+    // Styles within a page have no file.
+    if (id.includes("?")) return null;
+    for (const [, font] of readFileSync(id, "utf8").matchAll(/url\("(@[^"]+)"\)/g))
+      modules.add(inRoot("node_modules", font));
     return null;
   };
   return {

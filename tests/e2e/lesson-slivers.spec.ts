@@ -21,11 +21,16 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await lesson.drag(at, [at[0] - 60, at[1]]);
       expect(await lesson.value("A", "lift")).toBeLessThan(0.88);
       await number.focus();
-      for (let i = 0; i < 100 && (await lesson.value("A", "least")) >= 5; i++) await page.keyboard.press("ArrowLeft");
+      for (let i = 0; i < 100 && (await lesson.value("A", "least")) >= 5; i++)
+        await page.keyboard.press("ArrowLeft");
       expect(await lesson.values("A")).toMatchObject({ kind: "This is a sliver." });
       await lesson.done(1);
 
-      for (const [word, kind] of [["A needle", "needle"], ["a wedge", "wedge"], ["A cap", "cap"]] as const) {
+      for (const [word, kind] of [
+        ["A needle", "needle"],
+        ["a wedge", "wedge"],
+        ["A cap", "cap"],
+      ] as const) {
         await page.getByRole("button", { name: word, exact: true }).click();
         await expect.poll(async () => (await lesson.values("A"))["kind"]).toBe(`This is a ${kind}.`);
       }
@@ -36,14 +41,16 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await lesson.drag(point, [point[0], point[1] - 50]);
       expect(await lesson.value("A", "moved")).toBe(1);
       await lesson.handle("A", "point-4").focus();
-      for (let i = 0; i < 20 && (await lesson.value("A", "least")) < 30; i++) await page.keyboard.press("ArrowUp");
+      for (let i = 0; i < 20 && (await lesson.value("A", "least")) < 30; i++)
+        await page.keyboard.press("ArrowUp");
       await lesson.done(2);
 
       await lesson.see("B");
       const history = lesson.figure("B").getByRole("slider", { name: "Step" });
       await expect.poll(() => lesson.value("B", "poor")).toBe(137);
       await history.focus();
-      for (let i = 0; i < 47 && (await lesson.value("B", "poor")) > 0; i++) await page.keyboard.press("ArrowRight");
+      for (let i = 0; i < 47 && (await lesson.value("B", "poor")) > 0; i++)
+        await page.keyboard.press("ArrowRight");
       expect(await lesson.value("B", "sweep")).toBe(12);
       await lesson.done(3);
       await lesson.done(4);
@@ -62,6 +69,9 @@ test("words lead through the sweeps, and the chart says what it shows", async ({
   await lesson.see("B");
   await page.getByRole("button", { name: "Split" }).click();
   await expect.poll(() => lesson.values("B")).toMatchObject({ sweep: 4, added: 75 });
-  await expect(lesson.figure("B").getByRole("img")).toHaveAttribute("aria-label", /2084 elements; 10 elements are poor/);
+  await expect(lesson.figure("B").getByRole("img")).toHaveAttribute(
+    "aria-label",
+    /2084 elements; 10 elements are poor/,
+  );
   await expect(page.locator(".task[data-done]")).toHaveCount(0);
 });

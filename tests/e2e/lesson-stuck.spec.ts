@@ -31,13 +31,16 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await lesson.drag(from, [from[0] + 90, from[1] + 30]);
       expect(await lesson.value("A", "twist")).toBeGreaterThan(-20);
       await corner.focus();
-      for (let i = 0; i < 60 && (await lesson.value("A", "twist")) < 20; i++) await page.keyboard.press("ArrowRight");
+      for (let i = 0; i < 60 && (await lesson.value("A", "twist")) < 20; i++)
+        await page.keyboard.press("ArrowRight");
       expect(await lesson.values("A")).toMatchObject({ fits: 0, ways: 0, closes: "cannot be filled" });
       await lesson.done(1);
       await lesson.figure("A").locator("[data-tile='1']").click();
       await expect(lesson.figure("A").locator(".status")).toContainText("runs outside");
       await lesson.figure("A").getByRole("button", { name: "Filled with its own corners" }).click();
-      await expect(lesson.figure("A").locator(".notice")).toHaveText("No tetrahedron on its own corners fits.");
+      await expect(lesson.figure("A").locator(".notice")).toHaveText(
+        "No tetrahedron on its own corners fits.",
+      );
 
       // The node to the middle, from two sides: across the view, then across another view.
       const number = page.getByTestId("number-twist-B");

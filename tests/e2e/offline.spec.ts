@@ -59,6 +59,11 @@ test("after one visit, all pages work without a network, and CAD files once the 
   await lesson.page.close();
   const embed = await opened(context, "./embed.html?test=1&model=unit-cube&step=100");
   await expect(embed.viewport).toHaveAttribute("data-step", "100");
+  await embed.page.close();
+
+  const articles = await opened(context, "./lessons/");
+  await articles.page.getByRole("link", { name: /How a front fills a shape/ }).click();
+  await expect(articles.page.getByTestId("figure-A")).toHaveAttribute("data-ready", "true");
 });
 
 test("without a network and the library for CAD files, a sentence says how to get it", async ({

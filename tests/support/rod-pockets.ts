@@ -29,7 +29,10 @@ export function closedPockets(trace: Trace): readonly RecordedPocket[] {
   );
 }
 
-function pocketOf(trace: Trace, { step, change, removedFaces, addedNodes, addedElements }: RecoveryStep): RecordedPocket {
+function pocketOf(
+  trace: Trace,
+  { step, change, removedFaces, addedNodes, addedElements }: RecoveryStep,
+): RecordedPocket {
   const nodesOf = (all: Uint32Array, size: number, index: number): number[] => [
     ...all.subarray(size * index, size * index + size),
   ];
@@ -47,4 +50,6 @@ function pocketOf(trace: Trace, { step, change, removedFaces, addedNodes, addedE
   };
 }
 
-const positionOf = ({ nodes }: Trace, node: number): number[] => [...nodes.positions.subarray(3 * node, 3 * node + 3)];
+const positionOf = ({ nodes }: Trace, node: number): number[] => [
+  ...nodes.positions.subarray(3 * node, 3 * node + 3),
+];

@@ -71,6 +71,12 @@ describe("a lesson is compiled", () => {
     expect(css).toMatch(/^\.f0\{/);
   });
 
+  test("with punctuation kept beside formulas", () => {
+    const { html } = compile("The length $h$, and no more.");
+    expect(html).toMatch(/<span class="after">,<\/span>(<\/span>){4} and no more\./);
+    expect(html).not.toContain("<!--");
+  });
+
   test("with words that lead to a state, light a part, and open the app", () => {
     const { html } = compile(
       "[the end](go:A step=end), [refused](mark:A.refused) and [a step](open:model=unit-cube step=99)",

@@ -16,7 +16,8 @@ import {
 import { twistedPrism } from "../../../web/teach/article/figures/pocket/twisted-prism";
 import { orientation } from "../../../web/teach/article/kit/orientation";
 
-const twists = (from: number, to: number): number[] => Array.from({ length: to - from + 1 }, (_none, i) => from + i);
+const twists = (from: number, to: number): number[] =>
+  Array.from({ length: to - from + 1 }, (_none, i) => from + i);
 
 /** A face by its corners in ascending order, and 1 or −1: whether they are in this sense. */
 function signed([a, b, c]: Face): readonly [string, number] {
@@ -51,7 +52,9 @@ describe("the twisted prism", () => {
   // The verdicts on single tetrahedra are not used here: positive volumes and faces that cancel are enough.
   test.each([24, 0, -20])("with a twist of %d degrees, all 32 768 subsets are tried", (twist) => {
     const pocket = twistedPrism(twist);
-    const elements = trialsIn(pocket).flatMap(({ element, verdict }) => (verdict === "flat" ? [] : [element]));
+    const elements = trialsIn(pocket).flatMap(({ element, verdict }) =>
+      verdict === "flat" ? [] : [element],
+    );
     const coverings = Array.from({ length: 2 ** elements.length }, (_none, bits) => bits).filter((bits) => {
       const chosen = elements.filter((_element, index) => (bits >> index) & 1);
       return chosen.length <= 8 && covers(pocket, chosen);
@@ -72,7 +75,10 @@ describe("the twisted prism", () => {
     expect(fillings.map(({ length }) => length).sort()).toEqual([4, 4, 4, 5, 5, 5]);
     for (const filling of fillings) {
       const volumes = filling.map((element) =>
-        volumeOf({ corners: element.map((corner) => pocket.corners[corner] ?? [0, 0, 0]), faces: facesOf([0, 1, 2, 3]) }),
+        volumeOf({
+          corners: element.map((corner) => pocket.corners[corner] ?? [0, 0, 0]),
+          faces: facesOf([0, 1, 2, 3]),
+        }),
       );
       expect(volumes.reduce((sum, volume) => sum + volume, 0)).toBeCloseTo(volumeOf(pocket), 12);
     }
@@ -114,7 +120,11 @@ describe("the room from which all faces are seen", () => {
 });
 
 describe("orientation", () => {
-  const unit: readonly [Position, Position, Position] = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
+  const unit: readonly [Position, Position, Position] = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+  ];
 
   test("is 1 where three positions are counter-clockwise, and 0 in their plane", () => {
     expect(orientation(...unit, [0.2, 0.3, 1e-300])).toBe(1);
@@ -133,10 +143,16 @@ describe("orientation", () => {
     let state = 7;
     const random = (): number => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
     for (let i = 0; i < 300; i++) {
-      const [a, b, c] = [0, 1, 2].map((): Position => [random(), random(), random()]) as [Position, Position, Position];
+      const [a, b, c] = [0, 1, 2].map((): Position => [random(), random(), random()]) as [
+        Position,
+        Position,
+        Position,
+      ];
       // Nearly in the plane of the others, up to rounding.
       const [u, v] = [random(), random()];
-      const d = [0, 1, 2].map((k) => (a[k] ?? 0) * u + (b[k] ?? 0) * v + (c[k] ?? 0) * (1 - u - v)) as unknown as Position;
+      const d = [0, 1, 2].map(
+        (k) => (a[k] ?? 0) * u + (b[k] ?? 0) * v + (c[k] ?? 0) * (1 - u - v),
+      ) as unknown as Position;
       const sign = orientation(a, b, c, d);
       expect(orientation(b, a, c, d) + sign).toBe(0);
       expect(orientation(c, a, b, d)).toBe(sign);

@@ -2,7 +2,13 @@
 import { format, resolveConfig } from "prettier";
 import { beforeAll, describe, expect, test } from "vitest";
 import { bodyVolume, kernelOf } from "../../../web/teach/article/figures/pocket/kernel";
-import { fillingsOf, seenFrom, trialsIn, volumeOf, type Element } from "../../../web/teach/article/figures/pocket/pocket-rules";
+import {
+  fillingsOf,
+  seenFrom,
+  trialsIn,
+  volumeOf,
+  type Element,
+} from "../../../web/teach/article/figures/pocket/pocket-rules";
 import { rodPockets, type RodPocket } from "../../../web/teach/article/figures/stall/rod-pockets";
 import { orientation } from "../../../web/teach/article/kit/orientation";
 import { closedPockets, recordRod } from "../../support/rod-pockets.js";
@@ -64,7 +70,15 @@ describe("the last pocket", () => {
     const at = (corner: number) => positions[corner] ?? [0, 0, 0];
     const volumes = elements.map(([a, b, c, d]: Element) => {
       expect(orientation(at(a), at(b), at(c), at(d))).not.toBe(0);
-      return volumeOf({ corners: [at(a), at(b), at(c), at(d)], faces: [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]] });
+      return volumeOf({
+        corners: [at(a), at(b), at(c), at(d)],
+        faces: [
+          [0, 1, 2],
+          [0, 3, 1],
+          [1, 3, 2],
+          [2, 3, 0],
+        ],
+      });
     });
     const whole = volumes.reduce((sum, volume) => sum + Math.abs(volume), 0);
     expect(whole).toBeCloseTo(volumeOf(pocket), 10);

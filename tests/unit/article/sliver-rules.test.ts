@@ -23,10 +23,16 @@ describe("four points", () => {
   });
 
   test("the corner of a cube has three right angles", () => {
-    const corner: Four = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    const corner: Four = [
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ];
     const { angles } = measureFour(corner);
     expect(angles.slice(0, 3).map((angle) => Math.round(angle))).toEqual([90, 90, 90]);
-    for (const angle of angles.slice(3)) expect(angle).toBeCloseTo((Math.acos(1 / Math.sqrt(3)) * 180) / Math.PI, 10);
+    for (const angle of angles.slice(3))
+      expect(angle).toBeCloseTo((Math.acos(1 / Math.sqrt(3)) * 180) / Math.PI, 10);
   });
 
   test("a lifted square becomes a sliver whose edges differ by less than 1.42, as lesson 11 says", () => {

@@ -5,7 +5,7 @@
 import { ConditionMismatch, parseCondition, valuesIn } from "../condition.ts";
 import { readDestination, type FigureDeclaration } from "../declaration.ts";
 import { planFigure, type Declarations, type PlannedFigure } from "./figure-plans.ts";
-import { attribute, FormulaSheet, liveValuesIn } from "./formulas.ts";
+import { attribute, FormulaSheet, liveValuesIn, withPunctuation } from "./formulas.ts";
 import {
   splitLesson,
   type FigureBlock,
@@ -64,7 +64,7 @@ class Compiler {
     ];
     if (this.#mistakes.length > 0) throw new LessonError(this.#mistakes);
     const summary = (lead?.text ?? "").replaceAll(/\[([^\]]+)\]\([^)]*\)/g, "$1").replaceAll(/\s+/g, " ");
-    return { title, summary, html: html.join("\n"), css: this.#formulas.css };
+    return { title, summary, html: withPunctuation(html.join("\n")), css: this.#formulas.css };
   }
 
   readonly #note = (line: number, problem: string, remedy: string): void => {

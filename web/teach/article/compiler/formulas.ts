@@ -4,12 +4,26 @@
  */
 import katex from "katex";
 
-const macros = { "\\live": "\\htmlData{show=#1}{#2}" };
+const macros = { "\\live": "{\\htmlData{show=#1}{#2}}" };
 const livePattern = /\\live\{([^{}]*)\}\{([^{}]*)\}/g;
 
 /** Returns the values in a formula: `\live{B.h}{1.15}` names `B.h`. */
 export const liveValuesIn = (tex: string): readonly string[] =>
   [...tex.matchAll(livePattern)].map(([, value = ""]) => value);
+
+/** Stands after each formula in a line until `withPunctuation` has removed it. */
+const endOfFormula = "<!--end of formula-->";
+
+/** Returns HTML with punctuation after formulas moved into their last parts: otherwise a line could begin with it. */
+export function withPunctuation(html: string): string {
+  const closing = "</span>".repeat(4);
+  return html
+    .replaceAll(
+      new RegExp(`${closing}${endOfFormula}([.,;:!?]+)`, "g"),
+      (_whole, marks: string) => `<span class="after">${marks}</span>${closing}`,
+    )
+    .replaceAll(endOfFormula, "");
+}
 
 export class FormulaSheet {
   readonly #classes = new Map<string, string>();
@@ -26,7 +40,10 @@ export class FormulaSheet {
     });
     const tag = isDisplayed ? "div" : "span";
     const name = isDisplayed ? "formula displayed" : "formula";
-    return `<${tag} class="${name}" role="math" aria-label="${attribute(spoken(tex))}">${this.#withoutStyles(html)}</${tag}>`;
+    // A wide formula scrolls, by keys too.
+    const focus = isDisplayed ? ' tabindex="0"' : "";
+    const end = isDisplayed ? "" : endOfFormula;
+    return `<${tag} class="${name}" role="math"${focus} aria-label="${attribute(spoken(tex))}">${this.#withoutStyles(html)}</${tag}>${end}`;
   }
 
   /** Returns the styles of all formulas rendered so far; empty if there are none. */

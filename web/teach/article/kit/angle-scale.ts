@@ -25,7 +25,14 @@ export class AngleScale {
       label.style.left = share(angle);
       return label;
     });
-    this.element = element("div", { class: "angle-scale", "aria-hidden": "true" }, good, mark, ...this.#needles, ...labels);
+    this.element = element(
+      "div",
+      { class: "angle-scale", "aria-hidden": "true" },
+      good,
+      mark,
+      ...this.#needles,
+      ...labels,
+    );
   }
 
   show(angles: readonly number[]): void {

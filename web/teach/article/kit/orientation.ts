@@ -31,7 +31,9 @@ function exactVolume(a: Position, b: Position, c: Position, d: Position): bigint
   ];
   const [u, v, w] = [from(b), from(c), from(d)];
   return (
-    (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2]
+    (u[1] * v[2] - u[2] * v[1]) * w[0] +
+    (u[2] * v[0] - u[0] * v[2]) * w[1] +
+    (u[0] * v[1] - u[1] * v[0]) * w[2]
   );
 }
 

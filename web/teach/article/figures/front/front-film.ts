@@ -43,7 +43,7 @@ export interface FrontFilm extends Film {
   /** The triangle with the smallest angle, and this angle in degrees. */
   readonly worst: { readonly triangle: number; readonly angle: number };
   /** Decodes step k, from 0; undefined for another number. */
-  stepAt(k: number): FilmStep | undefined;
+  readonly stepAt: (k: number) => FilmStep | undefined;
 }
 
 type Filled = Extract<FilledPlane, { readonly success: true }>;

@@ -24,7 +24,8 @@ export function kernelOf({ corners, faces }: Pocket): ConvexBody {
 }
 
 function boxBetween(low: Position, high: Position): ConvexBody {
-  const corner = (bits: number): Position => [0, 1, 2].map((axis) => ((bits >> axis) & 1 ? high : low)[axis]) as unknown as Position;
+  const corner = (bits: number): Position =>
+    [0, 1, 2].map((axis) => ((bits >> axis) & 1 ? high : low)[axis]) as unknown as Position;
   return [
     [0, 2, 3, 1],
     [4, 5, 7, 6],
@@ -75,7 +76,9 @@ export function bodyVolume(body: ConvexBody): number {
   const middle = middleOf(body);
   const volumes = body.flatMap((polygon) =>
     polygon.slice(2).map((corner, i) => {
-      const [a, b, c] = [polygon[0] ?? middle, polygon[i + 1] ?? middle, corner].map((each) => subtract(each, middle)) as [Position, Position, Position];
+      const [a, b, c] = [polygon[0] ?? middle, polygon[i + 1] ?? middle, corner].map((each) =>
+        subtract(each, middle),
+      ) as [Position, Position, Position];
       return Math.abs(dot(a, cross(b, c))) / 6;
     }),
   );

@@ -6,7 +6,16 @@ import { between, widths, type Pen } from "../../kit/pen";
 import type { Camera } from "../../kit/space";
 import type { Pixel, Stage } from "../../kit/stage";
 import type { ConvexBody } from "./kernel";
-import { edgesOf, facesOf, type Diagonal, type Element, type Face, type Pair, type Pocket, type Trial } from "./pocket-rules";
+import {
+  edgesOf,
+  facesOf,
+  type Diagonal,
+  type Element,
+  type Face,
+  type Pair,
+  type Pocket,
+  type Trial,
+} from "./pocket-rules";
 
 /** Where the light comes from. */
 const light: Position = unit([-0.55, -0.6, 0.58]) ?? [0, 0, 1];
@@ -80,7 +89,8 @@ export class PocketDrawing {
   /** Draws the elements of a closed pocket, moved apart. */
   drawElements({ positions, elements, open, isNew }: DrawnElements): void {
     const c = colours();
-    const corners = (element: Element): readonly Position[] => element.map((corner) => positions[corner] ?? [0, 0, 0]);
+    const corners = (element: Element): readonly Position[] =>
+      element.map((corner) => positions[corner] ?? [0, 0, 0]);
     const middle = mean(elements.map((element) => mean(corners(element))));
     const moved = elements.map((element) => {
       const own = corners(element);
@@ -98,10 +108,15 @@ export class PocketDrawing {
         if (!normal || dot(normal, subtract(this.camera.eye, a)) <= 0) continue;
         const shade = 0.5 + 0.5 * dot(normal, light);
         const base = isNew ? mix(c.new, c.plate, 0.45) : c.stone;
-        this.pen.polygon([a, b, d].map((each) => this.#pixel(each)), mix(mix(base, shadow, 0.34), base, shade), 1, {
-          colour: c.ink,
-          width: 1.4,
-        });
+        this.pen.polygon(
+          [a, b, d].map((each) => this.#pixel(each)),
+          mix(mix(base, shadow, 0.34), base, shade),
+          1,
+          {
+            colour: c.ink,
+            width: 1.4,
+          },
+        );
       }
     }
   }
@@ -123,22 +138,38 @@ export class PocketDrawing {
 
   #drawWall({ pocket, seen, lit, isFine }: DrawnPocket, { face, index }: Painted, isFar: boolean): void {
     const c = colours();
-    const corners = face.map((corner) => pocket.corners[corner] ?? [0, 0, 0]) as [Position, Position, Position];
-    const normal = unit(cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]))) ?? [0, 0, 1];
+    const corners = face.map((corner) => pocket.corners[corner] ?? [0, 0, 0]) as [
+      Position,
+      Position,
+      Position,
+    ];
+    const normal = unit(cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]))) ?? [
+      0, 0, 1,
+    ];
     const shade = 0.5 - 0.5 * dot(normal, light) * (isFar ? -1 : 1);
     const isSeen = seen[index] !== false;
     const deep = isSeen ? c.active : c.refused;
-    const fill: Colour = isFar ? mix(mix(deep, shadow, 0.3), mix(c.void, deep, 0.36), shade) : mix(deep, c.plate, 0.5 * shade);
+    const fill: Colour = isFar
+      ? mix(mix(deep, shadow, 0.3), mix(c.void, deep, 0.36), shade)
+      : mix(deep, c.plate, 0.5 * shade);
     const isLit = lit === "walls" || (lit === "ends" && index < 2);
     const pixels = corners.map((corner) => this.#pixel(corner));
     this.pen.polygon(pixels, fill, (isFar ? 0.78 : isSeen ? 0.13 : 0.26) + (isLit ? 0.2 : 0));
     if (isSeen || isFine) return;
-    const middle: Pixel = [0, 1].map((i) => pixels.reduce((sum, pixel) => sum + (pixel[i] ?? 0) / 3, 0)) as unknown as Pixel;
+    const middle: Pixel = [0, 1].map((i) =>
+      pixels.reduce((sum, pixel) => sum + (pixel[i] ?? 0) / 3, 0),
+    ) as unknown as Pixel;
     pixels.forEach((pixel, i) =>
-      this.pen.line(between(pixel, middle, 0.09), between(pixels[(i + 1) % 3] ?? pixel, middle, 0.09), c.refused, 1.75, {
-        dash: [7, 6],
-        alpha: isFar ? 0.6 : 0.9,
-      }),
+      this.pen.line(
+        between(pixel, middle, 0.09),
+        between(pixels[(i + 1) % 3] ?? pixel, middle, 0.09),
+        c.refused,
+        1.75,
+        {
+          dash: [7, 6],
+          alpha: isFar ? 0.6 : 0.9,
+        },
+      ),
     );
   }
 
@@ -152,11 +183,17 @@ export class PocketDrawing {
     );
     for (const edge of edgesOf(pocket)) {
       if (near.has(keyOf(edge)) !== isNear) continue;
-      const [from, to] = edge.map((corner) => this.#pixel(pocket.corners[corner] ?? [0, 0, 0])) as [Pixel, Pixel];
+      const [from, to] = edge.map((corner) => this.#pixel(pocket.corners[corner] ?? [0, 0, 0])) as [
+        Pixel,
+        Pixel,
+      ];
       const isStrong = strong.some((each) => keyOf(each) === keyOf(edge));
       if (isStrong && lit === "bent") this.pen.glow(from, to, c.active);
       else if (isStrong) this.pen.line(from, to, c.active, isNear ? 4 : 3, { alpha: isNear ? 1 : 0.75 });
-      else this.pen.line(from, to, c.ink, (isNear ? widths.front : 1.25) * (isFine ? 0.55 : 1), { alpha: isNear ? 1 : 0.6 });
+      else
+        this.pen.line(from, to, c.ink, (isNear ? widths.front : 1.25) * (isFine ? 0.55 : 1), {
+          alpha: isNear ? 1 : 0.6,
+        });
     }
   }
 
@@ -167,7 +204,10 @@ export class PocketDrawing {
 
   #drawDiagonal(pocket: Pocket, ends: Pair, isInside: boolean): void {
     const c = colours();
-    const [from, to] = ends.map((corner) => this.#pixel(pocket.corners[corner] ?? [0, 0, 0])) as [Pixel, Pixel];
+    const [from, to] = ends.map((corner) => this.#pixel(pocket.corners[corner] ?? [0, 0, 0])) as [
+      Pixel,
+      Pixel,
+    ];
     if (isInside) this.pen.line(from, to, c.new, 4);
     else {
       this.pen.line(from, to, c.refused, 4, { dash: [10, 8] });
@@ -178,11 +218,16 @@ export class PocketDrawing {
   #drawKernel({ kernel, kernelStrength }: DrawnPocket): void {
     const c = colours();
     for (const polygon of kernel)
-      this.pen.polygon(polygon.map((corner) => this.#pixel(corner)), c.new, 0.2 * kernelStrength, {
-        colour: c.new,
-        width: 1,
-        alpha: 0.75 * kernelStrength,
-      });
+      this.pen.polygon(
+        polygon.map((corner) => this.#pixel(corner)),
+        c.new,
+        0.2 * kernelStrength,
+        {
+          colour: c.new,
+          width: 1,
+          alpha: 0.75 * kernelStrength,
+        },
+      );
   }
 
   #drawTrial({ pocket }: DrawnPocket, { element, verdict, culprits }: Trial): void {
@@ -190,11 +235,16 @@ export class PocketDrawing {
     const fits = verdict === "fits";
     const pixels = element.map((corner) => this.#pixel(pocket.corners[corner] ?? [0, 0, 0]));
     for (const face of facesOf([0, 1, 2, 3]))
-      this.pen.polygon(face.map((corner) => pixels[corner] ?? [0, 0]), fits ? c.new : c.refused, fits ? 0.3 : 0.14, {
-        colour: fits ? c.new : c.refused,
-        width: widths.front,
-        alpha: fits ? 1 : 0.55,
-      });
+      this.pen.polygon(
+        face.map((corner) => pixels[corner] ?? [0, 0]),
+        fits ? c.new : c.refused,
+        fits ? 0.3 : 0.14,
+        {
+          colour: fits ? c.new : c.refused,
+          width: widths.front,
+          alpha: fits ? 1 : 0.55,
+        },
+      );
     for (const ends of culprits) this.#drawDiagonal(pocket, ends, false);
   }
 
@@ -211,7 +261,8 @@ export class PocketDrawing {
         this.pen.line(at, this.#pixel(middleOf(pocket, face)), c.refused, 1.75, { dash: [6, 5], alpha: 0.9 });
     });
     if (seesAll)
-      for (const corner of pocket.corners) this.pen.line(at, this.#pixel(corner), c.new, lit === "node" ? 4 : 2.5);
+      for (const corner of pocket.corners)
+        this.pen.line(at, this.#pixel(corner), c.new, lit === "node" ? 4 : 2.5);
     if (lit === "node") this.pen.circle(at, 18, seesAll ? c.new : c.refused, { alpha: 0.3 });
   }
 
@@ -221,7 +272,9 @@ export class PocketDrawing {
       const [x, y] = this.#pixel(corner);
       const size = Math.hypot(x - middle[0], y - middle[1]) || 1;
       const by = nameDistance / size;
-      this.stage.label(String(index + 1), [x + (x - middle[0]) * by, y + (y - middle[1]) * by], { look: "soft" });
+      this.stage.label(String(index + 1), [x + (x - middle[0]) * by, y + (y - middle[1]) * by], {
+        look: "soft",
+      });
     });
   }
 }
@@ -233,4 +286,5 @@ interface Painted {
 
 const keyOf = ([a, b]: Pair): string => (a < b ? `${a} ${b}` : `${b} ${a}`);
 
-const middleOf = ({ corners }: Pocket, face: Face): Position => mean(face.map((corner) => corners[corner] ?? [0, 0, 0]));
+const middleOf = ({ corners }: Pocket, face: Face): Position =>
+  mean(face.map((corner) => corners[corner] ?? [0, 0, 0]));

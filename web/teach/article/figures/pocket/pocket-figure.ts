@@ -50,7 +50,12 @@ const numbers = ["No", "One", "Two", "Three", "Four", "Five", "Six"];
 
 export class PocketFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0, 0, 0.5], distance: 3.75, yaw: -0.25, pitch: 0.38 });
+  readonly #camera = new Camera(this.#stage, {
+    target: [0, 0, 0.5],
+    distance: 3.75,
+    yaw: -0.25,
+    pitch: 0.38,
+  });
   readonly #drawing = new PocketDrawing(this.#stage, this.#camera, new Pen(this.#stage.context));
   readonly #motion = new Motion();
   readonly #opening = new Motion();
@@ -80,14 +85,26 @@ export class PocketFigure implements Figure {
     this.#isAboutNode = values.word("about") === "node";
     const choices = element("div", { class: "choices", role: "group", "aria-label": "What is shown" });
     const offered: readonly (readonly [Shown, string])[] = this.#isAboutNode
-      ? [["pocket", "The pocket"], ["star", "Its star"]]
-      : [["pocket", "The pocket"], ["own", "Filled with its own corners"]];
+      ? [
+          ["pocket", "The pocket"],
+          ["star", "Its star"],
+        ]
+      : [
+          ["pocket", "The pocket"],
+          ["own", "Filled with its own corners"],
+        ];
     for (const [shown, label] of offered) {
       const made = button({}, label, () => this.#show(shown));
       this.#choices.set(shown, made);
       choices.append(made);
     }
-    host.append(this.#stage.element, this.#notice, ...(this.#isAboutNode ? [] : [this.#tiles.element]), choices, this.#status);
+    host.append(
+      this.#stage.element,
+      this.#notice,
+      ...(this.#isAboutNode ? [] : [this.#tiles.element]),
+      choices,
+      this.#status,
+    );
     this.#stage.setHandles([
       ...[3, 4, 5].map((corner) => this.#cornerHandle(corner)),
       ...(this.#isAboutNode ? [this.#nodeHandle()] : []),
@@ -110,7 +127,10 @@ export class PocketFigure implements Figure {
     this.#shown = "pocket";
     if (trial !== undefined) this.#chosen = trial === "none" ? null : Number(trial) - 1;
     const from = { twist: values.number("twist"), node: this.#node };
-    const to = { twist: twist === undefined ? from.twist : Number(twist), node: nodePlaces[node ?? ""] ?? from.node };
+    const to = {
+      twist: twist === undefined ? from.twist : Number(twist),
+      node: nodePlaces[node ?? ""] ?? from.node,
+    };
     this.#motion.run(
       from.twist === to.twist && from.node === to.node ? 0 : 800,
       (t) => {
@@ -213,7 +233,9 @@ export class PocketFigure implements Figure {
       handled: this.#isHandled,
       closes: this.#fillings.length > 0 ? "can be filled" : "cannot be filled",
       fitting: fits === 0 ? "not one" : String(fits),
-      sight: this.#seen.includes(false) ? `sees ${seen} of ${this.#seen.length} faces` : `sees all ${seen} faces`,
+      sight: this.#seen.includes(false)
+        ? `sees ${seen} of ${this.#seen.length} faces`
+        : `sees all ${seen} faces`,
     });
     for (const [shown, node] of this.#choices) {
       node.setAttribute("aria-pressed", String(shown === this.#shown));
@@ -229,14 +251,27 @@ export class PocketFigure implements Figure {
     const chosen = this.#chosen === null ? undefined : this.#trials[this.#chosen];
     if (this.#isAboutNode) {
       const isStar = !this.#seen.includes(false);
-      const count = element("b", isStar ? {} : { class: "refused" }, `${this.#seen.filter(Boolean).length} of 8`);
-      this.#status.replaceChildren("The node sees ", count, isStar ? " faces: it closes the pocket." : " faces.");
+      const count = element(
+        "b",
+        isStar ? {} : { class: "refused" },
+        `${this.#seen.filter(Boolean).length} of 8`,
+      );
+      this.#status.replaceChildren(
+        "The node sees ",
+        count,
+        isStar ? " faces: it closes the pocket." : " faces.",
+      );
       return;
     }
     const count = element("b", fits > 0 ? {} : { class: "refused" }, `${fits} of ${this.#trials.length}`);
     const ways = this.#fillings.length;
-    const sentence = ways > 0 ? `; they fill the pocket in ${(numbers[ways] ?? String(ways)).toLowerCase()} ways.` : ".";
-    this.#status.replaceChildren(count, ` tetrahedra fit${sentence}`, ...(chosen ? [` ${nameOf(chosen)}.`] : []));
+    const sentence =
+      ways > 0 ? `; they fill the pocket in ${(numbers[ways] ?? String(ways)).toLowerCase()} ways.` : ".";
+    this.#status.replaceChildren(
+      count,
+      ` tetrahedra fit${sentence}`,
+      ...(chosen ? [` ${nameOf(chosen)}.`] : []),
+    );
   }
 
   #draw(): void {
@@ -276,4 +311,3 @@ export class PocketFigure implements Figure {
     });
   }
 }
-

@@ -85,14 +85,24 @@ function crossesFace(pocket: Pocket, [from, to]: Pair, face: Face): boolean {
 /** Returns whether two segments without a common end lie in one plane and meet. */
 function crossesEdge(pocket: Pocket, [a, b]: Pair, [c, d]: Pair): boolean {
   if (a === c || a === d || b === c || b === d) return false;
-  const [p, q, r, s] = [a, b, c, d].map((corner) => at(pocket, corner)) as [Position, Position, Position, Position];
+  const [p, q, r, s] = [a, b, c, d].map((corner) => at(pocket, corner)) as [
+    Position,
+    Position,
+    Position,
+    Position,
+  ];
   if (orientation(p, q, r, s) !== 0) return false;
   // In one plane, the signs are those of the drawing without the coordinate that says least: exact again.
   const sizes = cross(subtract(q, p), subtract(s, r)).map(Math.abs);
   const dropped = sizes.indexOf(Math.max(...sizes));
-  const flat = (x: Position, height = 0): Position => [x[(dropped + 1) % 3] ?? 0, x[(dropped + 2) % 3] ?? 0, height];
+  const flat = (x: Position, height = 0): Position => [
+    x[(dropped + 1) % 3] ?? 0,
+    x[(dropped + 2) % 3] ?? 0,
+    height,
+  ];
   const parted = (u: Position, v: Position, x: Position, y: Position): boolean =>
-    orientation(flat(u), flat(v), flat(u, 1), flat(x)) * orientation(flat(u), flat(v), flat(u, 1), flat(y)) <= 0;
+    orientation(flat(u), flat(v), flat(u, 1), flat(x)) * orientation(flat(u), flat(v), flat(u, 1), flat(y)) <=
+    0;
   return parted(p, q, r, s) && parted(r, s, p, q);
 }
 
@@ -100,7 +110,11 @@ function crossesEdge(pocket: Pocket, [a, b]: Pair, [c, d]: Pair): boolean {
 function isWithin(pocket: Pocket, position: Position): boolean {
   let angle = 0;
   for (const face of pocket.faces) {
-    const [a, b, c] = face.map((corner) => subtract(at(pocket, corner), position)) as [Position, Position, Position];
+    const [a, b, c] = face.map((corner) => subtract(at(pocket, corner), position)) as [
+      Position,
+      Position,
+      Position,
+    ];
     const [x, y, z] = [length(a), length(b), length(c)];
     angle += 2 * Math.atan2(dot(a, cross(b, c)), x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
   }
@@ -118,10 +132,16 @@ export function trialsIn(pocket: Pocket): readonly Trial[] {
 
 function trialOf(pocket: Pocket, [a, b, c, d]: Element, diagonals: readonly Diagonal[]): Trial {
   const own = [a, b, c, d];
-  const culprits = diagonals.filter(({ ends, run }) => run !== "inside" && ends.every((end) => own.includes(end)));
+  const culprits = diagonals.filter(
+    ({ ends, run }) => run !== "inside" && ends.every((end) => own.includes(end)),
+  );
   const volume = sign(pocket, [a, b, c], at(pocket, d));
   const element: Element = volume < 0 ? [a, c, b, d] : [a, b, c, d];
-  const trial = (verdict: Trial["verdict"]): Trial => ({ element, verdict, culprits: culprits.map(({ ends }) => ends) });
+  const trial = (verdict: Trial["verdict"]): Trial => ({
+    element,
+    verdict,
+    culprits: culprits.map(({ ends }) => ends),
+  });
   if (volume === 0) return trial("flat");
   if (culprits.some(({ run }) => run === "crossing")) return trial("crosses");
   if (culprits.length > 0) return trial("outside");
@@ -148,7 +168,10 @@ export const facesOf = ([a, b, c, d]: Element): readonly Face[] => [
  */
 export function fillingsOf(pocket: Pocket, trials = trialsIn(pocket)): readonly (readonly Element[])[] {
   const fitting = trials.filter(({ verdict }) => verdict === "fits").map(({ element }) => element);
-  const fill = (open: ReadonlyMap<string, Face>, used: readonly Element[]): readonly (readonly Element[])[] => {
+  const fill = (
+    open: ReadonlyMap<string, Face>,
+    used: readonly Element[],
+  ): readonly (readonly Element[])[] => {
     const [first] = open.keys();
     if (first === undefined) return [used];
     return fitting.flatMap((element) => {

@@ -19,7 +19,11 @@ interface Tile {
 }
 
 export class TrialTiles {
-  readonly element = element("div", { class: "tiles", role: "group", "aria-label": "Tetrahedra on four corners" });
+  readonly element = element("div", {
+    class: "tiles",
+    role: "group",
+    "aria-label": "Tetrahedra on four corners",
+  });
   #tiles: readonly Tile[] = [];
 
   /** @param choose Called with the index of a tile. */
@@ -41,7 +45,10 @@ export class TrialTiles {
 
   #make(count: number): void {
     this.#tiles = Array.from({ length: count }, (_none, index) => {
-      const canvas = element("canvas", { width: String(size * pixelRatio), height: String(size * pixelRatio) });
+      const canvas = element("canvas", {
+        width: String(size * pixelRatio),
+        height: String(size * pixelRatio),
+      });
       const context = canvas.getContext("2d");
       if (!context) throw new Error("The browser has no canvas.");
       context.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
@@ -56,7 +63,10 @@ export class TrialTiles {
 
 /** Returns what a tile says to people who do not see it. */
 export function nameOf({ element: corners, verdict, culprits }: Trial): string {
-  const name = `Corners ${[...corners].sort((a, b) => a - b).map((corner) => corner + 1).join(", ")}`;
+  const name = `Corners ${[...corners]
+    .sort((a, b) => a - b)
+    .map((corner) => corner + 1)
+    .join(", ")}`;
   const lines = culprits.map(([a, b]) => `${a + 1}–${b + 1}`).join(" and ");
   switch (verdict) {
     case "fits":
@@ -70,7 +80,12 @@ export function nameOf({ element: corners, verdict, culprits }: Trial): string {
   }
 }
 
-function drawTile(pen: Pen, pocket: Pocket, { element: corners, verdict, culprits }: Trial, camera: Camera): void {
+function drawTile(
+  pen: Pen,
+  pocket: Pocket,
+  { element: corners, verdict, culprits }: Trial,
+  camera: Camera,
+): void {
   const c = colours();
   const [right, up] = camera.axes;
   const middle = mean(pocket.corners);
@@ -82,8 +97,10 @@ function drawTile(pen: Pen, pocket: Pocket, { element: corners, verdict, culprit
   const fits = verdict === "fits";
   pen.context.clearRect(0, 0, size, size);
   for (const [a, b] of edgesOf(pocket)) pen.line(at(a), at(b), c.ink, 1, { alpha: 0.28 });
-  for (const face of facesOf(corners)) pen.polygon(face.map(at), fits ? c.new : c.refused, fits ? 0.24 : 0.13);
+  for (const face of facesOf(corners))
+    pen.polygon(face.map(at), fits ? c.new : c.refused, fits ? 0.24 : 0.13);
   for (const [i, a] of corners.entries())
-    for (const b of corners.slice(i + 1)) pen.line(at(a), at(b), fits ? c.new : c.refused, fits ? 1.6 : 1.1, { alpha: fits ? 1 : 0.7 });
+    for (const b of corners.slice(i + 1))
+      pen.line(at(a), at(b), fits ? c.new : c.refused, fits ? 1.6 : 1.1, { alpha: fits ? 1 : 0.7 });
   for (const [a, b] of culprits) pen.line(at(a), at(b), c.refused, 2.4, { dash: [4, 3] });
 }

@@ -1,7 +1,19 @@
 /** Four points in space. The reader moves them, or flattens their square, and sees the six dihedral angles. */
 import { effect, untracked } from "@preact/signals-core";
 import type { Position } from "../../../../document/position";
-import { add, addScaled, between as betweenPositions, cross, dot, length, mean, scale, subtract, unit, zero } from "../../../../document/vectors";
+import {
+  add,
+  addScaled,
+  between as betweenPositions,
+  cross,
+  dot,
+  length,
+  mean,
+  scale,
+  subtract,
+  unit,
+  zero,
+} from "../../../../document/vectors";
 import { AngleScale } from "../../kit/angle-scale";
 import { colours, mix, type Colour } from "../../kit/colours";
 import { digits, element } from "../../kit/dom";
@@ -12,7 +24,15 @@ import { Camera } from "../../kit/space";
 import { Stage, type HandleOptions, type Pixel } from "../../kit/stage";
 import type { Values } from "../../kit/values";
 import { drawGround } from "../ideal/ground";
-import { kindOf, measureFour, poorAngles, tetrahedronEdges, type Four, type FourKind, type FourMeasures } from "./sliver-rules";
+import {
+  kindOf,
+  measureFour,
+  poorAngles,
+  tetrahedronEdges,
+  type Four,
+  type FourKind,
+  type FourMeasures,
+} from "./sliver-rules";
 
 /** The lift that makes the tetrahedron regular. */
 const regularLift = 0.88;
@@ -114,9 +134,13 @@ export class SliverFigure implements Figure {
     const from = { lift: values.number("lift"), offsets: this.#offsets };
     const toLift = lift === undefined ? (target?.lift ?? from.lift) : Number(lift);
     const square = lifted(toLift);
-    const to = square.map((corner, i) => (target ? subtract(target.four[i] ?? corner, corner) : zero)) as unknown as Four;
+    const to = square.map((corner, i) =>
+      target ? subtract(target.four[i] ?? corner, corner) : zero,
+    ) as unknown as Four;
     this.#motion.run(900, (t) => {
-      this.#offsets = from.offsets.map((each, i) => betweenPositions(each, to[i] ?? zero, t)) as unknown as Four;
+      this.#offsets = from.offsets.map((each, i) =>
+        betweenPositions(each, to[i] ?? zero, t),
+      ) as unknown as Four;
       this.#isLed = true;
       values.ask("lift", from.lift + (toLift - from.lift) * t);
       this.#isLed = false;
@@ -154,7 +178,9 @@ export class SliverFigure implements Figure {
   #compute(): void {
     const values = this.#values;
     if (!values) return;
-    this.#four = lifted(values.number("lift")).map((corner, i) => add(corner, this.#offsets[i] ?? zero)) as unknown as Four;
+    this.#four = lifted(values.number("lift")).map((corner, i) =>
+      add(corner, this.#offsets[i] ?? zero),
+    ) as unknown as Four;
     this.#measures = measureFour(this.#four);
     const { edges, angles, volume, radiusRatio } = this.#measures;
     const kind = kindOf(this.#measures);
@@ -190,7 +216,11 @@ export class SliverFigure implements Figure {
     const pixels = this.#four.map(at);
     const middle = mean(this.#four);
     for (const left of [0, 1, 2, 3]) {
-      const corners = this.#four.filter((_corner, i) => i !== left) as unknown as readonly [Position, Position, Position];
+      const corners = this.#four.filter((_corner, i) => i !== left) as unknown as readonly [
+        Position,
+        Position,
+        Position,
+      ];
       const shade = this.#shadeOf(corners, middle);
       pen.polygon(corners.map(at), mix(c.new, c.stone, shade), 0.26);
     }
@@ -198,7 +228,13 @@ export class SliverFigure implements Figure {
       const isHidden = this.#isHidden(edge);
       const isLit = this.#lit === "edges";
       const [from, to] = [pixels[a], pixels[b]] as [Pixel, Pixel];
-      pen.line(from, to, c.ink, isLit ? 4 : isHidden ? 1.25 : widths.front, isHidden && !isLit ? { dash: [4, 5] } : {});
+      pen.line(
+        from,
+        to,
+        c.ink,
+        isLit ? 4 : isHidden ? 1.25 : widths.front,
+        isHidden && !isLit ? { dash: [4, 5] } : {},
+      );
     });
     tetrahedronEdges.forEach((_ends, edge) => this.#drawAngle(edge));
   }
@@ -207,9 +243,17 @@ export class SliverFigure implements Figure {
   #drawShadow(): void {
     const c = colours();
     const ground = this.#four.map(([x, y]): Pixel => this.#camera.pixel([x, y, 0]));
-    for (const left of [0, 1, 2, 3]) this.#pen.polygon(ground.filter((_each, i) => i !== left), c.ink, 0.035);
+    for (const left of [0, 1, 2, 3])
+      this.#pen.polygon(
+        ground.filter((_each, i) => i !== left),
+        c.ink,
+        0.035,
+      );
     this.#four.forEach((corner, i) =>
-      this.#pen.line(this.#camera.pixel(corner), ground[i] ?? [0, 0], c.ink, 1, { alpha: 0.22, dash: [2, 4] }),
+      this.#pen.line(this.#camera.pixel(corner), ground[i] ?? [0, 0], c.ink, 1, {
+        alpha: 0.22,
+        dash: [2, 4],
+      }),
     );
   }
 
@@ -221,12 +265,17 @@ export class SliverFigure implements Figure {
     const normal = cross(u, v);
     const size = 2 * dot(normal, normal);
     if (size < 1e-9) return;
-    const toCentre = scale(add(scale(cross(normal, u), dot(v, v)), scale(cross(v, normal), dot(u, u))), 1 / size);
+    const toCentre = scale(
+      add(scale(cross(normal, u), dot(v, v)), scale(cross(v, normal), dot(u, u))),
+      1 / size,
+    );
     const centre = add(a, toCentre);
     const [first, second] = [subtract(a, centre), cross(unit(normal) ?? [0, 0, 1], subtract(a, centre))];
     const circle = Array.from({ length: 96 }, (_none, i): Pixel => {
       const angle = (i * Math.PI) / 48;
-      return this.#camera.pixel(addScaled(addScaled(centre, first, Math.cos(angle)), second, Math.sin(angle)));
+      return this.#camera.pixel(
+        addScaled(addScaled(centre, first, Math.cos(angle)), second, Math.sin(angle)),
+      );
     });
     this.#pen.polygon(circle, c.active, 0.07, { colour: c.active, width: 2 });
   }
@@ -243,7 +292,10 @@ export class SliverFigure implements Figure {
     const others = tetrahedronEdges[(edge + 3) % 6] ?? [2, 3];
     const middle = mean(this.#four);
     return others.every((other) => {
-      const normal = cross(subtract(this.#four[b], this.#four[a]), subtract(this.#four[other], this.#four[a]));
+      const normal = cross(
+        subtract(this.#four[b], this.#four[a]),
+        subtract(this.#four[other], this.#four[a]),
+      );
       const outward = dot(normal, subtract(this.#four[a], middle)) < 0 ? -1 : 1;
       return outward * dot(normal, subtract(this.#camera.eye, this.#four[a])) < 0;
     });
@@ -268,11 +320,15 @@ export class SliverFigure implements Figure {
     const middle = betweenPositions(from, to, 0.5);
     const arc = Array.from({ length: sectorSteps + 1 }, (_none, i): Pixel => {
       const t = (turn * i) / sectorSteps;
-      return this.#camera.pixel(add(middle, scale(addScaled(scale(u, Math.cos(t)), w, Math.sin(t)), sectorRadius)));
+      return this.#camera.pixel(
+        add(middle, scale(addScaled(scale(u, Math.cos(t)), w, Math.sin(t)), sectorRadius)),
+      );
     });
     const isPoor = angle < poorAngles.min || angle > poorAngles.max;
     const isLit =
-      this.#lit === "angles" || (this.#lit === "large" && angle > poorAngles.max) || (this.#lit === "small" && angle < poorAngles.min);
+      this.#lit === "angles" ||
+      (this.#lit === "large" && angle > poorAngles.max) ||
+      (this.#lit === "small" && angle < poorAngles.min);
     const colour: Colour = isPoor ? c.refused : c.active;
     this.#pen.polygon([this.#camera.pixel(middle), ...arc], colour, isLit ? 0.6 : 0.32, {
       colour,

@@ -28,7 +28,11 @@ export interface FourMeasures {
 export function measureFour(four: Four): FourMeasures {
   const edges = tetrahedronEdges.map(([a, b]) => distance(four[a], four[b]));
   const angles = tetrahedronEdges.map((_edge, index) => dihedralAngle(four, index));
-  const [u, v, w] = [1, 2, 3].map((i) => subtract(four[i] ?? four[0], four[0])) as [Position, Position, Position];
+  const [u, v, w] = [1, 2, 3].map((i) => subtract(four[i] ?? four[0], four[0])) as [
+    Position,
+    Position,
+    Position,
+  ];
   const volume = Math.abs(dot(u, cross(v, w))) / 6;
   const area = [0, 1, 2, 3].reduce((sum, left) => sum + areaWithout(four, left), 0);
   // The outer radius by the products of opposite edges (A. L. Crelle, 1821).

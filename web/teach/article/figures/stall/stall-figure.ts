@@ -43,9 +43,11 @@ function scaled(each: RodPocket): Scaled {
     [0, 1, 2].map((axis) => pick(...corners.map((corner) => corner[axis] ?? 0))) as unknown as Position;
   const [low, high] = [bound(Math.min), bound(Math.max)];
   const isWhole = high[0] - low[0] > 0.5;
-  const span = (axis: number): number => (isWhole && axis < 2 ? 2 : (high[axis] ?? 0) - (low[axis] ?? 0)) || 1;
+  const span = (axis: number): number =>
+    (isWhole && axis < 2 ? 2 : (high[axis] ?? 0) - (low[axis] ?? 0)) || 1;
   const factor = (axis: number): number => ((box[axis] ?? 1) * (isWhole && axis < 2 ? 1.25 : 1)) / span(axis);
-  const middle = (axis: number): number => (isWhole && axis < 2 ? 0 : ((low[axis] ?? 0) + (high[axis] ?? 0)) / 2);
+  const middle = (axis: number): number =>
+    isWhole && axis < 2 ? 0 : ((low[axis] ?? 0) + (high[axis] ?? 0)) / 2;
   const lift = (axis: number): number => (axis === 2 ? box[2] / 2 : 0);
   return {
     ...each,
@@ -65,7 +67,9 @@ export class StallFigure implements Figure {
   readonly #motion = new Motion();
   readonly #all = rodPockets.map(scaled);
   readonly #status = element("p", { class: "status", role: "status" });
-  readonly #buttons = names.map((name, index) => button({ "data-pocket": String(index + 1) }, name, () => this.#choose(index)));
+  readonly #buttons = names.map((name, index) =>
+    button({ "data-pocket": String(index + 1) }, name, () => this.#choose(index)),
+  );
   readonly #closing = button({}, "As Tetrafront closed it", () => this.#show(!this.#isClosed));
   #values: Values | null = null;
   #index = 0;
@@ -79,19 +83,31 @@ export class StallFigure implements Figure {
 
   mount(host: HTMLElement, values: Values): void {
     this.#values = values;
-    const choices = element("div", { class: "choices", role: "group", "aria-label": "Pocket" }, ...this.#buttons, this.#closing);
+    const choices = element(
+      "div",
+      { class: "choices", role: "group", "aria-label": "Pocket" },
+      ...this.#buttons,
+      this.#closing,
+    );
     host.append(this.#stage.element, choices, this.#status);
     this.#stage.setHandles([
-      nodeHandle(this.#camera, [[-1.3, -1.3, 0.01], [1.3, 1.3, box[2] - 0.01]], {
-        at: () => this.#shown.toScene(this.#node),
-        begin: () => this.#motion.stop(),
-        moveTo: (position) => {
-          this.#node = this.#shown.toRod(position);
-          this.#isHandled = true;
-          this.#compute();
+      nodeHandle(
+        this.#camera,
+        [
+          [-1.3, -1.3, 0.01],
+          [1.3, 1.3, box[2] - 0.01],
+        ],
+        {
+          at: () => this.#shown.toScene(this.#node),
+          begin: () => this.#motion.stop(),
+          moveTo: (position) => {
+            this.#node = this.#shown.toRod(position);
+            this.#isHandled = true;
+            this.#compute();
+          },
+          describe: () => String(this.#values?.word("sight")),
         },
-        describe: () => String(this.#values?.word("sight")),
-      }),
+      ),
     ]);
     this.#node = this.#startOf(this.#index);
     this.#compute();
@@ -100,13 +116,15 @@ export class StallFigure implements Figure {
   go({ pocket, node, show }: Readonly<Record<string, string>>): void {
     this.#isHandled = false;
     this.#isClosed = false;
-    const index = pocket === undefined ? this.#index : Math.min(this.#all.length, Math.max(1, Number(pocket))) - 1;
+    const index =
+      pocket === undefined ? this.#index : Math.min(this.#all.length, Math.max(1, Number(pocket))) - 1;
     if (index !== this.#index) {
       this.#index = index;
       this.#node = this.#startOf(index);
     }
     const from = this.#node;
-    const to = node === "engine" ? (this.#shown.node ?? from) : node === "start" ? this.#startOf(index) : from;
+    const to =
+      node === "engine" ? (this.#shown.node ?? from) : node === "start" ? this.#startOf(index) : from;
     this.#motion.run(
       from === to ? 0 : 700,
       (t) => {
@@ -168,7 +186,8 @@ export class StallFigure implements Figure {
     this.#stage.element.classList.toggle("playing", this.#isClosed);
     const count = element("b", seen < faces ? { class: "refused" } : {}, `${seen} of ${faces}`);
     const way = node ? "a star" : "the exact fill";
-    if (this.#isClosed) this.#status.replaceChildren(element("b", {}, String(elements.length)), ` elements, made by ${way}.`);
+    if (this.#isClosed)
+      this.#status.replaceChildren(element("b", {}, String(elements.length)), ` elements, made by ${way}.`);
     else this.#status.replaceChildren("The node sees ", count, " faces.");
     this.#stage.requestDraw();
   }
@@ -216,9 +235,16 @@ export class StallFigure implements Figure {
       }),
     );
     for (const end of ends)
-      pen.polygon(end.map((position) => this.#camera.pixel(position)), null, 1, { colour: c.ink, width: 1.25, alpha: 2 * alpha });
+      pen.polygon(
+        end.map((position) => this.#camera.pixel(position)),
+        null,
+        1,
+        { colour: c.ink, width: 1.25, alpha: 2 * alpha },
+      );
     ends[0]?.forEach((position, i) =>
-      pen.line(this.#camera.pixel(position), this.#camera.pixel(ends[1]?.[i] ?? position), c.ink, 1, { alpha }),
+      pen.line(this.#camera.pixel(position), this.#camera.pixel(ends[1]?.[i] ?? position), c.ink, 1, {
+        alpha,
+      }),
     );
   }
 }

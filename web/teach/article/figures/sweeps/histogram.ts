@@ -44,8 +44,14 @@ export class Histogram {
     this.#bars.forEach((count, bar) => {
       const isPoor = (bar + 1) * barWidth <= poorAngles.min;
       const [left, right, top] = [x(bar) + 1, x(bar + 1) - 1, y(count)];
-      const corners: Pixel[] = [[left, ground], [left, top], [right, top], [right, ground]];
-      if (count > 0) pen.polygon(corners, isPoor ? c.refused : mix(c.active, c.void, this.#isLit ? 0 : 0.35), 1);
+      const corners: Pixel[] = [
+        [left, ground],
+        [left, top],
+        [right, top],
+        [right, ground],
+      ];
+      if (count > 0)
+        pen.polygon(corners, isPoor ? c.refused : mix(c.active, c.void, this.#isLit ? 0 : 0.35), 1);
     });
     this.#first.forEach((count, bar) => {
       pen.line([x(bar), y(count)], [x(bar + 1), y(count)], c.ink, 1.5);

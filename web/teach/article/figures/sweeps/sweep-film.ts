@@ -106,6 +106,8 @@ function changesOf(mesh: SweptMesh, before: SweptMesh): readonly Position[] {
     .filter((element) => !known.has(key(mesh, element)))
     .map((element) => {
       const four = cornersOf(mesh, element);
-      return [0, 1, 2].map((axis) => four.reduce((sum, corner) => sum + (corner[axis] ?? 0) / 4, 0)) as unknown as Position;
+      return [0, 1, 2].map((axis) =>
+        four.reduce((sum, corner) => sum + (corner[axis] ?? 0) / 4, 0),
+      ) as unknown as Position;
     });
 }

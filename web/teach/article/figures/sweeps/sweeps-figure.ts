@@ -27,12 +27,28 @@ const sweepTexts: Readonly<Record<string, string>> = {
 /** More dots than these hide the cube. */
 const maxDots = 260;
 const cubeEdges: readonly (readonly [number, number])[] = [
-  [0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7],
+  [0, 1],
+  [2, 3],
+  [4, 5],
+  [6, 7],
+  [0, 2],
+  [1, 3],
+  [4, 6],
+  [5, 7],
+  [0, 4],
+  [1, 5],
+  [2, 6],
+  [3, 7],
 ];
 
 export class SweepsFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0.5, 0.5, 0.5], distance: 3.35, yaw: 0.5, pitch: 0.32 });
+  readonly #camera = new Camera(this.#stage, {
+    target: [0.5, 0.5, 0.5],
+    distance: 3.35,
+    yaw: 0.5,
+    pitch: 0.32,
+  });
   readonly #pen = new Pen(this.#stage.context);
   readonly #histogram = new Histogram();
   readonly #status = element("p", { class: "status", role: "status" });
@@ -56,7 +72,8 @@ export class SweepsFigure implements Figure {
   }
 
   go({ sweep }: Readonly<Record<string, string>>): void {
-    if (sweep !== undefined) this.#player.glideTo(sweep === "end" ? (this.#film?.stepCount ?? 0) : Number(sweep), 0);
+    if (sweep !== undefined)
+      this.#player.glideTo(sweep === "end" ? (this.#film?.stepCount ?? 0) : Number(sweep), 0);
   }
 
   mark(part: string | null): void {
@@ -126,12 +143,29 @@ export class SweepsFigure implements Figure {
     const farthest = depths.indexOf(Math.max(...depths));
     for (const [a, b] of cubeEdges)
       if ((a === farthest || b === farthest) === isBehind)
-        this.#pen.line(this.#camera.pixel(corner(a)), this.#camera.pixel(corner(b)), c.ink, isBehind ? 1.25 : 2, {
-          alpha: isBehind ? 0.4 : 0.9,
-        });
+        this.#pen.line(
+          this.#camera.pixel(corner(a)),
+          this.#camera.pixel(corner(b)),
+          c.ink,
+          isBehind ? 1.25 : 2,
+          {
+            alpha: isBehind ? 0.4 : 0.9,
+          },
+        );
     if (!isBehind) return;
-    for (const [axis, side] of [[0, 0], [0, 1], [1, 0], [1, 1], [2, 0]] as const) {
-      const wall = [[0, 0], [1, 0], [1, 1], [0, 1]].map(([u = 0, v = 0]): Position => {
+    for (const [axis, side] of [
+      [0, 0],
+      [0, 1],
+      [1, 0],
+      [1, 1],
+      [2, 0],
+    ] as const) {
+      const wall = [
+        [0, 0],
+        [1, 0],
+        [1, 1],
+        [0, 1],
+      ].map(([u = 0, v = 0]): Position => {
         const at: [number, number, number] = [0, 0, 0];
         at[axis] = side;
         at[(axis + 1) % 3] = u;
@@ -139,7 +173,12 @@ export class SweepsFigure implements Figure {
         return at;
       });
       const isFar = this.#camera.depth(mean(wall)) > this.#camera.depth([0.5, 0.5, 0.5]);
-      if (isFar) this.#pen.polygon(wall.map((each) => this.#camera.pixel(each)), c.stone, 0.75);
+      if (isFar)
+        this.#pen.polygon(
+          wall.map((each) => this.#camera.pixel(each)),
+          c.stone,
+          0.75,
+        );
     }
   }
 
@@ -154,11 +193,16 @@ export class SweepsFigure implements Figure {
       const depth = ((depths[index] ?? 0) - this.#camera.depth([0.5, 0.5, 0.5])) / 1.7 + 0.5;
       const colour = mix(c.refused, c.stone, Math.min(0.55, Math.max(0, depth * 0.6)));
       for (const left of [0, 1, 2, 3])
-        this.#pen.polygon(pixels.filter((_pixel, i) => i !== left), colour, 0.3 * alpha, {
+        this.#pen.polygon(
+          pixels.filter((_pixel, i) => i !== left),
           colour,
-          width: isLit ? 2.25 : 1.25,
-          alpha,
-        });
+          0.3 * alpha,
+          {
+            colour,
+            width: isLit ? 2.25 : 1.25,
+            alpha,
+          },
+        );
     }
   }
 

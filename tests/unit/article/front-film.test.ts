@@ -1,0 +1,114 @@
+/** The film of lesson 1: the record of the engine's front in the plane, state by state. */
+import { beforeAll, describe, expect, test } from "vitest";
+import { loadPlaneFront, type PlaneFront } from "tetrafront/trace";
+import { filmOf, smallestAngle, type FrontFilm } from "../../../web/teach/article/figures/front/front-film";
+import { Polygon } from "../../../web/teach/article/figures/front/polygon";
+import { shapes } from "../../../web/teach/article/figures/front/shapes";
+
+let engine: PlaneFront;
+beforeAll(async () => {
+  engine = await loadPlaneFront();
+});
+
+type Point = readonly [number, number];
+
+function film(shape: string, size: number): FrontFilm {
+  const filled = engine.fill([shapes[shape] ?? []], size, { improve: false });
+  if (!filled.success) throw new Error(filled.message);
+  return filmOf(filled);
+}
+
+const areaOf = (points: readonly Point[]): number =>
+  points.reduce((sum, [x, y], i) => {
+    const [u, v] = points[(i + 1) % points.length] ?? [0, 0];
+    return sum + (x * v - u * y) / 2;
+  }, 0);
+
+describe.each(Object.keys(shapes))("the film of the %s", (shape) => {
+  test.each([0.06, 0.12, 0.26])("at size %d", (size) => {
+    const {
+      nodes,
+      sides,
+      triangles,
+      sizes,
+      stepCount,
+      boundaryNodes,
+      refusals,
+      refusedCount,
+      stepAt,
+      worst,
+    } = film(shape, size);
+    // The front of each state is as large as the record says, and closes in the end.
+    sizes.forEach((count, state) => {
+      expect(sides.filter(({ born, died }) => born <= state && state < died)).toHaveLength(count);
+    });
+    expect([sizes[0], sizes.at(-1)]).toEqual([boundaryNodes, 0]);
+    // One triangle per step at most; together they fill the polygon, none upside down.
+    const areas = triangles.map(({ corners }) => areaOf(corners.map((node) => nodes[node] ?? [0, 0])));
+    expect(Math.min(...areas)).toBeGreaterThan(0);
+    expect(areas.reduce((sum, area) => sum + area, 0)).toBeCloseTo(areaOf(shapes[shape] ?? []), 9);
+    expect(triangles.every(({ born }, i) => born > (triangles[i - 1]?.born ?? 0))).toBe(true);
+    // What is refused is shown.
+    let refused = 0;
+    for (let k = 0; k < stepCount; k++) {
+      const step = stepAt(k);
+      const count = step?.candidates.filter(({ refusal }) => refusal !== null).length ?? 0;
+      expect(count > 0).toBe(refusals.includes(k));
+      const base = sides[step?.base ?? -1];
+      expect(base && base.born <= k && k < base.died).toBe(true);
+      refused += count;
+    }
+    expect(refused).toBe(refusedCount);
+    expect(stepAt(stepCount)).toBeUndefined();
+    const angles = triangles.map(({ corners }) =>
+      smallestAngle(corners.map((node) => nodes[node] ?? [0, 0])),
+    );
+    expect(worst.angle).toBe(Math.min(...angles));
+  });
+});
+
+test("a size of half is about four times as many triangles, as lesson 1 says", () => {
+  const ratio = film("boot", 0.06).triangles.length / film("boot", 0.12).triangles.length;
+  expect(ratio).toBeGreaterThan(3.5);
+  expect(ratio).toBeLessThan(4.5);
+});
+
+test("the angles of a right triangle", () => {
+  expect(
+    smallestAngle([
+      [0, 0],
+      [1, 0],
+      [0, Math.sqrt(3)],
+    ]),
+  ).toBeCloseTo(30, 10);
+});
+
+describe("a polygon", () => {
+  const square: readonly Point[] = [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [0, 1],
+  ];
+
+  test("gets a corner between two others", () => {
+    const polygon = new Polygon(square);
+    expect(polygon.split(3)).toBe(4);
+    expect(polygon.corners.at(-1)).toEqual([0, 0.5]);
+  });
+
+  test("keeps three corners", () => {
+    const polygon = new Polygon(square);
+    expect([polygon.remove(0), polygon.remove(0)]).toEqual([true, false]);
+    expect(polygon.corners).toEqual(square.slice(1));
+  });
+
+  test("goes back to the shape that it was told to keep", () => {
+    const polygon = new Polygon(square);
+    polygon.move(0, [2, 2]);
+    expect(polygon.sound).toEqual(square);
+    polygon.keep();
+    polygon.move(0, [3, 3]);
+    expect(polygon.sound[0]).toEqual([2, 2]);
+  });
+});
