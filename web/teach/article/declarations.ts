@@ -3,6 +3,10 @@ import { crossingDeclaration } from "./figures/crossing/declaration.ts";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
 import { frontDeclaration } from "./figures/front/declaration.ts";
 import { idealDeclaration } from "./figures/ideal/declaration.ts";
+import { pocketDeclaration } from "./figures/pocket/declaration.ts";
+import { sliverDeclaration } from "./figures/sliver/declaration.ts";
+import { stallDeclaration } from "./figures/stall/declaration.ts";
+import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
 
 /** Every kind of figure, by the name that lessons use. */
 export const declarations: Readonly<Record<string, FigureDeclaration>> = {
@@ -10,4 +14,8 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   ideal: idealDeclaration,
   crossing: crossingDeclaration,
   "crossing-space": crossingSpaceDeclaration,
+  pocket: pocketDeclaration,
+  stall: stallDeclaration,
+  sliver: sliverDeclaration,
+  sweeps: sweepsDeclaration,
 };

@@ -7,4 +7,8 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   crossing: async () => new (await import("./crossing/crossing-figure")).CrossingFigure(),
   "crossing-space": async () =>
     new (await import("./crossing-space/crossing-space-figure")).CrossingSpaceFigure(),
+  pocket: async () => new (await import("./pocket/pocket-figure")).PocketFigure(),
+  stall: async () => new (await import("./stall/stall-figure")).StallFigure(),
+  sliver: async () => new (await import("./sliver/sliver-figure")).SliverFigure(),
+  sweeps: async () => new (await import("./sweeps/sweeps-figure")).SweepsFigure(),
 };
