@@ -1,54 +1,11 @@
 /** The lessons as articles: every task by real drags, fingers and keys, in three settings. */
-import AxeBuilder from "@axe-core/playwright";
-import { expect, test, type Page } from "@playwright/test";
+import { expect, test } from "@playwright/test";
 import { ArticlePage, type Pixel } from "./article-page";
+import { isSound, part, settings } from "./article-settings";
 import { recordRefusals } from "./policy";
-
-const settings = {
-  "1440 light": {
-    viewport: { width: 1440, height: 900 },
-    colorScheme: "light",
-    reducedMotion: "no-preference",
-    hasTouch: false,
-  },
-  "390 dark": {
-    viewport: { width: 390, height: 844 },
-    colorScheme: "dark",
-    reducedMotion: "no-preference",
-    hasTouch: true,
-  },
-  "reduced motion": {
-    viewport: { width: 1440, height: 900 },
-    colorScheme: "dark",
-    reducedMotion: "reduce",
-    hasTouch: false,
-  },
-} as const;
 
 /** Compressed bytes of what a page fetches before the reader does anything. */
 const firstViewLimit = 300_000;
-
-async function seriousViolations(page: Page): Promise<string[]> {
-  const axe = new AxeBuilder({ page }).setLegacyMode(true).options({ resultTypes: ["violations"] });
-  const { violations } = await axe.analyze();
-  return violations
-    .filter(({ impact }) => impact === "serious" || impact === "critical")
-    .flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html} ${failureSummary}`));
-}
-
-/** What holds for every page in the end. */
-async function isSound(lesson: ArticlePage): Promise<void> {
-  const { page, errors } = lesson;
-  const excess = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
-  expect(excess).toBeLessThanOrEqual(0);
-  expect(await seriousViolations(page)).toEqual([]);
-  expect(errors).toEqual([]);
-}
-
-const part = (from: Pixel, to: Pixel, share: number): Pixel => [
-  from[0] + (to[0] - from[0]) * share,
-  from[1] + (to[1] - from[1]) * share,
-];
 
 for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.entries(settings)) {
   test.describe(name, () => {
@@ -227,7 +184,7 @@ async function moveBeyondLongSide(lesson: ArticlePage): Promise<void> {
 }
 
 test("each first view is under 300 kB, without requests to other hosts", async ({ page, baseURL }) => {
-  for (const number of [1, 4, 6]) {
+  for (const number of [1, 2, 4, 6, 7]) {
     const session = await page.context().newCDPSession(page);
     await session.send("Network.enable");
     await session.send("Network.setCacheDisabled", { cacheDisabled: true });

@@ -3,11 +3,15 @@ import { crossingDeclaration } from "./figures/crossing/declaration.ts";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
 import { frontDeclaration } from "./figures/front/declaration.ts";
 import { idealDeclaration } from "./figures/ideal/declaration.ts";
+import { raceDeclaration } from "./figures/race/declaration.ts";
+import { sidesDeclaration } from "./figures/sides/declaration.ts";
 
 /** Every kind of figure, by the name that lessons use. */
 export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   front: frontDeclaration,
+  sides: sidesDeclaration,
   ideal: idealDeclaration,
   crossing: crossingDeclaration,
   "crossing-space": crossingSpaceDeclaration,
+  race: raceDeclaration,
 };

@@ -4,6 +4,8 @@ import "../styles/fonts.css";
 import "../styles/page.css";
 import "../styles/text.css";
 import "../styles/figures.css";
+import "../styles/race.css";
+import "../styles/sides.css";
 import type { Value } from "../kit/values";
 import { tieDraggedNumbers, tieShownValues } from "./numbers";
 import { PageFigure } from "./page-figure";
