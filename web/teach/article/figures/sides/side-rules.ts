@@ -74,6 +74,11 @@ export function divide(curve: SizeCurve, begin: number, rule: SideRule, toleranc
   return { sides, lambda, nodes };
 }
 
-/** Returns how many times as long as the size at its middle the worst side of a walk is. */
+/** Returns how many times as long as the size at its middle the worst side of a walk is; a last side that sticks out does not count. */
 export const worstExcess = (curve: SizeCurve, { sides }: Walk): number =>
-  Math.max(0, ...sides.map(({ from, length }) => length / curve.sizeAt(from + 0.5 * length)));
+  Math.max(
+    0,
+    ...sides
+      .filter(({ from, length, to }) => from + length <= to + 1e-9)
+      .map(({ from, length }) => length / curve.sizeAt(from + 0.5 * length)),
+  );

@@ -20,6 +20,8 @@ export interface DrawnSides {
 
 /** Sides longer or shorter than the size at their middle by this share are shown as wrong. */
 const wrongShare = 0.05;
+/** A last side that sticks out beyond the line is pale. */
+const overAlpha = 0.45;
 /** Thickness of bars, and distance between rows of bars, in pixels. */
 const barWidth = 6;
 const maxRows = 7;
@@ -95,25 +97,21 @@ export class SidesDrawing {
     ends.slice(1).forEach((to, i) => {
       const from = ends[i] ?? to;
       const age = isFull ? 1 : clamp((ends.length - 1 - i - (isNew ? 0 : 1)) / 3 + 0.25, 0, 1);
-      this.#drawTriangle(
-        from,
-        to,
-        mix(c["new-soft"], c.stone, age),
-        lit === "triangle" || lit === "sides" ? 2.5 : 1,
-      );
-      this.#drawWrong(curve, from, to, divided);
+      const isOver = to > lineEnd + 1e-9;
+      const width = lit === "triangle" || lit === "sides" ? 2.5 : 1;
+      this.#drawTriangle(from, to, mix(c["new-soft"], c.stone, age), width, isOver ? overAlpha : 1);
+      if (!isOver) this.#drawWrong(curve, from, to, divided);
     });
     for (const [i, to] of ends.entries()) {
       const from = ends[i - 1];
-      if (from !== undefined)
-        this.pen.line(
-          this.#at([from, 0]),
-          this.#at([to, 0]),
-          c.ink,
-          lit === "sides" ? widths.active + 1 : widths.strong,
-        );
+      if (from === undefined) continue;
+      const width = lit === "sides" ? widths.active + 1 : widths.strong;
+      this.pen.line(this.#at([from, 0]), this.#at([Math.min(to, lineEnd), 0]), c.ink, width);
+      if (to > lineEnd)
+        this.pen.line(this.#at([lineEnd, 0]), this.#at([to, 0]), c.refused, widths.front, { dash: [5, 4] });
     }
-    for (const end of ends) this.pen.circle(this.#at([end, 0]), 3.6, c.ink);
+    for (const end of [...ends.filter((at) => at < lineEnd), lineEnd])
+      this.pen.circle(this.#at([end, 0]), 3.6, c.ink);
   }
 
   #drawTriangle(
