@@ -4,6 +4,8 @@ import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.t
 import { frontDeclaration } from "./figures/front/declaration.ts";
 import { idealDeclaration } from "./figures/ideal/declaration.ts";
 import { pocketDeclaration } from "./figures/pocket/declaration.ts";
+import { raceDeclaration } from "./figures/race/declaration.ts";
+import { sidesDeclaration } from "./figures/sides/declaration.ts";
 import { sliverDeclaration } from "./figures/sliver/declaration.ts";
 import { stallDeclaration } from "./figures/stall/declaration.ts";
 import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
@@ -11,6 +13,7 @@ import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
 /** Every kind of figure, by the name that lessons use. */
 export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   front: frontDeclaration,
+  sides: sidesDeclaration,
   ideal: idealDeclaration,
   crossing: crossingDeclaration,
   "crossing-space": crossingSpaceDeclaration,
@@ -18,4 +21,5 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   stall: stallDeclaration,
   sliver: sliverDeclaration,
   sweeps: sweepsDeclaration,
+  race: raceDeclaration,
 };

@@ -6,6 +6,8 @@ import "../styles/text.css";
 import "../styles/figures.css";
 import "../styles/pocket.css";
 import "../styles/slivers.css";
+import "../styles/race.css";
+import "../styles/sides.css";
 import type { Value } from "../kit/values";
 import { tieDraggedNumbers, tieShownValues } from "./numbers";
 import { PageFigure } from "./page-figure";

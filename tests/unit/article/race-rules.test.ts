@@ -1,0 +1,72 @@
+/** The race of lesson 7: its tasks can be done, and its table is true of the engine. */
+import { readFileSync } from "node:fs";
+import { loadPlaneFront } from "tetrafront/trace";
+import { describe, expect, test } from "vitest";
+import { filmOf } from "../../../web/teach/article/figures/front/front-film";
+import {
+  channel,
+  fillChannel,
+  onWing,
+  orders,
+  outlineOf,
+  withinChannel,
+  type Order,
+  type Wing,
+} from "../../../web/teach/article/figures/race/race-rules";
+
+const front = await loadPlaneFront();
+
+function refusals(wing: Wing, growth: number): Record<Order, number> {
+  const counted = orders.map((order) => {
+    const filled = fillChannel(front, wing, growth, order);
+    if (!filled.success) throw new Error(filled.message);
+    expect(filled.status).toBe("done");
+    return [order, filmOf(filled).refusedCount];
+  });
+  return Object.fromEntries(counted) as Record<Order, number>;
+}
+
+/** Wings at random positions and angles, the same ones every time. */
+function wings(count: number): readonly Wing[] {
+  let state = 7;
+  const random = (): number => (state = (state * 16807) % 2147483647) / 2147483647;
+  return Array.from({ length: count }, () => ({
+    at: withinChannel([random() * channel[0], random() * channel[1]]),
+    angle: -30 + 60 * random(),
+  }));
+}
+
+describe("the race", () => {
+  test("keeps the wing within the channel at every angle", () => {
+    for (const corner of [[0, 0], channel, [9, -9]] as const)
+      for (let angle = -40; angle <= 40; angle += 5)
+        for (const [x, y] of outlineOf({ at: withinChannel(corner), angle })) {
+          expect(Math.min(x, y, channel[0] - x, channel[1] - y)).toBeGreaterThan(0.05);
+        }
+  });
+
+  test("turns the tail down by the angle", () => {
+    const [x, y] = onWing({ at: [0, 0], angle: 30 }, [1, 0]);
+    expect((Math.atan2(y, x) * 180) / Math.PI).toBeCloseTo(-30, 9);
+  });
+
+  const text = readFileSync("web/lessons/7.md", "utf8");
+  const rows = [...text.matchAll(/^\| ([\d.]+)[^|]*\|(.+)\|$/gm)].map(([, growth, cells = ""]) => ({
+    growth: Number(growth),
+    means: cells.split("|").map((cell) => Number(cell.replaceAll("*", ""))),
+  }));
+
+  test("has a table of the lesson with four growths", () => {
+    expect(rows.map(({ growth }) => growth)).toEqual([0.2, 0.3, 0.6, 1.6]);
+  });
+
+  test.each(rows)(
+    "has these mean refusals of sixty wings with growth $growth",
+    ({ growth, means }) => {
+      const counted = wings(60).map((wing) => refusals(wing, growth));
+      const found = orders.map((order) => Math.round(counted.reduce((sum, of) => sum + of[order], 0) / 60));
+      expect(found).toEqual(means);
+    },
+    120_000,
+  );
+});
