@@ -275,8 +275,7 @@ void printScoreRules() {
   printNumber("WEDGE_BONUS", kWedgeBonus, "Added to the score of the apex of a wedge.");
   printNumber("POCKET_BONUS", kPocketBonus, "Added to the score of a candidate at three edges.");
   printNumber("NEW_NODE_WEIGHT", kNewNodeWeight, "Weight of the mean ratio of a new node.");
-  printNumber("LOW_NEW_NODE_WEIGHT", kLowNewNodeWeight,
-              "The same in some attempts at a pocket.");
+  printNumber("LOW_NEW_NODE_WEIGHT", kLowNewNodeWeight, "The same in some attempts at a pocket.");
   std::string heights;
   for (const double height : kHeights) heights += (heights.empty() ? "" : ", ") + textOf(height);
   print("/** Heights tried for a new node, as factors of the ideal height. */");

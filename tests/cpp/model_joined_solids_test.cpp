@@ -70,8 +70,7 @@ TEST(JoinedSolids, ThatOverlapKeepTheirFaces) {
   const TrimmedSolid box = trimmedBox(Vec3(0.0), Vec3(1.0));
   const JoinedSolids joined = joinSolids(together({box, box}));
   EXPECT_EQ(joined.model.faces.size(), 12U);
-  for (const TrimmedFace& face : joined.model.faces)
-    EXPECT_EQ(face.otherSolid, TrimmedFace::kNone);
+  for (const TrimmedFace& face : joined.model.faces) EXPECT_EQ(face.otherSolid, TrimmedFace::kNone);
 }
 
 TEST(JoinedSolids, ThatTouchAtAnEdgeShareIt) {

@@ -17,10 +17,10 @@ namespace tetrafront {
 
 /// The terms of a candidate's score beside the shape of its element.
 struct ScoreTerms {
-  std::uint8_t closed = 0;     ///< existing node: edges of the base at which it meets a face, 0 to 3
-  bool isWedge = false;        ///< existing node: the apex of a face that forms a wedge with the base
-  std::uint8_t height = 0;     ///< new node: index in kHeights
-  bool hasLowWeight = false;   ///< new node: its weight is kLowNewNodeWeight
+  std::uint8_t closed = 0;  ///< existing node: edges of the base at which it meets a face, 0 to 3
+  bool isWedge = false;     ///< existing node: the apex of a face that forms a wedge with the base
+  std::uint8_t height = 0;  ///< new node: index in kHeights
+  bool hasLowWeight = false;  ///< new node: its weight is kLowNewNodeWeight
 };
 
 struct Candidate {

@@ -1,7 +1,11 @@
 /** The traces that the site ships for its lessons: recorded by the engine of this build, small, and with what the lessons show. */
 import { readTrace, type Trace } from "tetrafront/trace";
 import { beforeAll, expect, test } from "vitest";
-import { MAX_TRACE_BYTES, lessonTraceNames, recordLessonTraces } from "../../../scripts/lib/lesson-traces.mjs";
+import {
+  MAX_TRACE_BYTES,
+  lessonTraceNames,
+  recordLessonTraces,
+} from "../../../scripts/lib/lesson-traces.mjs";
 import { lessonTraces } from "../../../scripts/lib/site-traces.mjs";
 
 let files: Record<string, Uint8Array>;

@@ -31,24 +31,33 @@ it("shows the digits that are right, and no others", () => {
   expect(scoreText(0)).toBe("0");
 });
 
-it.each([2, 3] as const)("differs from a score of %i bytes by at most one and a half units of its last digit", (bytes) => {
-  const random = randomSource(43);
-  for (let i = 0; i < 2000; i++) {
-    const score = 12 * (random() / 2 ** 32) ** 3 + 1e-3;
-    const shown = recordedScores([recorded(score, bytes)])[0] ?? "";
-    const unit = 10 ** -(shown.split(".")[1]?.length ?? 0);
-    expect(Math.abs(Number(shown) - score)).toBeLessThanOrEqual(1.5 * unit);
-    // One more digit would not be right, or not be worth reading.
-    const spacing = 2 ** (Math.floor(Math.log2(score)) + 1 - 8 * (bytes - 1));
-    expect(unit / 10 < spacing || unit === 1e-3).toBe(true);
-  }
-});
+it.each([2, 3] as const)(
+  "differs from a score of %i bytes by at most one and a half units of its last digit",
+  (bytes) => {
+    const random = randomSource(43);
+    for (let i = 0; i < 2000; i++) {
+      const score = 12 * (random() / 2 ** 32) ** 3 + 1e-3;
+      const shown = recordedScores([recorded(score, bytes)])[0] ?? "";
+      const unit = 10 ** -(shown.split(".")[1]?.length ?? 0);
+      expect(Math.abs(Number(shown) - score)).toBeLessThanOrEqual(1.5 * unit);
+      // One more digit would not be right, or not be worth reading.
+      const spacing = 2 ** (Math.floor(Math.log2(score)) + 1 - 8 * (bytes - 1));
+      expect(unit / 10 < spacing || unit === 1e-3).toBe(true);
+    }
+  },
+);
 
 it("shows parts that add up to the score as it is shown", () => {
   const random = randomSource(7);
   const number = (scale: number) => scale * (random() / 2 ** 32 - 0.5);
   for (let i = 0; i < 2000; i++) {
-    const given = { shape: Math.abs(number(2)), closing: number(0.2), wedge: i % 2, pocket: 0, height: number(1) };
+    const given = {
+      shape: Math.abs(number(2)),
+      closing: number(0.2),
+      wedge: i % 2,
+      pocket: 0,
+      height: number(1),
+    };
     const shown = roundedParts(given, 3);
     const sum = (all: Record<string, number>) => Object.values(all).reduce((total, part) => total + part, 0);
     expect(Math.round(1000 * sum(shown))).toBe(Math.round(1000 * sum(given)));

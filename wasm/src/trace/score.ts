@@ -51,7 +51,10 @@ export function readScore(cursor: TraceCursor, isNew: boolean): RecordedScore {
 }
 
 /** Reads a score of an earlier version of the file. */
-export const readShortScore = (cursor: TraceCursor): RecordedScore => ({ score: cursor.score(), parts: null });
+export const readShortScore = (cursor: TraceCursor): RecordedScore => ({
+  score: cursor.score(),
+  parts: null,
+});
 
 function nodeParts(cursor: TraceCursor, score: number, terms: number): ScoreParts {
   const closed = terms % WEDGE_BIT;

@@ -311,9 +311,7 @@ export class SurfaceTrace {
       const culprit = candidateCulprits[i] ?? NONE;
       const isNew = node === null || front.nodesBorn[node] === step;
       const plane =
-        node === null
-          ? newNodePosition(...base.ends, base.ideal, refusedNew++)
-          : pairAt(front.plane, node);
+        node === null ? newNodePosition(...base.ends, base.ideal, refusedNew++) : pairAt(front.plane, node);
       const parts = planeScoreParts(base, plane, isNew);
       candidates.push({
         node,
