@@ -108,7 +108,7 @@ TEST(SurfaceRecorder, AStalledFrontIsRecordedToItsEnd) {
   while (!front.advance(100)) continue;
   EXPECT_TRUE(front.hasStalled());
   EXPECT_FALSE(mesh.triangles.empty());
-  recorder.ended(mesh, front.hasStalled());
+  recorder.ended(mesh, PlanarFrontEnd::kStalled);
   const std::vector<std::uint8_t> recorded = bytes.take();
   EXPECT_EQ(fixture("stalled-front.bin", recorded), recorded);
 }

@@ -86,13 +86,21 @@ class PlaneFiller {
                 .experiment = experiment}} {}
 
   PlaneFill fill() {
-    if (areLoopsSimple() && divide() && numberNodes()) advance();
+    if (areFew() && areLoopsSimple() && divide() && numberNodes()) advance();
     fill_.events = bytes_.take();
     return std::move(fill_);
   }
 
  private:
   [[nodiscard]] IdRange<LineId> lines() const { return IdRange<LineId>(lines_.lineCount()); }
+
+  /// Each segment has at least one side.
+  bool areFew() {
+    if (lines_.lineCount() <= kMaxPlaneSides) return true;
+    fill_.status = PlaneStatus::kTooManySides;
+    fill_.culprits = {kMaxPlaneSides};
+    return false;
+  }
 
   bool areLoopsSimple() {
     LineDivider whole(model_);

@@ -254,6 +254,27 @@ describe("refused", () => {
     expect(refused([square], 1e-6)).toMatchObject({ code: "too-many-sides" });
   });
 
+  test("more segments than sides are permitted, without a walk through them", () => {
+    const circle = Float64Array.from({ length: 300_000 }, (_, i) => {
+      const angle = (2 * Math.PI * Math.floor(i / 2)) / 150_000;
+      return i % 2 === 0 ? Math.cos(angle) : Math.sin(angle);
+    });
+    const node = { position: [0, 0], size: 1 } as const;
+    expect(front.fill([circle], { nodes: [node] }, { boundary: "given" })).toMatchObject({
+      code: "too-many-sides",
+    });
+  });
+
+  test("loops and sizes of another kind are errors of the program", () => {
+    expect(() => front.fill(undefined as never, 1)).toThrow(/argument loops is invalid/);
+    expect(() => front.fill([[[0, 0, 0]]] as never, 1)).toThrow(/argument loops\[0\]\[0\] is invalid/);
+    expect(() => front.fill([square], null as never)).toThrow(/argument sizes is invalid/);
+    expect(() => front.fill([square], "1" as never)).toThrow(/argument sizes is invalid/);
+    expect(() => front.fill([square], { size: "1" } as never)).toThrow(/argument sizes.size is invalid/);
+    const source = { position: [1], size: 1 };
+    expect(() => front.fill([square], { size: 1, sources: [source] } as never)).toThrow(/sizes.sources\[0\]/);
+  });
+
   test("unknown options are errors of the program", () => {
     expect(() => front.fill([square], 1, { order: "largest" as "random" })).toThrow(
       /options.order is invalid/,

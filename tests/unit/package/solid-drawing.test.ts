@@ -4,10 +4,11 @@ import { createMesher, type Mesher } from "tetrafront";
 import { trimmedModelOfBrep } from "../../../wasm/dist/cad/brep-model.js";
 import { drawingOf } from "../../../wasm/dist/cad/features/drawing.js";
 import { evaluate } from "../../../wasm/dist/cad/features/evaluate.js";
-import type { Feature } from "../../../wasm/dist/cad/features/feature.js";
+import type { Feature, Loop } from "../../../wasm/dist/cad/features/feature.js";
 import type { FeatureKernel } from "../../../wasm/dist/cad/features/session.js";
+import type { Vector } from "../../../wasm/dist/base/vectors.js";
 import { readProject } from "tetrafront/project";
-import { boxFeature, measured, UPRIGHT } from "../../support/features.js";
+import { boxFeature, circleLoop, measured, polygonLoop, UPRIGHT } from "../../support/features.js";
 import { testKernel } from "../../support/kernel-shapes.js";
 
 let kernel: FeatureKernel;
@@ -80,6 +81,98 @@ test.each(CASES)(
   },
   120_000,
 );
+
+/** A half disc beside the axis z. */
+const halfDisc: Loop = [
+  {
+    kind: "line",
+    points: [
+      [4, 0, 1],
+      [4, 0, -1],
+    ],
+  },
+  {
+    kind: "arc",
+    points: [
+      [4, 0, -1],
+      [5, 0, 0],
+      [4, 0, 1],
+    ],
+  },
+];
+const hexagon = polygonLoop(
+  ...[0, 1, 2, 3, 4, 5].map((k): Vector => [
+    9.5 * Math.cos((k * Math.PI) / 3),
+    9.5 * Math.sin((k * Math.PI) / 3),
+    0,
+  ]),
+);
+const wavy: Loop = [
+  {
+    kind: "spline",
+    points: [
+      [0, 0, 0],
+      [1, 0.3, 0],
+      [2, -0.3, 0],
+      [3, 0, 0],
+    ],
+  },
+  ...polygonLoop([3, 0, 0], [3, 2, 0], [0, 2, 0], [0, 0, 0]).slice(0, 3),
+];
+const bent: Feature = {
+  id: 1,
+  type: "torus",
+  operation,
+  ...UPRIGHT,
+  majorRadius: 5,
+  minorRadius: 1,
+  angle: 90,
+};
+const revolved: Feature = {
+  id: 1,
+  type: "revolve",
+  operation,
+  ...UPRIGHT,
+  profile: { outer: halfDisc },
+  angle: 90,
+};
+const blind: Feature = {
+  id: 2,
+  type: "hole",
+  position: [0, 4, 1.5],
+  axis: [0, -1, 0],
+  diameter: 0.5,
+  depth: 3,
+};
+const UNDRAWN: readonly [string, readonly Feature[], undrawn: number][] = [
+  ["a bent pipe is not a full turn", [bent], 1],
+  ["edges of a half turn bound no patch that is near a round face", [revolved], 1],
+  [
+    "a cone with a hole in its side has no second rim",
+    [{ ...cone, radius: 3, topRadius: 0, height: 6 }, blind],
+    1,
+  ],
+];
+
+test.each(UNDRAWN)("%s", (_, features, undrawn) => {
+  expect(drawn(features).left).toHaveLength(undrawn);
+});
+
+test("the outer loop of a plane face encloses the largest area", async () => {
+  const profile = { outer: circleLoop(10), holes: [hexagon] };
+  const features: readonly Feature[] = [{ id: 1, type: "extrude", operation, profile, vector: [0, 0, 3] }];
+  const volume = await volumeOf(drawn(features), 1);
+  expect(Math.abs(volume / measured(kernel, features).volume - 1)).toBeLessThan(0.02);
+});
+
+test("faces with splines as edges are not exact", () => {
+  const features: readonly Feature[] = [
+    { id: 1, type: "extrude", operation, profile: { outer: wavy }, vector: [0, 0, 1] },
+  ];
+  const { patches, left } = drawn(features);
+  expect(left).toEqual([]);
+  expect(patches.filter(({ isExact }) => isExact)).toHaveLength(3);
+});
 
 test("faces that no patch fits are left, and only those", () => {
   const across: Feature = { id: 2, type: "hole", position: [-2, 0, 1], axis: [1, 0, 0], diameter: 0.5 };

@@ -32,7 +32,7 @@ function surfaceOf(patches: Uint8Array): SurfaceTrace {
 test("edges that cannot be completed stay in a front that stalls", () => {
   const surface = surfaceOf(recorded);
   const [front] = surface.fronts;
-  expect(front).toMatchObject({ hasStalled: true, improved: null });
+  expect(front).toMatchObject({ end: "stalled", improved: null });
   const steps = Array.from({ length: surface.stepCount }, (_, i) => surface.stepAt(i + 1));
   const givenUp = steps.flatMap((step) =>
     step?.kind === "edge" && step.outcome === "postponed" && step.nextPass === null ? [step.edge] : [],

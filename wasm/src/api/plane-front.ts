@@ -13,8 +13,8 @@ import { Fingerprint } from "../trace/fingerprint.js";
 import { SurfaceReplay } from "../trace/surface-replay.js";
 import { SurfaceTrace } from "../trace/surface-trace.js";
 import { TraceCursor } from "../trace/trace-cursor.js";
-import { loopName, planeLoops, type PlaneLoops, segmentOf } from "./plane-loops.js";
-import { type PlaneField, planeField } from "./plane-sizes.js";
+import { loopName, loopsSchema, planeLoops, type PlaneLoops, segmentOf } from "./plane-loops.js";
+import { type PlaneField, planeField, sizesSchema } from "./plane-sizes.js";
 import type {
   FilledPlane,
   FillPlaneOptions,
@@ -45,13 +45,15 @@ const optionsSchema = objectWith({
   ),
 });
 
-/** Fills a polygon; throws a `MesherError` if an option is invalid or memory runs out. */
+/** Fills a polygon; throws a `MesherError` if an argument is of another kind, an option is invalid or memory runs out. */
 export function filledPlane(
   engine: PlaneEngine,
   loops: readonly PlaneLoop[],
   sizes: PlaneSizes,
   options: FillPlaneOptions,
 ): FillPlaneResult {
+  checkArgument("loops", loops, loopsSchema);
+  checkArgument("sizes", sizes, sizesSchema);
   checkArgument("options", options, optionsSchema);
   const polygon = planeLoops(loops);
   if ("success" in polygon) return polygon;

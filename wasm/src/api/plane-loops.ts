@@ -1,7 +1,16 @@
 /** The loops of a polygon, checked and as the engine takes them. */
+import * as v from "valibot";
 import { isA } from "../base/values.js";
+import { doubles } from "../calls/schemas.js";
 import { MAX_LENGTH } from "../generated/constants.js";
 import type { PlaneLoop, PlaneSegment, UnfilledPlane } from "./plane-types.js";
+
+/** Any number, also NaN: numbers that are out of range are named as those of a corner, size or source. */
+export const anyNumber = v.custom<number>((value) => typeof value === "number", "a number");
+export const positionSchema = v.strictTuple([anyNumber, anyNumber]);
+export const loopsSchema = v.array(
+  v.lazy((loop) => (isA("Float64Array", loop) ? doubles() : v.array(positionSchema))),
+);
 
 /** Corners of all loops, one after the other. */
 export interface PlaneLoops {

@@ -1,9 +1,36 @@
 /** The target sizes of a polygon as a background grid of the engine: checked, triangulated, and made a layer of tetrahedra. */
 import Delaunator from "delaunator";
+import * as v from "valibot";
 import { LIMITS, limitText } from "../base/limits.js";
+import { objectWith } from "../calls/schemas.js";
 import { type GridArrays, MAX_LENGTH, MIN_LENGTH, SOURCE_GROWTH } from "../generated/constants.js";
 import type { PlaneNode, PlaneSizes, PlaneSource, UnfilledPlane } from "./plane-types.js";
-import type { PlaneLoops } from "./plane-loops.js";
+import { anyNumber, type PlaneLoops, positionSchema } from "./plane-loops.js";
+
+const sourcesSchema = v.optional(
+  v.array(
+    objectWith({
+      position: positionSchema,
+      size: anyNumber,
+      distance: v.optional(anyNumber),
+      growth: v.optional(anyNumber),
+    }),
+  ),
+);
+const nodesSchema = v.array(
+  objectWith({
+    position: positionSchema,
+    size: anyNumber,
+    stretching: v.optional(anyNumber),
+    direction: v.optional(positionSchema),
+  }),
+);
+const uniformSchema = objectWith({ size: anyNumber, sources: sourcesSchema });
+const graphedSchema = objectWith({ nodes: nodesSchema, sources: sourcesSchema });
+export const sizesSchema = v.lazy((sizes) => {
+  if (typeof sizes === "number") return anyNumber;
+  return typeof sizes === "object" && sizes !== null && "nodes" in sizes ? graphedSchema : uniformSchema;
+});
 
 /** A uniform size, or 0 if the grid has nodes; and the grid. */
 export interface PlaneField {
@@ -143,14 +170,13 @@ type Position = PlaneNode["position"];
 
 /** Corners of a box around loops and nodes that is larger by its own extent on every side, and this extent. */
 function surroundings(points: Float64Array, positions: readonly Position[]) {
-  const xs = positions.map(([x]) => x);
-  const ys = positions.map(([, y]) => y);
-  for (let i = 0; i < points.length; i += 2) {
-    xs.push(points[i] ?? 0);
-    ys.push(points[i + 1] ?? 0);
-  }
-  const [left, right] = [Math.min(...xs), Math.max(...xs)];
-  const [low, high] = [Math.min(...ys), Math.max(...ys)];
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  const include = (x: number, y: number): void => {
+    [left, right] = [Math.min(left, x), Math.max(right, x)];
+    [low, high] = [Math.min(low, y), Math.max(high, y)];
+  };
+  for (const [x, y] of positions) include(x, y);
+  for (let i = 0; i < points.length; i += 2) include(points[i] ?? 0, points[i + 1] ?? 0);
   const height = Math.max(right - left, high - low);
   const corners = [
     [left - height, low - height],

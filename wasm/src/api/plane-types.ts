@@ -91,7 +91,7 @@ export interface PlaneSegment {
  * - `no-polygon`: there is no loop, or one has fewer than three corners, or an odd number of coordinates.
  * - `invalid-position`: a coordinate is not finite or too large.
  * - `same-corner`: two neighbouring corners are the same; `segments` has the segment between them.
- * - `crossing`: the two `segments` have more in common than a corner at which they meet.
+ * - `crossing`: the two `segments` have more in common than a corner of their loop between them; loops must not touch.
  * - `hole-outside`: the second of the `loops` is not inside the first one.
  * - `nested-holes`: the first of the `loops` is inside the second.
  * - `invalid-size`: sizes are missing, or a size, stretching, direction, distance or growth is out of range.

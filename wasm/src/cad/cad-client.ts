@@ -50,15 +50,17 @@ type CadQuestion = Omit<CadRequest, "library" | "sharesFaces">;
 
 /**
  * Resolves with the reply of the worker; a crash of the worker and the end of its times are replies, too. If it does not get to the
- * end of the search for faces that solids share, another one reads the file without. Rejects with a `MesherError` of code
+ * end of the search for faces that solids share, another one reads the file without, as the first does unless `canShare`. Rejects with a `MesherError` of code
  * `cancelled` if the signal is aborted.
  */
 export async function askForCad(
   question: CadQuestion,
   signal: AbortSignal | undefined,
   limits: CadLimits = {},
+  canShare = true,
 ): Promise<CadReply> {
-  const { reply, hasShared } = await answerTo({ ...question, sharesFaces: true }, signal, limits);
+  const { reply, hasShared } = await answerTo({ ...question, sharesFaces: canShare }, signal, limits);
+  if (!canShare) return reply.kind === "read" ? { ...reply, areApart: true } : reply;
   if (reply.kind === "read" || !hasShared) return reply;
   const { reply: apart } = await answerTo({ ...question, sharesFaces: false }, signal, limits);
   return apart.kind === "read" ? { ...apart, areApart: true } : apart;

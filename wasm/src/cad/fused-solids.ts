@@ -33,10 +33,10 @@ export function fusedSolids(
     return undefined;
   const solids = given.map((one): Solid => ({ shape: one, origins: [...facesOf(kernel, one, hold).keys()] }));
   let isChanged = false;
+  onSharing?.();
   const groups = connectedGroups(given.length, nearPairs(kernel, given, hold)).filter(
     (group) => group.length > 1,
   );
-  if (groups.length > 0) onSharing?.();
   for (const group of groups) {
     const made = fusedGroup(
       kernel,
@@ -55,7 +55,7 @@ export function fusedSolids(
   return { shape: whole, origins: solids.map(({ origins }) => origins) };
 }
 
-/** Returns the solids that the fuse makes of some; undefined if they share nothing, or if they are not one each. */
+/** Returns the solids that the fuse makes of some; undefined if they share nothing, or if they are not one each. Throws if the kernel fails. */
 function fusedGroup(kernel: CadKernel, given: readonly Shape[], hold: Hold): Solid[] | undefined {
   const list = hold(new kernel.NCollection_List_TopoDS_Shape());
   for (const shape of given) append(list, shape, hold);
@@ -65,7 +65,8 @@ function fusedGroup(kernel: CadKernel, given: readonly Shape[], hold: Hold): Sol
   // Gluing would assume that solids do not overlap.
   fuse.SetGlue(kernel.BOPAlgo_GlueEnum.BOPAlgo_GlueOff);
   fuse.Build(hold(new kernel.Message_ProgressRange()));
-  if (fuse.HasErrors() || !fuse.HasModified()) return undefined;
+  if (fuse.HasErrors()) throw new Error("OpenCascade cannot find what solids share");
+  if (!fuse.HasModified()) return undefined;
   const after = (shape: Shape): Shape[] => {
     const made = entriesOf(kernel, hold(fuse.Modified(shape)), hold);
     return made.length > 0 || fuse.IsDeleted(shape) ? made : [shape];

@@ -49,18 +49,21 @@ interface CadSource {
   readonly size: number | undefined;
 }
 
+type ReadShapes = Pick<Extract<CadReply, { readonly kind: "read" }>, "shapes" | "areApart">;
+
 async function meshOf(
   { format, bytes, size }: CadSource,
   signal: AbortSignal | undefined,
   onWork: ((fraction: number) => void) | undefined,
 ): Promise<Mesh> {
-  const { shapes, areApart } = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
-  const isFine = size === undefined || shapes.every(({ points }) => isFineFor(size, points));
-  const used = isFine ? shapes : await finer(shapes, { format, bytes, size }, signal);
+  const coarse = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
+  const isFine = size === undefined || coarse.shapes.every(({ points }) => isFineFor(size, points));
+  const read = isFine ? coarse : await finer(coarse, { format, bytes, size }, signal);
+  const { shapes: used, areApart } = read;
   const named = format === "step" ? await inSteps(namedByProducts(used, bytes), signal) : used;
   const { mesh: made, closedShapes } = await inSteps(joinedSurface(named), signal);
   const damage = format === "step" ? stepNotes(await inSteps(stepText(bytes), signal), closedShapes) : [];
-  const tooSmall = isFine || used !== shapes ? [] : [TOO_SMALL];
+  const tooSmall = isFine || read !== coarse ? [] : [TOO_SMALL];
   const apart = areApart === true ? [NOT_SHARED] : [];
   const notes = [...damage, ...(made.notes ?? []), ...tooSmall, ...apart, ...missingFaces(used, format)];
   const trueFaces = trueFacesOf(used);
@@ -136,18 +139,18 @@ interface FineRequest {
 
 /** Returns the shapes of a file, finely enough for a target size; the coarse shapes if OpenCascade fails. */
 async function finer(
-  coarse: readonly CadShape[],
+  coarse: ReadShapes,
   { format, bytes, size }: FineRequest,
   signal: AbortSignal | undefined,
-): Promise<readonly CadShape[]> {
-  const largest = coarse.reduce((most, { points }) => Math.max(most, diagonalOf(points)), 0);
+): Promise<ReadShapes> {
+  const largest = coarse.shapes.reduce((most, { points }) => Math.max(most, diagonalOf(points)), 0);
   const distance = Math.max(PER_SIZE * size, FINEST * largest);
   const deflection = { distance, isRelative: false, angle: DEFLECTION.angle };
-  const reply = await askForCad({ format, bytes, deflection }, signal, {
-    reading: secondsForFiner(bytes.length),
-  });
-  const shapes = reply.kind === "read" ? reply.shapes.filter(hasTriangles) : [];
-  return shapes.length > 0 ? shapes : coarse;
+  const limits = { reading: secondsForFiner(bytes.length) };
+  const reply = await askForCad({ format, bytes, deflection }, signal, limits, coarse.areApart !== true);
+  if (reply.kind !== "read") return coarse;
+  const shapes = reply.shapes.filter(hasTriangles);
+  return shapes.length > 0 ? { ...reply, shapes } : coarse;
 }
 
 const hasTriangles = ({ triangles }: CadShape) => triangles.length > 0;
@@ -161,7 +164,7 @@ function isFineFor(size: number, points: Float64Array): boolean {
 async function shapesIn(
   request: Parameters<typeof askForCad>[0],
   signal: AbortSignal | undefined,
-): Promise<Pick<Extract<CadReply, { readonly kind: "read" }>, "shapes" | "areApart">> {
+): Promise<ReadShapes> {
   const reply = await askForCad(request, signal);
   const { format, bytes } = request;
   const isDamaged = reply.kind === "rejected" || reply.kind === "failed";

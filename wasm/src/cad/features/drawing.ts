@@ -7,7 +7,7 @@ import { trimmedModelOfBrep } from "../brep-model.js";
 import { evaluate } from "./evaluate.js";
 import type { Feature, FeatureFailure } from "./feature.js";
 import type { FeatureKernel } from "./session.js";
-import { lengthOf, minus, type Vector } from "../../base/vectors.js";
+import { cross, dot, lengthOf, minus, plus, type Vector } from "../../base/vectors.js";
 import { isRound, positionOnCurve, positionOnRound, type RoundSurface } from "../curve-positions.js";
 import type { Coedge, FaceSurface, TrimmedEdge, TrimmedFace, TrimmedModel } from "../trimmed-model.js";
 
@@ -36,6 +36,8 @@ export interface DrawnPatch {
 const QUARTER = Math.PI / 2;
 /** Angles and distances that differ by less, as a part of a turn or of a size, are the same. */
 const SAME = 1e-9;
+/** A patch whose edges turn by more is far from the face: edges of a quarter turn, measured along chords, do not. */
+const MAX_TURN = QUARTER + 1e-6;
 /** Positions on a curve of the kernel by which a spline of ours goes: for each turn of an ellipse, and for each piece of a spline. */
 const PER_TURN = 32;
 const PER_PIECE = 4;
@@ -104,8 +106,8 @@ class Drawing {
       this.#patches.push({ type, loops: turned, face: index, isExact });
     };
     if (surface.kind === "plane") {
-      const loops = face.loops.map((loop) => this.#steps(loop));
-      const [outer, ...holes] = loops.toSorted((a, b) => this.#extentOf(b) - this.#extentOf(a));
+      const byArea = face.loops.toSorted((a, b) => this.#areaOf(b) - this.#areaOf(a));
+      const [outer, ...holes] = byArea.map((loop) => this.#steps(loop));
       if (outer) add("planar", [outer, ...holes], this.#isCircular(face.loops.flat()));
     } else if (this.#isTurned(face)) this.#drawTurned(face, add);
     else if (hasSeam(face)) this.#drawTube(face, surface, add);
@@ -114,13 +116,15 @@ class Drawing {
 
   #drawSided(face: TrimmedFace, surface: FaceSurface, add: AddPatch): void {
     const edges = face.loops.flat().filter(({ edge }) => this.#curveOf(edge) !== undefined);
-    const loop = this.#steps(edges);
-    if (loop.length === 3 && edges.length === 3) add("nielson", [loop], false);
-    if (loop.length !== 4 || edges.length !== 4) return;
     const kinds = edges.map(({ edge }) => this.#curveOf(edge)?.kind).join();
     const isRuled = /^line,(\w+),line,\1$|^(\w+),line,\2,line$/.test(kinds);
-    const isExact = isRuled && (surface.kind === "cylinder" || surface.kind === "cone");
-    add(isRuled ? "coons" : "gregory", [loop], isExact && this.#isCircular(edges));
+    const isExact =
+      isRuled && (surface.kind === "cylinder" || surface.kind === "cone") && this.#isCircular(edges);
+    // A patch between edges that turn far is not near the face, unless lines lead from one to the other.
+    if (!isRuled && edges.some(({ edge }) => this.#turnOf(edge) > MAX_TURN)) return;
+    const loop = this.#steps(edges);
+    if (loop.length === 3 && edges.length === 3) add("nielson", [loop], false);
+    if (loop.length === 4 && edges.length === 4) add(isRuled ? "coons" : "gregory", [loop], isExact);
   }
 
   /** A cylinder or cone between two rims. */
@@ -128,7 +132,8 @@ class Drawing {
     const rims = this.#rimsOf(face);
     const [one, other] = rims.map((rim) => this.#steps(rim));
     if (surface.kind !== "cylinder" && surface.kind !== "cone") return;
-    if (rims.length !== 2 || !one || !other) return;
+    // A further loop is a hole.
+    if (face.loops.length !== 1 || rims.length !== 2 || !one || !other) return;
     add(
       "tube",
       [one, other],
@@ -141,8 +146,12 @@ class Drawing {
     const surface = this.#surfaceOf(face);
     if (!surface || !isRound(surface) || surface.kind === "cylinder" || !hasSeam(face)) return false;
     if (surface.kind === "cone" && this.#rimsOf(face).length !== 1) return false;
+    if (face.loops.length !== 1) return false;
+    // A bent pipe is closed too, around itself.
+    const { turn } = this.#rangeOf(face);
     return (
-      face.loops.length === 1 && this.#rimsOf(face).every((rim) => rim.length === 1 && this.#isWhole(rim))
+      Math.abs(turn - 4 * QUARTER) < 1e-6 &&
+      this.#rimsOf(face).every((rim) => rim.length === 1 && this.#isWhole(rim))
     );
   }
 
@@ -179,8 +188,13 @@ class Drawing {
     });
   }
 
-  /** Returns the angle of the seam of a full turn, and the range of v. */
-  #rangeOf(face: TrimmedFace): { readonly u: number; readonly low: number; readonly high: number } {
+  /** Returns the least angle of a face of a round surface, how far it turns from there, and the range of v. */
+  #rangeOf(face: TrimmedFace): {
+    readonly u: number;
+    readonly turn: number;
+    readonly low: number;
+    readonly high: number;
+  } {
     const coedges = face.loops.flat();
     const corners = coedges.flatMap(({ edge, inPlane }) => {
       const { first, last } = this.#edge(edge);
@@ -188,8 +202,9 @@ class Drawing {
       const { origin, x } = inPlane.frame;
       return [first, last].map((t) => [origin[0] + t * x[0], origin[1] + t * x[1]] as const);
     });
-    const vs = corners.map(([, v]) => v);
-    return { u: Math.min(...corners.map(([u]) => u)), low: Math.min(...vs), high: Math.max(...vs) };
+    const [us, vs] = [corners.map(([u]) => u), corners.map(([, v]) => v)];
+    const u = Math.min(...us);
+    return { u, turn: Math.max(...us) - u, low: Math.min(...vs), high: Math.max(...vs) };
   }
 
   /** Returns the points and lines of the rim of a full turn at v, from the seam on in the direction of u; null if there is none. */
@@ -232,7 +247,7 @@ class Drawing {
   }
 
   #isCircular(coedges: readonly Coedge[]): boolean {
-    return coedges.every(({ edge }) => /line|circle/.test(this.#curveOf(edge)?.kind ?? ""));
+    return coedges.every(({ edge }) => ["line", "circle"].includes(this.#curveOf(edge)?.kind ?? ""));
   }
 
   /** Returns the rims of a closed face; poles are none. */
@@ -303,17 +318,38 @@ class Drawing {
     return step > 0 ? [start, end] : [end, start];
   }
 
-  #extentOf(loop: readonly number[]): number {
-    const positions = loop.flatMap((step) =>
-      (this.#lines[Math.abs(step) - 1]?.points ?? []).map(
-        (point) => this.#points[point] ?? ([0, 0, 0] as const),
-      ),
+  /** Returns positions along an edge, both ends included; none if it has no length. */
+  #samplesOf(edge: number): Vector[] {
+    const curve = this.#curveOf(edge);
+    if (!curve) return [];
+    const { first, last } = this.#edge(edge);
+    return Array.from({ length: PER_TURN + 1 }, (_, k) =>
+      positionOnCurve(curve, first + ((last - first) * k) / PER_TURN),
     );
-    const range = (axis: 0 | 1 | 2): number => {
-      const values = positions.map((position) => position[axis]);
-      return Math.max(...values) - Math.min(...values);
-    };
-    return Math.hypot(range(0), range(1), range(2));
+  }
+
+  /** Returns the sum of the angles between successive directions along an edge. */
+  #turnOf(edge: number): number {
+    const samples = this.#samplesOf(edge);
+    const steps = samples.slice(1).map((to, k) => minus(to, samples[k] ?? to));
+    return steps.slice(1).reduce((turn, step, k) => {
+      const before = steps[k] ?? step;
+      return turn + Math.atan2(lengthOf(cross(before, step)), dot(before, step));
+    }, 0);
+  }
+
+  /** Returns twice the area that a loop in a plane encloses. */
+  #areaOf(loop: readonly Coedge[]): number {
+    const positions = loop.flatMap(({ edge, reversed }) => {
+      const samples = this.#samplesOf(edge);
+      return reversed ? samples.toReversed() : samples;
+    });
+    const [origin] = positions;
+    if (!origin) return 0;
+    const areas = positions
+      .slice(1)
+      .map((to, k) => cross(minus(positions[k] ?? to, origin), minus(to, origin)));
+    return lengthOf(areas.reduce(plus, [0, 0, 0]));
   }
 
   #vertex(vertex: number): number {
