@@ -121,7 +121,8 @@ async function hosted(
   };
   const server = createServer((request, response) => {
     const name = new URL(request.url ?? "/", "http://localhost").pathname.replace("/course/mesh/", "");
-    const file = path.join(folder, name === "" ? "index.html" : name);
+    // A folder has its page.
+    const file = path.join(folder, /(?:^|\/)$/.test(name) ? `${name}index.html` : name);
     if (!existsSync(file)) return void response.writeHead(404).end();
     const type = types[path.extname(file)] ?? "application/octet-stream";
     response.writeHead(200, { "Content-Type": type });
