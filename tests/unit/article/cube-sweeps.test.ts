@@ -45,6 +45,20 @@ describe("the sweeps over the cube", () => {
     expect(film.measuresAt(3).outOfRange).toBe(15);
     expect(film.sizes.indexOf(0)).toBe(12);
     expect(film.isWorse(8)).toBe(true);
+    expect(film.sizes.slice(12).some((poor) => poor > 0)).toBe(true);
+    const isIdle = (state: number): boolean => {
+      const {
+        movedNodes = 0,
+        addedNodes = 0,
+        removedNodes = 0,
+        changedElements = 0,
+      } = film.sweepOf(state) ?? {};
+      return movedNodes + addedNodes + removedNodes + changedElements === 0;
+    };
+    expect([39, 40, 41, 42, 43, 44, 45, 46, 47].map(isIdle)).toEqual([
+      false,
+      ...Array<boolean>(8).fill(true),
+    ]);
     expect(film.sweepOf(4)).toMatchObject({ kind: "split", addedNodes: 75 });
     expect(film.sweepOf(8)).toMatchObject({ kind: "collapse", removedNodes: 64 });
     expect(after.dihedral.min).toBeCloseTo(33.5, 1);

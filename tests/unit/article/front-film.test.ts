@@ -1,7 +1,13 @@
 /** The film of lesson 1: the record of the engine's front in the plane, state by state. */
+import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import { loadPlaneFront, type PlaneFront } from "tetrafront/trace";
-import { filmOf, smallestAngle, type FrontFilm } from "../../../web/teach/article/figures/front/front-film";
+import {
+  filmOf,
+  smallestAngle,
+  type FilmCandidate,
+  type FrontFilm,
+} from "../../../web/teach/article/figures/front/front-film";
 import { Polygon } from "../../../web/teach/article/figures/front/polygon";
 import { shapes } from "../../../web/teach/article/figures/front/shapes";
 
@@ -65,6 +71,36 @@ describe.each(Object.keys(shapes))("the film of the %s", (shape) => {
     );
     expect(worst.angle).toBe(Math.min(...angles));
   });
+});
+
+test("the order of candidates has the numbers of lesson 1", () => {
+  const rules = readFileSync("cpp/src/surface/rules.h", "utf8");
+  const text = readFileSync("web/lessons/1.md", "utf8");
+  const constant = (name: string): string => new RegExp(`${name} = ([\\d.]+);`).exec(rules)?.[1] ?? "";
+  expect(text).toContain(`within ${constant("kCaptureRadius")} of the length, come first`);
+  expect(text).toContain(`at ${constant("kLowerHeight")} of its height`);
+});
+
+test("candidates of both shapes are tried in the order of lesson 1", () => {
+  let [nearCount, otherCount] = [0, 0];
+  const films = Object.keys(shapes).flatMap((shape) =>
+    [0.05, 0.06, 0.08, 0.12].map((size) => film(shape, size)),
+  );
+  const stepsOf = ({ stepCount, stepAt }: FrontFilm) =>
+    Array.from({ length: stepCount }, (_none, k) => stepAt(k)).filter((step) => step !== undefined);
+  for (const { ideal, candidates } of films.flatMap(stepsOf)) {
+    const distanceOf = ({ at: [x, y] }: FilmCandidate): number => Math.hypot(x - ideal[0], y - ideal[1]);
+    const firstNew = candidates.findIndex(({ isNew }) => isNew);
+    if (firstNew < 0) continue;
+    // Before the new node, the nearest leads; all others are farther away.
+    const near = candidates.slice(0, firstNew).map(distanceOf);
+    const others = candidates.slice(firstNew).filter(({ isNew }) => !isNew);
+    expect(near).toEqual(near.toSorted((a, b) => a - b));
+    for (const other of others) expect(distanceOf(other)).toBeGreaterThan(Math.max(0, ...near));
+    nearCount += near.length;
+    otherCount += others.length;
+  }
+  expect(Math.min(nearCount, otherCount)).toBeGreaterThan(0);
 });
 
 test("a size of half is about four times as many triangles, as lesson 1 says", () => {

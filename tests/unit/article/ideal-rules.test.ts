@@ -6,6 +6,7 @@ import {
   idealRules,
   isWithin,
   placeIdealPoint,
+  poses,
   type Corners,
 } from "../../../web/teach/article/figures/ideal/ideal-rules";
 
@@ -27,6 +28,23 @@ describe("the ideal point", () => {
       const [, text] = new RegExp(`${name} = ([\\d.]+);`).exec(header) ?? [];
       expect([name, Number(text)]).toEqual([name, value]);
     }
+  });
+
+  // Numbers in sentences that lead to a state, and stay the same in every other one.
+  test("has the lengths of lesson 4", () => {
+    const text = readFileSync("web/lessons/4.md", "utf8");
+    const edges = (pose: keyof typeof poses, isOverCentre: boolean): string[] =>
+      placeIdealPoint(poses[pose], 1.35, isOverCentre).edges.map((edge) => edge.toFixed(2));
+    const listed = ([a, b, c]: string[]): string => `${a}, ${b} and ${c}`;
+    expect(text).toContain(`the three edges come apart: ${listed(edges("long", false))}.`);
+    expect(new Set(edges("long", true))).toHaveLength(1);
+    expect(text).toContain(`all three are ${edges("long", true)[0]} long.`);
+    const [first, second, third] = edges("blunt", false);
+    expect(text).toContain(`the edges are ${first}, ${second} and ${third} long.`);
+    const { radius, height, h } = placeIdealPoint(poses.even, 0.4, false);
+    expect(text).toContain(`$0.97\\cdot0.4=${(0.97 * 0.4).toFixed(2)}$ would not even reach`);
+    expect(text).toContain(`which is $R=${radius.toFixed(2)}$ away`);
+    expect(text).toContain(`The height is then $${(height / h).toFixed(2)}\\,h$`);
   });
 
   test("over an equilateral face of the right size gives the regular tetrahedron", () => {

@@ -88,25 +88,23 @@ export class FrontDrawing {
       const out = ease(clamp(t[2] * 1.6 - i * 0.15, 0, 1));
       if (out > 0 && fades > 0) this.#drawCandidate(candidate, [a, b], middle, out, fades);
     });
-    step.candidates.forEach((candidate, i) => {
-      const shown = clamp(t[3] * (last + 1) - i, 0, 1);
-      if (candidate.refusal !== null && shown > 0 && fades > 0)
-        this.#drawRefusal(film, candidate, [a, b], shown * fades);
-    });
+    // The triangle that is accepted comes after the test, and under what the test shows.
     const accepted = step.candidates[chosen];
-    if (accepted && t[3] > 0.6) {
-      const grown = t[4] > 0 ? 1 : (t[3] - 0.6) / 0.4;
+    if (accepted && t[4] > 0) {
       const colour = mix(c["new-soft"], c.new, 1 - 0.6 * t[4]);
       const alpha = 0.35 + 0.5 * t[4];
-      this.pen.polygon([a, b, between(middle, this.at(accepted.at), grown)], colour, alpha, {
+      this.pen.polygon([a, b, between(middle, this.at(accepted.at), t[4])], colour, alpha, {
         colour: c.new,
         width: 2.5 * this.boldness,
       });
     }
     this.pen.glow(a, b, c.active, t[0] * (lit === "active" ? 1.4 : 1) * (1 - 0.6 * t[4]));
     if (t[1] > 0 && fades > 0) this.#drawIdeal(middle, this.at(step.ideal), t[1], fades, lit === "ideal");
-    if (accepted && t[3] > 0.6 && fades > 0.1)
-      this.pen.circle(this.at(accepted.at), 5 * this.boldness, c.new, { stroke: c.ground, width: 1.5 });
+    step.candidates.forEach((candidate, i) => {
+      const shown = clamp(t[3] * (last + 1) - i, 0, 1);
+      if (candidate.refusal !== null && shown > 0 && fades > 0)
+        this.#drawRefusal(film, candidate, [a, b], shown * fades);
+    });
   }
 
   #drawIdeal(middle: Pixel, ideal: Pixel, grown: number, alpha: number, isLit: boolean): void {

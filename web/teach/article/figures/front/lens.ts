@@ -30,10 +30,11 @@ export function captionOf(
   if (beat <= 2) return { text: "ideal point", look: "active" };
   if (beat <= 3) {
     const isAlone = candidates.length === 1 && accepted?.isNew === true;
-    return { text: isAlone ? "no better node: a new one" : "candidates, best first", look: "" };
+    return { text: isAlone ? "no node close by: a new one" : "candidates, in their order", look: "" };
   }
   if (refusal && beat <= 4) return { text: reasons[refusal], look: "refused" };
   if (!accepted) return { text: "no candidate: postponed", look: "refused" };
+  if (beat <= 4) return { text: "nothing is in the way", look: "" };
   return { text: accepted.isNew ? "takes a new node" : "takes a node of the front", look: "new" };
 }
 
@@ -76,7 +77,10 @@ export class Lens {
     this.pen.circle(at, radius, null, { stroke: c.ink, width: 1.75 });
     const { text, look } = captionOf(step, drawn.beat);
     const isHigh = at[1] < this.stage.height / 2;
-    this.stage.label(text, at, { dy: isHigh ? radius + 15 : -radius - 15, look });
+    this.stage.label(text, at, {
+      dy: isHigh ? radius + 16 : -radius - 16,
+      look: `${look} plate`,
+    });
   }
 
   /** The corner of the stage that holds least of the shape. */

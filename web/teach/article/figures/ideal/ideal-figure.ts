@@ -14,8 +14,10 @@ import { drawGround, sectorPoints } from "./ground";
 import {
   doubleArea,
   idealRules,
+  isPose,
   isWithin,
   placeIdealPoint,
+  poses,
   type Corners,
   type IdealLimit,
   type IdealPoint,
@@ -24,17 +26,6 @@ import {
 const sideNames = ["first", "second", "third"] as const;
 const reach = 1.3;
 const minDoubleArea = 0.12;
-
-const polar = (radius: number, degrees: number): Position => [
-  radius * Math.cos((degrees * Math.PI) / 180),
-  radius * Math.sin((degrees * Math.PI) / 180),
-  0,
-];
-const poses: Readonly<Record<string, Corners>> = {
-  even: [polar(0.58, -90), polar(0.58, 30), polar(0.58, 150)],
-  long: [polar(1.05, -90), polar(0.5, 55), polar(0.5, 125)],
-  blunt: [polar(1.02, -165), polar(1.02, -15), polar(0.14, 90)],
-};
 
 const limitTexts: Readonly<Record<IdealLimit, string>> = {
   none: "No limit is met.",
@@ -50,7 +41,7 @@ export class IdealFigure implements Figure {
   readonly #pen = new Pen(this.#stage.context);
   readonly #motion = new Motion();
   #values: Values | null = null;
-  #corners: Corners = poses["even"] as Corners;
+  #corners: Corners = poses.even;
   #point: IdealPoint = placeIdealPoint(this.#corners, 1, false);
   #isOverCentre = false;
   /** Whether the reader has made the present state, and not a word of the text. */
@@ -94,7 +85,7 @@ export class IdealFigure implements Figure {
       this.#values?.ask("size", this.#ledSize);
     }
     if (foot !== undefined) this.#isOverCentre = foot === "centre";
-    const target = pose === undefined ? this.#corners : (poses[pose] ?? this.#corners);
+    const target = isPose(pose) ? poses[pose] : this.#corners;
     const from = this.#corners;
     this.#motion.run(
       700,

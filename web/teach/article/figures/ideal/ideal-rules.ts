@@ -18,6 +18,20 @@ export const idealRules = {
 
 export type Corners = readonly [Position, Position, Position];
 
+const polar = (radius: number, degrees: number): Position => [
+  radius * Math.cos((degrees * Math.PI) / 180),
+  radius * Math.sin((degrees * Math.PI) / 180),
+  0,
+];
+/** Faces to which words of the text lead. */
+export const poses = {
+  even: [polar(0.58, -90), polar(0.58, 30), polar(0.58, 150)],
+  long: [polar(1.05, -90), polar(0.5, 55), polar(0.5, 125)],
+  blunt: [polar(1.02, -165), polar(1.02, -15), polar(0.14, 90)],
+} as const satisfies Readonly<Record<string, Corners>>;
+export const isPose = (word: string | undefined): word is keyof typeof poses =>
+  word !== undefined && Object.hasOwn(poses, word);
+
 /** What keeps the point from standing at √(h² − R²): nothing, the size of the face, or the limits of R. */
 export type IdealLimit = "none" | "small" | "large" | "low" | "wide";
 

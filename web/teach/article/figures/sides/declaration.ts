@@ -6,6 +6,8 @@ export const sidesDeclaration: FigureDeclaration = {
   options: {
     tolerance: { type: "number", label: "tolerance in percent" },
     curve: { type: "word", words: ["valley", "bowl", "ramp"] },
+    /** Where the line begins: without this option, at the beginning of the curve. */
+    begin: { type: "word", words: ["slope"] },
     /** With this option, the reader can choose which size counts. */
     rule: { type: "word", words: ["middle", "start"] },
     /** What is shown first: the present side with its averagings, all sides of the walk, or the finished division. */

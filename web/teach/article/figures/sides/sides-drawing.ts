@@ -290,7 +290,7 @@ export class SidesDrawing {
     const count = walk.nodes.length - 1;
     const middle = this.#at([(begin + lineEnd) / 2, 0]);
     this.stage.label(
-      `${digits(walk.lambda, 2)} sizes long: ${count} sides, each × ${digits(walk.lambda / count, 3)}`,
+      `${digits(walk.lambda, 2)} sizes long: ${count} sides, each ${digits(walk.lambda / count, 3)} sizes`,
       middle,
       { dy: 26, look: "strong" },
     );

@@ -19,6 +19,8 @@ const rules = [
 ] as const;
 /** The line begins before this position. */
 const lastBegin = 7;
+/** Where the line begins by a word of the figure's block. */
+const begins: Readonly<Record<string, number>> = { slope: 2.4 };
 
 export class SidesFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
@@ -50,6 +52,7 @@ export class SidesFigure implements Figure {
     if (shown === "walk" || shown === "division")
       this.#view = new PlaneView(this.#stage, [-0.3, -0.6, 9.1, 2.75]);
     this.#curve = new SizeCurve(curves[values.word("curve")] ?? this.#curve.knots);
+    this.#begin = begins[values.word("begin")] ?? 0;
     host.append(this.#stage.element, this.#player.element);
     // Figures of a whole line have no room for the beats of one side.
     if (shown === "side" || shown === "") host.append(this.#player.beats);
@@ -213,7 +216,7 @@ export class SidesFigure implements Figure {
     if (!side)
       this.#status.replaceChildren(
         ...(step > sides.length || beat > 0
-          ? [strong(`${count} sides`), `, each ${digits(lambda / count, 3)} times as long as its size`]
+          ? [strong(`${count} sides`), `, each measures ${digits(lambda / count, 3)} sizes`]
           : ["The last side does not end at the end of the line."]),
       );
     else

@@ -1,5 +1,5 @@
 /** The sweeps of the optimizer over a cube, as the engine recorded them. The reader scrubs through them. */
-import { loadTrace } from "tetrafront/trace";
+import { loadTrace, type TracedSweep } from "tetrafront/trace";
 import type { Position } from "../../../../document/position";
 import { mean } from "../../../../document/vectors";
 import { colours, mix } from "../../kit/colours";
@@ -17,13 +17,30 @@ import { SweepFilm } from "./sweep-film";
 
 const sweepTexts: Readonly<Record<string, string>> = {
   swap: "Edges are removed, and the elements around them replaced.",
-  move: "Nodes move to the middle of their elements.",
+  move: "Nodes go to the mean of their elements' circumcentres, weighted by volume.",
   newton: "Nodes move down the slope of the costs.",
   split: "Long edges are split.",
   collapse: "Nodes are removed where they are crowded.",
   improve: "The worst elements are improved one by one.",
   "last-resort": "The last poor elements are worked on for longer.",
 };
+const sweepNames: Readonly<Record<string, string>> = {
+  swap: "Swap",
+  move: "Move",
+  newton: "Newton",
+  split: "Split",
+  collapse: "Collapse",
+  improve: "The worst elements",
+  "last-resort": "The last poor elements",
+};
+/** What a sweep has done, in words. */
+function textOf(sweep: TracedSweep | null): string {
+  if (!sweep) return "The mesh of the front, before the first sweep.";
+  const { kind, movedNodes, addedNodes, removedNodes, changedElements } = sweep;
+  return movedNodes + addedNodes + removedNodes + changedElements > 0
+    ? (sweepTexts[kind] ?? "")
+    : `${sweepNames[kind] ?? kind}: nothing to do.`;
+}
 /** More dots than these hide the cube. */
 const maxDots = 260;
 const cubeEdges: readonly (readonly [number, number])[] = [
@@ -87,7 +104,7 @@ export class SweepsFigure implements Figure {
     const state = this.#player.finished;
     const { dihedral, tetrahedra, nodes, outOfRange } = film.measuresAt(state);
     const sweep = film.sweepOf(state);
-    const kind = sweep ? sweepTexts[sweep.kind] : "The mesh of the front, before the first sweep.";
+    const kind = textOf(sweep);
     this.#values.put({
       sweep: state,
       sweeps: film.stepCount,
@@ -103,12 +120,12 @@ export class SweepsFigure implements Figure {
       worse: film.isWorse(state),
       clean: outOfRange === 0 && film.sizes.indexOf(0) === state,
       handled: this.#player.isHandled,
-      kind: kind ?? "",
+      kind,
     });
     const poor = element("b", outOfRange > 0 ? { class: "refused" } : {}, String(outOfRange));
     this.#status.replaceChildren(
       element("b", {}, `Sweep ${state} of ${film.stepCount}`),
-      `. ${kind ?? ""} `,
+      `. ${kind} `,
       poor,
       ` poor of ${tetrahedra} elements, angles from ${digits(dihedral.min, 1)}° to ${digits(dihedral.max, 1)}°.`,
     );
