@@ -332,7 +332,8 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 /**
  * Functions tested elsewhere: `readTrace` and `loadTrace` with damaged files (trace.test.ts); `recordTrace` passes its
  * arguments on to methods of the mesher; `liveNotes` takes a project that was checked; `hasWelded`
- * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader; units of solids are tested in solid-units.test.ts.
+ * and `remeshedBest` take results of the mesher (best-repair.test.ts), `withSolidsOfPatches` one of a reader; units of solids are tested in solid-units.test.ts,
+ * the front in the plane, for which one number is a size, in fill-plane.test.ts.
  */
 const TESTED_ELSEWHERE = [
   // Their callers have checked what they pass.
@@ -345,6 +346,8 @@ const TESTED_ELSEWHERE = [
   "inOrder",
   "MesherError",
   "createMesher",
+  "fillPlane",
+  "loadPlaneFront",
   "loadTrace",
   "readTrace",
   "recordTrace",
