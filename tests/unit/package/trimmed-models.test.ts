@@ -4,7 +4,8 @@ import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 
 import { trimmedModelOfBrep } from "../../../wasm/dist/cad/brep-model.js";
-import { type CadKernel, readTrimmedModel } from "../../../wasm/dist/cad/kernel.js";
+import { readTrimmedModel } from "../../../wasm/dist/cad/kernel.js";
+import type { CadKernel } from "../../../wasm/dist/cad/kernel-classes.js";
 import { CadFileError, type FaceSurface, type TrimmedModel } from "../../../wasm/dist/cad/trimmed-model.js";
 import {
   boxAt,

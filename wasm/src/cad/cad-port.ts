@@ -1,5 +1,5 @@
 /** The creator of the worker as the worker sees it, the same in browsers and Node. */
-import type { CadKernel } from "./kernel.js";
+import type { CadKernel } from "./kernel-classes.js";
 import type { CreateOpenCascade } from "./opencascade.js";
 import type { CadLibrary, CadProgress, CadReply, CadRequest } from "./protocol.js";
 

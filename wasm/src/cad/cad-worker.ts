@@ -2,7 +2,8 @@
 import { cadPort } from "#cad-port";
 import { cadShapesOf } from "./cad-shapes.js";
 import { crashOf } from "./crash.js";
-import { type CadKernel, fileTexts } from "./kernel.js";
+import { fileTexts } from "./kernel.js";
+import type { CadKernel } from "./kernel-classes.js";
 import { QUIET, readByOpenCascade } from "./opencascade.js";
 import type { CadReply, CadRequest } from "./protocol.js";
 

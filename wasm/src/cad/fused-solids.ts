@@ -1,6 +1,6 @@
 /** Solids of a shape that touch each other, cut along common parts of their faces by the kernel's general fuse. */
 import { connectedGroups } from "../base/connected-groups.js";
-import type { Box, CadKernel, EnumEntry, Hold, Shape, ShapeList } from "./kernel.js";
+import type { Box, CadKernel, EnumEntry, Hold, Shape, ShapeList } from "./kernel-classes.js";
 
 /** A shape whose solids share what they have in common: faces, edges and vertices. */
 export interface FusedShape {

@@ -1,6 +1,6 @@
 /** Loads the kernel in Node. */
 import { createRequire } from "node:module";
-import type { CadKernel, CreateKernel } from "./kernel.js";
+import type { CadKernel, CreateKernel } from "./kernel-classes.js";
 import { QUIET } from "./opencascade.js";
 
 /** Returns a new instance of the kernel. Throws if the package is not installed. Takes 1 to 2 s. */

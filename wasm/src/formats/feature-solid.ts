@@ -5,7 +5,8 @@ import { DEFLECTION } from "../cad/deflection.js";
 import { type EdgeLine, withShape } from "../cad/features/evaluate.js";
 import type { Feature, FeatureFailure } from "../cad/features/feature.js";
 import type { FeatureKernel } from "../cad/features/session.js";
-import { type CadKernel, triangulatedShape } from "../cad/kernel.js";
+import { triangulatedShape } from "../cad/kernel.js";
+import type { CadKernel } from "../cad/kernel-classes.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { joinedSurface } from "./shape-surface.js";
 
