@@ -13,17 +13,17 @@ const HAS_STALLED = 16;
 /** The event `ended` and its hash. */
 const END_BYTES = 9;
 
-function read(patches: Uint8Array) {
+function read(patches: Uint8Array, version = 4) {
   // A surface has lines: one without nodes.
   const events = new TraceBytes().byte(LINE).varint(0).double(0).double(0).double(0);
   events.byte(DIVIDED).double(0).varint(0);
   for (const byte of patches) events.byte(byte);
   writeFirstFaces(events, []);
-  return readTrace(traceBytes({ points: [], steps: 0, events: events.event(6), version: 3 }));
+  return readTrace(traceBytes({ points: [], steps: 0, events: events.event(6), version }));
 }
 
-function surfaceOf(patches: Uint8Array): SurfaceTrace {
-  const trace = read(patches);
+function surfaceOf(patches: Uint8Array, version?: number): SurfaceTrace {
+  const trace = read(patches, version);
   if (!trace.success) throw new Error(trace.errors[0].message);
   if (trace.value.surface === null) throw new Error("the trace has no patches");
   return trace.value.surface;
@@ -42,6 +42,10 @@ test("edges that cannot be completed stay in a front that stalls", () => {
   const left = [...(front?.edgesDied ?? [])].flatMap((died, edge) => (died > last ? [edge] : []));
   expect(left.length).toBeGreaterThan(0);
   expect(givenUp).toEqual(expect.arrayContaining(left));
+});
+
+test.each([2, 3])("files of version %i have the same patches", (version) => {
+  expect(surfaceOf(recorded, version).fronts).toEqual(surfaceOf(recorded).fronts);
 });
 
 test("a front with edges is not one that has covered its patch", () => {

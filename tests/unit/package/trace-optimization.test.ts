@@ -144,13 +144,6 @@ test("a run without optimization has no sweeps", async () => {
   expect(tracedIn(trace).summary().optimization).toBeNull();
 });
 
-test("files of version 2 are read", async () => {
-  const { trace: bytes = new Uint8Array() } = await recordTrace(mesher, boxSurface(3), unoptimized);
-  const older = bytes.slice();
-  older["TFTRACE".length] = 2;
-  expect(tracedIn(older).summary()).toEqual(tracedIn(bytes).summary());
-});
-
 test("a damaged sweep is refused with its byte, or harmless", async () => {
   const { trace: whole = new Uint8Array() } = await recordTrace(mesher, boxSurface(3));
   const { trace: front = new Uint8Array() } = await recordTrace(mesher, boxSurface(3), unoptimized);
