@@ -177,8 +177,8 @@ function sizeFactorFor(made: number, expected: number): number | undefined {
   return Math.ceil(10 * factor) / 10;
 }
 
-/** Safety margin of the size factor: leaves memory for a third more elements. */
-const MARGIN = 1.1;
+/** Safety margin of the size factor: leaves memory for 70 % more elements, since the verification needs more for each than the front. */
+const MARGIN = 1.2;
 
 function outOfMemoryText(failure: OutOfMemory): string {
   const { bytes, phase, tetrahedra, expectedTetrahedra } = failure;
