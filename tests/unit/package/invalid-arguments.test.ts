@@ -340,6 +340,7 @@ const TESTED_ELSEWHERE = [
   "bodyBox",
   "featureSolid",
   "brepOfFile",
+  "drawnSolid",
   "importKernel",
   "TimeLeft",
   "roundTime",
