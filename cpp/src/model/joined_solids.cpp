@@ -11,7 +11,7 @@
 namespace tetrafront {
 namespace {
 
-/// Items that are told apart by a key, and then by a comparison. Each item of a solid is joined to at most one of another solid.
+/// Joins items of different solids that have the same key and pass a comparison: each to at most one item of another solid.
 template <class Key>
 class ItemJoiner {
  public:

@@ -12,7 +12,7 @@ export interface TracedCandidate {
   /** Whether the node did not exist before this step. */
   readonly isNew: boolean;
   readonly position: TracePosition;
-  /** Higher scores are tried first. Four digits are right; in files of version 3 or earlier, two. */
+  /** Higher scores are tried first. Four digits are right, two decimals for a pocket; in files of version 3 or earlier, two digits. */
   readonly score: number;
   /** What the score is made of; null in files of version 3 or earlier. */
   readonly parts: ScoreParts | null;
