@@ -398,7 +398,7 @@ test("if a query runs out of memory, the run beside it is rejected with its prog
     isEngineLost: false,
   } as const;
   worker.reply({ ...failure, id: idOf(worker, 1), bytes: 2 ** 32 });
-  await expect(run).rejects.toMatchObject({ data: { ...runProgress, bytes: 2 ** 32, sizeFactor: 2.2 } });
+  await expect(run).rejects.toMatchObject({ data: { ...runProgress, bytes: 2 ** 32, sizeFactor: 2.4 } });
   await expect(preview).rejects.toMatchObject({
     data: { bytes: 2 ** 32, phase: undefined, tetrahedra: 0 },
   });
