@@ -3,6 +3,11 @@ import { crossingDeclaration } from "./figures/crossing/declaration.ts";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
 import { frontDeclaration } from "./figures/front/declaration.ts";
 import { idealDeclaration } from "./figures/ideal/declaration.ts";
+import {
+  plateDeclaration,
+  plateNeedlesDeclaration,
+  plateSpotDeclaration,
+} from "./figures/plate/declaration.ts";
 import { pocketDeclaration } from "./figures/pocket/declaration.ts";
 import { raceDeclaration } from "./figures/race/declaration.ts";
 import { sidesDeclaration } from "./figures/sides/declaration.ts";
@@ -17,6 +22,9 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   ideal: idealDeclaration,
   crossing: crossingDeclaration,
   "crossing-space": crossingSpaceDeclaration,
+  plate: plateDeclaration,
+  "plate-spot": plateSpotDeclaration,
+  "plate-needles": plateNeedlesDeclaration,
   pocket: pocketDeclaration,
   stall: stallDeclaration,
   sliver: sliverDeclaration,

@@ -8,6 +8,9 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   crossing: async () => new (await import("./crossing/crossing-figure")).CrossingFigure(),
   "crossing-space": async () =>
     new (await import("./crossing-space/crossing-space-figure")).CrossingSpaceFigure(),
+  plate: async () => new (await import("./plate/plate-figure")).PlateFigure("truth"),
+  "plate-spot": async () => new (await import("./plate/plate-figure")).PlateFigure("spot"),
+  "plate-needles": async () => new (await import("./plate/plate-figure")).PlateFigure("needles"),
   pocket: async () => new (await import("./pocket/pocket-figure")).PocketFigure(),
   stall: async () => new (await import("./stall/stall-figure")).StallFigure(),
   sliver: async () => new (await import("./sliver/sliver-figure")).SliverFigure(),
