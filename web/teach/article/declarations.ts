@@ -1,4 +1,5 @@
 import type { FigureDeclaration } from "./declaration.ts";
+import { candidatesDeclaration, candidatesSpaceDeclaration } from "./figures/candidates/declaration.ts";
 import { crossingDeclaration } from "./figures/crossing/declaration.ts";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
 import { frontDeclaration } from "./figures/front/declaration.ts";
@@ -20,6 +21,8 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   front: frontDeclaration,
   sides: sidesDeclaration,
   ideal: idealDeclaration,
+  candidates: candidatesDeclaration,
+  "candidates-space": candidatesSpaceDeclaration,
   crossing: crossingDeclaration,
   "crossing-space": crossingSpaceDeclaration,
   plate: plateDeclaration,

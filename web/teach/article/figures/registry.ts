@@ -5,6 +5,8 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   front: async () => new (await import("./front/front-figure")).FrontFigure(),
   sides: async () => new (await import("./sides/sides-figure")).SidesFigure(),
   ideal: async () => new (await import("./ideal/ideal-figure")).IdealFigure(),
+  candidates: async () => new (await import("./candidates/candidates-figure")).CandidatesFigure(),
+  "candidates-space": async () => new (await import("./candidates/space-figure")).CandidatesSpaceFigure(),
   crossing: async () => new (await import("./crossing/crossing-figure")).CrossingFigure(),
   "crossing-space": async () =>
     new (await import("./crossing-space/crossing-space-figure")).CrossingSpaceFigure(),
