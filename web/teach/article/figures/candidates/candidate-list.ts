@@ -25,6 +25,8 @@ export interface ListedCandidate {
   readonly triangle?: readonly (readonly [number, number])[];
 }
 
+/** Milliseconds in which a row moves to its place, and some more. */
+const moveTime = 450;
 /** Pixels of the picture of a triangle. */
 const [pictureWidth, pictureHeight] = [38, 34] as const;
 
@@ -122,6 +124,7 @@ class Row {
 export class CandidateList {
   readonly element = element("ol", { class: "candidate-list" });
   readonly #rows = new Map<string, Row>();
+  #sorting = 0;
 
   /** @param light Lights a candidate by its name; null for none. */
   constructor(readonly light: (name: string | null) => void) {}
@@ -145,5 +148,14 @@ export class CandidateList {
       row.show(candidate, rank, options);
     });
     this.element.style.setProperty("--rows", String(candidates.length));
+    // Keys and screen readers follow the order of the elements. It changes after the rows have moved, which it would stop.
+    clearTimeout(this.#sorting);
+    this.#sorting = window.setTimeout(() => this.#sort(candidates), moveTime);
+  }
+
+  #sort(candidates: readonly ListedCandidate[]): void {
+    if (this.element.contains(document.activeElement)) return;
+    const sorted = candidates.flatMap(({ name }) => this.#rows.get(name)?.element ?? []);
+    if (sorted.some((row, i) => row !== this.element.children[i])) this.element.append(...sorted);
   }
 }

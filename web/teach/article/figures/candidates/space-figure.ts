@@ -64,6 +64,8 @@ export class CandidatesSpaceFigure implements Figure {
   #shown: string | null = null;
   #isHandled = false;
   #isLed = false;
+  /** Whether the text is about a refusal, so that the refused element is shown. */
+  #isRefusalTold = false;
 
   async mount(host: HTMLElement, values: Values): Promise<void> {
     this.#values = values;
@@ -98,6 +100,7 @@ export class CandidatesSpaceFigure implements Figure {
 
   go({ step, weights }: Readonly<Record<string, string>>): void {
     this.#isHandled = false;
+    this.#isRefusalTold = step === "crossed";
     this.#isLed = true;
     if (weights === "own") {
       this.#values?.ask("newnode", ownWeights.newNode);
@@ -244,7 +247,7 @@ export class CandidatesSpaceFigure implements Figure {
       apex: to(candidate.at),
     }));
     const accepted = named.find(({ candidate }) => candidate.verdict === "accepted");
-    const isRefusedLit = this.#lit === "refused";
+    const isRefusedLit = this.#lit === "refused" || (this.#isRefusalTold && !this.#player.isHandled);
     const chosen =
       named.find(({ name }) => name === this.#shown) ??
       (isRefusedLit ? named.find(({ candidate }) => candidate.culprit !== null) : undefined) ??

@@ -183,7 +183,7 @@ export class PlateFigure implements Figure {
     return {
       name: "spot",
       label: "Place of the small triangles",
-      look: "active solid",
+      look: "active ring",
       at: () => panel.view.pixel(this.#spot),
       begin: () => this.#motion.stop(),
       move: (pixel) => {
