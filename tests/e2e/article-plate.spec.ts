@@ -75,7 +75,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       expect((await lesson.values("B"))["better"]).toBe("better");
 
       await setByKeys(lesson, page.locator('[data-drag="B.own"]'), "own", 240);
-      await setByKeys(lesson, page.locator('[data-drag="B.even"]'), "even", 2000);
+      await setByKeys(lesson, page.locator('[data-drag="B.even"]'), "even", 2200);
       await lesson.done(4);
       await isSound(lesson);
     });

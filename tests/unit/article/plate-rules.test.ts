@@ -191,7 +191,9 @@ describe("what the lesson says", () => {
     expect(inSpot([0.62, 0.3])).toBeGreaterThan(even);
     expect(inSpot(top)).toBeLessThan(even / 4);
     expect(inSpot([0.16, 0])).toBeGreaterThan(3 * inSpot(top));
-    expect(inSpot(top, 250)).toBeLessThan(errorOf({ hole: round, count: 2000 }));
+    // The highest stress of a mesh varies a little with the places of its nodes, so that one mesh proves nothing.
+    const many = [1600, 1700, 1800, 1900, 2000, 2100, 2200].map((count) => errorOf({ hole: round, count }));
+    expect(inSpot(top, 250)).toBeLessThan(many.reduce((sum, error) => sum + error, 0) / many.length);
   });
 
   test("needles spoil the answer in every direction", () => {

@@ -60,28 +60,35 @@ export function meshPlate(front: PlaneFront, plan: MeshPlan): PlateMesh {
   return best.mesh;
 }
 
+/** Returns the size at a distance from the middle of a spot, for a size far from it. */
+const sizeAway = (factor: number, size: number, distance: number): number =>
+  Math.min(size, size / factor + spotGrowth * Math.max(0, distance - spotRadius));
+
 /** Returns the size at a position, for a size far from the spot. */
-function sizeAt({ spot }: MeshPlan, size: number, [x, y]: PlanePoint): number {
-  if (!spot) return size;
-  const away = Math.hypot(x - spot.at[0], y - spot.at[1]) - spotRadius;
-  return Math.min(size, size / spot.factor + spotGrowth * Math.max(0, away));
-}
+const sizeAt = ({ spot }: MeshPlan, size: number, [x, y]: PlanePoint): number =>
+  spot ? sizeAway(spot.factor, size, Math.hypot(x - spot.at[0], y - spot.at[1])) : size;
 
 /** Returns the size for which triangles with equal sides would be as many as planned. */
 function expectedSize(plan: MeshPlan): number {
+  const perArea = 4 / Math.sqrt(3);
+  const even = Math.sqrt((perArea * (4 * plate[0] * plate[1])) / plan.count);
+  const { spot } = plan;
+  if (!spot) return even;
   const cells = [60, 34] as const;
   const step = [(2 * plate[0]) / cells[0], (2 * plate[1]) / cells[1]] as const;
+  const distances = new Float64Array(cells[0] * cells[1]);
+  for (let i = 0; i < distances.length; i++) {
+    const x = ((i % cells[0]) + 0.5) * step[0] - plate[0];
+    const y = (Math.floor(i / cells[0]) + 0.5) * step[1] - plate[1];
+    distances[i] = Math.hypot(x - spot.at[0], y - spot.at[1]);
+  }
   const countFor = (size: number): number => {
     let count = 0;
-    for (let i = 0; i < cells[0]; i++)
-      for (let j = 0; j < cells[1]; j++) {
-        const at: PlanePoint = [(i + 0.5) * step[0] - plate[0], (j + 0.5) * step[1] - plate[1]];
-        count += (4 / Math.sqrt(3)) * ((step[0] * step[1]) / sizeAt(plan, size, at) ** 2);
-      }
-    return count;
+    for (const distance of distances) count += 1 / sizeAway(spot.factor, size, distance) ** 2;
+    return perArea * step[0] * step[1] * count;
   };
-  let [low, high] = [1e-3, 2];
-  for (let round = 0; round < 20; round++) {
+  let [low, high] = [even, even * spot.factor];
+  for (let round = 0; round < 14; round++) {
     const middle = Math.sqrt(low * high);
     if (countFor(middle) > plan.count) low = middle;
     else high = middle;
@@ -137,7 +144,7 @@ function dividedHole(
   to: (point: PlanePoint) => PlanePoint,
   sizeNear: (at: PlanePoint) => number,
 ): readonly PlanePoint[] {
-  const samples = 2880;
+  const samples = 1440;
   const point = (i: number): PlanePoint => {
     const angle = Math.PI / 2 + (2 * Math.PI * i) / samples;
     return [at[0] + a * Math.cos(angle), at[1] + b * Math.sin(angle)];
