@@ -8,6 +8,7 @@ import { raceDeclaration } from "./figures/race/declaration.ts";
 import { sidesDeclaration } from "./figures/sides/declaration.ts";
 import { sliverDeclaration } from "./figures/sliver/declaration.ts";
 import { stallDeclaration } from "./figures/stall/declaration.ts";
+import { stretchingDeclaration, stretchingFieldDeclaration } from "./figures/stretching/declaration.ts";
 import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
 
 /** Every kind of figure, by the name that lessons use. */
@@ -22,4 +23,6 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   sliver: sliverDeclaration,
   sweeps: sweepsDeclaration,
   race: raceDeclaration,
+  stretching: stretchingDeclaration,
+  "stretching-field": stretchingFieldDeclaration,
 };

@@ -13,4 +13,6 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   sliver: async () => new (await import("./sliver/sliver-figure")).SliverFigure(),
   sweeps: async () => new (await import("./sweeps/sweeps-figure")).SweepsFigure(),
   race: async () => new (await import("./race/race-figure")).RaceFigure(),
+  stretching: async () => new (await import("./stretching/stretching-figure")).StretchingFigure(false),
+  "stretching-field": async () => new (await import("./stretching/stretching-figure")).StretchingFigure(true),
 };
