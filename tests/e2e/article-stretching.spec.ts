@@ -66,7 +66,10 @@ async function scaleOf(
 ): Promise<{ readonly at: (x: number, y: number) => Pixel; readonly scale: number }> {
   const box = await lesson.figure("B").locator(".scene").first().boundingBox();
   if (!box) throw new Error("The field is not visible");
-  const scale = Math.min(box.width / (1.9 + 2 * 0.24), box.height / (0.9 + 2 * 0.2));
+  const scale = Math.min(
+    box.width / (1.9 + 2 * (box.width < 450 ? 0.42 : 0.24)),
+    box.height / (0.9 + 2 * 0.2),
+  );
   const middle: Pixel = [box.x + box.width / 2, box.y + box.height / 2];
   return { at: (x, y) => [middle[0] + (x - 0.95) * scale, middle[1] - (y - 0.45) * scale], scale };
 }

@@ -9,6 +9,7 @@ import { sidesDeclaration } from "./figures/sides/declaration.ts";
 import { sliverDeclaration } from "./figures/sliver/declaration.ts";
 import { stallDeclaration } from "./figures/stall/declaration.ts";
 import { stretchingDeclaration, stretchingFieldDeclaration } from "./figures/stretching/declaration.ts";
+import { surfaceDeclaration } from "./figures/surface/declaration.ts";
 import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
 
 /** Every kind of figure, by the name that lessons use. */
@@ -23,6 +24,7 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   sliver: sliverDeclaration,
   sweeps: sweepsDeclaration,
   race: raceDeclaration,
+  surface: surfaceDeclaration,
   stretching: stretchingDeclaration,
   "stretching-field": stretchingFieldDeclaration,
 };

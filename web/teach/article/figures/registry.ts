@@ -13,6 +13,7 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   sliver: async () => new (await import("./sliver/sliver-figure")).SliverFigure(),
   sweeps: async () => new (await import("./sweeps/sweeps-figure")).SweepsFigure(),
   race: async () => new (await import("./race/race-figure")).RaceFigure(),
+  surface: async () => new (await import("./surface/surface-figure")).SurfaceFigure(),
   stretching: async () => new (await import("./stretching/stretching-figure")).StretchingFigure(false),
   "stretching-field": async () => new (await import("./stretching/stretching-figure")).StretchingFigure(true),
 };

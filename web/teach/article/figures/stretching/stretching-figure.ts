@@ -43,7 +43,6 @@ const maxStretching = 6;
 export class StretchingFigure implements Figure {
   readonly #here = new Stage(() => this.#drawHere());
   readonly #there = new Stage(() => this.#drawThere());
-  readonly #view: PlaneView;
   readonly #player = new FilmPlayer({
     beats: beatNames,
     onChange: () => this.#report(),
@@ -69,10 +68,7 @@ export class StretchingFigure implements Figure {
   #lit: string | null = null;
 
   /** @param isField Whether there is a field of ellipses, and not one ellipse. */
-  constructor(readonly isField: boolean) {
-    const [wide, high] = isField ? [0.24, 0.2] : [0.02, 0.01];
-    this.#view = new PlaneView(this.#here, [-wide, -high, extent[0] + wide, extent[1] + high]);
-  }
+  constructor(readonly isField: boolean) {}
 
   async mount(host: HTMLElement, values: Values): Promise<void> {
     this.#values = values;
@@ -161,6 +157,16 @@ export class StretchingFigure implements Figure {
     return [
       { at: this.#dot, size: number("size"), stretching: number("stretching"), angle: number("angle") },
     ];
+  }
+
+  /** The ellipses of a field are at the border of their background grid. */
+  get #view(): PlaneView {
+    const [wide, high] = !this.isField
+      ? [0.02, 0.01]
+      : this.#here.width < smallStage
+        ? [0.42, 0.2]
+        : [0.24, 0.2];
+    return new PlaneView(this.#here, [-wide, -high, extent[0] + wide, extent[1] + high]);
   }
 
   get #gap(): number {
