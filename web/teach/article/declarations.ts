@@ -5,6 +5,7 @@ import { frontDeclaration } from "./figures/front/declaration.ts";
 import { idealDeclaration } from "./figures/ideal/declaration.ts";
 import { pocketDeclaration } from "./figures/pocket/declaration.ts";
 import { raceDeclaration } from "./figures/race/declaration.ts";
+import { heapDeclaration, searchDeclaration } from "./figures/search/declaration.ts";
 import { sidesDeclaration } from "./figures/sides/declaration.ts";
 import { sliverDeclaration } from "./figures/sliver/declaration.ts";
 import { stallDeclaration } from "./figures/stall/declaration.ts";
@@ -25,6 +26,8 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   sweeps: sweepsDeclaration,
   race: raceDeclaration,
   surface: surfaceDeclaration,
+  search: searchDeclaration,
+  heap: heapDeclaration,
   stretching: stretchingDeclaration,
   "stretching-field": stretchingFieldDeclaration,
 };
