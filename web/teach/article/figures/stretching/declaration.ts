@@ -16,7 +16,7 @@ const values = {
   handled: "number",
 } as const;
 const states = {
-  step: { words: ["first-new", "middle", "end"], takesNumber: true },
+  step: { words: ["new", "middle", "end"], takesNumber: true },
   beat: { words: [], takesNumber: true },
 } as const;
 const marks = {

@@ -115,7 +115,7 @@ export class StretchingFigure implements Figure {
     const arrive = (): void => {
       if (!film) return;
       const named: Readonly<Record<string, number>> = {
-        "first-new": firstNewIn(film),
+        new: newNodeIn(film),
         middle: Math.round(film.stepCount * 0.55),
         end: film.stepCount,
       };
@@ -446,9 +446,9 @@ function nearestTo([x, y]: PlanePoint, triangles: readonly Triangle[]): number {
   return Math.max(0, distances.indexOf(Math.min(...distances)));
 }
 
-/** Returns the first step that makes a new node. */
-function firstNewIn(film: FrontFilm): number {
-  for (let k = 0; k < film.stepCount; k++)
+/** Returns the first step that makes a new node after a third of the film: far from the corners. */
+function newNodeIn(film: FrontFilm): number {
+  for (let k = Math.floor(film.stepCount / 3); k < film.stepCount; k++)
     if (film.stepAt(k)?.candidates.some(({ isNew, refusal }) => isNew && refusal === null)) return k;
   return 0;
 }
