@@ -11,9 +11,12 @@ import {
 } from "./figures/plate/declaration.ts";
 import { pocketDeclaration } from "./figures/pocket/declaration.ts";
 import { raceDeclaration } from "./figures/race/declaration.ts";
+import { heapDeclaration, searchDeclaration } from "./figures/search/declaration.ts";
 import { sidesDeclaration } from "./figures/sides/declaration.ts";
 import { sliverDeclaration } from "./figures/sliver/declaration.ts";
 import { stallDeclaration } from "./figures/stall/declaration.ts";
+import { stretchingDeclaration, stretchingFieldDeclaration } from "./figures/stretching/declaration.ts";
+import { surfaceDeclaration } from "./figures/surface/declaration.ts";
 import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
 
 /** Every kind of figure, by the name that lessons use. */
@@ -33,4 +36,9 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   sliver: sliverDeclaration,
   sweeps: sweepsDeclaration,
   race: raceDeclaration,
+  surface: surfaceDeclaration,
+  search: searchDeclaration,
+  heap: heapDeclaration,
+  stretching: stretchingDeclaration,
+  "stretching-field": stretchingFieldDeclaration,
 };

@@ -18,4 +18,9 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   sliver: async () => new (await import("./sliver/sliver-figure")).SliverFigure(),
   sweeps: async () => new (await import("./sweeps/sweeps-figure")).SweepsFigure(),
   race: async () => new (await import("./race/race-figure")).RaceFigure(),
+  surface: async () => new (await import("./surface/surface-figure")).SurfaceFigure(),
+  search: async () => new (await import("./search/search-figure")).SearchFigure(),
+  heap: async () => new (await import("./search/heap-figure")).HeapFigure(),
+  stretching: async () => new (await import("./stretching/stretching-figure")).StretchingFigure(false),
+  "stretching-field": async () => new (await import("./stretching/stretching-figure")).StretchingFigure(true),
 };
