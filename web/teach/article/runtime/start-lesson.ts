@@ -8,7 +8,9 @@ import "../styles/pocket.css";
 import "../styles/slivers.css";
 import "../styles/race.css";
 import "../styles/sides.css";
+import "../styles/dock.css";
 import type { Value } from "../kit/values";
+import { Dock } from "./dock";
 import { tieDraggedNumbers, tieShownValues } from "./numbers";
 import { PageFigure } from "./page-figure";
 import { watchTasks } from "./tasks";
@@ -24,9 +26,10 @@ const figures = new Map(
 );
 
 startTheme();
-tieDraggedNumbers(figures);
+const dock = new Dock(figures);
+tieDraggedNumbers(figures, dock);
 tieShownValues(figures);
-tieWords(figures);
+tieWords(figures, dock);
 watchTasks(figures);
 startWalks(figures);
 
