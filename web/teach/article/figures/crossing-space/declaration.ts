@@ -5,6 +5,7 @@ export const crossingSpaceDeclaration: FigureDeclaration = {
   label: "Two triangles in space",
   options: { t: { type: "number", label: "tolerance" } },
   values: {
+    layer: "number",
     crossing: "number",
     hits: "number",
     pair: "number",
