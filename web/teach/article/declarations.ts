@@ -1,4 +1,5 @@
 import type { FigureDeclaration } from "./declaration.ts";
+import { ballDeclaration } from "./figures/ball/declaration.ts";
 import { crossingDeclaration } from "./figures/crossing/declaration.ts";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
 import { frontDeclaration } from "./figures/front/declaration.ts";
@@ -13,6 +14,7 @@ import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
 /** Every kind of figure, by the name that lessons use. */
 export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   front: frontDeclaration,
+  ball: ballDeclaration,
   sides: sidesDeclaration,
   ideal: idealDeclaration,
   crossing: crossingDeclaration,

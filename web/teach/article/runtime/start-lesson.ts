@@ -9,10 +9,13 @@ import "../styles/slivers.css";
 import "../styles/race.css";
 import "../styles/sides.css";
 import "../styles/dock.css";
+import "../styles/modes.css";
 import type { Value } from "../kit/values";
 import { Dock } from "./dock";
 import { tieDraggedNumbers, tieShownValues } from "./numbers";
 import { PageFigure } from "./page-figure";
+import { showSingle, singleFigure } from "./single";
+import { Slides } from "./slides";
 import { watchTasks } from "./tasks";
 import { startTheme } from "./theme";
 import { startWalks } from "./walks";
@@ -30,8 +33,12 @@ const dock = new Dock(figures);
 tieDraggedNumbers(figures, dock);
 tieShownValues(figures);
 tieWords(figures, dock);
-watchTasks(figures);
-startWalks(figures);
+const tasks = watchTasks(figures);
+const single = singleFigure(figures);
+if (single === null) {
+  startWalks(figures);
+  if (figures.size > 0) new Slides(figures);
+} else showSingle(figures, single, tasks);
 
 declare global {
   interface Window {

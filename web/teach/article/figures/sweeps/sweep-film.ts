@@ -68,7 +68,9 @@ export class SweepFilm implements Film {
       if (!mesh) throw new Error(`There is no mesh after sweep ${state}.`);
       const all = Array.from(mesh.tetrahedronRegion, (_region, element) => cornersOf(mesh, element));
       const outside = all.map((four) => outsideBy(four, position));
-      known = all[outside.indexOf(Math.min(...outside))];
+      const nearest = all[outside.indexOf(Math.min(...outside))];
+      if (!nearest) throw new Error(`There is no element after sweep ${state}.`);
+      known = nearest;
       this.#holders.set(state, known);
     }
     return known;
