@@ -39,7 +39,8 @@ export function lit(colour: Colour, corners: readonly Position[], eye: Position)
 }
 
 /** Returns the colour of a front at a depth: 0 at its rim, 1 in its hollow. */
-export const depthColour = (depth: number): Colour => mix(colours().rim, colours().hollow, clamp(depth, 0, 1));
+export const depthColour = (depth: number): Colour =>
+  mix(colours().rim, colours().hollow, clamp(depth, 0, 1));
 
 /** Returns whether a face looks to the eye with the side from which its corners are counter-clockwise. */
 export const looksTo = (corners: readonly Position[], eye: Position): boolean =>
@@ -51,7 +52,13 @@ export function paint(pen: Pen, camera: Camera, facets: readonly Facet[]): void 
   const order = facets.map((_facet, index) => index).sort((a, b) => (depths[b] ?? 0) - (depths[a] ?? 0));
   for (const index of order) {
     const facet = facets[index];
-    if (facet) pen.polygon(facet.corners.map((corner) => camera.pixel(corner)), facet.colour, 1, facet.edge);
+    if (facet)
+      pen.polygon(
+        facet.corners.map((corner) => camera.pixel(corner)),
+        facet.colour,
+        1,
+        facet.edge,
+      );
   }
 }
 

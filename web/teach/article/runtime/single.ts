@@ -45,9 +45,18 @@ export function showSingle(figures: PageFigures, letter: string, tasks: TaskWatc
   address.hash = figure.element.id;
   origin.append(
     "From ",
-    element("a", { href: address.href, target: "_blank", rel: "noopener" }, document.title.replace(/ – .*/, "")),
+    element(
+      "a",
+      { href: address.href, target: "_blank", rel: "noopener" },
+      document.title.replace(/ – .*/, ""),
+    ),
   );
-  main.replaceChildren(figure.element, ...own, origin);
+  // The numbers that the text would offer stand below the figure.
+  const inputs = Object.entries(figure.plan.ranges).flatMap(([name, { label }]) => {
+    const number = document.querySelector(`[data-drag="${letter}.${name}"]`);
+    return number ? [element("span", {}, `${label} `, number)] : [];
+  });
+  main.replaceChildren(figure.element, element("p", { class: "inputs" }, ...inputs), ...own, origin);
   const say = (type: FrameMessage["type"], task?: HTMLElement): void => {
     const message: FrameMessage = {
       source: "tetrafront",
@@ -66,4 +75,3 @@ export function showSingle(figures: PageFigures, letter: string, tasks: TaskWatc
   void figure.load().then(() => say("ready"));
   new ResizeObserver(() => say("height")).observe(main);
 }
-

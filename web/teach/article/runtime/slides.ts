@@ -122,7 +122,11 @@ function slidesOf(main: HTMLElement | null): readonly Slide[] {
       const last = slides.pop();
       if (last) slides.push({ ...last, parts: [...last.parts, node] });
     } else {
-      slides.push({ figure: node.matches(".lead") ? null : figure, parts: [...heads, node], destination: null });
+      slides.push({
+        figure: node.matches(".lead") ? null : figure,
+        parts: [...heads, node],
+        destination: null,
+      });
       heads = [];
     }
   }

@@ -46,13 +46,13 @@ export class BallDrawing {
   }
 
   #drawShadow({ cut, open }: DrawnBall): void {
-    const radius = 0.9 * (1 + open);
+    const radius = 0.9 * (1 + 0.7 * open);
     const rim = Array.from({ length: 48 }, (_none, i): Position => {
       const angle = (i * Math.PI) / 24;
       const y = radius * Math.sin(angle);
-      return [0.34 + radius * Math.cos(angle), Math.max(open > 0 ? y : cut, y), ground - 0.5 * open];
+      return [0.34 + radius * Math.cos(angle), Math.max(open > 0 ? y : cut, y), ground - 0.25 * open];
     });
-    softShadow(this.pen, this.camera, [rim], ground - 0.5 * open);
+    softShadow(this.pen, this.camera, [rim], ground - 0.25 * open);
   }
 
   /** Elements that stand; what a neighbour covers is not painted. */
@@ -67,7 +67,8 @@ export class BallDrawing {
       const age = (state - element.born) / youth;
       const tint = ((index * 7919) % 100) / 100;
       const stone = mix(c.rock, c.edge, 0.45 * tint);
-      const base = age < 1 && (part === "new" || age < 0.9) ? mix(c.new, stone, clamp(age * 1.15, 0, 1)) : stone;
+      const base =
+        age < 1 && (part === "new" || age < 0.9) ? mix(c.new, stone, clamp(age * 1.15, 0, 1)) : stone;
       const by: Position = [element.middle[0], element.middle[1] - Math.max(-1, cut), element.middle[2]];
       return element.faces.flatMap(({ corners, beyond }): Facet[] => {
         const neighbour = beyond === null ? undefined : film.elements[beyond];
@@ -108,7 +109,11 @@ export class BallDrawing {
       const arrived = 1 - (1 - (state - element.born) / flight) ** 3;
       const far = (arrived - 1) * 0.9;
       const size = 0.25 + 0.75 * arrived;
-      const by: Position = [element.middle[0] * far, (element.middle[1] - cut) * far, element.middle[2] * far];
+      const by: Position = [
+        element.middle[0] * far,
+        (element.middle[1] - cut) * far,
+        element.middle[2] * far,
+      ];
       return element.faces.flatMap(({ corners }): Facet[] => {
         const moved = corners.map((corner): Position => {
           const own = subtract(corner, element.middle);
@@ -135,8 +140,11 @@ export class BallDrawing {
     const fades = 1 - t[4];
     this.pen.polygon(corners, mix(c.active, c.plate, 0.15), 0.9 * t[0]);
     const accepted = step.candidates.find(({ verdict }) => verdict === "accepted");
-    if (accepted && t[3] > 0.6) this.#drawNew(base.corners, between(base.middle, accepted.position, (t[3] - 0.6) / 0.4), t[4]);
-    corners.forEach((corner, i) => this.pen.glow(corner, corners[(i + 1) % 3] ?? corner, c.active, t[0] * (1 - 0.7 * t[4])));
+    if (accepted && t[3] > 0.6)
+      this.#drawNew(base.corners, between(base.middle, accepted.position, (t[3] - 0.6) / 0.4), t[4]);
+    corners.forEach((corner, i) =>
+      this.pen.glow(corner, corners[(i + 1) % 3] ?? corner, c.active, t[0] * (1 - 0.7 * t[4])),
+    );
     step.candidates.forEach((candidate, i) => {
       const out = ease(clamp(t[2] * 1.5 - i * 0.15, 0, 1));
       if (out === 0 || fades === 0) return;
@@ -144,7 +152,8 @@ export class BallDrawing {
       const isJudged = clamp(t[3] * step.candidates.length - i, 0, 1) > 0.4;
       const isRefused = isJudged && candidate.verdict !== "accepted";
       const colour = isRefused ? c.refused : c.ink;
-      for (const corner of corners) this.pen.line(corner, to, colour, isRefused ? 2 : 1.3, { alpha: fades, dash: [5, 4] });
+      for (const corner of corners)
+        this.pen.line(corner, to, colour, isRefused ? 2 : 1.3, { alpha: fades, dash: [5, 4] });
       this.pen.circle(to, 4.5, colour, { alpha: fades, stroke: c.ground, width: 1.5, strokeAlpha: fades });
       if (isRefused) this.#drawRefusal(film, candidate, to, i === 0, fades);
     });
@@ -206,7 +215,11 @@ export class BallDrawing {
     const colour = mix(c.new, c.plate, 0.25 - 0.2 * done);
     const sides = base.map((corner, i): readonly Position[] => [corner, base[(i + 1) % 3] ?? corner, apex]);
     const edge = { colour: c["new-text"], width: 2 };
-    const facets = sides.map((corners): Facet => ({ corners, colour: lit(colour, corners, this.camera.eye), edge }));
+    const facets = sides.map((corners): Facet => ({
+      corners,
+      colour: lit(colour, corners, this.camera.eye),
+      edge,
+    }));
     this.pen.context.globalAlpha = 0.55 + 0.45 * done;
     paint(this.pen, this.camera, facets);
     this.pen.context.globalAlpha = 1;
@@ -226,7 +239,8 @@ export class BallDrawing {
     this.pen.polygon(corners, c.refused, 0.45 * alpha, { colour: c.refused, width: 3, alpha });
     const middle = this.camera.pixel(face.middle);
     this.pen.cross(middle, 8, c.refused, 3.5, alpha);
-    const text = verdict === "crosses" ? "crosses this face" : verdict === "behind" ? "behind this face" : "too close";
+    const text =
+      verdict === "crosses" ? "crosses this face" : verdict === "behind" ? "behind this face" : "too close";
     if (isFirst) this.stage.label(text, middle, { dy: 30, look: "refused plate" });
   }
 }
@@ -242,8 +256,14 @@ export function viewOf(film: BallFilm, step: AdvanceStep): Position {
   const corners = film.faces[step.face]?.corners ?? [];
   const normal: Colour = normalOf(corners);
   const [first, last] = [step.candidates[0]?.position, step.candidates.at(-1)?.position];
-  const along = first && last && first !== last ? subtract(last, first) : subtract(first ?? step.idealPoint, mean(corners));
+  const along =
+    first && last && first !== last
+      ? subtract(last, first)
+      : subtract(first ?? step.idealPoint, mean(corners));
   const raw = normalOf([[0, 0, 0], along, normal]);
-  const side = Math.abs(normal[2] * 0.62 + raw[2] * 0.78 - 0.3) < Math.abs(normal[2] * 0.62 - raw[2] * 0.78 - 0.3) ? 1 : -1;
+  const side =
+    Math.abs(normal[2] * 0.62 + raw[2] * 0.78 - 0.3) < Math.abs(normal[2] * 0.62 - raw[2] * 0.78 - 0.3)
+      ? 1
+      : -1;
   return addScaled(scale(normal, 0.62), raw, 0.78 * side);
 }

@@ -50,7 +50,11 @@ export class BallFigure implements Figure {
 
   async mount(host: HTMLElement, values: Values): Promise<void> {
     this.#values = values;
-    const choices = element("div", { class: "choices", role: "group", "aria-label": "The ball" }, ...this.#buttons);
+    const choices = element(
+      "div",
+      { class: "choices", role: "group", "aria-label": "The ball" },
+      ...this.#buttons,
+    );
     host.append(this.#stage.element, choices, this.#player.element, this.#player.beats, this.#status);
     const answer = await fetch(new URL("../../traces/ball.tft", document.baseURI));
     const trace = await loadTrace(new Uint8Array(await answer.arrayBuffer()));
@@ -72,7 +76,10 @@ export class BallFigure implements Figure {
     if (!film) return;
     this.#isOpened = false;
     const values = this.#values;
-    this.#look({ cut: Number(cut ?? values?.number("cut")), open: Number(open ?? values?.number("open")) }, false);
+    this.#look(
+      { cut: Number(cut ?? values?.number("cut")), open: Number(open ?? values?.number("open")) },
+      false,
+    );
     if (step === undefined && beat === undefined) return;
     const named: Readonly<Record<string, number>> = {
       middle: Math.round(film.stepCount * 0.42),

@@ -82,7 +82,8 @@ export class BallFilm implements Film {
   refusedIn(k: number): number {
     const { firstCandidates } = this.#trace.steps;
     const tried = (firstCandidates[k + 2] ?? 0) - (firstCandidates[k + 1] ?? 0);
-    const isAccepted = (this.#trace.steps.elementsMade[k + 1] ?? 0) > (this.#trace.steps.elementsMade[k] ?? 0);
+    const isAccepted =
+      (this.#trace.steps.elementsMade[k + 1] ?? 0) > (this.#trace.steps.elementsMade[k] ?? 0);
     return Math.max(0, tried - (isAccepted ? 1 : 0));
   }
 

@@ -219,7 +219,9 @@ export class CrossingSpaceFigure implements Figure {
     const at = (position: Position): Pixel => this.#camera.pixel(position);
     for (const { corners, sides, isFirst } of paintedPieces(frontFace, added, eye)) {
       const isLit = this.#lit === (isFirst ? "front" : "new");
-      const base = isFirst ? mix(c.rim, c.hollow, isLit ? 0.3 : 0.08) : mix(c.new, c.plate, isLit ? 0.2 : 0.5);
+      const base = isFirst
+        ? mix(c.rim, c.hollow, isLit ? 0.3 : 0.08)
+        : mix(c.new, c.plate, isLit ? 0.2 : 0.5);
       pen.polygon(corners.map(at), lit(base, corners, eye));
       sides.forEach((side, i) => {
         if (side === null) return;
@@ -252,9 +254,13 @@ export class CrossingSpaceFigure implements Figure {
     const [from, to] = ends;
     if (!from || !to) return;
     const [start, end] = [this.#camera.pixel(from), this.#camera.pixel(to)];
-    this.#pen.line(start, end, colours().refused, 6);
+    this.#pen.line(start, end, colours().refused, this.#lit === "cut" ? 9 : 6);
     const isStart = start[0] > end[0];
-    this.#stage.label("the cut of both faces", isStart ? start : end, { look: "refused plate", dx: 92, dy: -3 });
+    this.#stage.label("the cut of both faces", isStart ? start : end, {
+      look: "refused plate",
+      dx: 92,
+      dy: -3,
+    });
   }
 
   #drawPath(tolerance: number): void {

@@ -19,5 +19,5 @@ export const crossingSpaceDeclaration: FigureDeclaration = {
     verdict: "text",
   },
   states: { pose: { words: ["through", "above", "beside"], takesNumber: false } },
-  marks: { new: "new", front: "active", path: "plain" },
+  marks: { new: "new", front: "active", path: "plain", cut: "refused" },
 };

@@ -224,7 +224,11 @@ export class IdealFigure implements Figure {
     const [apex, base] = [at(position), at(foot)];
     const lit = (part: string): boolean => this.#lit === part;
     drawGround(pen, this.#camera, c.ink);
-    const sides = this.#corners.map((corner, i) => [corner, this.#corners[(i + 1) % 3] as Position, position]);
+    const sides = this.#corners.map((corner, i) => [
+      corner,
+      this.#corners[(i + 1) % 3] as Position,
+      position,
+    ]);
     softShadow(pen, this.#camera, [this.#corners, ...sides]);
     const circle = sectorPoints(centre, radius).map(at);
     pen.polygon(circle, c.active, lit("circle") ? 0.12 : 0.03, {
@@ -324,7 +328,7 @@ export class IdealFigure implements Figure {
       const length = edges[i] ?? 0;
       if (isEven && (i === shown || i !== this.#frontCorner(shown))) return;
       const pixel = this.#camera.pixel(betweenPositions(corner, position, 0.36));
-      this.#stage.label(digits(length, 2), pixel, { look: "soft", dx: pixel[0] > apex[0] ? 34 : -34 });
+      this.#stage.label(digits(length, 2), pixel, { look: "soft plate", dx: pixel[0] > apex[0] ? 36 : -36 });
     });
   }
 

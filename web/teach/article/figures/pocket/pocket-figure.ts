@@ -294,7 +294,7 @@ export class PocketFigure implements Figure {
     if (this.#isAboutNode) {
       const look = this.#seen.includes(false) ? "refused" : "new";
       const text = String(this.#values?.word("sight"));
-      this.#stage.label(text, this.#camera.pixel(this.#node), { dy: -26, look });
+      this.#stage.label(text, this.#camera.pixel(this.#node), { dy: -26, look: `${look} plate` });
     }
   }
 

@@ -100,7 +100,12 @@ const kindTexts: Readonly<Record<FourKind, string>> = {
 
 export class SliverFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0, 0, 0.46], distance: 2.95, yaw: 0.42, pitch: 0.42 });
+  readonly #camera = new Camera(this.#stage, {
+    target: [0, 0, 0.46],
+    distance: 2.95,
+    yaw: 0.42,
+    pitch: 0.42,
+  });
   readonly #pen = new Pen(this.#stage.context);
   readonly #motion = new Motion();
   readonly #scale = new AngleScale(poorAngles, regularAngle, 6);
@@ -339,7 +344,7 @@ export class SliverFigure implements Figure {
     });
     const away = unit(subtract(middle, mean(this.#four))) ?? [0, 0, 1];
     const at = this.#besideHandles(this.#camera.pixel(addScaled(middle, away, 0.14)));
-    this.#stage.label(`${digits(angle, 0)}°`, at, { look: isPoor ? "refused" : "active" });
+    this.#stage.label(`${digits(angle, 0)}°`, at, { look: isPoor ? "refused plate" : "active plate" });
   }
 
   /** Moves a label away from the points. */
