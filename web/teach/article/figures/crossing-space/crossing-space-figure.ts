@@ -256,9 +256,10 @@ export class CrossingSpaceFigure implements Figure {
     const [start, end] = [this.#camera.pixel(from), this.#camera.pixel(to)];
     this.#pen.line(start, end, colours().refused, this.#lit === "cut" ? 9 : 6);
     const isStart = start[0] > end[0];
-    this.#stage.label("the cut of both faces", isStart ? start : end, {
+    const isSmall = this.#stage.width < 560;
+    this.#stage.label(isSmall ? "the cut" : "the cut of both faces", isStart ? start : end, {
       look: "refused plate",
-      dx: 92,
+      dx: isSmall ? 42 : 92,
       dy: -3,
     });
   }

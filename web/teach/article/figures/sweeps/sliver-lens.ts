@@ -22,7 +22,7 @@ export class SliverLens {
   draw(sliver: Four, now: Four): void {
     const { width, height } = this.stage;
     const isWide = width > 760;
-    const radius = isWide ? 104 : Math.min(56, width / 6);
+    const radius = isWide ? 104 : Math.min(50, width / 7);
     const margin = radius + (isWide ? 26 : 4);
     const y = isWide ? height * 0.46 : radius + 4;
     const at = mean(sliver);
@@ -63,7 +63,7 @@ export class SliverLens {
       });
     context.restore();
     this.stage.label(`${when}: ${digits(least, 1)}°`, [centre[0], centre[1] + radius + 16], {
-      look: isPoor ? "refused" : "",
+      look: isPoor ? "refused plate" : "plate",
     });
   }
 }
