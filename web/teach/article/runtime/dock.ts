@@ -39,7 +39,8 @@ export class Dock {
           else this.#last = figure;
         });
     for (const type of ["scroll", "resize"])
-      window.addEventListener(type, () => this.#update(), { passive: true });
+      // What the reader holds keeps its place and size.
+      window.addEventListener(type, () => document.querySelector(".held") ?? this.#update(), { passive: true });
   }
 
   /** The reader has touched a figure by the text; `word` stays visible beside it. */
