@@ -202,7 +202,7 @@ export class IdealFigure implements Figure {
   /** Brings everything into view once the reader lets go. */
   #frame(): void {
     const { position, foot, centre, radius } = this.#point;
-    const all = [...this.#corners, position, foot, ...sectorPoints(centre, 0.8 * radius)];
+    const all = [...this.#corners, position, foot, ...sectorPoints(centre, 0.55 * radius)];
     const low = [0, 1, 2].map((i) => Math.min(...all.map((each) => each[i] ?? 0)));
     const high = [0, 1, 2].map((i) => Math.max(...all.map((each) => each[i] ?? 0)));
     const middle = low.map((x, i) => (x + (high[i] ?? 0)) / 2) as unknown as Position;
@@ -315,9 +315,8 @@ export class IdealFigure implements Figure {
         dx: isRightward ? 52 : -52,
       });
     else
-      this.#stage.label(`*h* = ${digits(h, 2)} does not reach`, between(end, apex, 0.5), {
-        dx: isRightward ? 70 : -70,
-        dy: -20,
+      this.#stage.label(`*h* = ${digits(h, 2)} does not reach`, between(base, end, 0.62), {
+        dy: 42,
         look: "soft plate",
       });
     // Inside the right triangle, where no edge passes.
