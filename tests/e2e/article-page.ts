@@ -44,6 +44,7 @@ export class ArticlePage {
       window.scrollBy(0, top - Math.max(8, (window.innerHeight - height) / 2));
     });
     await expect(figure).toHaveAttribute("data-ready", "true");
+    await expect(figure).not.toHaveAttribute("data-docked");
   }
 
   async values(letter: string): Promise<Values> {
@@ -59,11 +60,20 @@ export class ArticlePage {
     return this.figure(letter).locator(`[data-handle="${name}"]`);
   }
 
-  /** Returns the middle of an element in the window. */
+  /** Returns the middle of an element in the window, once it rests there: pages scroll and figures move. */
   async middle(locator: Locator): Promise<Pixel> {
-    const box = await locator.boundingBox();
-    if (!box) throw new Error("The element is not visible");
-    return [box.x + box.width / 2, box.y + box.height / 2];
+    let before: Pixel | null = null;
+    for (let i = 0; i < 100; i++) {
+      const box = await locator.boundingBox();
+      if (!box) throw new Error("The element is not visible");
+      const now: Pixel = [box.x + box.width / 2, box.y + box.height / 2];
+      if (before && Math.hypot(now[0] - before[0], now[1] - before[1]) < 0.25) return now;
+      before = now;
+      await this.page.evaluate(
+        () => new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next))),
+      );
+    }
+    throw new Error("The element does not come to rest");
   }
 
   /** Drags from a pixel to another one; `held` runs before the end. */

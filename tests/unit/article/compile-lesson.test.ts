@@ -109,6 +109,14 @@ describe("a lesson is compiled", () => {
     );
   });
 
+  test("with a task in a stop of a walk", () => {
+    const walk =
+      "::: walk\n\n```figure front B\nsize: 0.2 in 0.1..0.3 by 0.1\n```\n\n::: stops\n@ B step=0\nFirst.\n\n```task\nask: Do it.\nuntil: B.refused == 0\nbecause: Done.\n```\n\nThen.\n\n@ B step=end\nLast.\n:::";
+    const { html } = compile(walk);
+    expect(html).toMatch(/data-go="B step=0"><p>First.<\/p>\s*<aside class="task"[^]*<\/aside><p>Then.<\/p>/);
+    expect(html).toContain('<div class="stop" data-go="B step=end"><p>Last.</p>\n</div></div></section>');
+  });
+
   test("without HTML of the author", () => {
     expect(compile("<b onclick=x>no</b>").html).toContain("&lt;b onclick=x&gt;no&lt;/b&gt;");
   });

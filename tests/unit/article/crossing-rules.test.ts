@@ -6,7 +6,9 @@ import {
   type Point,
 } from "../../../web/teach/article/figures/crossing/crossing-rules";
 import { isStoppedByFourth, pairsOf } from "../../../web/teach/article/figures/crossing-space/pairs";
+import { decidingLayer } from "../../../web/teach/article/figures/crossing-space/space-layers";
 import { paintedPieces } from "../../../web/teach/article/figures/crossing-space/painted-pieces";
+import type { Position } from "../../../web/document/position";
 import type { Triangle } from "../../../web/teach/player/crossing";
 
 /** Numbers from 0 to 1, the same in every run. */
@@ -126,5 +128,56 @@ describe("the crossing test in space", () => {
     expect(pieces.map(({ isFirst }) => isFirst)).toEqual([false, true, false]);
     expect(pieces[0]?.corners.every(([, , z]) => z <= 0)).toBe(true);
     expect(pieces[2]?.corners.every(([, , z]) => z >= 0)).toBe(true);
+  });
+});
+
+describe("the layers before equation (1) in space", () => {
+  const floor: Triangle = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+  ];
+  const moved = (by: Position, heights: readonly [number, number, number]): Triangle =>
+    [
+      [0.2, 0.2, heights[0]],
+      [0.6, 0.2, heights[1]],
+      [0.3, 0.5, heights[2]],
+    ].map(([x = 0, y = 0, z = 0]) => [x + by[0], y + by[1], z + by[2]]) as unknown as Triangle;
+
+  test("boxes that are apart decide first", () => {
+    expect(decidingLayer(moved([2, 0, 0], [-1, 1, 1]), floor, 0)).toBe(1);
+    expect(decidingLayer(moved([0, 0, 0], [0.1, 0.1, 0.2]), floor, 0)).toBe(1);
+  });
+
+  test("a tolerance keeps what is near for the next layer", () => {
+    expect(decidingLayer(moved([0, 0, 0], [0.1, 0.1, 0.2]), floor, 0.05)).toBe(2);
+    expect(decidingLayer(moved([0, 0, 0], [0.01, 0.01, 0.2]), floor, 0.05)).toBe(3);
+  });
+
+  test("corners beyond a plane decide next, and what is left is calculated", () => {
+    const tilted: Triangle = [
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 1, 1],
+    ];
+    expect(decidingLayer(moved([0, 0, 0], [0.5, 0.5, 0.9]), tilted, 0)).toBe(2);
+    expect(decidingLayer(moved([0, 0, 0], [-0.5, 0.5, 0.5]), tilted, 0)).toBe(3);
+  });
+
+  test("never decide against a pair that crosses", () => {
+    let crossings = 0;
+    for (let i = 0; i < 400; i++) {
+      const at = (k: number): number => 1.4 * Math.abs(Math.sin(12.9 * i + 78.2 * k)) - 0.35;
+      const added: Triangle = [
+        [at(0), at(1), at(2)],
+        [at(3), at(4), at(5)],
+        [at(6), at(7), at(8)],
+      ];
+      const tolerance = (i % 4) * 0.05;
+      if (!pairsOf(added, floor).some(({ excess }) => excess <= tolerance)) continue;
+      crossings++;
+      expect(decidingLayer(added, floor, tolerance)).toBe(3);
+    }
+    expect(crossings).toBeGreaterThan(50);
   });
 });

@@ -1,6 +1,9 @@
 /** The lessons themselves, as they are built into the site. */
+import { readFileSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, test } from "vitest";
+import { compileLesson } from "../../../web/teach/article/compiler/compile-lesson";
+import { declarations } from "../../../web/teach/article/declarations";
 import { articleOf } from "../../../web/teach/article/articles";
 import {
   lessonEntries,
@@ -42,4 +45,26 @@ describe("the pages of the lessons", () => {
     for (const neighbour of [numbers[index - 1], numbers[index + 1]])
       if (neighbour !== undefined) expect(page).toContain(`href="../${neighbour}/"`);
   });
+});
+
+test("the two examples of the documentation are lessons without mistakes", () => {
+  const text = readFileSync("docs/LESSONS.md", "utf8");
+  const section = text.slice(text.indexOf("### Two examples"), text.indexOf("### Errors"));
+  const examples = [...section.matchAll(/^````\n([^]*?)^````$/gm)].map(([, source = ""]) => source);
+  expect(examples).toHaveLength(2);
+  for (const source of examples) {
+    const { html } = compileLesson(source, "example.md", { declarations, lessons: [], models: [] });
+    expect(html).toContain('data-testid="task-1"');
+    expect(html).toContain('data-testid="figure-A"');
+  }
+});
+
+test("every kind of figure is in the documentation, with all that the text may use", () => {
+  const lines = readFileSync("docs/LESSONS.md", "utf8").split("\n");
+  for (const kind of ["ball", "crossing-space", "front", "ideal"]) {
+    const row = lines.find((line) => new RegExp(`^\\| \`${kind}\` `).test(line)) ?? "";
+    const { values = {}, marks = {}, options = {} } = declarations[kind] ?? {};
+    for (const name of [...Object.keys(marks), ...Object.keys(options)]) expect(row).toContain(`\`${name}\``);
+    expect(Object.keys(values).filter((name) => !row.includes(`\`${name.replace(/\d$/, "")}`))).toEqual([]);
+  }
 });

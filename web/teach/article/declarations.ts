@@ -1,5 +1,6 @@
 import type { FigureDeclaration } from "./declaration.ts";
 import { candidatesDeclaration, candidatesSpaceDeclaration } from "./figures/candidates/declaration.ts";
+import { ballDeclaration } from "./figures/ball/declaration.ts";
 import { crossingDeclaration } from "./figures/crossing/declaration.ts";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
 import { frontDeclaration } from "./figures/front/declaration.ts";
@@ -22,6 +23,7 @@ import { sweepsDeclaration } from "./figures/sweeps/declaration.ts";
 /** Every kind of figure, by the name that lessons use. */
 export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   front: frontDeclaration,
+  ball: ballDeclaration,
   sides: sidesDeclaration,
   ideal: idealDeclaration,
   candidates: candidatesDeclaration,

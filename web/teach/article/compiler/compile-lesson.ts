@@ -136,9 +136,10 @@ class Compiler {
   }
 
   #walkHtml({ figure, stops }: WalkBlock): string {
-    const html = stops.map(({ line, destination, text }) => {
+    const html = stops.map(({ line, destination, parts }) => {
       this.#checkDestination(destination, line);
-      return `<div class="stop" data-go="${attribute(destination)}">${this.#text(text)}</div>`;
+      const inner = parts.map((part) => this.#blockHtml(part)).join("");
+      return `<div class="stop" data-go="${attribute(destination)}">${inner}</div>`;
     });
     return `<section class="walk">${figure ? this.#figureHtml(figure) : ""}<div class="stops">${html.join("")}</div></section>`;
   }

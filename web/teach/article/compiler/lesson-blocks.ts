@@ -33,7 +33,8 @@ export interface Stop {
   readonly line: number;
   /** What stands after `@`, such as `A step=0 beat=2`. */
   readonly destination: string;
-  readonly text: TextBlock;
+  /** Text and tasks, in their order. */
+  readonly parts: readonly (TextBlock | TaskBlock)[];
 }
 
 export interface WalkBlock {
@@ -168,6 +169,18 @@ class Splitter {
     return { kind: "walk", line, figure, stops: this.#stops(line) };
   }
 
+  /** Reads the text and the tasks of a stop. */
+  #stopParts(endsStop: (line: string) => boolean): Stop["parts"] {
+    const parts: (TextBlock | TaskBlock)[] = [];
+    while (!this.#isOver && !(parts.length > 0 && endsStop(this.#line))) {
+      const fenced = this.#fenced();
+      if (fenced?.kind === "figure")
+        this.note(fenced.line, "A walk has one figure.", "Put the other figure after the walk.");
+      else parts.push(fenced ?? this.#text(endsStop));
+    }
+    return parts;
+  }
+
   #stops(walkLine: number): readonly Stop[] {
     const stops: Stop[] = [];
     const endsStop = (line: string): boolean => line.startsWith("@") || line.startsWith(":::");
@@ -184,7 +197,7 @@ class Splitter {
       }
       const destination = this.#line.slice(1).trim();
       const line = ++this.#next;
-      stops.push({ line, destination, text: this.#text(endsStop) });
+      stops.push({ line, destination, parts: this.#stopParts(endsStop) });
     }
     if (this.#isOver) this.note(walkLine, "The walk does not end.", 'End it with a line ":::".');
     this.#next++;

@@ -3,6 +3,7 @@ import type { Figure } from "../kit/figure";
 /** Loads each kind of figure when it is near the window. */
 export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   front: async () => new (await import("./front/front-figure")).FrontFigure(),
+  ball: async () => new (await import("./ball/ball-figure")).BallFigure(),
   sides: async () => new (await import("./sides/sides-figure")).SidesFigure(),
   ideal: async () => new (await import("./ideal/ideal-figure")).IdealFigure(),
   candidates: async () => new (await import("./candidates/candidates-figure")).CandidatesFigure(),

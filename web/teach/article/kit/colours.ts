@@ -14,6 +14,10 @@ const names = [
   "new",
   "new-soft",
   "new-text",
+  "rim",
+  "hollow",
+  "rock",
+  "groove",
 ] as const;
 
 export type ColourName = (typeof names)[number];

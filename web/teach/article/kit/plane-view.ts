@@ -3,24 +3,46 @@ import type { Pixel, Stage } from "./stage";
 
 export type PlanePoint = readonly [number, number];
 
+type PlaneWindow = readonly [number, number, number, number];
+
 export class PlaneView {
-  /** @param window Smallest x and y, largest x and y. */
+  /**
+   * @param wide Smallest x and y, largest x and y.
+   * @param narrow The window on a stage that is narrower than a number of pixels; its height then fills the stage, so that a unit
+   * of y is longer than one of x.
+   */
   constructor(
     readonly stage: Stage,
-    readonly window: readonly [number, number, number, number],
+    readonly wide: PlaneWindow,
+    readonly narrow?: { readonly below: number; readonly window: PlaneWindow },
   ) {}
 
-  /** Pixels per unit. */
+  get window(): PlaneWindow {
+    return this.#isNarrow && this.narrow ? this.narrow.window : this.wide;
+  }
+
+  get #isNarrow(): boolean {
+    return this.narrow !== undefined && this.stage.width < this.narrow.below;
+  }
+
+  /** Pixels per unit of x. */
   get scale(): number {
     const [x0, y0, x1, y1] = this.window;
-    return Math.min(this.stage.width / (x1 - x0), this.stage.height / (y1 - y0));
+    const across = this.stage.width / (x1 - x0);
+    return this.#isNarrow ? across : Math.min(across, this.stage.height / (y1 - y0));
+  }
+
+  /** Pixels per unit of y. */
+  get scaleY(): number {
+    const [, y0, , y1] = this.window;
+    return this.#isNarrow ? this.stage.height / (y1 - y0) : this.scale;
   }
 
   pixel([x, y]: PlanePoint): Pixel {
     const [x0, y0, x1, y1] = this.window;
     return [
       this.stage.width / 2 + (x - (x0 + x1) / 2) * this.scale,
-      this.stage.height / 2 - (y - (y0 + y1) / 2) * this.scale,
+      this.stage.height / 2 - (y - (y0 + y1) / 2) * this.scaleY,
     ];
   }
 
@@ -28,7 +50,7 @@ export class PlaneView {
     const [x0, y0, x1, y1] = this.window;
     return [
       (x0 + x1) / 2 + (x - this.stage.width / 2) / this.scale,
-      (y0 + y1) / 2 - (y - this.stage.height / 2) / this.scale,
+      (y0 + y1) / 2 - (y - this.stage.height / 2) / this.scaleY,
     ];
   }
 

@@ -13,6 +13,8 @@ export interface CameraOptions {
   /** Angles in radians. */
   readonly yaw: number;
   readonly pitch: number;
+  /** Range of the pitch that a reader can reach; from a little above the ground on, if it is not given. */
+  readonly pitches?: readonly [number, number];
 }
 
 /** Width / height below which the camera goes back, so that the scene fits the width. */
@@ -25,8 +27,7 @@ export class Camera {
   distance: number;
   yaw: number;
   pitch: number;
-  /** Range of the pitch in radians. */
-  readonly #pitches = [0.08, 1.4] as const;
+  readonly #pitches: readonly [number, number];
 
   constructor(
     readonly stage: Stage,
@@ -36,6 +37,7 @@ export class Camera {
     this.distance = options.distance;
     this.yaw = options.yaw;
     this.pitch = options.pitch;
+    this.#pitches = options.pitches ?? [0.08, 1.4];
     this.#turnByPointer();
     this.#turnByKeys();
   }

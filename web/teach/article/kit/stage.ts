@@ -144,9 +144,18 @@ export class Stage {
     window.addEventListener("beforeprint", () => this.#drawNow());
   }
 
-  /** Draws in the next frame. */
+  /** Draws in the next frame. Far from the window, only the handles are placed, so that they are right when they come into view. */
   requestDraw(): void {
-    if (this.#frame === 0 && this.#isNear) this.#frame = requestAnimationFrame(() => this.#drawNow());
+    if (this.#frame !== 0) return;
+    this.#frame = requestAnimationFrame(() => {
+      if (this.#isNear) return this.#drawNow();
+      this.#frame = 0;
+      if (this.width > 0) this.#placeHandles();
+    });
+  }
+
+  #placeHandles(): void {
+    for (const handle of this.#handles.values()) handle.place();
   }
 
   /** Replaces all handles by these; those with a known name keep their element, and with it the focus. */
@@ -199,7 +208,7 @@ export class Stage {
     this.#usedLabels = 0;
     this.draw();
     for (const label of this.#labels.slice(this.#usedLabels)) label.hidden = true;
-    for (const handle of this.#handles.values()) handle.place();
+    this.#placeHandles();
   }
 
   #resize(): void {

@@ -1,6 +1,7 @@
 /** Numbers in sentences and formulas: those that the reader drags, and those that follow a figure. */
 import { effect } from "@preact/signals-core";
 import { digits } from "../kit/dom";
+import type { Dock } from "./dock";
 import { tiedTo, type PageFigures } from "./page-figure";
 
 /** Pixels of a pointer over which a number runs through its whole range. */
@@ -8,7 +9,7 @@ const dragLength = 240;
 const placesOf = (text: string): number => (text.split(".")[1] ?? "").replace(/\D.*$/, "").length;
 
 /** Makes every scrubbable number follow the pointer and the keys. */
-export function tieDraggedNumbers(figures: PageFigures): void {
+export function tieDraggedNumbers(figures: PageFigures, dock: Dock): void {
   for (const node of document.querySelectorAll<HTMLElement>("[data-drag]")) {
     const { figure, name } = tiedTo(figures, node.dataset["drag"] ?? "");
     const range = figure.values.range(name);
@@ -24,6 +25,7 @@ export function tieDraggedNumbers(figures: PageFigures): void {
     const ask = (value: number): void => {
       void figure.load();
       figure.values.ask(name, value);
+      dock.touch(figure, node);
     };
     node.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;

@@ -9,9 +9,14 @@ import "../styles/slivers.css";
 import "../styles/race.css";
 import "../styles/sides.css";
 import "../styles/twins.css";
+import "../styles/dock.css";
+import "../styles/modes.css";
 import type { Value } from "../kit/values";
+import { Dock } from "./dock";
 import { tieDraggedNumbers, tieShownValues } from "./numbers";
 import { PageFigure } from "./page-figure";
+import { showSingle, singleFigure } from "./single";
+import { Slides } from "./slides";
 import { watchTasks } from "./tasks";
 import { startTheme } from "./theme";
 import { startWalks } from "./walks";
@@ -25,11 +30,16 @@ const figures = new Map(
 );
 
 startTheme();
-tieDraggedNumbers(figures);
+const dock = new Dock(figures);
+tieDraggedNumbers(figures, dock);
 tieShownValues(figures);
-tieWords(figures);
-watchTasks(figures);
-startWalks(figures);
+tieWords(figures, dock);
+const tasks = watchTasks(figures);
+const single = singleFigure(figures);
+if (single === null) {
+  startWalks(figures);
+  if (figures.size > 0) new Slides(figures);
+} else showSingle(figures, single, tasks);
 
 declare global {
   interface Window {

@@ -3,8 +3,17 @@ import { effect } from "@preact/signals-core";
 import { evaluate, parseCondition } from "../condition";
 import type { PageFigures } from "./page-figure";
 
-export function watchTasks(figures: PageFigures): void {
-  for (const task of document.querySelectorAll<HTMLElement>(".task")) {
+export interface TaskWatch {
+  /** The tasks of the lesson, in their order. */
+  readonly all: readonly HTMLElement[];
+  /** Calls back when a task is done. */
+  onDone(listener: (task: HTMLElement) => void): void;
+}
+
+export function watchTasks(figures: PageFigures): TaskWatch {
+  const all = [...document.querySelectorAll<HTMLElement>(".task")];
+  const listeners: ((task: HTMLElement) => void)[] = [];
+  for (const task of all) {
     const until = parseCondition(task.dataset["until"] ?? "");
     const stop = effect(() => {
       const value = evaluate(until, ({ figure, name }) => figures.get(figure)?.values.number(name) ?? NaN);
@@ -12,7 +21,11 @@ export function watchTasks(figures: PageFigures): void {
       task.dataset["done"] = "true";
       task.setAttribute("aria-label", `${task.getAttribute("aria-label") ?? ""}, done`);
       task.querySelector(".because p")?.removeAttribute("hidden");
-      queueMicrotask(() => stop());
+      queueMicrotask(() => {
+        stop();
+        for (const listener of listeners) listener(task);
+      });
     });
   }
+  return { all, onDone: (listener) => void listeners.push(listener) };
 }

@@ -1,5 +1,6 @@
 /** Words that lead a figure to a state, and words that light one of its parts. */
 import { readDestination } from "../declaration";
+import type { Dock } from "./dock";
 import { tiedTo, type PageFigures } from "./page-figure";
 
 /** Calls `act` for a click, and for Enter and the space bar. */
@@ -18,14 +19,20 @@ export function goTo(figures: PageFigures, text: string): void {
   if (destination) void figures.get(destination.figure)?.go(destination.entries);
 }
 
-export function tieWords(figures: PageFigures): void {
+export function tieWords(figures: PageFigures, dock: Dock): void {
   for (const node of document.querySelectorAll<HTMLElement>(".go"))
-    onPress(node, () => goTo(figures, node.dataset["go"] ?? ""));
+    onPress(node, () => {
+      const text = node.dataset["go"] ?? "";
+      const figure = figures.get(readDestination(text)?.figure ?? "");
+      goTo(figures, text);
+      if (figure) dock.touch(figure, node);
+    });
   for (const node of document.querySelectorAll<HTMLElement>("[data-mark]")) {
     const { figure, name } = tiedTo(figures, node.dataset["mark"] ?? "");
     const light = (isLit: boolean): void => {
       node.setAttribute("aria-pressed", String(isLit));
       void figure.mark(isLit ? name : null);
+      if (isLit) dock.touch(figure, node);
     };
     node.addEventListener("pointerenter", ({ pointerType }) => pointerType === "mouse" && light(true));
     node.addEventListener("pointerleave", ({ pointerType }) => pointerType === "mouse" && light(false));

@@ -4,16 +4,20 @@ import type { Position } from "../../../../document/position";
 import { addScaled, between as betweenPositions, length, subtract } from "../../../../document/vectors";
 import type { Triangle } from "../../../player/crossing";
 import { ValueBar } from "../../kit/bars";
-import { colours, type ColourName } from "../../kit/colours";
+import { colours, mix, type ColourName } from "../../kit/colours";
 import { button, element } from "../../kit/dom";
 import type { Figure } from "../../kit/figure";
+import { lit, softShadow } from "../../kit/matte";
 import { Motion } from "../../kit/motion";
-import { between, Pen, widths } from "../../kit/pen";
+import { between, Pen } from "../../kit/pen";
 import { Camera } from "../../kit/space";
 import { Stage, type HandleOptions, type Pixel } from "../../kit/stage";
 import type { Values } from "../../kit/values";
+import { LayerCard } from "../crossing/layer-cards";
+import { drawGround } from "../ideal/ground";
 import { isStoppedByFourth, pairsOf, type SpacePair } from "./pairs";
 import { paintedPieces } from "./painted-pieces";
+import { decidingLayer } from "./space-layers";
 
 interface Faces {
   readonly front: Triangle;
@@ -55,18 +59,23 @@ const reach = 1.7;
 /** A meeting point farther away than this is not drawn. */
 const farAway = 3;
 const minArea = 0.08;
+/** Height of the ground below both faces. */
+const ground = -0.72;
 
 export class CrossingSpaceFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
   readonly #camera = new Camera(this.#stage, {
-    target: [0.1, 0.15, 0.12],
-    distance: 4.1,
+    target: [0.1, 0.15, 0.02],
+    distance: 4.15,
     yaw: 0.35,
-    pitch: 0.42,
+    pitch: 0.46,
   });
   readonly #pen = new Pen(this.#stage.context);
   readonly #motion = new Motion();
   readonly #bars = ["*α*^1", "*α*^2", "*α*^3", "*α*^4"].map((name) => new ValueBar(name));
+  readonly #boxes = new LayerCard("a Boxes", "· cost 1", []);
+  readonly #planes = new LayerCard("b Planes of the faces", "· cost about 10", []);
+  readonly #sides = new LayerCard("c Sides through faces", "· cost about 100", this.#bars);
   readonly #status = element("p", { class: "status", role: "status" });
   readonly #buttons = Array.from({ length: 6 }, (_none, index) =>
     button(
@@ -92,8 +101,8 @@ export class CrossingSpaceFigure implements Figure {
       { class: "choices", role: "group", "aria-label": "Pair of a side and a face" },
       ...this.#buttons,
     );
-    const bars = element("div", { class: "bars wide" }, ...this.#bars.flatMap(({ parts }) => parts));
-    host.append(this.#stage.element, choices, bars, this.#status);
+    const cards = [this.#boxes, this.#planes, this.#sides].map((card) => card.element);
+    host.append(this.#stage.element, choices, element("div", { class: "layers" }, ...cards), this.#status);
     this.#stage.setHandles([0, 1, 2, 3, 4, 5].map((index) => this.#handle(index)));
     effect(() => {
       values.number("t");
@@ -159,7 +168,10 @@ export class CrossingSpaceFigure implements Figure {
     this.#shown = this.#chosen ?? excesses.indexOf(Math.min(...excesses));
     const pair = this.#pairs[this.#shown] as SpacePair;
     const [a1, a2, a3, a4] = pair.alphas;
+    const layer = decidingLayer(this.#faces.added, this.#faces.front, tolerance);
+    this.#showLayers(layer, hits);
     values.put({
+      layer,
       crossing: hits > 0,
       hits,
       pair: this.#shown + 1,
@@ -185,30 +197,51 @@ export class CrossingSpaceFigure implements Figure {
     this.#stage.requestDraw();
   }
 
+  #showLayers(layer: 1 | 2 | 3, hits: number): void {
+    if (layer === 1) this.#boxes.show("apart", "Apart. Nothing more is asked.");
+    else this.#boxes.show("passed", "The boxes overlap: ask on.");
+    if (layer === 1) this.#planes.show("idle", "Not asked.");
+    else if (layer === 2) this.#planes.show("apart", "All corners beyond one plane: apart.");
+    else this.#planes.show("passed", "Each plane cuts the other face: ask on.");
+    if (layer < 3) this.#sides.show("idle", "Not asked.");
+    else if (hits > 0) this.#sides.show("crossing", "All four lie in the band: refused.");
+    else this.#sides.show("apart", "One value lies outside: no crossing.");
+  }
+
   #draw(): void {
     const c = colours();
     const pen = this.#pen;
-    const at = (position: Position): Pixel => this.#camera.pixel(position);
-    const tolerance = this.#values?.number("t") ?? 0;
     const { front: frontFace, added } = this.#faces;
-    for (const { corners, isFirst } of paintedPieces(frontFace, added, this.#camera.eye)) {
+    const { eye } = this.#camera;
+    const tolerance = this.#values?.number("t") ?? 0;
+    drawGround(pen, this.#camera, c.ink, ground);
+    softShadow(pen, this.#camera, [frontFace, added], ground);
+    const at = (position: Position): Pixel => this.#camera.pixel(position);
+    for (const { corners, sides, isFirst } of paintedPieces(frontFace, added, eye)) {
       const isLit = this.#lit === (isFirst ? "front" : "new");
-      pen.polygon(corners.map(at), c.ground, 0.55);
-      pen.polygon(corners.map(at), isFirst ? c.active : c.new, isLit ? 0.5 : 0.24);
+      const base = isFirst
+        ? mix(c.rim, c.hollow, isLit ? 0.3 : 0.08)
+        : mix(c.new, c.plate, isLit ? 0.2 : 0.5);
+      pen.polygon(corners.map(at), lit(base, corners, eye));
+      sides.forEach((side, i) => {
+        if (side === null) return;
+        const index = isFirst ? 3 + side : side;
+        const isRefused = (this.#pairs[index]?.excess ?? Infinity) <= tolerance;
+        const isShown = index === this.#shown || isLit;
+        pen.line(
+          at(corners[i] ?? eye),
+          at(corners[(i + 1) % corners.length] ?? eye),
+          isRefused ? c.refused : isFirst ? c.ink : c["new-text"],
+          isShown ? 4 : 2.5,
+          isRefused && index !== this.#shown ? { dash: [8, 7] } : {},
+        );
+      });
     }
-    this.#pairs.forEach(({ side, isNewSide, excess }, i) => {
-      const isRefused = excess <= tolerance;
-      const isLit = this.#lit === (isNewSide ? "new" : "front");
-      const colour = c[isRefused ? "refused" : isNewSide ? "new" : "active"];
-      const width = i === this.#shown || isLit ? widths.active : widths.front;
-      pen.line(
-        at(side[0]),
-        at(side[1]),
-        colour,
-        width,
-        isRefused && i !== this.#shown ? { dash: [8, 7] } : {},
+    // What lies behind a face shows through it as a thin line.
+    for (const triangle of [frontFace, added])
+      triangle.forEach((corner, i) =>
+        pen.line(at(corner), at(triangle[(i + 1) % 3] ?? corner), c.ink, 1, { alpha: 0.32, dash: [3, 5] }),
       );
-    });
     this.#drawCut(tolerance);
     this.#drawPath(tolerance);
   }
@@ -219,7 +252,16 @@ export class CrossingSpaceFigure implements Figure {
       at && excess <= Math.min(0, tolerance) ? [at] : [],
     );
     const [from, to] = ends;
-    if (from && to) this.#pen.line(this.#camera.pixel(from), this.#camera.pixel(to), colours().refused, 6);
+    if (!from || !to) return;
+    const [start, end] = [this.#camera.pixel(from), this.#camera.pixel(to)];
+    this.#pen.line(start, end, colours().refused, this.#lit === "cut" ? 9 : 6);
+    const isStart = start[0] > end[0];
+    const isSmall = this.#stage.width < 560;
+    this.#stage.label(isSmall ? "the cut" : "the cut of both faces", isStart ? start : end, {
+      look: "refused plate",
+      dx: isSmall ? 42 : 92,
+      dy: -3,
+    });
   }
 
   #drawPath(tolerance: number): void {

@@ -5,6 +5,7 @@ export const crossingSpaceDeclaration: FigureDeclaration = {
   label: "Two triangles in space",
   options: { t: { type: "number", label: "tolerance" } },
   values: {
+    layer: "number",
     crossing: "number",
     hits: "number",
     pair: "number",
@@ -18,5 +19,5 @@ export const crossingSpaceDeclaration: FigureDeclaration = {
     verdict: "text",
   },
   states: { pose: { words: ["through", "above", "beside"], takesNumber: false } },
-  marks: { new: "new", front: "active", path: "plain" },
+  marks: { new: "new", front: "active", path: "plain", cut: "refused" },
 };

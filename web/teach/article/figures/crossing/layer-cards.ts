@@ -5,7 +5,8 @@ import type { CrossingVerdict } from "./crossing-rules";
 
 type CardState = "idle" | "passed" | "apart" | "crossing";
 
-class Card {
+/** What one layer has found. */
+export class LayerCard {
   readonly element: HTMLElement;
   readonly #verdict = element("span", { class: "verdict" });
 
@@ -31,9 +32,9 @@ export class LayerCards {
   readonly #shapes = ["*N*^1", "*N*^2", "*N*^3"].map((name) => new ValueBar(name, 2));
   readonly #alphas = ["*α*^1", "*α*^3", "*α*^4"].map((name) => new ValueBar(name));
   readonly #cards = [
-    new Card("a Boxes", "· cost 1", []),
-    new Card("b Lines of the triangle", "· cost about 10", this.#shapes),
-    new Card("c Side against side", "· cost about 100", this.#alphas),
+    new LayerCard("a Boxes", "· cost 1", []),
+    new LayerCard("b Lines of the triangle", "· cost about 10", this.#shapes),
+    new LayerCard("c Side against side", "· cost about 100", this.#alphas),
   ] as const;
   readonly element = element("div", { class: "layers" }, ...this.#cards.map(({ element }) => element));
 

@@ -2,9 +2,10 @@
 import { effect } from "@preact/signals-core";
 import type { Position } from "../../../../document/position";
 import { between as betweenPositions, distance, length, subtract } from "../../../../document/vectors";
-import { colours } from "../../kit/colours";
+import { colours, mix } from "../../kit/colours";
 import { button, digits, element } from "../../kit/dom";
 import type { Figure } from "../../kit/figure";
+import { lit as matteLit, looksTo, softShadow } from "../../kit/matte";
 import { clamp, Motion } from "../../kit/motion";
 import { between, Pen, widths } from "../../kit/pen";
 import { Camera } from "../../kit/space";
@@ -37,7 +38,7 @@ const limitTexts: Readonly<Record<IdealLimit, string>> = {
 
 export class IdealFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0, 0, 0.5], distance: 3.7, yaw: 0.2, pitch: 0.34 });
+  readonly #camera = new Camera(this.#stage, { target: [0, 0, 0.5], distance: 3.1, yaw: 0.24, pitch: 0.5 });
   readonly #pen = new Pen(this.#stage.context);
   readonly #motion = new Motion();
   #values: Values | null = null;
@@ -200,7 +201,8 @@ export class IdealFigure implements Figure {
 
   /** Brings everything into view once the reader lets go. */
   #frame(): void {
-    const all = [...this.#corners, this.#point.position, this.#point.foot];
+    const { position, foot, centre, radius } = this.#point;
+    const all = [...this.#corners, position, foot, ...sectorPoints(centre, 0.55 * radius)];
     const low = [0, 1, 2].map((i) => Math.min(...all.map((each) => each[i] ?? 0)));
     const high = [0, 1, 2].map((i) => Math.max(...all.map((each) => each[i] ?? 0)));
     const middle = low.map((x, i) => (x + (high[i] ?? 0)) / 2) as unknown as Position;
@@ -209,7 +211,7 @@ export class IdealFigure implements Figure {
     const from = { target: camera.target, distance: camera.distance };
     this.#motion.run(600, (t) => {
       camera.target = betweenPositions(from.target, middle, t);
-      camera.distance = from.distance + (clamp(2.1 * size, 3.3, 6.4) - from.distance) * t;
+      camera.distance = from.distance + (clamp(1.95 * size, 3.1, 6.2) - from.distance) * t;
       this.#stage.requestDraw();
     });
   }
@@ -223,17 +225,24 @@ export class IdealFigure implements Figure {
     const [apex, base] = [at(position), at(foot)];
     const lit = (part: string): boolean => this.#lit === part;
     drawGround(pen, this.#camera, c.ink);
+    const sides = this.#corners.map((corner, i) => [
+      corner,
+      this.#corners[(i + 1) % 3] as Position,
+      position,
+    ]);
+    softShadow(pen, this.#camera, [this.#corners, ...sides]);
     const circle = sectorPoints(centre, radius).map(at);
-    pen.polygon(circle, c.active, lit("circle") ? 0.12 : 0.035, {
+    pen.polygon(circle, c.active, lit("circle") ? 0.12 : 0.03, {
       colour: lit("circle") ? c.active : c.faint,
       width: lit("circle") ? 2.5 : 1.25,
     });
-    pen.polygon(corners, c.active, lit("face") ? 0.38 : 0.2);
-    this.#drawElement(corners, apex);
+    pen.polygon(corners, mix(c.rim, c.active, lit("face") ? 0.55 : 0.12));
+    this.#drawFarFaces(sides);
     corners.forEach((corner, i) =>
       pen.line(corner, corners[(i + 1) % 3] as Pixel, c.active, lit("face") ? widths.active : 3.5),
     );
     this.#drawRightTriangle(base, apex);
+    this.#drawNewEdges(corners, apex);
     if (this.#isOverCentre || lit("foot"))
       pen.circle(at(this.#point.mean), 4, c.ground, { stroke: c.soft, width: 2 });
     pen.circle(base, lit("foot") ? 8 : 4.5, c.ink);
@@ -241,21 +250,30 @@ export class IdealFigure implements Figure {
     this.#stage.label("ideal point", apex, { dy: -24 });
   }
 
-  /** Edges behind two faces that look away are thin and dashed. */
-  #drawElement(corners: readonly Pixel[], apex: Pixel): void {
+  /** The element is open to the eye: only the faces behind the right triangle are filled. */
+  #drawFarFaces(sides: readonly (readonly Position[])[]): void {
     const c = colours();
-    const pen = this.#pen;
+    for (const side of sides)
+      if (!looksTo(side, this.#camera.eye))
+        this.#pen.polygon(
+          side.map((corner) => this.#camera.pixel(corner)),
+          matteLit(mix(c.rock, c.plate, 0.25), side, this.#camera.eye),
+        );
+  }
+
+  /** Edges behind two faces that look away are thin and dashed. */
+  #drawNewEdges(corners: readonly Pixel[], apex: Pixel): void {
+    const c = colours();
     const looksAway = corners.map((corner, i) => {
       const next = corners[(i + 1) % 3] as Pixel;
       return (
         (next[0] - corner[0]) * (apex[1] - corner[1]) - (next[1] - corner[1]) * (apex[0] - corner[0]) > 0
       );
     });
-    corners.forEach((corner, i) => pen.polygon([corner, corners[(i + 1) % 3] as Pixel, apex], c.ink, 0.045));
     corners.forEach((corner, i) => {
       const isHidden = looksAway[i] === true && looksAway[(i + 2) % 3] === true;
       const isLit = this.#lit === "edges";
-      pen.line(
+      this.#pen.line(
         corner,
         apex,
         isLit ? c.new : c.ink,
@@ -282,30 +300,36 @@ export class IdealFigure implements Figure {
     const lit = (part: string): boolean => this.#lit === part;
     // With R > h there is no such triangle: its slope would be too short.
     const isRight = Math.abs(Math.sqrt(Math.max(0, square)) - height) < 1e-9;
-    pen.polygon([base, end, apex], c.new, isRight ? 0.3 : 0.12);
+    pen.polygon([base, end, apex], mix(c.new, c.plate, 0.5), isRight ? 0.92 : 0.5);
     pen.line(base, end, c.active, lit("radius") ? 7 : 4);
     pen.line(end, apex, c.ink, lit("slope") ? 7 : 4, isRight ? {} : { dash: [7, 7] });
     pen.line(base, apex, c.new, lit("height") ? 8 : widths.active);
     const isRightward = end[0] > base[0];
     this.#rightAngle(base, end, apex);
-    this.#stage.label(`*R* = ${digits(radius, 2)}`, between(base, end, 0.5), { look: "active", dy: 18 });
+    this.#stage.label(`*R* = ${digits(radius, 2)}`, between(base, end, 0.62), {
+      look: "active plate",
+      dy: 20,
+    });
     if (isRight)
-      this.#stage.label(`*h* = ${digits(h, 2)}`, between(end, apex, 0.45), { dx: isRightward ? 42 : -42 });
-    else
-      this.#stage.label(`*h* = ${digits(h, 2)} does not reach`, between(end, apex, 0.5), {
-        dx: isRightward ? 90 : -90,
-        look: "soft",
+      this.#stage.label(`*h* = ${digits(h, 2)}`, between(end, apex, 0.5), {
+        dx: isRightward ? 52 : -52,
       });
-    this.#stage.label(digits(height, 2), between(base, apex, 0.52), {
-      look: "new",
-      dx: isRightward ? -27 : 27,
+    else
+      this.#stage.label(`*h* = ${digits(h, 2)} does not reach`, between(base, end, 0.62), {
+        dy: 42,
+        look: "soft plate",
+      });
+    // Inside the right triangle, where no edge passes.
+    this.#stage.label(digits(height, 2), between(base, apex, 0.3), {
+      look: "on-new",
+      dx: isRightward ? 26 : -26,
     });
     const isEven = Math.max(...edges) / Math.min(...edges) < 1.01;
     this.#corners.forEach((corner, i) => {
       const length = edges[i] ?? 0;
       if (isEven && (i === shown || i !== this.#frontCorner(shown))) return;
       const pixel = this.#camera.pixel(betweenPositions(corner, position, 0.36));
-      this.#stage.label(digits(length, 2), pixel, { look: "soft", dx: pixel[0] > apex[0] ? 25 : -25 });
+      this.#stage.label(digits(length, 2), pixel, { look: "soft plate", dx: pixel[0] > apex[0] ? 36 : -36 });
     });
   }
 

@@ -1,7 +1,8 @@
-/** Draws a pocket as a vessel: deep blue inside, its near walls like glass; what is refused is red, what is new is gold. */
+/** Draws a pocket as an open vessel: its far walls matte, deeper blue the farther away; what is refused is hatched, what is new is gold. */
 import type { Position } from "../../../../document/position";
-import { add, cross, dot, mean, scale, subtract, unit } from "../../../../document/vectors";
-import { colours, mix, type Colour } from "../../kit/colours";
+import { add, cross, dot, mean, scale, subtract } from "../../../../document/vectors";
+import { colours, mix } from "../../kit/colours";
+import { depthColour, hatch, lit, looksTo, paint, softShadow, type Facet } from "../../kit/matte";
 import { between, widths, type Pen } from "../../kit/pen";
 import type { Camera } from "../../kit/space";
 import type { Pixel, Stage } from "../../kit/stage";
@@ -17,10 +18,6 @@ import {
   type Trial,
 } from "./pocket-rules";
 
-/** Where the light comes from. */
-const light: Position = unit([-0.55, -0.6, 0.58]) ?? [0, 0, 1];
-/** The colour of shadows in both themes. */
-const shadow: Colour = [20, 26, 36];
 /** Pixels between a corner and its number. */
 const nameDistance = 20;
 /** How far opened elements move, as a share of the way from the middle of the pocket. */
@@ -70,6 +67,11 @@ export class PocketDrawing {
     const [far, near] = [true, false].map((isFar) =>
       pocket.faces.flatMap((face, index) => (this.#isFar(pocket, face) === isFar ? [{ face, index }] : [])),
     ) as unknown as readonly [readonly Painted[], readonly Painted[]];
+    softShadow(
+      this.pen,
+      this.camera,
+      pocket.faces.map((face) => this.#cornersOf(pocket, face)),
+    );
     for (const painted of this.#sorted(pocket, far)) this.#drawWall(drawn, painted, true);
     this.#drawEdges(drawn, false);
     this.#drawDiagonals(drawn);
@@ -78,11 +80,6 @@ export class PocketDrawing {
     if (node) this.#drawSpokes(drawn, node);
     for (const painted of this.#sorted(pocket, near)) this.#drawWall(drawn, painted, false);
     this.#drawEdges(drawn, true);
-    pocket.faces.forEach((face, index) => {
-      if (drawn.seen[index] !== false) return;
-      const [size, width] = drawn.isFine ? [4.5, 2] : [7, 3];
-      this.pen.cross(this.#pixel(middleOf(pocket, face)), size, colours().refused, width);
-    });
     if (drawn.areCornersNamed) this.#nameCorners(pocket);
   }
 
@@ -97,28 +94,23 @@ export class PocketDrawing {
       const by = scale(subtract(mean(own), middle), opening * open);
       return own.map((corner) => add(corner, by));
     });
-    const depths = moved.map((own) => this.camera.depth(mean(own)));
-    const order = moved.map((_own, index) => index).sort((a, b) => (depths[b] ?? 0) - (depths[a] ?? 0));
-    for (const index of order) {
-      const own = moved[index] ?? [];
-      for (const face of facesOf([0, 1, 2, 3])) {
+    const base = isNew ? mix(c.new, c.plate, 0.35) : c.rock;
+    const facets = moved.flatMap((own) =>
+      facesOf([0, 1, 2, 3]).flatMap((face): Facet[] => {
         // Inward faces of an element look away from the eye when they are its near ones.
         const [a, b, d] = face.map((corner) => own[corner] ?? [0, 0, 0]) as [Position, Position, Position];
-        const normal = unit(cross(subtract(d, a), subtract(b, a)));
-        if (!normal || dot(normal, subtract(this.camera.eye, a)) <= 0) continue;
-        const shade = 0.5 + 0.5 * dot(normal, light);
-        const base = isNew ? mix(c.new, c.plate, 0.45) : c.stone;
-        this.pen.polygon(
-          [a, b, d].map((each) => this.#pixel(each)),
-          mix(mix(base, shadow, 0.34), base, shade),
-          1,
-          {
-            colour: c.ink,
-            width: 1.4,
-          },
-        );
-      }
-    }
+        if (!looksTo([a, d, b], this.camera.eye)) return [];
+        const colour = lit(base, [a, d, b], this.camera.eye);
+        return [{ corners: [a, d, b], colour, edge: { colour: c.groove, width: 1.4 } }];
+      }),
+    );
+    softShadow(
+      this.pen,
+      this.camera,
+      facets.map(({ corners: own }) => own),
+      Math.min(0, ...moved.flat().map(([, , z]) => z)),
+    );
+    paint(this.pen, this.camera, facets);
   }
 
   #pixel(position: Position): Pixel {
@@ -136,41 +128,34 @@ export class PocketDrawing {
     return [...painted].sort((a, b) => depth(b) - depth(a));
   }
 
-  #drawWall({ pocket, seen, lit, isFine }: DrawnPocket, { face, index }: Painted, isFar: boolean): void {
+  #cornersOf(pocket: Pocket, face: Face): readonly [Position, Position, Position] {
+    return face.map((corner) => pocket.corners[corner] ?? [0, 0, 0]) as unknown as readonly [
+      Position,
+      Position,
+      Position,
+    ];
+  }
+
+  /** Far walls are opaque. Near ones are open, so that one looks inside; those that are not seen are hatched. */
+  #drawWall({ pocket, seen, lit: part }: DrawnPocket, { face, index }: Painted, isFar: boolean): void {
     const c = colours();
-    const corners = face.map((corner) => pocket.corners[corner] ?? [0, 0, 0]) as [
-      Position,
-      Position,
-      Position,
-    ];
-    const normal = unit(cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]))) ?? [
-      0, 0, 1,
-    ];
-    const shade = 0.5 - 0.5 * dot(normal, light) * (isFar ? -1 : 1);
+    const corners = this.#cornersOf(pocket, face);
     const isSeen = seen[index] !== false;
-    const deep = isSeen ? c.active : c.refused;
-    const fill: Colour = isFar
-      ? mix(mix(deep, shadow, 0.3), mix(c.void, deep, 0.36), shade)
-      : mix(deep, c.plate, 0.5 * shade);
-    const isLit = lit === "walls" || (lit === "ends" && index < 2);
+    const isLit = part === "walls" || (part === "ends" && index < 2);
     const pixels = corners.map((corner) => this.#pixel(corner));
-    this.pen.polygon(pixels, fill, (isFar ? 0.78 : isSeen ? 0.13 : 0.26) + (isLit ? 0.2 : 0));
-    if (isSeen || isFine) return;
-    const middle: Pixel = [0, 1].map((i) =>
-      pixels.reduce((sum, pixel) => sum + (pixel[i] ?? 0) / 3, 0),
-    ) as unknown as Pixel;
-    pixels.forEach((pixel, i) =>
-      this.pen.line(
-        between(pixel, middle, 0.09),
-        between(pixels[(i + 1) % 3] ?? pixel, middle, 0.09),
-        c.refused,
-        1.75,
-        {
-          dash: [7, 6],
-          alpha: isFar ? 0.6 : 0.9,
-        },
-      ),
-    );
+    if (isFar) {
+      const depth = this.#depthOf(pocket, middleOf(pocket, face));
+      const base = isSeen ? depthColour(1.1 * depth - (isLit ? 0.3 : 0.02)) : mix(c.refused, c.plate, 0.5);
+      this.pen.polygon(pixels, lit(base, corners, this.camera.eye));
+    } else if (isLit) this.pen.polygon(pixels, c.active, 0.3);
+    if (!isSeen) hatch(this.pen, pixels, c.refused, isFar ? 0.55 : 0.9);
+  }
+
+  /** Returns 0 for what is nearest of a pocket, 1 for what is farthest. */
+  #depthOf({ corners }: Pocket, position: Position): number {
+    const depths = corners.map((corner) => this.camera.depth(corner));
+    const [near, far] = [Math.min(...depths), Math.max(...depths)];
+    return (this.camera.depth(position) - near) / (far - near || 1);
   }
 
   /** Edges of near walls are full, and those behind the pocket thin. */
@@ -217,34 +202,27 @@ export class PocketDrawing {
 
   #drawKernel({ kernel, kernelStrength }: DrawnPocket): void {
     const c = colours();
-    for (const polygon of kernel)
-      this.pen.polygon(
-        polygon.map((corner) => this.#pixel(corner)),
-        c.new,
-        0.2 * kernelStrength,
-        {
-          colour: c.new,
-          width: 1,
-          alpha: 0.75 * kernelStrength,
-        },
-      );
+    this.pen.context.globalAlpha = kernelStrength;
+    const facets = kernel.map((corners): Facet => ({
+      corners,
+      colour: lit(mix(c.new, c.plate, 0.3), corners, this.camera.eye),
+      edge: { colour: c["new-text"], width: 1.25 },
+    }));
+    paint(this.pen, this.camera, facets);
+    this.pen.context.globalAlpha = 1;
   }
 
   #drawTrial({ pocket }: DrawnPocket, { element, verdict, culprits }: Trial): void {
     const c = colours();
     const fits = verdict === "fits";
-    const pixels = element.map((corner) => this.#pixel(pocket.corners[corner] ?? [0, 0, 0]));
-    for (const face of facesOf([0, 1, 2, 3]))
-      this.pen.polygon(
-        face.map((corner) => pixels[corner] ?? [0, 0]),
-        fits ? c.new : c.refused,
-        fits ? 0.3 : 0.14,
-        {
-          colour: fits ? c.new : c.refused,
-          width: widths.front,
-          alpha: fits ? 1 : 0.55,
-        },
-      );
+    const own = element.map((corner): Position => pocket.corners[corner] ?? [0, 0, 0]);
+    const base = fits ? mix(c.new, c.plate, 0.35) : mix(c.refused, c.plate, 0.62);
+    const facets = facesOf([0, 1, 2, 3]).map((face): Facet => {
+      const corners = face.map((corner): Position => own[corner] ?? [0, 0, 0]);
+      const edge = { colour: fits ? c.groove : c.refused, width: widths.front };
+      return { corners, colour: lit(base, corners, this.camera.eye), edge };
+    });
+    paint(this.pen, this.camera, facets);
     for (const ends of culprits) this.#drawDiagonal(pocket, ends, false);
   }
 
@@ -257,8 +235,10 @@ export class PocketDrawing {
     this.pen.line(at, ground, c.ink, 1, { alpha: 0.35, dash: [2, 4] });
     this.pen.circle(ground, 3, c.ink, { alpha: 0.35 });
     pocket.faces.forEach((face, index) => {
-      if (seen[index] === false && !isFine)
-        this.pen.line(at, this.#pixel(middleOf(pocket, face)), c.refused, 1.75, { dash: [6, 5], alpha: 0.9 });
+      if (seen[index] !== false || isFine) return;
+      const to = this.#pixel(middleOf(pocket, face));
+      this.pen.line(at, to, c.refused, 1.75, { dash: [6, 5], alpha: 0.9 });
+      this.pen.cross(to, 6, c.refused, 3);
     });
     if (seesAll)
       for (const corner of pocket.corners)

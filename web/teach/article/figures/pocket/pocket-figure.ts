@@ -52,9 +52,9 @@ export class PocketFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
   readonly #camera = new Camera(this.#stage, {
     target: [0, 0, 0.5],
-    distance: 3.75,
+    distance: 3.6,
     yaw: -0.25,
-    pitch: 0.38,
+    pitch: 0.46,
   });
   readonly #drawing = new PocketDrawing(this.#stage, this.#camera, new Pen(this.#stage.context));
   readonly #motion = new Motion();
@@ -294,7 +294,7 @@ export class PocketFigure implements Figure {
     if (this.#isAboutNode) {
       const look = this.#seen.includes(false) ? "refused" : "new";
       const text = String(this.#values?.word("sight"));
-      this.#stage.label(text, this.#camera.pixel(this.#node), { dy: -26, look });
+      this.#stage.label(text, this.#camera.pixel(this.#node), { dy: -26, look: `${look} plate` });
     }
   }
 

@@ -123,6 +123,13 @@ export class RacePanel {
         .filter(({ refusal }) => refusal !== null)
         .map(({ at }) => ({ at, step })),
     );
+    // The ideal points of sides at the wall can lie beyond it.
+    const [low, high] = [this.#view.pixel([0, 0]), this.#view.pixel(channel)];
+    const { context } = this.#pen;
+    context.save();
+    context.beginPath();
+    context.rect(low[0] - 1, high[1] - 1, high[0] - low[0] + 2, low[1] - high[1] + 2);
+    context.clip();
     const young = this.#step - film.stepCount * youngShare;
     const isLit = this.#lit === "refused";
     for (const { at, step } of this.#crosses) {
@@ -135,5 +142,6 @@ export class RacePanel {
         isLit || step > young ? 1 : 0.55,
       );
     }
+    context.restore();
   }
 }

@@ -174,7 +174,8 @@ export class SidesDrawing {
     const { context } = this.pen;
     const [x, y] = this.#at([from, 0]);
     context.beginPath();
-    context.arc(x, y, size * this.view.scale, -Math.PI / 2, -angle);
+    const { scale, scaleY } = this.view;
+    context.ellipse(x, y, size * scale, size * scaleY, 0, -Math.PI / 2, -angle);
     context.strokeStyle = `rgb(${colours().active.join(" ")} / 0.5)`;
     context.lineWidth = 1.25;
     context.stroke();

@@ -19,12 +19,17 @@ const rules = [
 ] as const;
 /** The line begins before this position. */
 const lastBegin = 7;
+/** Width of the stage in pixels below which the curve is stretched upwards. */
+const narrowStage = 560;
 /** Where the line begins by a word of the figure's block. */
 const begins: Readonly<Record<string, number>> = { slope: 2.4 };
 
 export class SidesFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  #view = new PlaneView(this.#stage, [-0.3, -1.85, 9.1, 2.75]);
+  #view = new PlaneView(this.#stage, [-0.3, -1.85, 9.1, 2.75], {
+    below: narrowStage,
+    window: [-0.3, -1.1, 9.1, 2.7],
+  });
   readonly #player = new FilmPlayer({
     beats: beatNames,
     onChange: () => this.#report(),
@@ -50,7 +55,10 @@ export class SidesFigure implements Figure {
     if (values.word("rule") === "start") this.#rule = "start";
     // Without bars below the line, its room is used for the curve.
     if (shown === "walk" || shown === "division")
-      this.#view = new PlaneView(this.#stage, [-0.3, -0.6, 9.1, 2.75]);
+      this.#view = new PlaneView(this.#stage, [-0.3, -0.6, 9.1, 2.75], {
+        below: narrowStage,
+        window: [-0.3, -0.5, 9.1, 2.7],
+      });
     this.#curve = new SizeCurve(curves[values.word("curve")] ?? this.#curve.knots);
     this.#begin = begins[values.word("begin")] ?? 0;
     host.append(this.#stage.element, this.#player.element);

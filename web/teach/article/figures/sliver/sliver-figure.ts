@@ -15,9 +15,10 @@ import {
   zero,
 } from "../../../../document/vectors";
 import { AngleScale } from "../../kit/angle-scale";
-import { colours, mix, type Colour } from "../../kit/colours";
+import { colours, type Colour } from "../../kit/colours";
 import { digits, element } from "../../kit/dom";
 import type { Figure } from "../../kit/figure";
+import { lit, looksTo, softShadow } from "../../kit/matte";
 import { Motion } from "../../kit/motion";
 import { Pen, widths } from "../../kit/pen";
 import { Camera } from "../../kit/space";
@@ -44,6 +45,8 @@ const reach = 1.15;
 /** Radius of the sectors that show the angles. */
 const sectorRadius = 0.17;
 const sectorSteps = 14;
+/** Pixels between a point and the nearest label. */
+const handleRoom = 32;
 /** The angle of the regular tetrahedron, arccos 1/3. */
 const regularAngle = 70.53;
 
@@ -97,7 +100,12 @@ const kindTexts: Readonly<Record<FourKind, string>> = {
 
 export class SliverFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0, 0, 0.44], distance: 3.5, yaw: 0.42, pitch: 0.36 });
+  readonly #camera = new Camera(this.#stage, {
+    target: [0, 0, 0.46],
+    distance: 2.95,
+    yaw: 0.42,
+    pitch: 0.42,
+  });
   readonly #pen = new Pen(this.#stage.context);
   readonly #motion = new Motion();
   readonly #scale = new AngleScale(poorAngles, regularAngle, 6);
@@ -214,16 +222,7 @@ export class SliverFigure implements Figure {
     this.#drawShadow();
     if (this.#lit === "circle") this.#drawCircle();
     const pixels = this.#four.map(at);
-    const middle = mean(this.#four);
-    for (const left of [0, 1, 2, 3]) {
-      const corners = this.#four.filter((_corner, i) => i !== left) as unknown as readonly [
-        Position,
-        Position,
-        Position,
-      ];
-      const shade = this.#shadeOf(corners, middle);
-      pen.polygon(corners.map(at), mix(c.new, c.stone, shade), 0.26);
-    }
+    this.#drawFarFaces();
     tetrahedronEdges.forEach(([a, b], edge) => {
       const isHidden = this.#isHidden(edge);
       const isLit = this.#lit === "edges";
@@ -239,22 +238,37 @@ export class SliverFigure implements Figure {
     tetrahedronEdges.forEach((_ends, edge) => this.#drawAngle(edge));
   }
 
+  /** Returns the faces, counter-clockwise as seen from outside. */
+  get #faces(): readonly (readonly Position[])[] {
+    const middle = mean(this.#four);
+    return [0, 1, 2, 3].map((left) => {
+      const corners = this.#four.filter((_corner, i) => i !== left);
+      return looksTo(corners, middle) ? corners.toReversed() : corners;
+    });
+  }
+
+  /** The element is open to the eye, so that the sectors inside it are seen. */
+  #drawFarFaces(): void {
+    const c = colours();
+    for (const face of this.#faces)
+      if (!looksTo(face, this.#camera.eye))
+        this.#pen.polygon(
+          face.map((corner) => this.#camera.pixel(corner)),
+          lit(c.rock, face, this.#camera.eye),
+        );
+  }
+
   /** The points' places on the ground show how they lie in space. */
   #drawShadow(): void {
-    const c = colours();
-    const ground = this.#four.map(([x, y]): Pixel => this.#camera.pixel([x, y, 0]));
-    for (const left of [0, 1, 2, 3])
-      this.#pen.polygon(
-        ground.filter((_each, i) => i !== left),
-        c.ink,
-        0.035,
+    softShadow(this.#pen, this.#camera, this.#faces);
+    for (const corner of this.#four)
+      this.#pen.line(
+        this.#camera.pixel(corner),
+        this.#camera.pixel([corner[0], corner[1], 0]),
+        colours().ink,
+        1,
+        { alpha: 0.22, dash: [2, 4] },
       );
-    this.#four.forEach((corner, i) =>
-      this.#pen.line(this.#camera.pixel(corner), ground[i] ?? [0, 0], c.ink, 1, {
-        alpha: 0.22,
-        dash: [2, 4],
-      }),
-    );
   }
 
   /** The circle through the three first points. */
@@ -278,12 +292,6 @@ export class SliverFigure implements Figure {
       );
     });
     this.#pen.polygon(circle, c.active, 0.07, { colour: c.active, width: 2 });
-  }
-
-  #shadeOf([a, b, d]: readonly [Position, Position, Position], middle: Position): number {
-    const normal = unit(cross(subtract(b, a), subtract(d, a))) ?? [0, 0, 1];
-    const outward = dot(normal, subtract(a, middle)) < 0 ? scale(normal, -1) : normal;
-    return 0.5 + 0.5 * dot(outward, [-0.55, -0.6, 0.58]);
   }
 
   /** Returns whether both faces at an edge look away from the eye. */
@@ -330,12 +338,24 @@ export class SliverFigure implements Figure {
       (this.#lit === "large" && angle > poorAngles.max) ||
       (this.#lit === "small" && angle < poorAngles.min);
     const colour: Colour = isPoor ? c.refused : c.active;
-    this.#pen.polygon([this.#camera.pixel(middle), ...arc], colour, isLit ? 0.6 : 0.32, {
+    this.#pen.polygon([this.#camera.pixel(middle), ...arc], colour, isLit ? 0.85 : 0.55, {
       colour,
       width: isLit ? 3 : 1.5,
     });
     const away = unit(subtract(middle, mean(this.#four))) ?? [0, 0, 1];
-    const [x, y] = this.#camera.pixel(addScaled(middle, away, 0.13));
-    this.#stage.label(`${digits(angle, 0)}°`, [x, y], { look: isPoor ? "refused" : "active" });
+    const at = this.#besideHandles(this.#camera.pixel(addScaled(middle, away, 0.14)));
+    this.#stage.label(`${digits(angle, 0)}°`, at, { look: isPoor ? "refused plate" : "active plate" });
+  }
+
+  /** Moves a label away from the points. */
+  #besideHandles([x, y]: Pixel): Pixel {
+    for (const corner of this.#four) {
+      const [u, v] = this.#camera.pixel(corner);
+      const far = Math.hypot(x - u, y - v);
+      if (far >= handleRoom) continue;
+      const [dx, dy] = far < 1 ? [0, -1] : [(x - u) / far, (y - v) / far];
+      return [u + dx * handleRoom, v + dy * handleRoom];
+    }
+    return [x, y];
   }
 }

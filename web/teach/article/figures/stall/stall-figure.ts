@@ -62,7 +62,7 @@ function scaled(each: RodPocket): Scaled {
 
 export class StallFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0, 0, 0.54], distance: 3.9, yaw: 0.5, pitch: 0.3 });
+  readonly #camera = new Camera(this.#stage, { target: [0, 0, 0.54], distance: 3.7, yaw: 0.5, pitch: 0.44 });
   readonly #drawing = new PocketDrawing(this.#stage, this.#camera, new Pen(this.#stage.context));
   readonly #motion = new Motion();
   readonly #all = rodPockets.map(scaled);
@@ -219,8 +219,6 @@ export class StallFigure implements Figure {
       areCornersNamed: false,
       isFine: isWhole,
     });
-    const look = this.#seen.includes(false) ? "refused" : "new";
-    this.#stage.label(String(this.#values?.word("sight")), this.#camera.pixel(at), { dy: -26, look });
   }
 
   /** The needles around the pocket. */

@@ -1,4 +1,7 @@
-/** Draws how many elements have which smallest angle: now as bars, and before the first sweep as a line. */
+/**
+ * Draws how many elements have which smallest angle: now as bars, and before the first sweep as a line. Heights are square roots of
+ * the numbers, so that a single element is visible.
+ */
 import { colours, mix, onTheme } from "../../kit/colours";
 import { element } from "../../kit/dom";
 import { Pen } from "../../kit/pen";
@@ -40,7 +43,7 @@ export class Histogram {
     const ground = height - 20;
     const most = Math.max(1, ...this.#bars, ...this.#first);
     const x = (bar: number): number => 2 + (bar / barCount) * (width - 4);
-    const y = (count: number): number => ground - (count / most) * (ground - 6);
+    const y = (count: number): number => ground - Math.sqrt(count / most) * (ground - 6);
     this.#bars.forEach((count, bar) => {
       const isPoor = (bar + 1) * barWidth <= poorAngles.min;
       const [left, right, top] = [x(bar) + 1, x(bar + 1) - 1, y(count)];

@@ -1,6 +1,7 @@
 /** The sweeps of the optimizer as a film: state 0 is the mesh of the front, and sweep k leads to state k. */
 import type { SweepMeasures, SweptMesh, Trace, TracedSweep } from "tetrafront/trace";
 import type { Position } from "../../../../document/position";
+import { cross, dot, subtract } from "../../../../document/vectors";
 import type { Film } from "../../kit/film-player";
 import { measureFour, poorAngles, type Four } from "../sliver/sliver-rules";
 
@@ -25,6 +26,7 @@ export class SweepFilm implements Film {
   readonly #trace: Trace;
   readonly #measures: readonly SweepMeasures[];
   readonly #states = new Map<number, SweepState>();
+  readonly #holders = new Map<number, Four>();
 
   /** Throws if the trace has no sweeps. */
   constructor(trace: Trace) {
@@ -53,6 +55,27 @@ export class SweepFilm implements Film {
     return after.outOfRange > before.outOfRange || after.dihedral.min < before.dihedral.min - 1e-3;
   }
 
+  /** Returns the worst element of the first state. */
+  get sliver(): Four {
+    return this.stateAt(0).poor[0] ?? this.elementAt(0, [0, 0, 0]);
+  }
+
+  /** Returns the element of a state that holds a position, or comes nearest to holding it. O(elements) once per state. */
+  elementAt(state: number, position: Position): Four {
+    let known = this.#holders.get(state);
+    if (!known) {
+      const mesh = this.#trace.optimization?.meshAfter(state);
+      if (!mesh) throw new Error(`There is no mesh after sweep ${state}.`);
+      const all = Array.from(mesh.tetrahedronRegion, (_region, element) => cornersOf(mesh, element));
+      const outside = all.map((four) => outsideBy(four, position));
+      const nearest = all[outside.indexOf(Math.min(...outside))];
+      if (!nearest) throw new Error(`There is no element after sweep ${state}.`);
+      known = nearest;
+      this.#holders.set(state, known);
+    }
+    return known;
+  }
+
   /** O(elements) the first time that a state is asked for. */
   stateAt(state: number): SweepState {
     let known = this.#states.get(state);
@@ -79,6 +102,20 @@ function stateOf(mesh: SweptMesh, before: SweptMesh | undefined): SweepState {
   }
   poor.sort((a, b) => a.least - b.least);
   return { poor: poor.map(({ four }) => four), bars, changed: before ? changesOf(mesh, before) : [] };
+}
+
+/** Returns how far a position is outside of an element, by its most negative coordinate in it; not above 0 if it is inside. */
+function outsideBy([a, b, c, d]: Four, position: Position): number {
+  const volume = (p: Position, q: Position, r: Position, s: Position): number =>
+    dot(subtract(q, p), cross(subtract(r, p), subtract(s, p)));
+  const whole = volume(a, b, c, d) || Number.MIN_VALUE;
+  const parts = [
+    volume(position, b, c, d),
+    volume(a, position, c, d),
+    volume(a, b, position, d),
+    volume(a, b, c, position),
+  ];
+  return Math.max(...parts.map((part) => -part / whole));
 }
 
 const nodeAt = ({ points }: SweptMesh, node: number): Position => [

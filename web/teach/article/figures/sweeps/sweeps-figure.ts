@@ -6,6 +6,8 @@ import { colours, mix } from "../../kit/colours";
 import { digits, element } from "../../kit/dom";
 import type { Figure } from "../../kit/figure";
 import { FilmPlayer, lastBeat } from "../../kit/film-player";
+import { lit, paint, softShadow, type Facet } from "../../kit/matte";
+import { clamp } from "../../kit/motion";
 import { Pen } from "../../kit/pen";
 import { Camera } from "../../kit/space";
 import { Stage, type Pixel } from "../../kit/stage";
@@ -13,6 +15,7 @@ import type { Values } from "../../kit/values";
 import type { Four } from "../sliver/sliver-rules";
 import address from "./cube.tft?url";
 import { Histogram } from "./histogram";
+import { SliverLens } from "./sliver-lens";
 import { SweepFilm } from "./sweep-film";
 
 const sweepTexts: Readonly<Record<string, string>> = {
@@ -43,6 +46,13 @@ function textOf(sweep: TracedSweep | null): string {
 }
 /** More dots than these hide the cube. */
 const maxDots = 260;
+/** Faces of the cube whose shadows cover that of the whole. */
+const cubeShadow: readonly (readonly Position[])[] = [0, 1].map((z) => [
+  [0, 0, z],
+  [1, 0, z],
+  [1, 1, z],
+  [0, 1, z],
+]);
 const cubeEdges: readonly (readonly [number, number])[] = [
   [0, 1],
   [2, 3],
@@ -61,12 +71,13 @@ const cubeEdges: readonly (readonly [number, number])[] = [
 export class SweepsFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
   readonly #camera = new Camera(this.#stage, {
-    target: [0.5, 0.5, 0.5],
+    target: [0.5, 0.5, 0.43],
     distance: 3.35,
     yaw: 0.5,
-    pitch: 0.32,
+    pitch: 0.4,
   });
   readonly #pen = new Pen(this.#stage.context);
+  readonly #lens = new SliverLens(this.#stage, this.#camera, this.#pen);
   readonly #histogram = new Histogram();
   readonly #status = element("p", { class: "status", role: "status" });
   readonly #player: FilmPlayer = new FilmPlayer({
@@ -141,6 +152,7 @@ export class SweepsFigure implements Figure {
     if (!film) return;
     const { step, beat } = this.#player;
     const t = Math.min(1, beat / lastBeat);
+    softShadow(this.#pen, this.#camera, cubeShadow);
     this.#drawCube(true);
     const now = film.stateAt(step);
     const next = t > 0 ? film.stateAt(step + 1) : now;
@@ -148,6 +160,7 @@ export class SweepsFigure implements Figure {
     if (t > 0) this.#drawPoor(next.poor, t);
     this.#drawChanges(t > 0 ? next.changed : now.changed, t > 0 ? Math.sin(Math.PI * t) : 0.55);
     this.#drawCube(false);
+    this.#lens.draw(film.sliver, film.elementAt(t > 0.5 ? step + 1 : step, mean(film.sliver)));
     const bars = now.bars.map((count, bar) => count + ((next.bars[bar] ?? 0) - count) * t);
     this.#histogram.show(bars, film.stateAt(0).bars, this.#lit === "histogram");
   }
@@ -193,8 +206,7 @@ export class SweepsFigure implements Figure {
       if (isFar)
         this.#pen.polygon(
           wall.map((each) => this.#camera.pixel(each)),
-          c.stone,
-          0.75,
+          lit(c.stone, wall, this.#camera.eye),
         );
     }
   }
@@ -202,25 +214,20 @@ export class SweepsFigure implements Figure {
   #drawPoor(poor: readonly Four[], alpha: number): void {
     const c = colours();
     if (alpha <= 0.01) return;
-    const isLit = this.#lit === "poor";
-    const depths = poor.map((four) => this.#camera.depth(mean(four)));
-    const order = poor.map((_four, index) => index).sort((a, b) => (depths[b] ?? 0) - (depths[a] ?? 0));
-    for (const index of order) {
-      const pixels = (poor[index] ?? []).map((corner) => this.#camera.pixel(corner));
-      const depth = ((depths[index] ?? 0) - this.#camera.depth([0.5, 0.5, 0.5])) / 1.7 + 0.5;
-      const colour = mix(c.refused, c.stone, Math.min(0.55, Math.max(0, depth * 0.6)));
-      for (const left of [0, 1, 2, 3])
-        this.#pen.polygon(
-          pixels.filter((_pixel, i) => i !== left),
-          colour,
-          0.3 * alpha,
-          {
-            colour,
-            width: isLit ? 2.25 : 1.25,
-            alpha,
-          },
-        );
-    }
+    const edge = { colour: c.groove, width: this.#lit === "poor" ? 1.75 : 0.9 };
+    const middle = this.#camera.depth([0.5, 0.5, 0.5]);
+    const facets = poor.flatMap((four) => {
+      // Near ones are full red, far ones fade into the walls.
+      const depth = clamp((this.#camera.depth(mean(four)) - middle) / 1.3 + 0.5, 0, 1);
+      const base = mix(mix(c.refused, c.plate, 0.12), c.rock, 0.68 * depth);
+      return [0, 1, 2, 3].map((left): Facet => {
+        const corners = four.filter((_corner, i) => i !== left);
+        return { corners, colour: lit(base, corners, this.#camera.eye), edge };
+      });
+    });
+    this.#pen.context.globalAlpha = alpha;
+    paint(this.#pen, this.#camera, facets);
+    this.#pen.context.globalAlpha = 1;
   }
 
   #drawChanges(changed: readonly Position[], alpha: number): void {

@@ -1,0 +1,116 @@
+/**
+ * Keeps the figure that the text speaks of in view: while the figure that the reader has touched last is out of view, its stage is
+ * docked beside the text, or above it in a small window. A task that is not done calls for its figure, too.
+ */
+import { parseCondition, valuesIn } from "../condition";
+import { button, element } from "../kit/dom";
+import type { PageFigure, PageFigures } from "./page-figure";
+
+/** Share of a figure, or of the window, that must be visible for the figure to be in view. */
+const inView = 0.45;
+/** Tasks between these shares of the window's height call: below the dock, if it is above the text. */
+const callingShares = (): readonly [number, number] =>
+  matchMedia("(max-width: 1279px)").matches ? [0.45, 0.9] : [0.2, 0.9];
+
+export class Dock {
+  #last: PageFigure | null = null;
+  #docked: PageFigure | null = null;
+  /** Figures that the reader does not want to see docked until they are touched again. */
+  readonly #closed = new Set<PageFigure>();
+  readonly #tasks: readonly { readonly element: HTMLElement; readonly figure: PageFigure }[];
+  readonly #bar = element(
+    "div",
+    { class: "dock-bar" },
+    button({ class: "dock-back" }, "↑ To the figure", () => this.#goBack()),
+    button({ class: "dock-close", "aria-label": "Close the small figure" }, "×", () => this.#close()),
+  );
+
+  constructor(readonly figures: PageFigures) {
+    this.#tasks = [...document.querySelectorAll<HTMLElement>(".task")].flatMap((task) => {
+      const [value] = valuesIn(parseCondition(task.dataset["until"] ?? ""));
+      const figure = figures.get(value?.figure ?? "");
+      return figure ? [{ element: task, figure }] : [];
+    });
+    for (const figure of figures.values())
+      for (const type of ["pointerdown", "keydown"] as const)
+        figure.element.addEventListener(type, (event) => {
+          if (this.#bar.contains(event.target as Node)) return;
+          if (event instanceof KeyboardEvent && event.key === "Escape") this.#close();
+          else this.#last = figure;
+        });
+    for (const type of ["scroll", "resize"])
+      // What the reader holds keeps its place and size.
+      window.addEventListener(type, () => document.querySelector(".held") ?? this.#update(), {
+        passive: true,
+      });
+  }
+
+  /** The reader has touched a figure by the text; `word` stays visible beside it. */
+  touch(figure: PageFigure, word: HTMLElement): void {
+    this.#last = figure;
+    this.#closed.delete(figure);
+    this.#update();
+    if (this.#docked !== figure) return;
+    const stage = stageOf(figure).getBoundingClientRect();
+    const { top, left } = word.getBoundingClientRect();
+    const isHidden = left < stage.right && left >= stage.left && top < stage.bottom + 8;
+    if (isHidden) window.scrollBy(0, top - stage.bottom - 40);
+  }
+
+  #update(): void {
+    const all = [...this.figures.values()];
+    const seen = all.filter((figure) => isInView(figure.element));
+    if (seen.length > 0) {
+      // A figure that is read now ends the interest in another one.
+      if (this.#last && !seen.includes(this.#last)) this.#last = null;
+      return this.#dock(null);
+    }
+    const calling = this.#tasks.find(({ element: task }) => isCalling(task))?.figure;
+    if (calling && !this.#closed.has(calling)) this.#last = calling;
+    this.#dock(this.#last && !this.#closed.has(this.#last) ? this.#last : null);
+  }
+
+  #dock(figure: PageFigure | null): void {
+    if (this.#docked === figure) return;
+    if (this.#docked) {
+      delete this.#docked.element.dataset["docked"];
+      this.#docked.element.style.minHeight = "";
+      this.#bar.remove();
+    }
+    this.#docked = figure;
+    if (!figure) return;
+    void figure.load();
+    // The place of the figure stays as high as it was, and nothing moves.
+    figure.element.style.minHeight = `${figure.element.offsetHeight}px`;
+    figure.element.dataset["docked"] = "true";
+    stageOf(figure).prepend(this.#bar);
+  }
+
+  #close(): void {
+    if (this.#docked) this.#closed.add(this.#docked);
+    this.#dock(null);
+  }
+
+  #goBack(): void {
+    const figure = this.#docked?.element;
+    this.#dock(null);
+    figure?.scrollIntoView({ block: "center" });
+  }
+}
+
+const stageOf = ({ element: figure }: PageFigure): HTMLElement =>
+  figure.querySelector<HTMLElement>(".stage") ?? figure;
+
+function isInView(node: HTMLElement): boolean {
+  const { top, bottom, height } = node.getBoundingClientRect();
+  const visible = Math.min(bottom, window.innerHeight) - Math.max(top, 0);
+  return visible > inView * Math.min(height, window.innerHeight);
+}
+
+function isCalling(task: HTMLElement): boolean {
+  if (task.dataset["done"] === "true") return false;
+  const { top, bottom } = task.getBoundingClientRect();
+  const middle = (top + bottom) / 2 / window.innerHeight;
+  const [from, to] = callingShares();
+  return middle > from && middle < to;
+}
