@@ -229,6 +229,7 @@ void printEnums() {
   printEnum<FrontOrder>("FrontOrder", "FRONT_ORDERS", "Order in which faces leave the front.");
   printEnum<Optimization>("Optimization", "OPTIMIZATIONS",
                           "Effort on the shape of the elements after the front has closed.");
+  printEnum<Interior>("Interior", "INTERIORS", "What fills the deep inside of regions.");
   printEnum<PlaneStatus>("PlaneStatus", "PLANE_STATUSES", "How a fill of a polygon has ended.");
   printEnum<CheckedOption>("CheckedOption", "CHECKED_OPTIONS", "Options that the engine checks.");
   printEnum<Failure>("CallFailure", "CALL_FAILURES",

@@ -44,6 +44,10 @@ inline bool hasFoundNothingBetter(Run& run) {
   return run.call(false, [](MeshRun& mesh) { return mesh.hasFoundNothingBetter(); });
 }
 
+inline std::uint32_t latticeCountOf(Run& run) {
+  return run.call(std::uint32_t{0}, [](MeshRun& mesh) { return mesh.latticeCount(); });
+}
+
 inline std::string fingerprintOf(Run& run) {
   return run.call(std::string(), [](MeshRun& mesh) { return toHex(mesh.fingerprint()); });
 }
@@ -91,8 +95,8 @@ Run* fillSurface(const Js<Doubles>& points, const Js<Indices>& triangles,
 template <PrepareRun kPrepare>
 emscripten::class_<Run> registerRuns() {
   using namespace emscripten;
-  registerTypes<Doubles, Indices, Optimization, Model, BodySurfaces, GivenRegions, BackgroundGrid,
-                MeshOptions>();
+  registerTypes<Doubles, Indices, Optimization, Interior, Model, BodySurfaces, GivenRegions,
+                BackgroundGrid, MeshOptions>();
   registerTypes<Progress, std::vector<Diagnostic>, SurfaceMesh, VolumeMesh, QualitySummary,
                 QualityStatistics, MetricShapes, std::vector<PatchSummary>, RecoverySummary,
                 FrontCounters>();
@@ -116,6 +120,7 @@ emscripten::class_<Run> registerRuns() {
       .function("recovery", &Run::read<&MeshRun::recovery>)
       .function("counters", &Run::read<&MeshRun::counters>)
       .function("hasFoundNothingBetter", &hasFoundNothingBetter)
+      .function("latticeCount", &latticeCountOf)
       .function("fingerprint", &fingerprintOf)
       .function("failure", &Run::failure)
       .function("failureMessage", &Run::failureMessage);

@@ -4,7 +4,7 @@
 ///
 ///     fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]
 ///          [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]
-///          [--max-volume=VOLUME]
+///          [--max-volume=VOLUME] [--interior=front|lattice]
 ///
 /// Prints `name value` lines. Seconds are processor time, which other work on the machine hardly
 /// affects. Bytes are the peak resident size above the size after the surface was read. Exit
@@ -109,6 +109,7 @@ bool choose(Value& option, std::string_view chosen,
 }
 
 using tetrafront::FrontOrder;
+using tetrafront::Interior;
 using tetrafront::Optimization;
 constexpr std::array<std::pair<std::string_view, Optimization>, 4> kOptimizations{
     {{"none", Optimization::kNone},
@@ -117,6 +118,8 @@ constexpr std::array<std::pair<std::string_view, Optimization>, 4> kOptimization
      {"thorough", Optimization::kThorough}}};
 constexpr std::array<std::pair<std::string_view, FrontOrder>, 2> kOrders{
     {{"layered", FrontOrder::kLayered}, {"smallest-first", FrontOrder::kSmallestFirst}}};
+constexpr std::array<std::pair<std::string_view, Interior>, 2> kInteriors{
+    {{"front", Interior::kFront}, {"lattice", Interior::kLattice}}};
 constexpr std::array<std::pair<std::string_view, bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
 
 struct Options {
@@ -131,6 +134,8 @@ bool readArgument(std::string_view argument, Options& all) {
     if (choose(options.optimization, *level, kOptimizations)) return true;
   } else if (const auto order = valueOf(argument, "--order")) {
     if (choose(options.order, *order, kOrders)) return true;
+  } else if (const auto interior = valueOf(argument, "--interior")) {
+    if (choose(options.interior, *interior, kInteriors)) return true;
   } else if (const auto filters = valueOf(argument, "--filters")) {
     if (choose(options.filters, *filters, kSwitch)) return true;
   } else if (const auto remesh = valueOf(argument, "--remesh")) {
@@ -186,7 +191,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr,
                  "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]\n"
                  "       [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]\n"
-                 "       [--max-volume=VOLUME]\n");
+                 "       [--max-volume=VOLUME] [--interior=front|lattice]\n");
     return 2;
   }
   std::optional<Surface> surface = readOff(argv[1]);
@@ -223,6 +228,7 @@ int main(int argc, char** argv) {
   std::printf("estimated %u\n", progress.expectedTetrahedra);
   std::printf("triangles %u\npoints %u\ntetrahedra %u\n", progress.triangles, progress.nodes,
               progress.tetrahedra);
+  std::printf("lattice %u\n", run.latticeCount());
   std::printf("seconds %.6f\ncheckSeconds %.6f\n", total, secondsOf(tetrafront::Phase::kCheck));
   std::printf("volumeSeconds %.6f\n", secondsOf(tetrafront::Phase::kVolume));
   std::printf("optimizeSeconds %.6f\n", secondsOf(tetrafront::Phase::kOptimize));

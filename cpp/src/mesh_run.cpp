@@ -47,6 +47,7 @@ QualityStatistics MeshRun::statistics() const { return impl_->statistics(); }
 MetricShapes MeshRun::metricShapes() const { return impl_->metricShapes(); }
 RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
 FrontCounters MeshRun::counters() const { return impl_->counters(); }
+std::uint32_t MeshRun::latticeCount() const { return impl_->latticeCount(); }
 bool MeshRun::hasFoundNothingBetter() const { return impl_->hasFoundNothingBetter(); }
 std::uint64_t MeshRun::fingerprint() const { return impl_->fingerprint(); }
 std::vector<std::uint8_t> MeshRun::takeTrace() { return impl_->takeTrace(); }

@@ -93,6 +93,10 @@ class MeshRun::Impl {
   [[nodiscard]] RecoverySummary recovery() const { return front_ ? front_->recovery() : recovery_; }
   [[nodiscard]] FrontCounters counters() const { return front_ ? front_->counters() : counters_; }
 
+  [[nodiscard]] std::uint32_t latticeCount() const {
+    return front_ ? front_->latticeCount() : latticeCount_;
+  }
+
   [[nodiscard]] bool hasFoundNothingBetter() const { return hasFoundNothingBetter_; }
 
   [[nodiscard]] std::uint64_t fingerprint() const {
@@ -223,6 +227,7 @@ class MeshRun::Impl {
   mutable VolumeMesh snapshot_;  ///< what volume() has returned while the run works
   RecoverySummary recovery_;
   FrontCounters counters_;
+  std::uint32_t latticeCount_ = 0;
   QualitySummary quality_;
   QualityStatistics statistics_;
   MetricShapes metricShapes_;

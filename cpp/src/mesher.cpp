@@ -64,15 +64,15 @@ double smallerLimit(double a, double b) {
   return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
 }
 
-/// Returns per region the share of the elements in it and in those before it.
+/// Returns per region the share of the elements in it and in those before it, cores left out.
 std::vector<double> shareEnds(const RegionMeshes& meshes) {
-  const auto all = static_cast<double>(std::max<std::size_t>(meshes.tetrahedronCount(), 1));
   std::vector<double> ends;
   double sum = 0.0;
   for (const RegionMesh& region : meshes.regions) {
     sum += static_cast<double>(region.mesh.tetrahedra.size());
-    ends.push_back(sum / all);
+    ends.push_back(sum);
   }
+  for (double& end : ends) end /= std::max(sum, 1.0);
   return ends;
 }
 
@@ -260,7 +260,9 @@ double MeshRun::Impl::frontShare() const {
 }
 
 Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
-  front_.emplace(surface_, *field_, options_, *frontMaker_);
+  MeshOptions options = options_;
+  if (records_) options.interior = Interior::kFront;
+  front_.emplace(surface_, *field_, options, *frontMaker_);
   work.beginPart(1.0);
   const MeshStatus status = co_await front_->run(work, frontShare());
   // The progress stays where it is: the rest was for recovery.
@@ -282,6 +284,7 @@ void MeshRun::Impl::keepUnfinished() {
   if (front_) {
     recovery_ = front_->recovery();
     counters_ = front_->counters();
+    latticeCount_ = front_->latticeCount();
     meshes_ = front_->take();
     front_.reset();
   } else if (optimizer_) {
@@ -339,14 +342,14 @@ Task<bool> MeshRun::Impl::limitVolumes(Work& work) {
     if (const double maxVolume = maxVolumeOf(region_); maxVolume > 0.0) {
       const double others =
           std::accumulate(needed.begin() + static_cast<std::ptrdiff_t>(region_) + 1, needed.end(),
-                          static_cast<double>(before));
+                          static_cast<double>(before + region().core.tetrahedra.size()));
       const double left = std::max(0.0, options_.maxTetrahedra - others);
       limiter_.emplace(std::exchange(region().mesh, {}), maxVolume, static_cast<std::size_t>(left));
       co_await limiter_->run(work);
       reportLimits(before, others);
       keepUnfinished();
     }
-    before += region().mesh.tetrahedra.size();
+    before += region().tetrahedronCount();
     co_await work.yield();
     if (anyError(diagnostics_)) co_return false;
   }
@@ -360,10 +363,12 @@ double MeshRun::Impl::maxVolumeOf(std::size_t region) const {
 
 /// Returns how many elements a region needs at least for its largest volume.
 double MeshRun::Impl::neededElements(std::size_t region) const {
-  const TetMesh& mesh = meshes_.regions[region].mesh;
+  const RegionMesh& whole = meshes_.regions[region];
   const double maxVolume = maxVolumeOf(region);
-  return maxVolume > 0.0 ? tetrafront::neededElements(mesh, maxVolume)
-                         : static_cast<double>(mesh.tetrahedra.size());
+  const double own = maxVolume > 0.0 ? tetrafront::neededElements(whole.mesh, maxVolume)
+                                     : static_cast<double>(whole.mesh.tetrahedra.size());
+  // The sizes of a lattice keep its elements below the limit.
+  return own + static_cast<double>(whole.core.tetrahedra.size());
 }
 
 /// Reports what the limiter has found in a region, with elements and counts of all regions. `before`: elements of earlier regions;

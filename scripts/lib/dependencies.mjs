@@ -12,7 +12,7 @@ const ENGINE = [
   ["field", "model", "fill"],
   ["quality"],
   ["boundary"],
-  ["sizing"],
+  ["sizing", "lattice"],
   ["surface", "volume", "optimize", "curved", "arrangement", "placement"],
   ["preview"],
   ["repair", "remesh"],

@@ -41,6 +41,8 @@ export {
   MESH_DEFAULTS,
   NO_ORIGIN,
   NO_REGION,
+  type Interior,
+  INTERIORS,
   type Optimization,
   OPTIMIZATIONS,
   REMESH_DEFAULTS,

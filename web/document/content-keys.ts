@@ -97,6 +97,7 @@ const meshingFields = fieldsOf<ProjectMeshing>({
   innerShells: true,
   order: true,
   optimization: true,
+  interior: true,
 });
 
 const bodyPatchFields = fieldsOf<ProjectBodyPatch>({

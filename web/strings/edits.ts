@@ -30,6 +30,7 @@ export const stepNames = {
     innerShells: "Set inner shells",
     order: "Set front order",
     optimization: "Set optimization",
+    interior: "Set interior",
   },
   setUnits: "Set length unit",
   convertUnits: (from: string, to: string) => `Convert lengths from ${from} to ${to}`,

@@ -361,6 +361,13 @@ export const panelStrings = {
         "also splits and collapses edges; angles end between 30° and 135° where the boundary allows it.",
       thorough: "continues towards angles between 35° and 130°.",
     },
+    interior: "Interior",
+    interiors: { front: "Front", lattice: "Lattice" },
+    interiorHints: {
+      front: "Fills the deep inside by the front, as everywhere.",
+      lattice:
+        "Fills the deep inside with regular elements where sizes are nearly constant. Large meshes take a fraction of the time.",
+    },
     gradation: "Gradation",
     gradationHint: "Limits the size ratio of neighbouring elements in the background grid; 0 means no limit.",
     invalidGradation: "Must be 0, or above 1 and up to 10",

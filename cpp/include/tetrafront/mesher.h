@@ -89,6 +89,9 @@ class MeshRun {
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
 
+  /// Returns how many tetrahedra come from lattices (Interior::kLattice), of which the optimizer may change those at their hulls.
+  [[nodiscard]] std::uint32_t latticeCount() const;
+
   /// True if Optimization::kThorough found no better mesh than Optimization::kDefault, which is the result then.
   [[nodiscard]] bool hasFoundNothingBetter() const;
 

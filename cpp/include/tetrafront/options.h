@@ -42,6 +42,13 @@ enum class InnerShells : std::uint8_t {
   kByOrientation = 2,
 };
 
+/// What fills the deep inside of regions.
+enum class Interior : std::uint8_t {
+  kFront = 0,  ///< the front, as everywhere
+  kLattice =
+      1,  ///< lattices, where sizes are nearly constant over some elements and not stretched; only the rest is left to the front
+};
+
 struct MeshOptions {
   /// Uniform element size, in model units, > 0; 0 if there is none. It replaces the nodes and tetrahedra of the
   /// background grid, but not its sources, and caps the sizes inside a given surface.
@@ -64,6 +71,8 @@ struct MeshOptions {
   /// filters, the mesh is the same but takes longer; benchmarks show their effect.
   bool filters = true;
   Optimization optimization = Optimization::kDefault;
+  /// Work with lattices grows with the surface rather than with the volume. A run that records its front makes none.
+  Interior interior = Interior::kFront;
   /// Largest number of tetrahedra; above it, a run ends with kTooManyElements. The peak memory of a run is about
   /// 150 bytes per tetrahedron, and WebAssembly has at most 4 GB.
   std::uint32_t maxTetrahedra = 20'000'000;

@@ -11,11 +11,32 @@ Nodes named(Nodes nodes, const NodeNames& names) {
   return nodes;
 }
 
+/// Returns the mesh of a region with its core.
+TetMesh whole(RegionMesh part) {
+  const MeshCore& core = part.core;
+  TetMesh mesh = std::move(part.mesh);
+  const auto firstOwn = static_cast<std::uint32_t>(mesh.points.size());
+  const auto firstShared = static_cast<std::uint32_t>(part.boundaryNodes);
+  mesh.points.insert(mesh.points.end(), core.points.begin(), core.points.end());
+  mesh.regions.resize(mesh.regions.size() + core.tetrahedra.size(), core.region);
+  mesh.tetrahedra.reserve(mesh.regions.size());
+  for (NodeQuad nodes : core.tetrahedra) {
+    for (NodeId& node : nodes) {
+      node = NodeId(node.value < core.shared ? firstShared + node.value
+                                             : firstOwn + (node.value - core.shared));
+    }
+    mesh.tetrahedra.push_back(nodes);
+  }
+  return mesh;
+}
+
 void append(TetMesh& mesh, RegionMesh part) {
-  const NodeNames names{part.nodeOf, static_cast<std::uint32_t>(mesh.points.size())};
-  const TetMesh& own = part.mesh;
+  const std::vector<std::uint32_t> nodeOf = std::move(part.nodeOf);
+  const NodeNames names{nodeOf, static_cast<std::uint32_t>(mesh.points.size())};
+  const std::size_t boundaryNodes = part.boundaryNodes;
+  const TetMesh own = whole(std::move(part));
   mesh.points.insert(mesh.points.end(),
-                     own.points.begin() + static_cast<std::ptrdiff_t>(part.boundaryNodes),
+                     own.points.begin() + static_cast<std::ptrdiff_t>(boundaryNodes),
                      own.points.end());
   mesh.regions.insert(mesh.regions.end(), own.regions.begin(), own.regions.end());
   for (const NodeQuad& nodes : own.tetrahedra) mesh.tetrahedra.push_back(named(nodes, names));
@@ -32,7 +53,7 @@ std::size_t RegionMeshes::nodeCount() const {
 
 std::size_t RegionMeshes::tetrahedronCount() const {
   std::size_t count = 0;
-  for (const RegionMesh& region : regions) count += region.mesh.tetrahedra.size();
+  for (const RegionMesh& region : regions) count += region.tetrahedronCount();
   return count;
 }
 
@@ -45,7 +66,7 @@ std::size_t RegionMeshes::frontFaceCount() const {
 VolumeMesh joined(RegionMeshes meshes) {
   TetMesh mesh;
   if (meshes.regions.size() == 1 && meshes.regions.front().nodeOf.empty()) {
-    mesh = std::move(meshes.regions.front().mesh);
+    mesh = whole(std::move(meshes.regions.front()));
   } else if (!meshes.regions.empty()) {
     mesh.points = std::move(meshes.boundary);
     for (RegionMesh& region : meshes.regions) append(mesh, std::exchange(region, {}));

@@ -27,13 +27,29 @@ struct NodeNames {
   }
 };
 
+/// Elements that nothing changes any more, and that no stage therefore visits.
+struct MeshCore {
+  std::vector<Vec3> points;          ///< nodes that only elements of the core have
+  std::vector<NodeQuad> tetrahedra;  ///< of the nodes of `shared`, and then of `points`
+  std::uint32_t shared =
+      0;  ///< nodes common to the other elements, which have them after those of the boundary
+  std::uint32_t region = 0;
+};
+
 struct RegionMesh {
-  TetMesh mesh;  ///< the nodes of the region's boundary come first
+  TetMesh
+      mesh;  ///< the nodes of the region's boundary come first, then those that it shares with the core
   /// Per node of the region's boundary: its index in the whole boundary, ascending; empty if there is one region.
   std::vector<std::uint32_t> nodeOf;
   std::size_t boundaryNodes = 0;  ///< number of nodes of the region's boundary
+  MeshCore core;
 
-  [[nodiscard]] std::size_t innerNodeCount() const { return mesh.points.size() - boundaryNodes; }
+  [[nodiscard]] std::size_t innerNodeCount() const {
+    return mesh.points.size() - boundaryNodes + core.points.size();
+  }
+  [[nodiscard]] std::size_t tetrahedronCount() const {
+    return mesh.tetrahedra.size() + core.tetrahedra.size();
+  }
 };
 
 struct RegionMeshes {

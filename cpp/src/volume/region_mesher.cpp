@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -12,6 +13,9 @@
 
 namespace tetrafront {
 namespace {
+
+/// Share of the time of lattices in the time of the front beside them.
+constexpr double kLatticeShare = 0.1;
 
 /// Returns per region the sides of triangles that face it.
 std::vector<std::vector<std::uint32_t>> halvesOfRegions(const SurfaceMesh& boundary) {
@@ -46,6 +50,52 @@ FrontCounters sum(const FrontCounters& a, const FrontCounters& b) {
           a.exactPredicates + b.exactPredicates};
 }
 
+/// Adds a lattice to what the front has made beside it: the rim to the elements, for the optimizer, and the core apart.
+RegionMesh withLattice(RegionMesh whole, const LatticeInterior& lattice, std::uint32_t region) {
+  if (lattice.isEmpty()) return whole;
+  TetMesh& mesh = whole.mesh;
+  const std::size_t boundary = whole.boundaryNodes;
+  // Fixed nodes come first; the front has those of the hull after those of the boundary.
+  mesh.points.insert(mesh.points.begin() + static_cast<std::ptrdiff_t>(boundary),
+                     lattice.points.begin(), lattice.points.begin() + lattice.fixed);
+  const auto inserted = [&](auto& all) {
+    for (auto& nodes : all) {
+      for (NodeId& node : nodes) {
+        if (node.index() >= boundary) node = NodeId(node.value + lattice.fixed);
+      }
+    }
+  };
+  inserted(mesh.tetrahedra);
+  inserted(mesh.front);
+
+  const std::size_t firstInRim = mesh.points.size();
+  mesh.points.insert(mesh.points.end(), lattice.points.begin() + lattice.firstInRim(),
+                     lattice.points.begin() + lattice.firstInCore());
+  for (NodeQuad nodes : lattice.rim) {
+    for (NodeId& node : nodes) {
+      node = NodeId(node.value < lattice.firstInRim()
+                        ? boundary + node.index()
+                        : firstInRim + (node.index() - lattice.firstInRim()));
+    }
+    mesh.tetrahedra.push_back(nodes);
+  }
+  mesh.regions.resize(mesh.tetrahedra.size(), region);
+  mesh.isFixed = firstFixed(boundary + lattice.fixed, mesh.points.size());
+
+  MeshCore& core = whole.core;
+  core.points.assign(lattice.points.begin() + lattice.firstInCore(), lattice.points.end());
+  core.tetrahedra = lattice.core;
+  for (NodeQuad& nodes : core.tetrahedra) {
+    for (NodeId& node : nodes) {
+      if (node.value < lattice.fixed) continue;
+      node = NodeId(node.value - (lattice.firstInCore() - lattice.fixed));
+    }
+  }
+  core.shared = lattice.fixed;
+  core.region = region;
+  return whole;
+}
+
 }  // namespace
 
 RegionMesher::RegionMesher(const SurfaceMesh& boundary, const SizeField& field,
@@ -63,6 +113,10 @@ Task<MeshStatus> RegionMesher::run(Work& work, double frontShare) {
   for (const auto& halves : halvesOf_) all += halves.size();
   double shareOfFronts = 0.0;  // of the regions begun, by their triangles
   double openShare = 0.0;      // faces left to recovery, per triangle
+  double done = 0.0;
+  const auto endOfFronts = [&] {
+    return frontShare * shareOfFronts + (1.0 - frontShare) * openShare;
+  };
   for (std::uint32_t region = 0; region < halvesOf_.size(); ++region) {
     begin(region);
     // The end of a slice shows that the progress of the exact fill begins again.
@@ -70,38 +124,95 @@ Task<MeshStatus> RegionMesher::run(Work& work, double frontShare) {
     const double share = static_cast<double>(halvesOf_[region].size()) /
                          static_cast<double>(std::max<std::size_t>(all, 1));
     shareOfFronts += share;
-    work.beginPart(frontShare * shareOfFronts + (1.0 - frontShare) * openShare);
-    const bool isGood = co_await current_->advanceFront(work);
-    if (!isGood) co_return current_->status();
-    openShare += share * std::min(current_->openShare(), 1.0);
-    work.beginPart(frontShare * shareOfFronts + (1.0 - frontShare) * openShare);
-    const MeshStatus status = co_await current_->recover(work);
-    if (status != MeshStatus::kDone || region + 1 == halvesOf_.size()) co_return status;
+    if (options_.interior == Interior::kLattice && !options_.exactFillOnly) {
+      work.beginPart(std::lerp(done, endOfFronts(), kLatticeShare));
+      co_await makeLattice(work);
+    }
+    MeshStatus status = MeshStatus::kStalled;
+    while (status == MeshStatus::kStalled) {
+      beginFront();
+      work.beginPart(endOfFronts());
+      const bool isGood = co_await current_->advanceFront(work);
+      if (!isGood) co_return current_->status();
+      openShare += share * std::min(current_->openShare(), 1.0);
+      done = endOfFronts();
+      work.beginPart(done);
+      const MeshStatus closed = co_await current_->recover(work);
+      status = closed;
+      // The front may fail at a lattice alone.
+      if (lattice_.isEmpty()) break;
+      if (status == MeshStatus::kStalled) lattice_ = {};
+    }
+    if (status != MeshStatus::kDone) co_return status;
+    latticeCount_ += static_cast<std::uint32_t>(lattice_.tetrahedronCount());
+    if (region + 1 == halvesOf_.size()) co_return status;
     endRegion();
   }
   co_return MeshStatus::kDone;
 }
 
+/// Begins with the boundary of a region.
 void RegionMesher::begin(std::uint32_t region) {
   region_ = region;
-  MeshOptions options = options_;
-  options.maxTetrahedra -=
-      std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedronCount()));
   current_.reset();
+  lattice_ = {};
+  regionBoundary_ = {};
   if (!isOne()) boundaryOf(region);
+}
+
+Task<> RegionMesher::makeLattice(Work& work) {
+  LatticeInterior lattice = co_await makeLatticeInterior(work, ownBoundary(), field_, region_);
+  lattice_ = std::move(lattice);
+}
+
+/// Begins the front of a region, between its boundary and its lattice.
+void RegionMesher::beginFront() {
+  MeshOptions options = options_;
+  options.maxTetrahedra -= std::min(
+      options.maxTetrahedra,
+      static_cast<std::uint32_t>(filled_.tetrahedronCount() + lattice_.tetrahedronCount()));
   const NodeNames names{isOne() ? std::span<const std::uint32_t>() : regionBoundary_.nodeOf,
                         static_cast<std::uint32_t>(boundaryNodes())};
-  current_.emplace(isOne() ? boundary_ : regionBoundary_.surface, field_, options, maker_, names);
+  current_.reset();
+  withHull_ = {};
+  if (!lattice_.isEmpty()) addHull();
+  current_.emplace(lattice_.isEmpty() ? ownBoundary() : withHull_, field_, options, maker_, names);
+}
+
+/// Makes the boundary of the region with the hull of its lattice.
+void RegionMesher::addHull() {
+  const SurfaceMesh& own = ownBoundary();
+  withHull_.points = own.points;
+  withHull_.triangles = own.triangles;
+  withHull_.triangleRegions = own.triangleRegions;
+  const std::uint32_t shift = countNodes(own) - lattice_.firstOnHull();
+  for (std::uint32_t node = lattice_.firstOnHull(); node < lattice_.firstInRim(); ++node) {
+    const Vec3& p = lattice_.points[node];
+    withHull_.points.insert(withHull_.points.end(), {p.x, p.y, p.z});
+  }
+  for (const NodeTriple& nodes : lattice_.hull) {
+    for (const NodeId node : nodes) withHull_.triangles.push_back(node.value + shift);
+    withHull_.triangleRegions.insert(withHull_.triangleRegions.end(),
+                                     {region_, SurfaceMesh::kNoRegion});
+  }
+}
+
+/// Returns what the front has made of the region.
+RegionMesh RegionMesher::regionOf(TetMesh mesh) const {
+  return {.mesh = std::move(mesh),
+          .nodeOf = regionBoundary_.nodeOf,
+          .boundaryNodes = ownBoundaryNodes(),
+          .core = {}};
 }
 
 void RegionMesher::endRegion() {
   recovery_ = sum(recovery_, current_->recovery());
   counters_ = sum(counters_, current_->counters());
-  filled_.regions.push_back({current_->take(), regionBoundary_.nodeOf, ownBoundaryNodes()});
+  filled_.regions.push_back(withLattice(regionOf(current_->take()), lattice_, region_));
+  lattice_ = {};
 }
 
 void RegionMesher::boundaryOf(std::uint32_t region) {
-  regionBoundary_ = {};
   auto& [surface, nodeOf, triangleOf] = regionBoundary_;
   for (const std::uint32_t half : halvesOf_[region]) {
     const auto nodes = nodesOfHalf(boundary_, half);
@@ -123,6 +234,11 @@ void RegionMesher::boundaryOf(std::uint32_t region) {
 /// Triangles and nodes of the region become those of the whole boundary; in a drawn model, triangles become patches.
 void RegionMesher::nameForUser(std::vector<Entity>& entities) const {
   const bool isDrawn = !boundary_.sides.empty();
+  // The hull of a lattice is not the user's.
+  std::erase_if(entities, [this](const Entity& entity) {
+    return (entity.kind == EntityKind::kSurfaceNode && entity.index >= ownBoundaryNodes()) ||
+           (entity.kind == EntityKind::kTriangle && entity.index >= countTriangles(ownBoundary()));
+  });
   for (Entity& entity : entities) {
     if (entity.kind == EntityKind::kSurfaceNode && !isOne()) {
       entity.index = regionBoundary_.nodeOf[entity.index];
@@ -150,14 +266,14 @@ std::vector<Diagnostic> RegionMesher::diagnostics() const {
 }
 
 std::uint32_t RegionMesher::nodeCount() const {
-  const std::size_t earlier = filled_.nodeCount();
-  if (!current_) return static_cast<std::uint32_t>(earlier);
-  return static_cast<std::uint32_t>(earlier - ownBoundaryNodes()) + current_->nodeCount();
+  const std::size_t known = filled_.nodeCount() + lattice_.points.size() - lattice_.onHull;
+  if (!current_) return static_cast<std::uint32_t>(known);
+  return static_cast<std::uint32_t>(known - ownBoundaryNodes()) + current_->nodeCount();
 }
 
 std::uint32_t RegionMesher::tetrahedronCount() const {
   const std::uint32_t own = current_ ? current_->tetrahedronCount() : 0;
-  return own + static_cast<std::uint32_t>(filled_.tetrahedronCount());
+  return own + static_cast<std::uint32_t>(filled_.tetrahedronCount() + lattice_.tetrahedronCount());
 }
 
 std::uint32_t RegionMesher::frontFaceCount() const {
@@ -182,7 +298,9 @@ std::vector<NodeTriple> RegionMesher::waitingFaces() const {
 
 RegionMeshes RegionMesher::meshes() const {
   RegionMeshes meshes = filled_;
-  if (current_) meshes.regions.push_back({current_->mesh(), regionBoundary_.nodeOf});
+  if (current_) {
+    meshes.regions.push_back(withLattice(regionOf(current_->mesh()), lattice_, region_));
+  }
   meshes.waiting = waitingFaces();
   return meshes;
 }

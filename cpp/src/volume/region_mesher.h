@@ -9,6 +9,7 @@
 
 #include "base/task.h"
 #include "field/size_field.h"
+#include "lattice/lattice_interior.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
@@ -49,6 +50,8 @@ class RegionMesher {
   [[nodiscard]] std::vector<double> frontCorners() const;
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
+  /// Returns how many elements come from lattices; the optimizer may change those at their hulls.
+  [[nodiscard]] std::uint32_t latticeCount() const { return latticeCount_; }
 
  private:
   /// Boundary of one region: its nodes, and the triangles around it.
@@ -59,8 +62,15 @@ class RegionMesher {
   };
 
   void begin(std::uint32_t region);
+  Task<> makeLattice(Work& work);
+  void beginFront();
   void endRegion();
   void boundaryOf(std::uint32_t region);
+  void addHull();
+  [[nodiscard]] RegionMesh regionOf(TetMesh mesh) const;
+  [[nodiscard]] const SurfaceMesh& ownBoundary() const {
+    return isOne() ? boundary_ : regionBoundary_.surface;
+  }
   void nameForUser(std::vector<Entity>& entities) const;
   [[nodiscard]] std::vector<NodeTriple> waitingFaces() const;
   [[nodiscard]] std::size_t boundaryNodes() const { return boundary_.points.size() / 3; }
@@ -78,6 +88,9 @@ class RegionMesher {
   std::vector<std::vector<std::uint32_t>> halvesOf_;
   std::uint32_t region_ = 0;
   RegionBoundary regionBoundary_;  ///< used if there are several regions
+  LatticeInterior lattice_;        ///< of the current region
+  SurfaceMesh withHull_;  ///< boundary of the region and hull of its lattice, if there is one
+  std::uint32_t latticeCount_ = 0;
   std::optional<VolumeMesher> current_;
   RegionMeshes filled_;  ///< of earlier regions
   RecoverySummary recovery_;

@@ -105,6 +105,7 @@ function resultWith(fingerprint: string): EngineResult {
       radiusRatio: { min: 0, mean: 0 },
       volume: 0,
       recovery: { relaxed: 0, starred: 0, remeshed: 0, filled: 0, steinerPoints: 0 },
+      interior: { lattice: 0 },
       front: {
         pops: 0,
         gatheredFaces: 0,

@@ -113,6 +113,17 @@ test.each<[string, SurfaceInput]>([
   expect(nativeFingerprint(surface)?.toLowerCase()).toBe(report.fingerprint);
 });
 
+test.each<[string, SurfaceInput]>([
+  ["a sphere", sphereSurface(20)],
+  ["a cube with an interface", dividedSurface(16)],
+])("%s with lattices inside is the same bit for bit", async (_, surface) => {
+  const mesher = await createMesher();
+  const { report } = await mesher.fillSurface(surface, { interior: "lattice" });
+  mesher.dispose();
+  expect(report.interior.lattice).toBeGreaterThan(0);
+  expect(nativeFingerprint(surface, "--interior=lattice")?.toLowerCase()).toBe(report.fingerprint);
+});
+
 test.each<[string, SurfaceInput, number | undefined]>([
   ["a gear of needles", needleGearSurface(8, 0.2), undefined],
   ["a torus", torusSurface(24, 10), undefined],

@@ -7,7 +7,13 @@ import { doubles, index, integers, objectWith } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { EngineOptions, EngineImproveOptions } from "../engine/loader.js";
-import { FRONT_ORDERS, IMPROVE_DEFAULTS, MESH_DEFAULTS, OPTIMIZATIONS } from "../generated/constants.js";
+import {
+  FRONT_ORDERS,
+  IMPROVE_DEFAULTS,
+  INTERIORS,
+  MESH_DEFAULTS,
+  OPTIMIZATIONS,
+} from "../generated/constants.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import { hasSourcesOnly } from "../project/background-arrays.js";
 import type { Project } from "../project/project-types.js";
@@ -36,6 +42,7 @@ import type {
 
 const FRONT_ORDER_NUMBERS = numbersOf(FRONT_ORDERS);
 const OPTIMIZATION_NUMBERS = numbersOf(OPTIMIZATIONS);
+const INTERIOR_NUMBERS = numbersOf(INTERIORS);
 
 const elementsOption = option(
   "number of elements",
@@ -53,6 +60,7 @@ const meshEntries = {
   innerShells: shared.innerShells,
   order: choiceOption("order of the front", FRONT_ORDERS, MESH_DEFAULTS.order),
   optimization: choiceOption("optimization", OPTIMIZATIONS, MESH_DEFAULTS.optimization),
+  interior: choiceOption("interior", INTERIORS, MESH_DEFAULTS.interior),
   filters: switchOption("choice of filters", MESH_DEFAULTS.filters),
   exactFillOnly: switchOption("choice of the exact fill alone", MESH_DEFAULTS.exactFillOnly),
 } satisfies EntriesOf<MeshOptions>;
@@ -218,6 +226,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     innerShells: INNER_SHELL_NUMBERS[chosen.innerShells],
     order: FRONT_ORDER_NUMBERS[chosen.order],
     optimization: OPTIMIZATION_NUMBERS[chosen.optimization],
+    interior: INTERIOR_NUMBERS[chosen.interior],
     maxTetrahedra: MESH_DEFAULTS.maxTetrahedra,
   };
 }

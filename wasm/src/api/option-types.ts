@@ -1,5 +1,5 @@
 /** Options of the calls of a mesher. */
-import type { CoverShape, FrontOrder, InnerShells, Optimization } from "../generated/constants.js";
+import type { CoverShape, FrontOrder, InnerShells, Interior, Optimization } from "../generated/constants.js";
 import type { ElementOrder } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -216,6 +216,12 @@ export interface MeshOptions extends SizeOptions {
   readonly filters?: boolean | undefined;
   /** Default `default`; `none` keeps the mesh that the front made. */
   readonly optimization?: Optimization | undefined;
+  /**
+   * What fills the deep inside of regions. Default `front`, as everywhere. `lattice`: lattices with dihedral angles of 60 and 90
+   * degrees, where sizes are nearly constant over some elements and not stretched; only the rest is left to the front, so that the
+   * time grows with the surface rather than with the volume. A recorded run makes none.
+   */
+  readonly interior?: Interior | undefined;
   /** For tests: no front; the exact fill, otherwise the last resort, fills the whole region. */
   readonly exactFillOnly?: boolean | undefined;
 }

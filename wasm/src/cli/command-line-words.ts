@@ -15,6 +15,7 @@ const OPTIONS: ReadonlySet<string> = new Set([
     "innerShells",
     "order",
     "optimization",
+    "interior",
   ] as const),
   ...(["minSize", "maxSize", "tolerance", "featureAngle", "anglePerEdge", "layers", "dropDetails"] as const),
   ...(["surface", "repair", "weld", "fillHoles", "splitPatches", "elementOrder"] as const),

@@ -89,6 +89,11 @@ Element order
   INP or BDF. Edges follow the curved faces of CAD files, also of those in a project. The edges of a surface
   that consists of triangles stay straight. The report has the scaled Jacobian of the elements.
 
+Interior
+  --interior lattice fills the deep inside with lattices, where sizes are nearly constant over some elements
+  and not stretched, and leaves only the rest to the front: the time grows with the surface rather than with
+  the volume. The report has the number of their elements as interior.lattice.
+
 Element shapes
   --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking
   longer. --require-angle makes a mesh with a smaller dihedral angle fail with exit code 1. The output file

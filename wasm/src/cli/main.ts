@@ -6,6 +6,7 @@ import {
   IMPROVE_DEFAULTS,
   INSPECTION_DEFAULTS,
   MESH_DEFAULTS,
+  INTERIORS,
   OPTIMIZATIONS,
   PROPOSAL_DEFAULTS,
   REMESH_DEFAULTS,
@@ -150,6 +151,12 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
       "--optimize <level>",
       `effort spent on improving the elements after the front (default ${MESH_DEFAULTS.optimization})`,
     ).choices(OPTIMIZATIONS),
+  );
+  command.addOption(
+    new Option(
+      "--interior <kind>",
+      "what fills the deep inside: the front (default), or lattices where sizes are nearly constant, in a fraction of the time",
+    ).choices(INTERIORS),
   );
   withUnits(withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption())))
     .option(

@@ -16,7 +16,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
-import type { FrontOrder, Optimization } from "../generated/constants.js";
+import type { FrontOrder, Interior, Optimization } from "../generated/constants.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
@@ -65,6 +65,7 @@ export interface MeshCommandOptions
   /** False after --no-filters. */
   readonly filters: boolean;
   readonly optimize?: Optimization;
+  readonly interior?: Interior;
   /** Degrees. */
   readonly requireAngle?: string;
   readonly report?: string;
@@ -338,6 +339,7 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOp
     order: options.order,
     filters: options.filters,
     optimization: options.optimize,
+    interior: options.interior,
     elementOrder: options.elementOrder === "2" ? 2 : undefined,
     surface: options.surface,
     repair: options.repair,

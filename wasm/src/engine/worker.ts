@@ -221,6 +221,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     patches: run.patches(),
     recovery: run.recovery(),
     front: run.counters(),
+    interior: { lattice: run.latticeCount() },
     // A cancelled mesh depends on the time of the cancellation, and the caller is waiting.
     fingerprint: status === "cancelled" ? "" : run.fingerprint(),
   };

@@ -71,6 +71,11 @@ export interface MeshReport {
     /** Number of interior points made by the exact fill. */
     readonly steinerPoints: number;
   };
+  /** What fills the deep inside of regions. */
+  readonly interior: {
+    /** Number of elements from lattices; the optimizer may have changed those at their hulls. */
+    readonly lattice: number;
+  };
   /** Counters of the work of the front. */
   readonly front: {
     readonly pops: number;

@@ -8,6 +8,7 @@ import type {
   FrontOrder,
   InnerShells,
   LineType,
+  Interior,
   Optimization,
   PatchType,
   REPAIR_KINDS,
@@ -184,6 +185,7 @@ export interface ProjectMeshing {
   readonly innerShells?: InnerShells | undefined;
   readonly order?: FrontOrder | undefined;
   readonly optimization?: Optimization | undefined;
+  readonly interior?: Interior | undefined;
 }
 
 /** A named set of entities; see `GROUP_KINDS`. */

@@ -15,6 +15,7 @@ import {
   MAX_LAYERS,
   MAX_REMESH_ANGLE,
   MESH_DEFAULTS,
+  INTERIORS,
   OPTIMIZATIONS,
   PATCH_TYPES,
   REPAIR_KINDS,
@@ -214,6 +215,7 @@ const meshingSchema = v.pipe(
     innerShells: v.optional(described(WORDS.innerShells, v.picklist(INNER_SHELLS))),
     order: v.optional(described(WORDS.order, v.picklist(FRONT_ORDERS))),
     optimization: v.optional(described(WORDS.optimization, v.picklist(OPTIMIZATIONS))),
+    interior: v.optional(described(WORDS.interior, v.picklist(INTERIORS))),
   }),
   v.readonly(),
 );

@@ -1,11 +1,13 @@
 import {
   FRONT_ORDERS,
   INNER_SHELLS,
+  INTERIORS,
   LIMITS,
   MESH_DEFAULTS,
   OPTIMIZATIONS,
   type FrontOrder,
   type InnerShells,
+  type Interior,
   type Optimization,
 } from "tetrafront";
 import type { ProjectMeshing } from "tetrafront/project";
@@ -35,6 +37,7 @@ export function MeshSettings() {
   const gradationField = useEditedSetting("gradation");
   const order: FrontOrder = meshing?.order ?? MESH_DEFAULTS.order;
   const optimization: Optimization = meshing?.optimization ?? MESH_DEFAULTS.optimization;
+  const interior: Interior = meshing?.interior ?? MESH_DEFAULTS.interior;
   const gradation = meshing?.gradation ?? MESH_DEFAULTS.gradation;
   const innerShells: InnerShells = meshing?.innerShells ?? MESH_DEFAULTS.innerShells;
   // The file omits settings that equal their default.
@@ -62,6 +65,14 @@ export function MeshSettings() {
         labelOf={(value) => <span title={texts.optimizations[value]}>{OPTIMIZATIONS.indexOf(value)}</span>}
         hint={`${texts.optimizations[optimization]}: ${texts.optimizationHints[optimization]}`}
         onChange={(value) => set("optimization", value)}
+      />
+      <ChoiceSetting
+        label={texts.interior}
+        values={INTERIORS}
+        value={interior}
+        labelOf={(value) => texts.interiors[value]}
+        hint={texts.interiorHints[interior]}
+        onChange={(value) => set("interior", value)}
       />
       <div ref={gradationField}>
         <NumberRow
