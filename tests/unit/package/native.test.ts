@@ -115,7 +115,7 @@ test.each<[string, SurfaceInput]>([
 
 test.each<[string, SurfaceInput]>([
   ["a sphere", sphereSurface(20)],
-  ["a cube with an interface", dividedSurface(16)],
+  ["a cube with a cavity", cavitySurface(24)],
 ])("%s with lattices inside is the same bit for bit", async (_, surface) => {
   const mesher = await createMesher();
   const { report } = await mesher.fillSurface(surface, { interior: "lattice" });
