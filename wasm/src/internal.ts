@@ -11,7 +11,8 @@ export {
   type RemeshShapes,
 } from "./api/best-repair.js";
 export { withSolidsOfPatches } from "./api/touching-solids.js";
-export { isWithin, nearPairs, sharedPairs, solidUnits, type SolidsSurface } from "./formats/solid-units.js";
+export { nearPairs } from "./base/boxes.js";
+export { isWithin, sharedPairs, solidUnits, type SolidsSurface } from "./formats/solid-units.js";
 export { differentNames } from "./formats/groups.js";
 export { featureSolid, type FeatureSolid } from "./formats/feature-solid.js";
 export type { FeatureFailure, Loop, LoopCurve, Profile } from "./cad/features/feature.js";

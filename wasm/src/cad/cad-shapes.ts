@@ -1,9 +1,8 @@
 /** The solids of a file as triangles and as true faces, from the text in which the kernel hands them out. */
 import { kindsOfBrep, partsOfBrep } from "./brep-model.js";
 import { modelTrianglesOf, trianglesOf } from "./brep-triangles.js";
-import type { FileTexts } from "./kernel.js";
 import { numbersOf } from "./model-numbers.js";
-import type { CadShape } from "./protocol.js";
+import type { CadShape, FileTexts } from "./protocol.js";
 import { looksOf } from "./step-looks.js";
 
 /**
