@@ -23,6 +23,12 @@ export class NoSolid extends Error {
   }
 }
 
+/** Returns a body without what a list of features gives it: a solid of one face has no patch per triangle. */
+export function withoutSurface<Body extends Partial<ProjectBody>>(body: Body) {
+  const { isOutdated: _, failures: _failures, trianglePatch: _patch, trueFaces: _faces, ...kept } = body;
+  return kept;
+}
+
 /** Asks the kernel, in a worker. */
 export type KernelClient = Pick<SolidClient, "evaluate" | "draw" | "importPart" | "dispose">;
 
@@ -60,7 +66,7 @@ export class Solids implements SolidMaker {
     if (!made) throw new NoSolid(failures);
     this.#bodies.keep(made);
     const { points, triangles, trianglePatch, trueFaces, patches } = made.body;
-    const { isOutdated: _, failures: _before, ...kept }: Partial<ProjectBody> = body;
+    const kept = withoutSurface(body);
     return {
       ...kept,
       id: body.id,

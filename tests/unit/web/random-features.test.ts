@@ -1,6 +1,7 @@
 /** Random work with the features of a solid: undo and redo give the same documents, and the file stays valid. */
 import { expect, test } from "vitest";
 import { createBody, type Project, type ProjectBody, type SolidFeature } from "tetrafront/project";
+import { emptyProject } from "../../../web/document/create";
 import { findingsOf } from "../../support/feature-work";
 import { testKernel } from "../../support/kernel-shapes";
 import { kernelSolids } from "../../support/kernel-solids";
@@ -73,3 +74,15 @@ test("6 steps of two seeds with the kernel", async () => {
   const ofKernel = kernelSolids(testKernel);
   for (const seed of [1, 2]) expect(await findingsOf(seed, 6, ofKernel)).toEqual([]);
 }, 120_000);
+
+test("a solid that gets a single face has no patch per triangle any more", async () => {
+  const ofKernel = kernelSolids(testKernel);
+  const place = { operation: "new", position: [0, 0, 0], axis: [0, 0, 1] } as const;
+  const box = await ofKernel.bodyOf(emptyProject(), { name: "solid" }, [
+    { id: 1, type: "box", ...place, size: [1, 1, 1] },
+  ]);
+  expect(box.trianglePatch).toBeDefined();
+  const ball = await ofKernel.bodyOf(emptyProject(), box, [{ id: 1, type: "sphere", ...place, radius: 1 }]);
+  expect(ball.patches).toHaveLength(1);
+  expect(ball.trianglePatch).toBeUndefined();
+}, 60_000);
