@@ -1,5 +1,7 @@
-// `npm run preview` compresses its answers, as hosts do, and lets browsers keep files with a hash in their names.
-import { readFile, stat } from "node:fs/promises";
+// The build compresses what a first visit loads as well as it can, in files that many hosts send: `NAME.br`. `npm run preview` sends
+// them too, compresses its other answers as hosts do, and lets browsers keep files with a hash in their names.
+import { existsSync } from "node:fs";
+import { readdir, readFile, stat, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
@@ -20,11 +22,11 @@ const types = {
 const contentType = (extension) =>
   extension === ".wasm" ? types[extension] : `${types[extension]}; charset=utf-8`;
 
-/** A good part of what the best level saves, in a fraction of its time. */
-const brotliLevel = 5;
+const brotli = (bytes, level) =>
+  promisify(brotliCompress)(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: level } });
 const encoders = {
-  br: (bytes) =>
-    promisify(brotliCompress)(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: brotliLevel } }),
+  // A good part of what the best level saves, in a fraction of its time.
+  br: (bytes) => brotli(bytes, 5),
   gzip: promisify(gzip),
 };
 
@@ -51,7 +53,10 @@ export function compressedFiles(folder, headers = {}) {
     const { mtimeMs, size } = await stat(file);
     if (size < minBytes) return null;
     const key = `${encoding} ${mtimeMs} ${size} ${file}`;
-    if (!made.has(key)) made.set(key, readFile(file).then(encoders[encoding]));
+    if (!made.has(key)) {
+      const best = `${file}.${encoding}`;
+      made.set(key, existsSync(best) ? readFile(best) : readFile(file).then(encoders[encoding]));
+    }
     return { bytes: await made.get(key), tag: `W/"${size}-${mtimeMs}-${encoding}"` };
   };
   return async (request, response, next) => {
@@ -76,11 +81,34 @@ export function compressedFiles(folder, headers = {}) {
   };
 }
 
+/** Large files that a first visit loads and that its page does not name. */
+const firstWorkers = /^(engine|worker|mesh-query-worker|surface-worker|project-worker)-.*\.(js|wasm)$/;
+
+/** Compresses what the page of the built site loads. */
+async function compressFirstVisit(folder) {
+  const page = await readFile(path.join(folder, "index.html"), "utf8");
+  const named = [...page.matchAll(/(?:href|src)="\.\/(assets\/[^"]+\.(?:js|css))"/g)].map(([, name]) => name);
+  const others = (await readdir(path.join(folder, "assets"))).filter((name) => firstWorkers.test(name));
+  for (const name of new Set([...named, ...others.map((other) => `assets/${other}`)])) {
+    const file = path.join(folder, name);
+    const bytes = await readFile(file);
+    if (bytes.length >= minBytes)
+      await writeFile(`${file}.br`, await brotli(bytes, constants.BROTLI_MAX_QUALITY));
+  }
+}
+
 export function compressedAnswers() {
+  let folder = "";
   return {
     name: "tetrafront:compressed-answers",
+    configResolved: ({ root, build: { outDir } }) => {
+      folder = path.resolve(root, outDir);
+    },
+    closeBundle: {
+      sequential: true,
+      handler: () => compressFirstVisit(folder),
+    },
     configurePreviewServer({ middlewares, config }) {
-      const folder = path.resolve(config.root, config.build.outDir);
       middlewares.use(compressedFiles(folder, config.preview.headers));
     },
   };

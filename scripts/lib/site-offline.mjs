@@ -5,8 +5,8 @@ import path from "node:path";
 import { build } from "esbuild";
 import { filesUnder } from "./fresh.mjs";
 
-/** Files that no page requests: source maps, and the formats of fonts for browsers without WebAssembly. */
-const unused = /\.map$|\.(woff|ttf)$|^sw\.js$/;
+/** Files that no page requests by name: source maps, compressed copies, and the formats of fonts for browsers without WebAssembly. */
+const unused = /\.(map|br)$|\.(woff|ttf)$|^sw\.js$/;
 /** Large files that many never need: the libraries that read CAD files. They are kept when they are used, or on request. */
 const later = /^assets\/(occt-import-js|replicad_single)-/;
 

@@ -1,65 +1,58 @@
-import { BufferAttribute, BufferGeometry, type Ray, type Side } from "three";
+import { BackSide, DoubleSide, Vector3, type Ray, type Side } from "three";
 import { nextTurn } from "../document/slices";
-import { MeshBVH, type SerializedBVH } from "three-mesh-bvh";
+import type { RayHit, SerializedTree } from "./triangle-boxes";
 
-export interface TriangleHit {
-  /** Index of the triangle. */
-  readonly triangle: number;
-  readonly distance: number;
-  /** Local x y z. */
-  readonly point: readonly [number, number, number];
-}
+export type { RayHit as TriangleHit, SerializedTree };
 
-/** A tree of boxes around triangles, as a worker sends it. */
-export type SerializedTree = SerializedBVH;
+/** All triangles of a smaller surface are tried in about a millisecond: a tree would not pay, and its library need not be loaded. */
+const MIN_TRIANGLES = 20_000;
 
-/** Builds a tree over triangles given as x y z of three corners each. Takes about 0.6 ms per 1000 triangles. */
-export function buildTree(corners: Float32Array): SerializedTree {
-  return MeshBVH.serialize(createTree(corners), { cloneBuffers: false });
-}
-
-/** Finds triangles on a ray by a tree of boxes, in microseconds. */
+/** Finds triangles on a ray, in a large surface by a tree of boxes. */
 export class TriangleTree {
   readonly #corners: Float32Array;
-  #tree: MeshBVH | null = null;
+  /** Lists the triangles on a ray. */
+  #search: (ray: Ray, side: Side) => Iterable<RayHit>;
 
   /** @param corners x y z of three corners per triangle, which must not change later. */
   constructor(corners: Float32Array) {
     this.#corners = corners;
+    this.#search = (ray, side) => hitsOf(corners, ray, side);
   }
 
-  /** Lets a worker build the tree. A search that comes first, or after a failure, builds it at once. */
+  /** Lets a worker build the tree of a large surface. A search that comes first, or after a failure, tries all triangles. */
   async prepare(build: (corners: Float32Array<ArrayBuffer>) => Promise<SerializedTree>): Promise<void> {
-    if (this.#corners.length === 0) return;
+    if (this.#corners.length < 9 * MIN_TRIANGLES) return;
     // The copy of a large surface takes long enough to be a task of its own.
     await nextTurn();
     try {
-      const tree = await build(this.#corners.slice());
-      this.#tree ??= MeshBVH.deserialize(tree, geometryOf(this.#corners), { setIndex: false });
+      const [{ searchIn }, tree] = await Promise.all([
+        import("./triangle-boxes"),
+        build(this.#corners.slice()),
+      ]);
+      this.#search = searchIn(tree, this.#corners);
     } catch {
       // The worker has been stopped or is out of memory, which its other calls report.
     }
   }
 
   /** Returns the first triangle on the ray that is accepted, seen from the given side; null if there is none. */
-  firstHit(ray: Ray, side: Side, accepts: (triangle: number) => boolean = () => true): TriangleHit | null {
-    if (this.#corners.length === 0) return null;
-    this.#tree ??= createTree(this.#corners);
-    let nearest: TriangleHit | null = null;
-    for (const { faceIndex, distance, point } of this.#tree.raycast(ray, side)) {
-      if (typeof faceIndex !== "number" || (nearest && nearest.distance <= distance)) continue;
-      if (!accepts(faceIndex)) continue;
-      nearest = { triangle: faceIndex, distance, point: [point.x, point.y, point.z] };
-    }
+  firstHit(ray: Ray, side: Side, accepts: (triangle: number) => boolean = () => true): RayHit | null {
+    let nearest: RayHit | null = null;
+    for (const hit of this.#search(ray, side))
+      if ((!nearest || hit.distance < nearest.distance) && accepts(hit.triangle)) nearest = hit;
     return nearest;
   }
 }
 
-/** Indirect: the order of the triangles stays. */
-function createTree(corners: Float32Array): MeshBVH {
-  return new MeshBVH(geometryOf(corners), { indirect: true });
-}
-
-function geometryOf(corners: Float32Array): BufferGeometry {
-  return new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
+/** Tries all triangles. */
+function* hitsOf(corners: Float32Array, ray: Ray, side: Side): Generator<RayHit> {
+  const [a, b, c, point] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+  const [first, last] = side === BackSide ? [c, a] : [a, c];
+  for (let at = 0; at < corners.length; at += 9) {
+    a.fromArray(corners, at);
+    b.fromArray(corners, at + 3);
+    c.fromArray(corners, at + 6);
+    if (ray.intersectTriangle(first, b, last, side !== DoubleSide, point) === null) continue;
+    yield { triangle: at / 9, distance: ray.origin.distanceTo(point), point: [point.x, point.y, point.z] };
+  }
 }

@@ -5,6 +5,7 @@ import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import path from "node:path";
+import { brotliCompressSync } from "node:zlib";
 import { afterAll, describe, expect, it } from "vitest";
 import { zipSync, strToU8 } from "fflate";
 import { compressedFiles } from "../../../scripts/lib/compressed-answers.mjs";
@@ -37,7 +38,16 @@ describe("the policy of a page", () => {
 describe("the files that are kept offline", () => {
   it("are all but maps and unused fonts; the version changes with the content", () => {
     const write = (name: string, text: string) => writeFileSync(path.join(folder, name), text);
-    for (const name of ["index.html", "embed.html", "a.js", "a.js.map", "f.woff", "f.woff2", "sw.js"])
+    for (const name of [
+      "index.html",
+      "embed.html",
+      "a.js",
+      "a.js.map",
+      "a.js.br",
+      "f.woff",
+      "f.woff2",
+      "sw.js",
+    ])
       write(name, name);
     const { version, files } = siteFiles(folder);
     expect(files.map(({ path: name }) => name).sort()).toEqual(["./", "./a.js", "./embed.html", "./f.woff2"]);
@@ -78,6 +88,11 @@ describe("the preview server", () => {
       expect((await ask("/", { "If-None-Match": tag })).status).toBe(304);
       expect((await ask("/assets/a-1.js")).headers.get("cache-control")).toContain("immutable");
       expect((await ask("/", { "Accept-Encoding": "gzip" })).headers.get("content-encoding")).toBe("gzip");
+      // The build's own copy of a file is sent as it is.
+      writeFileSync(path.join(folder, "site", "assets", "b-2.js"), text);
+      writeFileSync(path.join(folder, "site", "assets", "b-2.js.br"), brotliCompressSync("copy"));
+      expect(await (await ask("/assets/b-2.js")).text()).toBe("copy");
+      expect(await (await ask("/assets/b-2.js", { "Accept-Encoding": "gzip" })).text()).toBe(text);
       for (const elsewhere of [
         "/../secret.js",
         "/%2e%2e/secret.js",

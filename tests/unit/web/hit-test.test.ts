@@ -1,5 +1,5 @@
-import { DoubleSide, FrontSide, Ray, Vector3 } from "three";
-import { describe, expect, it } from "vitest";
+import { BackSide, DoubleSide, FrontSide, Ray, Vector3 } from "three";
+import { describe, expect, it, vi } from "vitest";
 import type { Project } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { entitiesUnder, hitTest } from "../../../web/viewer/hit-test";
@@ -11,7 +11,8 @@ import { SourcesLayer } from "../../../web/viewer/layers/sources-layer";
 import { PatchFinder } from "../../../web/viewer/patch-finder";
 import { Screen } from "../../../web/viewer/screen";
 import type { SceneState } from "../../../web/viewer/scene-state";
-import { buildTree, TriangleTree } from "../../../web/viewer/triangle-tree";
+import { buildTree } from "../../../web/viewer/triangle-boxes";
+import { TriangleTree } from "../../../web/viewer/triangle-tree";
 import { frontCamera, noTree, preview, sceneState, show, viewport } from "./scene";
 
 const camera = frontCamera();
@@ -196,42 +197,47 @@ describe("TriangleTree", () => {
     expect(tree.firstHit(new Ray(ray.origin, new Vector3(1, 0, 0)), DoubleSide)).toBeNull();
   });
 
-  it("uses the tree that a worker builds, and builds its own without a worker", async () => {
-    const [prepared, failed] = [new TriangleTree(corners), new TriangleTree(corners)];
-    await prepared.prepare((copy) => Promise.resolve(structuredClone(buildTree(copy))));
-    await failed.prepare(() => Promise.reject(new Error("no memory")));
-    for (const searched of [prepared, failed]) {
-      expect(searched.firstHit(ray, DoubleSide)).toMatchObject({ triangle: 1, distance: 4 });
-    }
-  });
-
   it("finds nothing without triangles", () => {
     expect(new TriangleTree(new Float32Array()).firstHit(ray, DoubleSide)).toBeNull();
   });
 
-  it("agrees with a search over all triangles", () => {
-    // 500 small pseudo-random triangles, the same in every run.
-    let seed = 1;
-    const random = (): number => (seed = (seed * 16807) % 2147483647) / 2147483647;
-    const soup = new Float32Array(9 * 500);
-    for (let t = 0; t < 500; ++t) {
-      const middle = [random(), random(), random()];
-      for (let i = 0; i < 9; ++i) soup[9 * t + i] = (middle[i % 3] ?? 0) + 0.2 * random();
-    }
-    const searched = new TriangleTree(soup);
-    const [a, b, c, point] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+  it("finds the same by all triangles and by the tree that a worker builds of a large surface", async () => {
+    const soup = randomTriangles(25_000);
+    const [prepared, failed] = [new TriangleTree(soup), new TriangleTree(soup)];
+    const build = vi.fn((copy: Float32Array) => Promise.resolve(structuredClone(buildTree(copy))));
+    await prepared.prepare(build);
+    await failed.prepare(() => Promise.reject(new Error("no memory")));
+    expect(build).toHaveBeenCalledOnce();
     for (let k = 0; k < 50; ++k) {
-      const down = new Ray(new Vector3(random(), random(), 3), new Vector3(0, 0, -1));
-      const distances = Array.from({ length: 500 }, (_, t) => {
-        [a, b, c].forEach((corner, i) => corner.fromArray(soup, 9 * t + 3 * i));
-        return down.intersectTriangle(a, b, c, false, point) ? point.distanceTo(down.origin) : Infinity;
-      });
-      const nearest = Math.min(...distances);
-      const hit = searched.firstHit(down, DoubleSide);
-      expect(hit?.triangle ?? -1).toBe(nearest === Infinity ? -1 : distances.indexOf(nearest));
+      const down = new Ray(new Vector3(0.02 * k, 0.5, 3), new Vector3(0, 0.05, -1).normalize());
+      for (const side of [FrontSide, BackSide, DoubleSide]) {
+        const [hit, other] = [prepared, failed].map((one) => one.firstHit(down, side, (t) => t % 3 !== 0));
+        expect(other?.triangle).toBe(hit?.triangle);
+        expect(other?.distance ?? -1).toBeCloseTo(hit?.distance ?? -1, 5);
+        expect(hit && hit.triangle % 3).not.toBe(0);
+      }
     }
   });
+
+  it("needs no tree for a small surface", async () => {
+    const searched = new TriangleTree(randomTriangles(500));
+    const build = vi.fn(() => Promise.reject(new Error("not asked")));
+    await searched.prepare(build);
+    expect(build).not.toHaveBeenCalled();
+  });
 });
+
+/** Small pseudo-random triangles, the same in every run. */
+function randomTriangles(count: number): Float32Array<ArrayBuffer> {
+  let seed = 1;
+  const random = (): number => (seed = (seed * 16807) % 2147483647) / 2147483647;
+  const soup = new Float32Array(9 * count);
+  for (let t = 0; t < count; ++t) {
+    const middle = [random(), random(), random()];
+    for (let i = 0; i < 9; ++i) soup[9 * t + i] = (middle[i % 3] ?? 0) + 0.2 * random();
+  }
+  return soup;
+}
 
 describe("PatchFinder", () => {
   const surface = {

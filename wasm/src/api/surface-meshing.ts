@@ -331,14 +331,19 @@ async function filledOnce(
   const isExactPossible = repairPart(options) === undefined && ready.treatment.kind === "remesh";
   const isRepeatable = isExactPossible && filling.isRecorded !== true;
   const exact = isRepeatable && hasWelded(given, ready) ? again : undefined;
+  let attempt = filling;
   try {
     const filled = await meshedBest(
       ready,
       exact,
-      (one) => treated(mesher, one, filling),
+      (one) => {
+        if (exact !== undefined)
+          attempt = { ...filling, controlOf: new WholeProgress(controlOf("attempt")).controlOf };
+        return treated(mesher, one, attempt);
+      },
       (made) => {
         filling.onTreated?.(made.diagnostics ?? []);
-        return fill(mesher, made, mesh, controlOf());
+        return fill(mesher, made, mesh, attempt.controlOf());
       },
     );
     const { made, prepared, result, isExact } = filled;

@@ -5,7 +5,7 @@ import { copyForTransfer } from "../../workers/transfer";
 import { WorkerClient } from "../../workers/worker-client";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { MeshQueryProtocol, PictureSize } from "./mesh-query-protocol";
-import type { SerializedTree } from "../triangle-tree";
+import type { SerializedTree } from "../triangle-boxes";
 
 const startWorker = (): Worker =>
   new Worker(new URL("./mesh-query-worker.ts", import.meta.url), {

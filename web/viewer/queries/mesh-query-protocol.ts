@@ -2,7 +2,7 @@ import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mes
 import type { Position } from "../../document/position";
 import type { Cut } from "../../document/selection";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
-import type { SerializedTree } from "../triangle-tree";
+import type { SerializedTree } from "../triangle-boxes";
 
 /** In pixels. */
 export interface PictureSize {

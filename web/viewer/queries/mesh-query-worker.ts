@@ -26,7 +26,7 @@ serveCalls<MeshQueryProtocol>({
   picture: async ({ view, size }) => ({ answer: await smallPicture(view, size) }),
   tree: async (corners) => {
     // Load the library on demand: it is large, and no picture needs it.
-    const { buildTree } = await import("../triangle-tree");
+    const { buildTree } = await import("../triangle-boxes");
     const answer = buildTree(corners);
     return { answer, transfer: answer.roots };
   },

@@ -8,6 +8,7 @@ import "../styles/pocket.css";
 import "../styles/slivers.css";
 import "../styles/race.css";
 import "../styles/sides.css";
+import "../styles/twins.css";
 import type { Value } from "../kit/values";
 import { tieDraggedNumbers, tieShownValues } from "./numbers";
 import { PageFigure } from "./page-figure";
