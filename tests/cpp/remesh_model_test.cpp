@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "support/remeshed.h"
 #include "support/trimmed_models.h"
@@ -103,19 +104,79 @@ TEST(RemeshModel, OfAnotherShapeIsNotUsed) {
   }
 }
 
-TEST(RemeshModel, NamesTheFaceThatCannotBeTriangulated) {
-  const TrimmedSolid solid = trimmedCylinder(1.0, 1.0);
-  const SurfaceMesh given = finely(solid.model);
-  TrimmedModel damaged = solid.model;
-  std::vector<Coedge>& loop = damaged.faces[0].loops[0];
-  ASSERT_GT(loop.size(), 2U);
-  loop.pop_back();
-  const SurfaceRemesh result = remeshed(given, numbersOf(damaged));
-  ASSERT_TRUE(result.diagnostics.empty());
-  EXPECT_FALSE(result.onFaces);
-  EXPECT_EQ(result.failedFaces, (std::vector<std::uint32_t>{0}));
+/// Returns the model without the last edge of a loop of a face, which cannot be triangulated then.
+TrimmedModel withOpenLoop(TrimmedModel model, std::size_t face) {
+  model.faces[face].loops[0].pop_back();
+  return model;
+}
+
+/// Expects all faces but one on their surfaces: their nodes away from it on them, and its own within the tolerance. Returns how many
+/// nodes of triangles are away from it.
+std::size_t expectOthersOnFaces(const TrimmedSolid& solid, const SurfaceMesh& given,
+                                std::uint32_t face, const SurfaceRemesh& result) {
+  EXPECT_TRUE(result.diagnostics.empty());
+  EXPECT_TRUE(result.onFaces);
   EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kByOrientation).empty());
-  EXPECT_TRUE(remeshed(given, numbersOf(solid.model)).failedFaces.empty());
+  EXPECT_LE(result.deviation, 2.0 * result.tolerance);
+  EXPECT_GT(result.smallestAngle, 15.0);
+  EXPECT_NEAR(result.volume, solid.volume, 0.05 * solid.volume);
+  EXPECT_LT(farthestNode(solid, given, result), 1.1 * result.tolerance);
+  const SurfaceMesh made = surfaceOf(result);
+  // Triangles without a node of the face, or of a triangle beside it.
+  std::vector<std::uint8_t> isNear(countNodes(made), 0);
+  for (int depth = 0; depth < 5; ++depth) {
+    const std::vector<std::uint8_t> before = isNear;
+    for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
+      const NodeTriple nodes = nodesOf(made, t);
+      const bool isOfFace = given.trianglePatch[result.origin[t.index()]] == face;
+      if (isOfFace || std::ranges::any_of(nodes, [&](NodeId n) { return before[n.index()] != 0; }))
+        for (const NodeId node : nodes) isNear[node.index()] = 1;
+    }
+  }
+  std::size_t onSurface = 0;
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(made))) {
+    for (const NodeId node : nodesOf(made, t)) {
+      if (isNear[node.index()] != 0) continue;
+      const std::uint32_t own = given.trianglePatch[result.origin[t.index()]];
+      EXPECT_LT(solid.distances[own](pointOf(made, node)), 1e-9);
+      ++onSurface;
+    }
+  }
+  return onSurface;
+}
+
+TEST(RemeshModel, KeepsTheOtherFacesOnTheirSurfacesIfOneCannotBeTriangulated) {
+  std::size_t onSurface = 0;
+  for (const TrimmedSolid& solid :
+       {trimmedCylinder(1.0, 4.0), trimmedPlate(4.0, 0.5, 1.0),
+        trimmedBox(Vec3(0.0), Vec3(3.0, 2.0, 1.0)), extrudedProfile(3.0), revolvedProfile()}) {
+    const SurfaceMesh given = finely(solid.model);
+    for (std::uint32_t face = 0; face < solid.model.faces.size(); ++face) {
+      SCOPED_TRACE(solid.name + " face " + std::to_string(face));
+      // A model with an empty loop is not read.
+      if (solid.model.faces[face].loops[0].size() == 1) continue;
+      const SurfaceRemesh result = remeshed(given, numbersOf(withOpenLoop(solid.model, face)));
+      EXPECT_EQ(result.failedFaces, (std::vector<std::uint32_t>{face}));
+      onSurface += expectOthersOnFaces(solid, given, face, result);
+    }
+    EXPECT_TRUE(remeshed(given, numbersOf(solid.model)).failedFaces.empty());
+  }
+  EXPECT_GT(onSurface, 0U);
+}
+
+TEST(RemeshModel, KeepsTheGivenTrianglesOfFacesThatTheModelDoesNotHave) {
+  const TrimmedSolid solid = trimmedPlate(4.0, 0.5, 1.0);
+  const SurfaceMesh given = finely(solid.model);
+  std::size_t onSurface = 0;
+  for (std::uint32_t face = 0; face < solid.model.faces.size(); ++face) {
+    SCOPED_TRACE("face " + std::to_string(face));
+    TrimmedModel model = solid.model;
+    model.faces.erase(model.faces.begin() + face);
+    const SurfaceRemesh result = remeshed(given, numbersOf(model));
+    EXPECT_TRUE(result.failedFaces.empty());
+    onSurface += expectOthersOnFaces(solid, given, face, result);
+  }
+  EXPECT_GT(onSurface, 0U);
 }
 
 }  // namespace

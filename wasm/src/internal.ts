@@ -11,11 +11,12 @@ export {
   type RemeshShapes,
 } from "./api/best-repair.js";
 export { withSolidsOfPatches } from "./api/touching-solids.js";
-export { isWithin, nearPairs, sharedPairs, solidUnits, type SolidsSurface } from "./formats/solid-units.js";
+export { nearPairs } from "./base/boxes.js";
+export { isWithin, sharedPairs, solidUnits, type SolidsSurface } from "./formats/solid-units.js";
 export { differentNames } from "./formats/groups.js";
 export { featureSolid, type FeatureSolid } from "./formats/feature-solid.js";
-export type { FeatureFailure, Loop, LoopCurve, Profile } from "./cad/features/feature.js";
-export { brepOfFile, type PartFile } from "./cad/features/import.js";
+export type { FaceLook, FeatureFailure, Loop, LoopCurve, Profile } from "./cad/features/feature.js";
+export { type ImportedPart, partOfFile, type PartFile } from "./cad/features/import.js";
 export type { EdgeLine } from "./cad/features/evaluate.js";
 export { type DrawnSolid, drawnSolid, type SolidDrawing } from "./cad/features/drawing.js";
 export { importKernel } from "./cad/kernel-browser.js";

@@ -54,14 +54,14 @@ export async function importPart(app: App): Promise<void> {
     const unit = unitOf(units);
     const scale = unit === undefined || format === "brep" ? 1 : unitFactor("mm", unit);
     const bytes = new Uint8Array(await file.arrayBuffer());
-    const brep = await app.solids.importPart({ format, bytes, scale });
+    const part = await app.solids.importPart({ format, bytes, scale });
     await app.documents.afterGesture();
     if (left.aborted) return;
     const subject = { project: app.documents.project, selection: [] };
     const noun = fileStem(file.name);
     const offer = await addedPiece(
       { subject, solids: app.solids, noun, use: "new" },
-      { type: "import", brep },
+      { type: "import", ...part },
     );
     if (!offer.possible || app.documents.left !== left) return;
     app.documents.edit(offer.creation.edit);

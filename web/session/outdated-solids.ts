@@ -5,7 +5,7 @@ import { bodiesOf } from "../document/entities";
 import { isSolid, solidsOf, type Solid } from "../document/operations/solids";
 import type { DocumentStore } from "./document-store";
 import { failureText } from "./failure-text";
-import { NoSolid, type Solids } from "./solids";
+import { NoSolid, type Solids, withoutSurface } from "./solids";
 import { untilState } from "./until-state";
 
 export interface OutdatedSolidsState {
@@ -80,9 +80,8 @@ export class OutdatedSolids {
     const isSame = now && isSolid(now) && now.features === solid.features && now.points === solid.points;
     if (!isSame || nextBodyIds(project).firstPatchId !== nextBodyIds(before).firstPatchId) return;
     const { points, triangles, trianglePatch, trueFaces, patches, failures } = body;
-    const { isOutdated: _, failures: _before, ...kept } = now;
     const replaced = {
-      ...kept,
+      ...withoutSurface(now),
       points,
       triangles,
       patches,

@@ -1,4 +1,4 @@
-import type { DrawnSolid, FeatureFailure, PartFile } from "tetrafront/internal";
+import type { DrawnSolid, FeatureFailure, ImportedPart, PartFile } from "tetrafront/internal";
 import type { Project, ProjectBody, SolidFeature } from "tetrafront/project";
 import { nextBodyIds } from "../document/body-edits";
 import type { SolidMaker } from "../document/operations/operation";
@@ -23,15 +23,25 @@ export class NoSolid extends Error {
   }
 }
 
+/** Returns a body without what a list of features gives it: a solid of one face has no patch per triangle. */
+export function withoutSurface<Body extends Partial<ProjectBody>>(body: Body) {
+  const { isOutdated: _, failures: _failures, trianglePatch: _patch, trueFaces: _faces, ...kept } = body;
+  return kept;
+}
+
+/** Asks the kernel, in a worker. */
+export type KernelClient = Pick<SolidClient, "evaluate" | "draw" | "importPart" | "dispose">;
+
 /** Makes solids of features. */
 export class Solids implements SolidMaker {
-  readonly #client = new SolidClient();
+  readonly #client: KernelClient;
   readonly #bodies: Pick<BodyFeed, "keep">;
   #running: Promise<void> = Promise.resolve();
   readonly #edges = new Map<string, Promise<SolidAnswer<NewBody>["edges"]>>();
 
-  constructor(bodies: Pick<BodyFeed, "keep">) {
+  constructor(bodies: Pick<BodyFeed, "keep">, client: KernelClient = new SolidClient()) {
     this.#bodies = bodies;
+    this.#client = client;
   }
 
   /** Returns a maker whose work is left out if it is aborted before it begins. */
@@ -56,7 +66,7 @@ export class Solids implements SolidMaker {
     if (!made) throw new NoSolid(failures);
     this.#bodies.keep(made);
     const { points, triangles, trianglePatch, trueFaces, patches } = made.body;
-    const { isOutdated: _, failures: _before, ...kept }: Partial<ProjectBody> = body;
+    const kept = withoutSurface(body);
     return {
       ...kept,
       id: body.id,
@@ -87,8 +97,8 @@ export class Solids implements SolidMaker {
     return this.#inTurn((client) => client.draw(features));
   }
 
-  /** Returns the solids of a CAD file as the text of a BREP file. */
-  importPart(file: PartFile): Promise<string> {
+  /** Returns the solids of a CAD file, with the names and colours of their faces. */
+  importPart(file: PartFile): Promise<ImportedPart> {
     return this.#inTurn((client) => client.importPart(file));
   }
 
@@ -101,7 +111,7 @@ export class Solids implements SolidMaker {
 
   /** Does one task at a time, so that each has its own time. */
   async #inTurn<Answer>(
-    task: (client: SolidClient) => Promise<Answer>,
+    task: (client: KernelClient) => Promise<Answer>,
     signal?: AbortSignal,
   ): Promise<Answer> {
     const before = this.#running;

@@ -1,58 +1,8 @@
 /** Makes solids of features by the kernel, which is loaded with the first one. */
-import { brepOfFile, drawnSolid, featureSolid, importKernel, type FeatureKernel } from "tetrafront/internal";
-import { createBodies, type ProjectBody, type ProjectBodyPatch } from "tetrafront/project";
-import { faceLabel } from "../document/operations/feature-names";
+import { importKernel, type FeatureKernel } from "tetrafront/internal";
 import { kernelFiles } from "./cad-library";
-import { buffersOfNew, newBody } from "./new-bodies";
 import { serveCalls } from "./serve-calls";
-import type { SolidProtocol, SolidRequest } from "./solids";
+import { solidCalls } from "./solid-calls";
+import type { SolidProtocol } from "./solids";
 
-let loading: Promise<FeatureKernel> | null = null;
-
-/** Returns the kernel, which is loaded again after a failure. */
-async function loadedKernel(): Promise<FeatureKernel> {
-  loading ??= importKernel<FeatureKernel>(kernelFiles);
-  try {
-    return await loading;
-  } catch (failure) {
-    loading = null;
-    throw failure;
-  }
-}
-
-serveCalls<SolidProtocol>({
-  import: async (file) => ({ answer: brepOfFile(await loadedKernel(), file) }),
-  draw: async (features) => {
-    const answer = drawnSolid(await loadedKernel(), features);
-    if (answer.isKernelSpent) loading = null;
-    return { answer };
-  },
-  evaluate: async (request) => {
-    const kernel = await loadedKernel();
-    const { surface, origins, edges, failures, isKernelSpent } = await featureSolid(kernel, request.features);
-    if (isKernelSpent) loading = null;
-    const made = surface ? newBody(bodyOf(request, surface, origins)) : null;
-    const named = edges.map(({ name, faces }) => ({ name, faces }));
-    return { answer: { made, edges: named, failures }, transfer: made ? buffersOfNew(made) : [] };
-  },
-});
-
-/** Returns the body of features. Patches of an origin that the body had before keep their ids, names and colours. */
-function bodyOf(
-  { features, body: { id, name, patches: before = [] }, nextPatchId }: SolidRequest,
-  surface: Parameters<typeof createBodies>[0],
-  origins: readonly (string | undefined)[],
-): ProjectBody {
-  // Solids of one list are one body, also where they do not touch.
-  const { surfaceRegions: _, ...one } = surface;
-  const [made] = createBodies(one, { id, firstPatchId: nextPatchId, name: name ?? "" });
-  if (!made) throw new Error("The features give no body");
-  const known = new Map(before.map((patch) => [patch.origin, patch]));
-  let next = nextPatchId;
-  const patches = surface.patches.map((patch, p): ProjectBodyPatch => {
-    const origin = origins[p];
-    if (origin === undefined) return { id: next++, name: patch.name };
-    return known.get(origin) ?? { id: next++, name: faceLabel(features, origin), origin };
-  });
-  return { ...made, patches, features };
-}
+serveCalls<SolidProtocol>(solidCalls(() => importKernel<FeatureKernel>(kernelFiles)));

@@ -1,4 +1,4 @@
-import type { DrawnSolid, EdgeLine, FeatureFailure, PartFile } from "tetrafront/internal";
+import type { DrawnSolid, EdgeLine, FeatureFailure, ImportedPart, PartFile } from "tetrafront/internal";
 import type { ProjectBody, SolidFeature } from "tetrafront/project";
 import { unpackedBody } from "./packed-bodies";
 import type { NewBody, PackedNewBody } from "./surface-files";
@@ -25,8 +25,8 @@ export interface SolidProtocol {
   readonly evaluate: { readonly argument: SolidRequest; readonly answer: SolidAnswer<PackedNewBody> };
   /** What the solid of features is as lines and patches. */
   readonly draw: { readonly argument: readonly SolidFeature[]; readonly answer: DrawnSolid };
-  /** The text of a BREP file with the solids of a CAD file. */
-  readonly import: { readonly argument: PartFile; readonly answer: string };
+  /** The solids of a CAD file, with the names and colours of their faces. */
+  readonly import: { readonly argument: PartFile; readonly answer: ImportedPart };
 }
 
 const startWorker = (): Worker =>
@@ -46,7 +46,7 @@ export class SolidClient {
     return this.#worker.call("draw", features);
   }
 
-  importPart(file: PartFile): Promise<string> {
+  importPart(file: PartFile): Promise<ImportedPart> {
     return this.#worker.call("import", file);
   }
 

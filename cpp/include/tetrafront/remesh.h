@@ -98,7 +98,8 @@ struct SurfaceRemesh {
   double meanRadiusRatio = 0.0;  ///< of all triangles
   bool isPartial = false;        ///< stop() ended the work before all triangles were improved
   bool onFaces = false;          ///< the faces of the model were triangulated on their own surfaces
-  /// Faces of the model that could not be triangulated on their surfaces; ascending. With any, `onFaces` is false.
+  /// Faces of the model that could not be triangulated on their surfaces; ascending. With `onFaces`, only their triangles were
+  /// changed instead, and those around them.
   std::vector<std::uint32_t> failedFaces;
   /// Errors if the surface was not remeshed, because it is not a valid boundary or an option is
   /// out of range. Otherwise notes about components that were given inside out.

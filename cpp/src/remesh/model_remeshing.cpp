@@ -12,6 +12,7 @@
 #include "boundary/boundary.h"
 #include "field/size_octree_builder.h"
 #include "geom/measure.h"
+#include "remesh/given_faces.h"
 #include "remesh/reference_surface.h"
 #include "remesh/remesh_targets.h"
 #include "remesh/triangle_parts.h"
@@ -41,6 +42,10 @@ constexpr int kRefinements = 4;
 constexpr double kLessArea = 0.75;
 /// Largest deviation from the given triangles / tolerance: they are as far from the faces as the CAD kernel has allowed.
 constexpr double kMaxFacesDeviation = 2.0;
+/// Largest distance of nodes of the given surface from the edges of the model on which they are / tolerance.
+constexpr double kOnEdge = 0.05;
+/// Triangulations of the faces until those that cannot be triangulated are known, and their edges are divided at given nodes.
+constexpr int kMaxFailingRounds = 6;
 /// Triangles whose given ones are found per unit of budget.
 constexpr std::size_t kLocatedPerUnit = 4;
 
@@ -106,25 +111,6 @@ std::vector<std::uint32_t> failedFacesIn(const std::vector<Diagnostic>& diagnost
   return faces;
 }
 
-struct TriangulatedFaces {
-  std::optional<SurfaceMesh> mesh;
-  std::vector<std::uint32_t> failed;  ///< with any, there is no mesh
-};
-
-Task<TriangulatedFaces> triangulateFaces(Work& work, const TrimmedModel& model,
-                                         const SizeField& field) {
-  TrimmedMesher mesher(model, field);
-  MeshStatus status = MeshStatus::kRunning;
-  while ((status = mesher.advance(work.remaining())) == MeshStatus::kRunning) {
-    work.setFraction(mesher.fraction());
-    co_await work.yield();
-  }
-  TriangulatedFaces faces;
-  if (status == MeshStatus::kDone) faces.mesh.emplace(mesher.takeMesh());
-  faces.failed = failedFacesIn(mesher.diagnostics());
-  co_return faces;
-}
-
 /// Returns the given triangle next to a position on the same side of the surface; none within the limit if there is none.
 TriangleId givenNear(const ReferenceSurface& reference, const Vec3& position, const Vec3& normal,
                      double limit) {
@@ -168,22 +154,113 @@ std::vector<SmoothPatchId> patchesOfFaces(const SurfaceMesh& mesh, std::size_t f
   return patches;
 }
 
-/// Returns true if every smooth patch beside another group contains a face. Otherwise the given patches divide faces.
-bool areAllCovered(std::span<const SmoothPatchId> ofFaces, const ReferenceSurface& reference) {
+/// Marks the given triangles of patches that contain no face, nor does any other patch of their group: coarse triangles have
+/// creases within a face. Empty if there are none.
+std::vector<std::uint8_t> trianglesWithoutFace(std::span<const SmoothPatchId> ofFaces,
+                                               const ReferenceSurface& reference) {
   std::vector<std::uint8_t> isCovered(reference.patchCount(), 0);
-  for (const SmoothPatchId patch : ofFaces) isCovered[patch.index()] = 1;
-  const auto groupOf = [&](std::uint32_t patch) {
-    return reference.patch(SmoothPatchId(patch)).group;
-  };
-  return std::ranges::all_of(reference.lines(), [&](const FeatureLine& line) {
-    // Coarse triangles have creases within a face.
-    const bool isOfOneGroup = std::ranges::all_of(line.patches, [&](std::uint32_t patch) {
-      return groupOf(patch) == groupOf(line.patches.front());
-    });
-    return isOfOneGroup || std::ranges::all_of(line.patches, [&](std::uint32_t patch) {
-             return isCovered[patch] != 0;
-           });
-  });
+  std::vector<std::uint32_t> groups;
+  for (const SmoothPatchId patch : ofFaces) {
+    isCovered[patch.index()] = 1;
+    groups.push_back(reference.patch(patch).group);
+  }
+  sortUnique(groups);
+  std::vector<std::uint8_t> isWithout(countTriangles(reference.mesh()), 0);
+  bool areAny = false;
+  for (const TriangleId t : IdRange<TriangleId>(isWithout.size())) {
+    const SmoothPatchId patch = reference.patchOf(t);
+    const std::uint32_t group = reference.patch(patch).group;
+    if (isCovered[patch.index()] != 0 || std::ranges::binary_search(groups, group)) continue;
+    isWithout[t.index()] = 1;
+    areAny = true;
+  }
+  if (!areAny) isWithout.clear();
+  return isWithout;
+}
+
+/// The faces of a model without those that cannot be triangulated.
+struct FacesLeft {
+  TrimmedModel model;
+  std::vector<std::uint32_t> faces;  ///< per face: its index in the whole model
+};
+
+FacesLeft facesWithout(const TrimmedModel& model, std::span<const std::uint32_t> failed) {
+  FacesLeft left{model, {}};
+  left.model.faces.clear();
+  for (std::uint32_t face = 0; face < model.faces.size(); ++face) {
+    if (std::ranges::binary_search(failed, face)) continue;
+    left.model.faces.push_back(model.faces[face]);
+    left.faces.push_back(face);
+  }
+  return left;
+}
+
+struct TriangulatedFaces {
+  std::optional<SurfaceMesh> mesh;
+  DividedLines lines;
+  std::vector<std::uint32_t> failed;  ///< with any, there is no mesh
+};
+
+Task<TriangulatedFaces> triangulate(Work& work, const TrimmedModel& model, const SizeField& field,
+                                    std::span<const EdgeStations> stations) {
+  std::vector<std::vector<double>> parameters;
+  for (const EdgeStations& own : stations) parameters.push_back(own.parameters);
+  TrimmedMesher mesher(model, field, MeshOptions{}.maxTetrahedra, std::move(parameters));
+  MeshStatus status = MeshStatus::kRunning;
+  while ((status = mesher.advance(work.remaining())) == MeshStatus::kRunning) {
+    work.setFraction(mesher.fraction());
+    co_await work.yield();
+  }
+  TriangulatedFaces faces;
+  faces.lines = mesher.lines();
+  if (status == MeshStatus::kDone) faces.mesh.emplace(mesher.takeMesh());
+  faces.failed = failedFacesIn(mesher.diagnostics());
+  co_return faces;
+}
+
+/// Triangulated faces, each in a smooth patch of the given surface, and after them given triangles in place of faces that cannot be
+/// triangulated.
+struct JoinedFaces {
+  SurfaceMesh mesh;
+  std::vector<SmoothPatchId> ofFaces;
+  std::vector<TriangleId> given;  ///< the last triangles
+};
+
+/// Triangulates the faces without those that have failed, and adds faces that fail to these. None if that cannot be done.
+Task<std::optional<JoinedFaces>> triangulateFaces(Work& work, const Remeshing& remeshing,
+                                                  const SizeField& field,
+                                                  std::vector<std::uint32_t>& failed) {
+  const ReferenceSurface& reference = remeshing.reference;
+  std::vector<EdgeStations> stations;
+  for (int round = 0; round < kMaxFailingRounds; ++round) {
+    const FacesLeft left = facesWithout(*remeshing.model, failed);
+    if (left.faces.empty()) break;
+    TriangulatedFaces made = co_await triangulate(work, left.model, field, stations);
+    for (const std::uint32_t face : made.failed) failed.push_back(left.faces[face]);
+    sortUnique(failed);
+    if (!made.failed.empty()) {
+      stations.clear();
+      continue;
+    }
+    if (!made.mesh) break;
+    JoinedFaces joined;
+    joined.ofFaces = patchesOfFaces(*made.mesh, left.faces.size(), remeshing);
+    if (joined.ofFaces.empty()) break;
+    const std::vector<std::uint8_t> isWithout = trianglesWithoutFace(joined.ofFaces, reference);
+    if (isWithout.empty() && !failed.empty()) break;
+    if (!isWithout.empty() && stations.empty()) {
+      std::optional<std::vector<EdgeStations>> found = stationsAround(
+          isWithout, reference.mesh(), left.model, kOnEdge * remeshing.lengths.tolerance);
+      if (!found) break;
+      stations = std::move(*found);
+      continue;
+    }
+    joined.mesh = std::move(*made.mesh);
+    if (!isWithout.empty())
+      joined.given = appendGiven(isWithout, reference.mesh(), stations, made.lines, joined.mesh);
+    co_return joined;
+  }
+  co_return std::nullopt;
 }
 
 /// Gives each triangle the given one beneath it, in the patch of its face. Returns false if there is none near one: the
@@ -194,7 +271,7 @@ Task<bool> findGiven(Work& work, std::span<const SmoothPatchId> ofFaces, const R
   pass.beneath.reserve(countTriangles(mesh));
   bool areNear = true;
   co_await work.forEachBlock(
-      countTriangles(mesh),
+      mesh.trianglePatch.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t t = first; t < last && areNear; ++t) {
           const SmoothPatchId patch = ofFaces[mesh.trianglePatch[t]];
@@ -273,27 +350,30 @@ Task<bool> isBoundary(Work& work, const SurfaceMesh& mesh, const Remeshing& reme
 
 /// Triangulates the faces once. Does not check the deviation, nor whether the triangles are a boundary; otherwise returns none as
 /// remeshModel() does.
-Task<ModelRemesh> remeshWith(Work& work, const SizeField& field, const Remeshing& remeshing) {
+Task<ModelRemesh> remeshWith(Work& work, const SizeField& field, const Remeshing& remeshing,
+                             const std::vector<std::uint32_t>& failed) {
   ModelRemesh made;
-  const TrimmedModel& model = *remeshing.model;
   work.beginPart(0.7);
-  Job<TriangulatedFaces> triangulating(
-      [&](Work& inner) { return triangulateFaces(inner, model, field); });
+  made.failedFaces = failed;
+  Job<std::optional<JoinedFaces>> triangulating(
+      [&](Work& inner) { return triangulateFaces(inner, remeshing, field, made.failedFaces); });
   if (!co_await finishUnlessStopped(work, triangulating, remeshing.isStopped)) co_return made;
-  TriangulatedFaces faces = triangulating.take();
-  made.failedFaces = std::move(faces.failed);
-  if (!faces.mesh) co_return made;
+  std::optional<JoinedFaces> faces = triangulating.take();
+  if (!faces) co_return made;
+  made.givenTriangles = faces->given.size();
 
   RemeshPass pass;
-  pass.surface.mesh = std::move(*faces.mesh);
+  pass.surface.mesh = std::move(faces->mesh);
   SurfaceMesh& mesh = pass.surface.mesh;
   mesh.sides.clear();
   mesh.sideLine.clear();
-  const std::vector<SmoothPatchId> ofFaces = patchesOfFaces(mesh, model.faces.size(), remeshing);
-  if (ofFaces.empty() || !areAllCovered(ofFaces, remeshing.reference)) co_return made;
   work.beginPart(0.8);
-  if (!co_await findGiven(work, ofFaces, remeshing, pass)) co_return made;
-  for (std::uint32_t& patch : mesh.trianglePatch) patch = ofFaces[patch].value;
+  if (!co_await findGiven(work, faces->ofFaces, remeshing, pass)) co_return made;
+  for (std::uint32_t& patch : mesh.trianglePatch) patch = faces->ofFaces[patch].value;
+  for (const TriangleId t : faces->given) {
+    pass.beneath.push_back(t);
+    mesh.trianglePatch.push_back(remeshing.reference.patchOf(t).value);
+  }
   pass.surface.origin = inherited(remeshing.given.origin, pass.beneath);
   mesh.triangleRegions = inherited(remeshing.given.mesh.triangleRegions, pass.beneath, 2);
 
@@ -329,7 +409,8 @@ Task<ModelRemesh> remeshModel(Work& work, const Remeshing& remeshing) {
     work.beginPart(0.5);
     const SizeField field = co_await fieldOf(work, *placed, remeshing);
     work.beginPart(0.9);
-    made = co_await remeshWith(work, field, remeshing);
+    const std::vector<std::uint32_t> failed = std::move(made.failedFaces);
+    made = co_await remeshWith(work, field, remeshing, failed);
     if (!made.pass) co_return made;
     const double before =
         std::exchange(far, addSizesWhereFar(*made.pass, field, remeshing.lengths, *placed));

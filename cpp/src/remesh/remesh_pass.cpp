@@ -47,6 +47,7 @@ struct PassInput {
   std::span<const std::uint8_t> isSettled;  ///< as PassRules::isSettled
   const GivenSizes& sizes;
   const bool& isStopped;
+  bool isOnFaces = false;  ///< as PassRules::isOnFaces
 };
 
 /// Copies the triangles out of the complex, without unused nodes.
@@ -131,7 +132,7 @@ struct Step {
   bool samples;
 };
 
-Task<> makeChanges(Work& work, Changes changes, RemeshSchedule& schedule,
+Task<> makeChanges(Work& work, Changes changes, bool isOnFaces, RemeshSchedule& schedule,
                    VolumeCorrection& correction) {
   if (changes == Changes::kCoarsening) {
     co_await schedule.coarsen(work);
@@ -140,7 +141,7 @@ Task<> makeChanges(Work& work, Changes changes, RemeshSchedule& schedule,
   work.beginPart(0.95);
   co_await schedule.run(work);
   work.beginPart(1.0);
-  co_await correction.run(work);
+  if (!isOnFaces) co_await correction.run(work);
 }
 
 /// Bounds the distance between the surfaces, and may sample that of the triangles.
@@ -163,12 +164,13 @@ Task<> changeTriangles(Work& work, const ReferenceSurface& reference, const Reme
   limits.tolerance = step.tested;
   GuardedSurface guarded(reference, limits, result.size);
   co_await work.yield();
-  SurfaceEditor editor(guarded, sizes, input.isSettled);
+  SurfaceEditor editor(guarded, sizes, input.isSettled, input.isOnFaces);
   co_await work.yield();
   RemeshSchedule schedule(editor);
   VolumeCorrection correction(guarded);
-  Job<> changes(
-      [&](Work& inner) { return makeChanges(inner, step.changes, schedule, correction); });
+  Job<> changes([&](Work& inner) {
+    return makeChanges(inner, step.changes, input.isOnFaces, schedule, correction);
+  });
   const bool isFinished = co_await finishUnlessStopped(work, changes, input.isStopped);
 
   copyTriangles(guarded, input.surface, pass);
@@ -254,7 +256,7 @@ Task<RemeshPass> remeshOnce(Work& work, const ReferenceSurface& reference,
                             const RemeshOptions& options, const PassRules& rules,
                             const bool& isStopped) {
   const double toleranceShare = rules.toleranceShare;
-  const PassInput input{surface, rules.isSettled, sizes, isStopped};
+  const PassInput input{surface, rules.isSettled, sizes, isStopped, rules.isOnFaces};
   RemeshPass pass;
   SurfaceRemesh& result = pass.remesh;
   const bool hasTargets = options.size > 0.0 || usesGrid(sizes.grid, targetOptions(options));

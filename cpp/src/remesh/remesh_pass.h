@@ -20,6 +20,8 @@ struct PassRules {
   double toleranceShare = 1.0;
   double plannedShare = 1.0;  ///< of the tolerance, for which sizes are small enough
   bool samples = true;        ///< whether the distance of the triangles is sampled
+  /// Whether the surface is on the faces of a model. Settled nodes then stay, and none is moved to keep the volume.
+  bool isOnFaces = false;
   /// Per node: 1 if all its triangles come from a remeshing and need no other one; empty if none do.
   std::vector<std::uint8_t> isSettled{};
 };

@@ -44,6 +44,7 @@ struct DetailRule {
   /// Whether the surface has been remeshed: its well-shaped triangles away from the details then stay, and it is remeshed even
   /// if it has no details.
   bool isRemeshed = false;
+  std::size_t unsettled = 0;  ///< number of the last triangles that do not stay
 };
 
 /// What came of dropping details: no surface, if there are none or too many, if none may be dropped, or if the work was stopped;
@@ -62,15 +63,17 @@ void spreadUnsettled(const SurfaceMesh& mesh, std::vector<std::uint8_t>& isSettl
 }
 
 /// Marks the nodes of a remeshed surface around which triangles are well-shaped, and where they were before details were
-/// dropped. `parents`: per triangle, the one of `before` that it comes from. O(triangles).
+/// dropped. `parents`: per triangle, the one of `before` that it comes from. `unsettled`: as in the rule. O(triangles).
 std::vector<std::uint8_t> settledNodes(const SurfaceMesh& mesh, const SurfaceMesh& before,
-                                       std::span<const TriangleId> parents) {
+                                       std::span<const TriangleId> parents, std::size_t unsettled) {
   std::vector<std::uint8_t> isSettled(mesh.points.size() / 3, 1);
-  const double unsettled = cosineOfDegrees(kUnsettledAngle);
+  const double largestCosine = cosineOfDegrees(kUnsettledAngle);
+  const std::size_t settledCount = countTriangles(before) - unsettled;
   for (const TriangleId t : IdRange<TriangleId>(parents.size())) {
     const std::array<Vec3, 3> corners = cornersOf(mesh, t);
     const bool isWhereItWas = corners == cornersOf(before, parents[t.index()]);
-    if (isWhereItWas && largestCosineOf(corners) <= unsettled) continue;
+    const bool mayStay = isWhereItWas && parents[t.index()].index() < settledCount;
+    if (mayStay && largestCosineOf(corners) <= largestCosine) continue;
     for (const NodeId node : nodesOf(mesh, t)) isSettled[node.index()] = 0;
   }
   for (int i = 0; i < kUnsettledDepth; ++i) spreadUnsettled(mesh, isSettled);
@@ -103,7 +106,8 @@ Task<Dropped> simplify(Work& work, const Remeshing& remeshing, const TrackedSurf
   merger.copyTo(made.mesh, parents);
   inherit(made, parents);
   PassRules rules = rule.remeshing;
-  if (rule.isRemeshed) rules.isSettled = settledNodes(made.mesh, surface.mesh, parents);
+  if (rule.isRemeshed)
+    rules.isSettled = settledNodes(made.mesh, surface.mesh, parents, rule.unsettled);
   SurfaceMesh checked = made.mesh;
   BoundaryCheck boundary(checked, BoundarySource::kGivenSurface, options.innerShells);
   boundary.setEmbedded();
@@ -133,14 +137,19 @@ Task<Dropped> simplifyOrLeave(Work& work, const Remeshing& remeshing, const Trac
 }
 
 /// Returns the rules of a step that has a share of the tolerance.
-PassRules rulesOfShare(double share, double plannedShare) {
-  return {.toleranceShare = share, .plannedShare = plannedShare, .samples = false};
+PassRules rulesOfShare(double share, double plannedShare, bool isOnFaces = false) {
+  return {.toleranceShare = share,
+          .plannedShare = plannedShare,
+          .samples = false,
+          .isOnFaces = isOnFaces};
 }
 
 /// Up to three times drops details across which triangles are poor, within the rest of the tolerance, and remeshes around them.
-/// Keeps the surface if the last one is not better. `poorAngle`: angles below it are poor.
+/// Keeps the surface if the last one is not better. `isOnFaces`: whether the triangles are on the faces of a model, where only poor
+/// ones change.
 Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface,
-                       double poorAngle = kPoorAngle) {
+                       bool isOnFaces = false) {
+  const double poorAngle = isOnFaces ? kUnsettledAngle : kPoorAngle;
   if (!isWorthSteps(remeshing, surface.pass.remesh, poorAngle)) co_return;
   const double tolerance = remeshing.lengths.tolerance;
   SimplifiedSurface next = surface;
@@ -153,7 +162,7 @@ Task<> dropPoorDetails(Work& work, const Remeshing& remeshing, SimplifiedSurface
     if (!(left > 0.0)) break;
     const DetailRule rule{.distance = std::min(left, kMergeShare * tolerance),
                           .choice = DetailChoice::kPoor,
-                          .remeshing = rulesOfShare(kNextShare, kFirstShare),
+                          .remeshing = rulesOfShare(kNextShare, kFirstShare, isOnFaces),
                           .isRemeshed = true};
     dropped = co_await simplify(work, remeshing, from, rule, next);
   }
@@ -232,12 +241,25 @@ Task<Dropped> remeshWithoutChosen(Work& work, const Remeshing& remeshing,
 Task<Dropped> remeshFaces(Work& work, const Remeshing& remeshing, SimplifiedSurface& surface) {
   work.beginPart(0.6);
   ModelRemesh made = co_await remeshModel(work, remeshing);
+  if (made.pass) surface.pass = std::move(*made.pass);
   surface.pass.remesh.failedFaces = std::move(made.failedFaces);
   if (!made.pass) co_return Dropped::kNone;
-  surface.pass = std::move(*made.pass);
   surface.deviation = surface.pass.remesh.deviation;
+  if (made.givenTriangles > 0) {
+    work.beginPart(0.8);
+    const TrackedSurface from = surface.pass.surface;
+    const DetailRule rule{.distance = 0.0,
+                          .choice = DetailChoice::kAll,
+                          .remeshing = rulesOfShare(kFirstShare, kFirstShare, true),
+                          .isRemeshed = true,
+                          .unsettled = made.givenTriangles};
+    std::vector<std::uint32_t> failedFaces = std::move(surface.pass.remesh.failedFaces);
+    const Dropped dropped = co_await simplify(work, remeshing, from, rule, surface);
+    surface.pass.remesh.failedFaces = std::move(failedFaces);
+    if (dropped != Dropped::kMade || !isComplete(surface.pass.remesh)) co_return Dropped::kNone;
+  }
   work.beginPart(1.0);
-  co_await dropPoorDetails(work, remeshing, surface, kUnsettledAngle);
+  co_await dropPoorDetails(work, remeshing, surface, true);
   surface.pass.remesh.onFaces = true;
   co_return Dropped::kMade;
 }

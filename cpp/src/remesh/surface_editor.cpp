@@ -46,7 +46,7 @@ NodeTriple replaced(NodeTriple nodes, NodeId old, NodeId now) {
 }  // namespace
 
 SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes,
-                             std::span<const std::uint8_t> isSettled)
+                             std::span<const std::uint8_t> isSettled, bool keepsSettled)
     : surface_(surface),
       complex_(surface.complex()),
       reference_(surface.reference()),
@@ -55,7 +55,8 @@ SurfaceEditor::SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes,
       size_(complex_.nodeCount()),
       sizeHint_(complex_.nodeCount()),
       view_(isStretched_ ? complex_.nodeCount() : 0),
-      changed_(complex_.nodeCount(), kFirstTime) {
+      changed_(complex_.nodeCount(), kFirstTime),
+      keepsSettled_(keepsSettled) {
   for (std::size_t i = 0; i < isSettled.size(); ++i) {
     if (isSettled[i] != 0) changed_[i] = kFirstTime - 1;
   }
@@ -148,7 +149,9 @@ bool SurfaceEditor::apply(bool coversSame) {
   if (!surface_.apply(change_, coversSame)) return false;
   if (isFar) updateSize(change_.moved);
   for (const SurfaceChange::Added& added : change_.added) {
-    for (const NodeId node : added.nodes) changed_[node.index()] = time_;
+    for (const NodeId node : added.nodes) {
+      if (!isKept(node)) changed_[node.index()] = time_;
+    }
   }
   return true;
 }

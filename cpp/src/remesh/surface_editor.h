@@ -34,9 +34,10 @@ enum class MovePurpose : std::uint8_t { kSmooth, kImprove };
 
 class SurfaceEditor {
  public:
-  /// The first two must outlive this. `isSettled`: per node, 1 if its triangles need no change; empty if none is.
+  /// The first two must outlive this. `isSettled`: per node, 1 if its triangles need no change; empty if none is. `keepsSettled`: these
+  /// nodes stay settled and where they are.
   SurfaceEditor(GuardedSurface& surface, const RemeshSizes& sizes,
-                std::span<const std::uint8_t> isSettled = {});
+                std::span<const std::uint8_t> isSettled = {}, bool keepsSettled = false);
 
   // ---- operations: each returns true if it was made ----
 
@@ -76,6 +77,8 @@ class SurfaceEditor {
 
  private:
   using Corners = std::array<Vec3, 3>;
+
+  [[nodiscard]] bool isKept(NodeId node) const { return keepsSettled_ && isSettled(node); }
 
   NodeId addNode(const Vec3& point, NodeKind kind, NodeId near, std::uint32_t region);
   void removeLastNode();
@@ -143,6 +146,7 @@ class SurfaceEditor {
   std::vector<RemeshSizes::Hint> sizeHint_;  ///< per node
   std::vector<SymmetricTensor> view_;  ///< per node, if stretched: maps target edges to unit length
   std::vector<std::uint32_t> changed_;  ///< per node
+  bool keepsSettled_;
   std::uint32_t time_ = kFirstTime;
 
   SurfaceChange change_;

@@ -144,7 +144,8 @@ Vec3 SurfaceEditor::centreOf(NodeId node) const {
 }
 
 bool SurfaceEditor::smooth(NodeId node) {
-  if (!complex_.isUsed(node) || complex_.kindOf(node) == NodeKind::kCorner) return false;
+  if (isKept(node) || !complex_.isUsed(node) || complex_.kindOf(node) == NodeKind::kCorner)
+    return false;
   if (complex_.kindOf(node) == NodeKind::kSmooth)
     return moveOnPatch(node, centreOf(node), MovePurpose::kSmooth);
   const SurfaceComplex::LineNeighbours line = complex_.lineNeighbours(node);
@@ -158,7 +159,8 @@ bool SurfaceEditor::smooth(NodeId node) {
 }
 
 bool SurfaceEditor::improve(NodeId node) {
-  if (!complex_.isUsed(node) || complex_.kindOf(node) == NodeKind::kCorner) return false;
+  if (isKept(node) || !complex_.isUsed(node) || complex_.kindOf(node) == NodeKind::kCorner)
+    return false;
   return complex_.kindOf(node) == NodeKind::kLine ? improveOnLine(node) : improveOnPatch(node);
 }
 

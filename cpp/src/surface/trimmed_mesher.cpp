@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "base/diagnostics.h"
@@ -25,6 +26,37 @@ constexpr std::size_t kPerUnit = 4;
 constexpr double kTurningMargin = 1e-6;
 /// Size at an inner node that is connected to both copies of a node / length of such an edge.
 constexpr double kSizeAtDoubleEdge = 0.5;
+
+/// Divides an edge between its stations into equal sides of about the target size.
+LineDivision divideBetween(const EdgeCurve& curve, const SizeField& field, std::uint32_t minSides,
+                           std::span<const double> stations) {
+  LineDivision division;
+  FieldHint hint;
+  const auto intervals = static_cast<double>(stations.size() - 1);
+  const double fewest = std::ceil(minSides / intervals);
+  const auto append = [&](double t) {
+    division.parameters.push_back(t);
+    division.nodes.push_back(curve.position(t));
+  };
+  append(stations.front());
+  for (std::size_t i = 1; i < stations.size(); ++i) {
+    const double from = stations[i - 1];
+    const double to = stations[i];
+    const double length =
+        curve.length(from, to) / field.sizeAt(curve.position(0.5 * (from + to)), hint);
+    division.length += length;
+    const double sides = std::max(fewest, std::floor(length + 0.5));
+    if (!(sides <= kMaxSidesPerLine)) {
+      division.status = LineDivisionStatus::kTooManySides;
+      division.position = curve.position(from);
+      division.requiredSides = sides;
+      return division;
+    }
+    for (double k = 1.0; k < sides; k += 1.0) append(from + (to - from) * (k / sides));
+    append(to);
+  }
+  return division;
+}
 
 /// An edge between an inner node and one copy of a boundary node.
 struct InnerEdge {
@@ -67,10 +99,11 @@ std::vector<SizeSource> sourcesAtDoubleEdges(const PlanarMesh& mesh) {
 }  // namespace
 
 TrimmedMesher::TrimmedMesher(const TrimmedModel& model, const SizeField& field,
-                             std::uint32_t maxTetrahedra)
+                             std::uint32_t maxTetrahedra, std::vector<std::vector<double>> stations)
     : model_(&model),
       field_(&field),
       maxTetrahedra_(maxTetrahedra),
+      stations_(std::move(stations)),
       separated_(model.faces.size()) {}
 
 MeshStatus TrimmedMesher::advance(std::uint32_t budget) {
@@ -163,12 +196,19 @@ bool TrimmedMesher::addSourcesAtBentEdges() {
   return true;
 }
 
+LineDivision TrimmedMesher::divisionOf(LineId edge) const {
+  const std::uint32_t minSides = minSides_[edge.index()];
+  const bool hasStations = !stations_.empty() && !stations_[edge.index()].empty();
+  if (hasStations) return divideBetween(curveOf(edge), *field_, minSides, stations_[edge.index()]);
+  return divideLine(curveOf(edge), *field_, minSides, NullSurfaceTrace{});
+}
+
 /// Divides every edge, also after a failure, so that the user gets all diagnostics at once.
 Task<> TrimmedMesher::divideEachEdge(Work& work) {
   for (const LineId edge : IdRange<LineId>(model_->edges.size())) {
     if (isUsed_[edge.index()] == 0) continue;
     LineDivision& division = lines_.divisions[edge.index()];
-    division = divideLine(curveOf(edge), *field_, minSides_[edge.index()], NullSurfaceTrace{});
+    division = divisionOf(edge);
     if (division.status == LineDivisionStatus::kOutsideGrid)
       diagnostics_.push_back(diagnose<DiagnosticCode::kOutsideBackgroundGrid>()
                                  .about({entityOf(edge)})

@@ -26,9 +26,11 @@ class TrimmedMesher {
  public:
   /// All references, splines and frames of `model` must be valid, and its positions finite: they are not checked here.
   /// Model and field must outlive this.
-  /// Diagnostics quote `maxTetrahedra`.
+  /// Diagnostics quote `maxTetrahedra`. `stations`: parameters per edge at which it must have nodes, ascending from 0 to 1, or none;
+  /// empty if no edge has any.
   TrimmedMesher(const TrimmedModel& model, const SizeField& field,
-                std::uint32_t maxTetrahedra = MeshOptions{}.maxTetrahedra);
+                std::uint32_t maxTetrahedra = MeshOptions{}.maxTetrahedra,
+                std::vector<std::vector<double>> stations = {});
 
   /// Does about `budget` units of work, as SurfaceMesher::advance(). Returns kRunning, kDone, or kInvalidInput if there
   /// are diagnostics. In them, lines are edges and patches are faces.
@@ -43,6 +45,8 @@ class TrimmedMesher {
   /// counter-clockwise seen from outside the solid behind their face; their patch is the index of the face.
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
   [[nodiscard]] SurfaceMesh takeMesh() { return std::move(mesh_); }
+  /// The divided edges; complete after kDone.
+  [[nodiscard]] const DividedLines& lines() const { return lines_; }
 
  private:
   /// The inner nodes and the triangles of one face. Inner nodes have the ids that follow those of all edges.
@@ -61,6 +65,7 @@ class TrimmedMesher {
 
   void findUsedEdges();
   void findMinSides();
+  [[nodiscard]] LineDivision divisionOf(LineId edge) const;
   bool addSourcesAtBentEdges();
   void numberNodes();
   void writeEdges();
@@ -78,6 +83,7 @@ class TrimmedMesher {
   const TrimmedModel* model_;
   const SizeField* field_;
   std::uint32_t maxTetrahedra_;
+  std::vector<std::vector<double>> stations_;
   std::optional<SizeField>
       gradedField_;                      ///< the field with sizes that grow from bent edges, if any
   std::vector<std::uint8_t> isUsed_;     ///< per edge: it has a curve, and a face uses it

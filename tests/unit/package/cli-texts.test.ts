@@ -60,13 +60,18 @@ describe("shapes of patches", () => {
 });
 
 describe("a remeshing as text", () => {
-  const textOf = (details: number, whole: string, failedFaces: readonly number[] = []): string =>
+  const textOf = (
+    details: number,
+    whole: string,
+    failedFaces: readonly number[] = [],
+    onFaces = false,
+  ): string =>
     remeshText(
       {
         ...{ given: 12, triangles: 40, size: 1, minSize: 0.1, tolerance: 0.01, deviation: 0.02 },
         ...{ givenVolume: 1, volume: 1 },
         ...{ patches: 6, featureLines: 12, smallestAngle: 30, meanRadiusRatio: 0.9 },
-        ...{ onFaces: false, failedFaces, isPartial: false },
+        ...{ onFaces, failedFaces, isPartial: false },
         mergedDetails: Array.from({ length: details }, (_, i) => ({ from: [i, 0, 0], onto: [i, 0.5, 0] })),
       },
       whole,
@@ -87,6 +92,9 @@ describe("a remeshing as text", () => {
     expect(reasonFor([3, 6])).toBe(`${before}face 4 and face 7 cannot be triangulated on their surfaces`);
     expect(reasonFor([0, 1, 2, 3, 4])).toContain("face 1, face 2, face 3, face 4 and face 5 cannot");
     expect(reasonFor([0, 1, 2, 3, 4, 5, 6])).toContain("face 4, face 5 and 2 more cannot");
+    expect(textOf(0, "", [3], true).split("; ")[0]).toBe(
+      "remeshed: 12 triangles before, 40 after, on the surfaces of the faces, except face 4, which cannot be triangulated on its surface: there, the given triangles were changed",
+    );
   });
 
   test("names all of a few dropped details", () => {

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, test } from "vitest";
 import { lengthOf, minus, pointOf } from "../../../wasm/dist/base/vectors.js";
 import { partsOfBrep, trimmedModelOfBrep } from "../../../wasm/dist/cad/brep-model.js";
 import { evaluate, withShape } from "../../../wasm/dist/cad/features/evaluate.js";
-import { brepOfFile } from "../../../wasm/dist/cad/features/import.js";
+import { partOfFile } from "../../../wasm/dist/cad/features/import.js";
 import type { Feature } from "../../../wasm/dist/cad/features/feature.js";
 import { edgeName } from "../../../wasm/dist/cad/features/named-solid.js";
 import type { FeatureKernel } from "../../../wasm/dist/cad/features/session.js";
@@ -19,7 +19,7 @@ import {
   UPRIGHT,
 } from "../../support/features.js";
 import { testKernel } from "../../support/kernel-shapes.js";
-import { drilledSolid, stepFile } from "../../support/step-files.js";
+import { boxSolid, drilledSolid, stepFile } from "../../support/step-files.js";
 import { curveAt, edgeOf, surfaceAt, surfaceOf } from "../../support/trimmed-surfaces.js";
 
 let kernel: FeatureKernel;
@@ -44,7 +44,7 @@ describe("a file as the first feature", () => {
     ["mm", 1],
     ["cm", 0.1],
   ])("has the size of the file in %s, and takes holes", (_, scale) => {
-    const brep = brepOfFile(kernel, { format: "step", bytes: drilled, scale });
+    const { brep } = partOfFile(kernel, { format: "step", bytes: drilled, scale });
     const whole: Feature = { id: 1, type: "import", operation, brep };
     const before = measured(kernel, [whole]);
     expect(before.failures).toEqual([]);
@@ -56,14 +56,32 @@ describe("a file as the first feature", () => {
     expect(after.volume).toBeCloseTo(before.volume - PI / 64, 9);
     const text = new TextEncoder().encode(brep);
     expect(
-      measured(kernel, [{ ...whole, brep: brepOfFile(kernel, { format: "brep", bytes: text, scale: 1 }) }])
+      measured(kernel, [{ ...whole, ...partOfFile(kernel, { format: "brep", bytes: text, scale: 1 }) }])
         .volume,
     ).toBeCloseTo(before.volume, 9);
   });
 
+  test("keeps the names and colours of its faces", () => {
+    const red = [0.8, 0.1, 0.2] as const;
+    const colors = [undefined, red];
+    const solids = [1, 2].map((k) => boxSolid("box", [3 * k, 0, 0], [k, k, k], { colors }));
+    let face = 0;
+    const text = new TextDecoder().decode(stepFile(solids));
+    const named = text.replaceAll("ADVANCED_FACE('',", () => `ADVANCED_FACE('side ${++face}',`);
+    const bytes = new TextEncoder().encode(named);
+    const { looks, brep } = partOfFile(kernel, { format: "step", bytes, scale: 0.1 });
+    expect(looks?.map(({ name }) => name)).toEqual(Array.from({ length: 12 }, (_, f) => `side ${f + 1}`));
+    looks?.forEach(({ color }, f) => {
+      if (f % 6 !== 1) expect(color).toBeUndefined();
+      else red.forEach((part, k) => expect(color?.[k]).toBeCloseTo(part, 12));
+    });
+    const { faces } = measured(kernel, [{ id: 1, type: "import", operation, brep }]);
+    expect(faces).toEqual(looks?.map((_, f) => `1/face ${f + 1}`));
+  });
+
   test("is refused without a solid", () => {
     const bytes = new TextEncoder().encode("ISO-10303-21;");
-    expect(() => brepOfFile(kernel, { format: "step", bytes, scale: 1 })).toThrow("no solid");
+    expect(() => partOfFile(kernel, { format: "step", bytes, scale: 1 })).toThrow("no solid");
   });
 });
 

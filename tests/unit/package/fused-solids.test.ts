@@ -184,12 +184,14 @@ test.each(Object.keys(cases))(
     const { mesh, report } = made;
     expect(report.remesh?.failedFaces).toEqual([]);
     if (!hasCusp) expect(report.remesh).toMatchObject({ onFaces: true, placement: { unplaced: 0 } });
+    const { placed = 0, unplaced = Infinity } = report.remesh?.placement ?? {};
+    expect(unplaced / placed).toBeLessThan(0.025);
     expect(report.dihedral.min).toBeGreaterThan(15);
     expect(defectsOf(mesh, mesh)).toEqual(NO_DEFECTS);
     const found = volumesOf(mesh);
     expect(found).toHaveLength(volumes.length);
     found.forEach((volume, region) => {
-      expect(Math.abs(volume / (volumes[region] ?? 0) - 1)).toBeLessThan(hasCusp ? 5e-3 : 2e-4);
+      expect(Math.abs(volume / (volumes[region] ?? 0) - 1)).toBeLessThan(hasCusp ? 1e-3 : 2e-4);
     });
     const areas = interfacesOf(mesh);
     expect(Object.keys(areas).sort()).toEqual(Object.keys(interfaces).sort());
@@ -228,6 +230,16 @@ test("faces keep their names, numbers and colours when they are cut", async () =
   expect(names).toEqual([...own, "solid 1 / solid 2"].sort());
 }, 60_000);
 
+test("a solid that is inside out shares its faces, too", async () => {
+  const solids = [box([0, 0, 0], [2, 2, 2]), box([2, 0, 0], [2, 2, 2]).Reversed()];
+  const text = kernel.BRepToolsWrapper.Write(together(kernel, solids));
+  folder.save("inside out.brep", new TextEncoder().encode(text));
+  const made = await meshFile(folder.inFolder("inside out.brep"));
+  if (!made.success) throw new Error(made.message);
+  expect(made.report.remesh).toMatchObject({ onFaces: true, placement: { unplaced: 0 } });
+  expect(Math.abs(made.report.volume - 16)).toBeLessThan(1e-9);
+}, 60_000);
+
 test("solids that overlap are treated as triangles, with a message", async () => {
   const made = await meshFile(save("overlap", [box([0, 0, 0], [2, 2, 2]), box([1, 1, 1], [2, 2, 2])]));
   if (!made.success) throw new Error(made.message);
@@ -246,4 +258,24 @@ test("solids are read without common faces if the search for these takes too lon
   // The faces of the plate and of the head are cut.
   expect(countsOf(apart)).toEqual([7, 5]);
   expect(countsOf(shared)).toEqual([8, 5]);
+}, 60_000);
+
+test("solids are fused once if they are triangulated again for a small size", async () => {
+  const bytes = stepOf(kernel, together(kernel, [drilledPlate(), bolt()]));
+  const coarse = await askForCad(
+    { format: "step", bytes, deflection: DEFLECTION, keepsBare: true },
+    undefined,
+  );
+  if (coarse.kind !== "read") throw new Error("the file was not read");
+  const deflection = { distance: 0.001, isRelative: false, angle: DEFLECTION.angle };
+  const question = { format: "step", bytes, deflection } as const;
+  // A search would have no time.
+  const again = await askForCad({ ...question, bare: coarse.bare }, undefined, { sharing: 0 });
+  const direct = await askForCad(question, undefined);
+  if (again.kind !== "read" || direct.kind !== "read") throw new Error("the file was not triangulated");
+  expect(again.areApart).toBeUndefined();
+  const countsOf = ({ shapes }: typeof again) =>
+    shapes.map(({ triangles, trueFaces }) => [triangles.length, trueFaces?.faceCount]);
+  expect(countsOf(again)).toEqual(countsOf(direct));
+  expect(countsOf(again)).not.toEqual(countsOf(coarse));
 }, 60_000);

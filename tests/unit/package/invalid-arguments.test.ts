@@ -339,7 +339,7 @@ const TESTED_ELSEWHERE = [
   // Their callers have checked what they pass.
   "bodyBox",
   "featureSolid",
-  "brepOfFile",
+  "partOfFile",
   "drawnSolid",
   "importKernel",
   "TimeLeft",

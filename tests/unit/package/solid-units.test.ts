@@ -5,7 +5,8 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { connectedGroups } from "../../../wasm/dist/base/connected-groups.js";
 import { inSteps } from "../../../wasm/dist/calls/yielder.js";
 import { solidsOfPatches } from "../../../wasm/dist/formats/patch-solids.js";
-import { nearPairs, solidUnits } from "../../../wasm/dist/formats/solid-units.js";
+import { nearPairs } from "../../../wasm/dist/base/boxes.js";
+import { solidUnits } from "../../../wasm/dist/formats/solid-units.js";
 import { stlText } from "../../support/surface-files.js";
 import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 

@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { createBody, type SolidFeature } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { drawnSurface, withoutInnerEdges } from "../../../web/document/drawn-surface";
-import { faceLabel, featureLabel } from "../../../web/document/operations/feature-names";
+import { faceLabel, faceLook, featureLabel } from "../../../web/document/operations/feature-names";
 import { startOf } from "../../../web/document/operations/start";
 
 const place = { position: [0, 0, 0], axis: [0, 0, 1] } as const;
@@ -14,11 +14,12 @@ const features: readonly SolidFeature[] = [
   { id: 9, type: "fillet", edges: [], radius: 0.1 },
   { id: 10, type: "shell", openFaces: [], thickness: 0.1, name: "skin" },
   { id: 11, type: "linear-array", step: [1, 0, 0], count: 3 },
+  { id: 12, type: "import", operation: "new", brep: "", looks: [{ name: "seat", color: [1, 0, 0] }, {}] },
 ];
 
 test("features are counted by kind, and may have names of their own", () => {
   const labels = features.map(({ id }) => featureLabel(features, id));
-  expect(labels).toEqual(["Box 1", "Fillet 1", "Hole 1", "Fillet 2", "skin", "Linear array 1"]);
+  expect(labels).toEqual(["Box 1", "Fillet 1", "Hole 1", "Fillet 2", "skin", "Linear array 1", "Part 1"]);
 });
 
 test.each([
@@ -29,9 +30,21 @@ test.each([
   ["5/side#2", "Hole 1 wall 2"],
   ["10/inner 3/top", "skin inner top"],
   ["11/2 3/top", "Linear array 1 2 top"],
+  ["12/face 1", "seat"],
+  ["12/face 1#2", "seat 2"],
+  ["12/face 2", "Part 1 face 2"],
   ["77/top", "77/top"],
 ])("the face %s is called %s", (origin, label) => {
   expect(faceLabel(features, origin)).toBe(label);
+});
+
+test("faces of a file have its colours", () => {
+  const colorOf = (origin: string) => faceLook(features, origin)?.color;
+  expect(["12/face 1", "12/face 1#2"].map(colorOf)).toEqual([
+    [1, 0, 0],
+    [1, 0, 0],
+  ]);
+  expect(["12/face 2", "12/face 3", "3/face 1"].map(colorOf)).toEqual([undefined, undefined, undefined]);
 });
 
 /** Two squares of two triangles each, which meet at a right angle. */

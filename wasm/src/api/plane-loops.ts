@@ -50,7 +50,8 @@ function coordinates(loop: PlaneLoop): Float64Array {
   return isA("Float64Array", loop) ? (loop as Float64Array) : Float64Array.from((loop as []).flat());
 }
 
-function firstOf<Item, Found>(
+/** Returns the first thing that is found in items. */
+export function firstOf<Item, Found>(
   items: readonly Item[],
   find: (item: Item, index: number) => Found | undefined,
 ): Found | undefined {

@@ -5,7 +5,7 @@ import { LIMITS, limitText } from "../base/limits.js";
 import { objectWith } from "../calls/schemas.js";
 import { type GridArrays, MAX_LENGTH, MIN_LENGTH, SOURCE_GROWTH } from "../generated/constants.js";
 import type { PlaneNode, PlaneSizes, PlaneSource, UnfilledPlane } from "./plane-types.js";
-import { anyNumber, type PlaneLoops, positionSchema } from "./plane-loops.js";
+import { anyNumber, firstOf, type PlaneLoops, positionSchema } from "./plane-loops.js";
 
 const sourcesSchema = v.optional(
   v.array(
@@ -43,7 +43,7 @@ export function planeField(sizes: PlaneSizes, loops: PlaneLoops): PlaneField | U
   const given = typeof sizes === "number" ? { size: sizes } : sizes;
   const { sources = [] } = given;
   const problem =
-    firstOf(sources, sourceProblem, "source") ??
+    firstOf(sources, (source, index) => sourceProblem(source, `source ${index}`)) ??
     ("nodes" in given ? nodesProblem(given.nodes) : numberProblem("the size", given.size, sizeRange));
   if (problem !== undefined) {
     const remedy = "Pass a positive size, or one for each node, in the units of the polygon.";
@@ -72,18 +72,6 @@ function numberProblem(name: string, value: number, { min, max }: Range): string
     : `${name} is ${value}, but must be from ${limitText(min)} to ${limitText(max)}`;
 }
 
-function firstOf<Item>(
-  items: readonly Item[],
-  problemOf: (item: Item, name: string) => string | undefined,
-  kind: string,
-): string | undefined {
-  for (const [index, item] of items.entries()) {
-    const problem = problemOf(item, `${kind} ${index}`);
-    if (problem !== undefined) return problem;
-  }
-  return undefined;
-}
-
 const coordinateRange: Range = { min: -MAX_LENGTH, max: MAX_LENGTH };
 
 function sourceProblem({ position: [x, y], size, distance = 0, growth = 0 }: PlaneSource, name: string) {
@@ -97,7 +85,9 @@ function sourceProblem({ position: [x, y], size, distance = 0, growth = 0 }: Pla
 }
 
 const nodesProblem = (nodes: readonly PlaneNode[]): string | undefined =>
-  nodes.length === 0 ? "there is no size" : firstOf(nodes, nodeProblem, "node");
+  nodes.length === 0
+    ? "there is no size"
+    : firstOf(nodes, (node, index) => nodeProblem(node, `node ${index}`));
 
 function nodeProblem(
   { position: [x, y], size, stretching = 1, direction: [dx, dy] = plainDirection }: PlaneNode,

@@ -1,10 +1,10 @@
 /** The solids of an STL file that are prepared by themselves, because others of the file touch; and what became of all of them. */
+import { nearPairs } from "../base/boxes.js";
 import { connectedGroups } from "../base/connected-groups.js";
 import { inSteps } from "../calls/yielder.js";
 import { solidsOfPatches } from "../formats/patch-solids.js";
 import {
   boxOf,
-  nearPairs,
   partOfSolids,
   solidUnits,
   type SolidsSurface,

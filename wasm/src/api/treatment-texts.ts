@@ -42,14 +42,15 @@ function placementText({ placed, unplaced, largestMove }: NodePlacement): string
 }
 
 function facesText({ onFaces, failedFaces }: RemeshReport): string {
-  if (onFaces) return ", on the surfaces of the faces";
-  if (failedFaces.length === 0) return "";
+  if (failedFaces.length === 0) return onFaces ? ", on the surfaces of the faces" : "";
   const names = failedFaces.slice(0, LISTED).map((face) => `face ${face + 1}`);
   const more = failedFaces.length - names.length;
   const last = more > 0 ? `${more} more` : names.pop();
   const named = names.length > 0 ? `${names.join(", ")} and ${last}` : last;
-  const where = failedFaces.length > 1 ? "their surfaces" : "its surface";
-  return `, by changing the given triangles, because ${named} cannot be triangulated on ${where}`;
+  const where = `cannot be triangulated on ${failedFaces.length > 1 ? "their surfaces" : "its surface"}`;
+  return onFaces
+    ? `, on the surfaces of the faces, except ${named}, which ${where}: there, the given triangles were changed`
+    : `, by changing the given triangles, because ${named} ${where}`;
 }
 
 /**

@@ -50,17 +50,15 @@ type CadQuestion = Omit<CadRequest, "library" | "sharesFaces">;
 
 /**
  * Resolves with the reply of the worker; a crash of the worker and the end of its times are replies, too. If it does not get to the
- * end of the search for faces that solids share, another one reads the file without, as the first does unless `canShare`. Rejects with a `MesherError` of code
- * `cancelled` if the signal is aborted.
+ * end of the search for faces that solids share, another one reads the file without. A question with the bare shape needs no
+ * search. Rejects with a `MesherError` of code `cancelled` if the signal is aborted.
  */
 export async function askForCad(
   question: CadQuestion,
   signal: AbortSignal | undefined,
   limits: CadLimits = {},
-  canShare = true,
 ): Promise<CadReply> {
-  const { reply, hasShared } = await answerTo({ ...question, sharesFaces: canShare }, signal, limits);
-  if (!canShare) return reply.kind === "read" ? { ...reply, areApart: true } : reply;
+  const { reply, hasShared } = await answerTo({ ...question, sharesFaces: true }, signal, limits);
   if (reply.kind === "read" || !hasShared) return reply;
   const { reply: apart } = await answerTo({ ...question, sharesFaces: false }, signal, limits);
   return apart.kind === "read" ? { ...apart, areApart: true } : apart;

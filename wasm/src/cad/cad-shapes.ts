@@ -1,10 +1,9 @@
 /** The solids of a file as triangles and as true faces, from the text in which the kernel hands them out. */
 import { kindsOfBrep, partsOfBrep } from "./brep-model.js";
 import { modelTrianglesOf, trianglesOf } from "./brep-triangles.js";
-import type { FileTexts } from "./kernel.js";
 import { numbersOf } from "./model-numbers.js";
-import type { CadShape } from "./protocol.js";
-import { looksOf } from "./step-looks.js";
+import type { CadShape, FileTexts } from "./protocol.js";
+import { looksOf, ownName } from "./step-looks.js";
 
 /**
  * Returns the solids of a shape, and faces that bound none. Solids that share faces have those of the file, in parts. `step`: text of
@@ -45,6 +44,3 @@ export function cadShapesOf({ text, given }: FileTexts, step: string | undefined
     };
   });
 }
-
-/** Returns the name of a face; undefined for what programs write where it has none. */
-const ownName = (name: string): string | undefined => (/^(NONE)?$/i.test(name) ? undefined : name);

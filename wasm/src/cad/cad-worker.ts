@@ -2,7 +2,7 @@
 import { cadPort } from "#cad-port";
 import { cadShapesOf } from "./cad-shapes.js";
 import { crashOf } from "./crash.js";
-import { fileTexts } from "./kernel.js";
+import { fileTexts, triangulatedTexts } from "./kernel.js";
 import type { CadKernel } from "./kernel-classes.js";
 import { QUIET, readByOpenCascade } from "./opencascade.js";
 import type { CadReply, CadRequest } from "./protocol.js";
@@ -26,14 +26,19 @@ async function loadedKernel({ library }: CadRequest): Promise<CadKernel | undefi
   }
 }
 
-function readByKernel(kernel: CadKernel, { format, bytes, deflection, sharesFaces }: CadRequest): CadReply {
+function readByKernel(kernel: CadKernel, request: CadRequest): CadReply {
+  const { format, bytes, deflection, sharesFaces } = request;
   if (format === "iges") return { kind: "rejected" };
   try {
     const onSharing = sharesFaces ? () => cadPort.post({ kind: "sharing" }, []) : undefined;
-    const texts = fileTexts(kernel, { format, bytes }, deflection, onSharing);
+    const { bare: given, keepsBare } = request;
+    const texts = given
+      ? { ...triangulatedTexts(kernel, given, deflection), bare: undefined }
+      : fileTexts(kernel, { format, bytes }, deflection, { onSharing, keepsBare });
     if (texts === undefined) return { kind: "rejected" };
     const step = format === "step" ? new TextDecoder("latin1").decode(bytes) : undefined;
-    return { kind: "read", shapes: cadShapesOf(texts, step) };
+    const shapes = cadShapesOf(texts, step);
+    return { kind: "read", shapes, bare: texts.bare };
   } catch (failure) {
     return crashOf(failure);
   }

@@ -1,6 +1,7 @@
 /** Solids of a shape that touch each other, cut along common parts of their faces by the kernel's general fuse. */
+import { nearPairs } from "../base/boxes.js";
 import { connectedGroups } from "../base/connected-groups.js";
-import type { Box, CadKernel, EnumEntry, Hold, Shape, ShapeList } from "./kernel-classes.js";
+import type { CadKernel, EnumEntry, Hold, Shape, ShapeList } from "./kernel-classes.js";
 
 /** A shape whose solids share what they have in common: faces, edges and vertices. */
 export interface FusedShape {
@@ -18,7 +19,7 @@ interface Solid {
 
 /**
  * Returns a shape with its solids fused; undefined if it has fewer than two, faces without a solid, or no solids that share
- * anything. Solids that overlap keep their faces, with those that touch them: the fuse would divide them. `hold` frees the result;
+ * anything. Solids that are inside out are turned. Solids that overlap keep their faces, with those that touch them: the fuse would divide them. `hold` frees the result;
  * `onSharing` is called before the first fuse.
  */
 export function fusedSolids(
@@ -34,13 +35,13 @@ export function fusedSolids(
   const solids = given.map((one): Solid => ({ shape: one, origins: [...facesOf(kernel, one, hold).keys()] }));
   let isChanged = false;
   onSharing?.();
-  const groups = connectedGroups(given.length, nearPairs(kernel, given, hold)).filter(
+  const groups = connectedGroups(given.length, nearShapes(kernel, given, hold)).filter(
     (group) => group.length > 1,
   );
   for (const group of groups) {
     const made = fusedGroup(
       kernel,
-      group.flatMap((s) => given[s] ?? []),
+      group.map((s) => outward(kernel, given[s] as Shape, hold)),
       hold,
     );
     for (const [k, solid] of (made ?? []).entries()) {
@@ -98,15 +99,24 @@ const hashOf = (kernel: CadKernel, shape: Shape): number =>
   kernel.ReplicadShapeHasher.HashCode(shape, 0x7fffffff);
 
 /** Returns pairs of shapes whose boxes, with their tolerances, touch. */
-function nearPairs(kernel: CadKernel, shapes: readonly Shape[], hold: Hold): [number, number][] {
-  const boxes = shapes.map((shape): Box => {
+function nearShapes(kernel: CadKernel, shapes: readonly Shape[], hold: Hold) {
+  const boxes = shapes.map((shape) => {
     const box = hold(new kernel.Bnd_Box());
     kernel.BRepBndLib.Add(shape, box, false);
-    return box;
+    if (box.IsVoid()) return { low: [Infinity], high: [-Infinity] };
+    return {
+      low: [box.GetXMin(), box.GetYMin(), box.GetZMin()],
+      high: [box.GetXMax(), box.GetYMax(), box.GetZMax()],
+    };
   });
-  return boxes.flatMap((one, i) =>
-    boxes.flatMap((other, j): [number, number][] => (j < i && !one.IsOut(other) ? [[j, i]] : [])),
-  );
+  return nearPairs(boxes);
+}
+
+/** Returns a solid with its faces outward: inside out, it would be all of space but itself, and overlap all others. */
+function outward(kernel: CadKernel, solid: Shape, hold: Hold): Shape {
+  const properties = hold(new kernel.GProp_GProps());
+  kernel.BRepGProp.VolumeProperties(solid, properties, false, false, false);
+  return properties.Mass() < 0 ? hold(solid.Reversed()) : solid;
 }
 
 function facesOf(kernel: CadKernel, shape: Shape, hold: Hold): Shape[] {

@@ -8,7 +8,7 @@ export interface Held {
 /** An entry of one of the kernel's enumerations. */
 export type EnumEntry = string & { readonly isEnumEntry: true };
 
-export type Shape = Held & { IsNull(): boolean; IsSame(other: Shape): boolean };
+export type Shape = Held & { IsNull(): boolean; IsSame(other: Shape): boolean; Reversed(): Shape };
 
 interface StepReader extends Held {
   ReadFile(path: string): EnumEntry;
@@ -29,8 +29,7 @@ interface Explorer extends Held {
   Current(): Shape;
 }
 
-export interface Box extends Held {
-  IsOut(other: Box): boolean;
+interface Box extends Held {
   IsVoid(): boolean;
   GetXMin(): number;
   GetXMax(): number;
@@ -38,6 +37,10 @@ export interface Box extends Held {
   GetYMax(): number;
   GetZMin(): number;
   GetZMax(): number;
+}
+
+interface Properties extends Held {
+  Mass(): number;
 }
 
 interface GeneralFuse extends Held {
@@ -74,6 +77,16 @@ export interface CadKernel {
   readonly TopoDS_Compound: new () => Shape;
   readonly BRepAlgoAPI_BuilderAlgo: new () => GeneralFuse;
   readonly Bnd_Box: new () => Box;
+  readonly GProp_GProps: new () => Properties;
+  readonly BRepGProp: {
+    VolumeProperties(
+      shape: Shape,
+      properties: Properties,
+      isClosed: boolean,
+      skipsShared: boolean,
+      usesTriangles: boolean,
+    ): void;
+  };
   readonly BRepBndLib: { Add(shape: Shape, box: Box, usesTriangles: boolean): void };
   /** Triangulates a shape. The distance is relative to the size of each edge if `isRelative`. */
   readonly BRepMesh_IncrementalMesh: new (

@@ -4,9 +4,9 @@
  * ourselves. docs/CAD.md says why.
  */
 import { trimmedModelOfBrep } from "./brep-model.js";
-import { fusedSolids, type FusedShape } from "./fused-solids.js";
+import { fusedSolids } from "./fused-solids.js";
 import type { CadKernel, Held, Hold, Shape } from "./kernel-classes.js";
-import type { Deflection } from "./protocol.js";
+import type { Deflection, FileTexts } from "./protocol.js";
 import { withLooks } from "./step-looks.js";
 import { CadFileError, type TrimmedModel } from "./trimmed-model.js";
 
@@ -43,31 +43,39 @@ export async function readTrimmedModel(
   return format === "step" ? withLooks(model, textOf(bytes)) : model;
 }
 
-/** The shape of a file as the texts of BREP files. */
-export interface FileTexts {
-  /** With triangles within a distance of its faces. Solids that touch share what they have in common. */
-  readonly text: string;
-  /** If solids share something: the shape as it is in the file, and the faces there. */
-  readonly given?: { readonly text: string; readonly origins: FusedShape["origins"] } | undefined;
+interface TextOptions {
+  /** Called before the search for what solids share, which may take long or fail; without it, there is none. */
+  readonly onSharing?: (() => void) | undefined;
+  /** Whether the texts are returned without triangles, too. */
+  readonly keepsBare?: boolean | undefined;
 }
 
 /**
- * Returns the shape of a file; undefined if the kernel rejects the file. `onSharing` is called before the search for what solids share,
- * which may take long or fail; without it, there is none. Throws what the kernel throws; then it must not be used again.
+ * Returns the shape of a file; undefined if the kernel rejects the file. Throws what the kernel throws; then it must not be used again.
  */
 export function fileTexts(
   kernel: CadKernel,
   file: Pick<ModelRequest, "format" | "bytes">,
   deflection: Deflection,
-  onSharing?: () => void,
-): FileTexts | undefined {
+  { onSharing, keepsBare = false }: TextOptions = {},
+): (FileTexts & { readonly bare: FileTexts | undefined }) | undefined {
   return withHeld((hold) => {
     const shape = shapeIn(kernel, file, hold);
     if (shape === undefined) return undefined;
     const fused = onSharing === undefined ? undefined : fusedSolids(kernel, shape, hold, onSharing);
-    if (fused === undefined) return { text: textOfShape(kernel, shape, deflection, hold) };
-    const given = { text: kernel.BRepToolsWrapper.Write(shape), origins: fused.origins };
-    return { text: textOfShape(kernel, fused.shape, deflection, hold), given };
+    const write = (one: Shape) => kernel.BRepToolsWrapper.Write(one);
+    const given = fused && { text: write(shape), origins: fused.origins };
+    const made = fused?.shape ?? shape;
+    const bare = keepsBare ? { text: write(made), given } : undefined;
+    return { text: textOfShape(kernel, made, deflection, hold), given, bare };
+  });
+}
+
+/** Returns texts without triangles with some. Throws what the kernel throws. */
+export function triangulatedTexts(kernel: CadKernel, bare: FileTexts, deflection: Deflection): FileTexts {
+  return withHeld((hold) => {
+    const shape = hold(kernel.BRepToolsWrapper.Read(bare.text));
+    return { ...bare, text: textOfShape(kernel, shape, deflection, hold) };
   });
 }
 

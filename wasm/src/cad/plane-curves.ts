@@ -1,5 +1,6 @@
 /** Ends, bounds and parameters of curves in the parameter plane. */
-import type { PlaneCurve, PlaneFrame, PlaneVector, SplineCurve } from "./trimmed-model.js";
+import { splineAt } from "./splines.js";
+import type { PlaneCurve, PlaneFrame, PlaneVector } from "./trimmed-model.js";
 
 const onFrame = ({ origin, x, y }: PlaneFrame, r: number, s: number): PlaneVector => [
   origin[0] + r * x[0] + s * y[0],
@@ -20,33 +21,9 @@ function positionOn(curve: PlaneCurve, t: number): PlaneVector {
     case "ellipse":
       return onFrame(curve.frame, curve.radius * Math.cos(t), curve.minorRadius * Math.sin(t));
     case "spline":
-      return onSpline(curve.spline, t);
+      return splineAt(curve.spline, t, 2) as unknown as PlaneVector;
   }
 }
-
-/** De Boor's algorithm in homogeneous coordinates. */
-function onSpline({ degree, knots, poles, weights }: SplineCurve, t: number): PlaneVector {
-  const count = poles.length / 2;
-  let span = degree;
-  while (span + 1 < count && t >= (knots[span + 1] ?? 0)) span++;
-  const rows = Array.from({ length: degree + 1 }, (_, k) => {
-    const pole = span - degree + k;
-    const weight = weights[pole] ?? 1;
-    return [(poles[2 * pole] ?? 0) * weight, (poles[2 * pole + 1] ?? 0) * weight, weight] as const;
-  });
-  for (let level = 1; level <= degree; level++)
-    for (let k = degree; k >= level; k--) {
-      const low = knots[span - degree + k] ?? 0;
-      const high = knots[span + 1 + k - level] ?? 0;
-      const part = (t - low) / (high - low);
-      const [a, b] = [rows[k - 1] ?? ZERO, rows[k] ?? ZERO];
-      rows[k] = [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])];
-    }
-  const [u, v, weight] = rows[degree] ?? ZERO;
-  return [u / weight, v / weight];
-}
-
-const ZERO = [0, 0, 1] as const;
 
 /** Returns the lowest and the highest coordinates of a box that contains a curve over a range. */
 export function boundsOf(curve: PlaneCurve, range: PlaneVector): readonly [PlaneVector, PlaneVector] {

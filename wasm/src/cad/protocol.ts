@@ -23,8 +23,20 @@ export interface CadRequest {
   readonly deflection: Deflection;
   /** Whether solids that touch get common faces: the kernel's general fuse. */
   readonly sharesFaces: boolean;
+  /** Whether the reply has the shape without triangles, so that it can be triangulated more finely. */
+  readonly keepsBare?: boolean | undefined;
+  /** That shape, if the file was read before; the bytes are only needed for names and colours. */
+  readonly bare?: FileTexts | undefined;
   /** Node finds the libraries by their names. */
   readonly library: CadLibrary;
+}
+
+/** The shape of a file as the texts of BREP files. */
+export interface FileTexts {
+  /** Perhaps with triangles within a distance of its faces. Solids that touch share what they have in common. */
+  readonly text: string;
+  /** If solids share something: the shape as it is in the file, and per solid and face the given face of which it is a part. */
+  readonly given?: { readonly text: string; readonly origins: readonly (readonly number[])[] } | undefined;
 }
 
 /** Largest distance of the triangles from the CAD faces. */
@@ -82,6 +94,7 @@ export type CadReply =
   | {
       readonly kind: "read";
       readonly shapes: readonly CadShape[];
+      readonly bare?: FileTexts | undefined;
       /** Whether the search for common faces was given up. */
       readonly areApart?: true;
     }

@@ -54,6 +54,32 @@ export function picked(values: Float64Array, indices: readonly number[], size: n
   });
 }
 
+/**
+ * Returns the position of a spline, with `size` coordinates per pole: De Boor's algorithm on weighted poles. Outside of its knots, it is
+ * that at the nearest end.
+ */
+export function splineAt({ degree, knots, poles, weights }: SplineCurve, t: number, size: number): number[] {
+  const count = poles.length / size;
+  const knot = (k: number): number => knots[k] ?? 0;
+  const at = Math.min(Math.max(t, knot(degree)), knot(count));
+  let span = degree;
+  while (span + 1 < count && at >= knot(span + 1)) span++;
+  let rows = Array.from({ length: degree + 1 }, (_, k) => {
+    const pole = span - degree + k;
+    const weight = weights[pole] ?? 1;
+    const coordinates = Array.from(poles.subarray(size * pole, size * (pole + 1)), (x) => weight * x);
+    return [...coordinates, weight];
+  });
+  for (let level = 1; level <= degree; level++)
+    rows = rows.slice(1).map((row, k) => {
+      const begin = knot(span - degree + k + level);
+      const share = (at - begin) / (knot(span + 1 + k) - begin);
+      return row.map((x, axis) => (1 - share) * (rows[k]?.[axis] ?? 0) + share * x);
+    });
+  const [row = []] = rows;
+  return row.slice(0, size).map((x) => x / (row[size] ?? 1));
+}
+
 /** Returns the knots of one Bézier piece from 0 to 1. */
 export const bezierKnots = (degree: number): Knots => ({
   degree,

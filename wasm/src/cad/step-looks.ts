@@ -90,6 +90,9 @@ export function looksOf(text: string, solids: readonly (readonly string[])[]): (
   });
 }
 
+/** Returns the name of a face; undefined for what programs write where it has none. */
+export const ownName = (name: string): string | undefined => (/^(NONE)?$/i.test(name) ? undefined : name);
+
 class StepLooks {
   readonly #entities = new Map<string, Entity>();
   readonly #colors = new Map<string, CadColor>();

@@ -49,14 +49,15 @@ interface CadSource {
   readonly size: number | undefined;
 }
 
-type ReadShapes = Pick<Extract<CadReply, { readonly kind: "read" }>, "shapes" | "areApart">;
+type ReadShapes = Omit<Extract<CadReply, { readonly kind: "read" }>, "kind">;
 
 async function meshOf(
   { format, bytes, size }: CadSource,
   signal: AbortSignal | undefined,
   onWork: ((fraction: number) => void) | undefined,
 ): Promise<Mesh> {
-  const coarse = await shapesIn({ format, bytes, deflection: DEFLECTION }, signal);
+  const keepsBare = size !== undefined;
+  const coarse = await shapesIn({ format, bytes, deflection: DEFLECTION, keepsBare }, signal);
   const isFine = size === undefined || coarse.shapes.every(({ points }) => isFineFor(size, points));
   const read = isFine ? coarse : await finer(coarse, { format, bytes, size }, signal);
   const { shapes: used, areApart } = read;
@@ -147,10 +148,10 @@ async function finer(
   const distance = Math.max(PER_SIZE * size, FINEST * largest);
   const deflection = { distance, isRelative: false, angle: DEFLECTION.angle };
   const limits = { reading: secondsForFiner(bytes.length) };
-  const reply = await askForCad({ format, bytes, deflection }, signal, limits, coarse.areApart !== true);
+  const reply = await askForCad({ format, bytes, deflection, bare: coarse.bare }, signal, limits);
   if (reply.kind !== "read") return coarse;
   const shapes = reply.shapes.filter(hasTriangles);
-  return shapes.length > 0 ? { ...reply, shapes } : coarse;
+  return shapes.length > 0 ? { ...coarse, shapes } : coarse;
 }
 
 const hasTriangles = ({ triangles }: CadShape) => triangles.length > 0;

@@ -3,16 +3,11 @@
  * one file. Solids that may touch are prepared one by one until it is known which of them do: these become one surface. All
  * others are free, and one surface too.
  */
+import { type Box, nearPairs } from "../base/boxes.js";
 import { connectedGroups } from "../base/connected-groups.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { SurfaceRegions, Mesh } from "../mesh/mesh.js";
 import { noVolume } from "./boundary.js";
-
-/** A box that contains a solid. */
-export interface Box {
-  readonly low: readonly number[];
-  readonly high: readonly number[];
-}
 
 /** A surface whose solids are known. */
 export interface SolidsSurface extends Omit<Mesh, "surfaceRegions"> {
@@ -24,19 +19,6 @@ export interface SolidsPart extends SolidsSurface {
   /** Per triangle and per node: its index in the whole surface. */
   readonly wholeTriangles: Uint32Array;
   readonly wholeNodes: Uint32Array;
-}
-
-/** Returns the pairs of boxes that are not apart, as indices, the smaller first. */
-export function nearPairs(boxes: readonly Box[]): (readonly [number, number])[] {
-  return boxes.flatMap(({ low, high }, i) =>
-    boxes.slice(i + 1).flatMap((other, k) => {
-      const isApart = low.some((x, axis) => {
-        const [from = x, to = x] = [other.low[axis], other.high[axis]];
-        return x > to || (high[axis] ?? x) < from;
-      });
-      return isApart ? [] : [[i, i + 1 + k] as const];
-    }),
-  );
 }
 
 /** Returns whether a box lies inside another one and touches none of its sides. */

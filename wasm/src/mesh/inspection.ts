@@ -186,7 +186,10 @@ export interface SurfaceRemesh {
    * their nodes placed on the faces, if there are any.
    */
   readonly onFaces: boolean;
-  /** Numbers of faces that could not be triangulated on their surfaces, counted from 0 over all solids of the file. */
+  /**
+   * Numbers of faces that could not be triangulated on their surfaces, counted from 0 over all solids of the file. With `onFaces`,
+   * the given triangles were changed only on these faces and beside them.
+   */
   readonly failedFaces: readonly number[];
   /**
    * What `dropDetails` changed: each node of a sharp edge that was moved onto another one, from where to where. `deviation`

@@ -2,7 +2,17 @@
 import * as v from "valibot";
 import type { Feature } from "../cad/features/feature.js";
 import { objectWith } from "../calls/schemas.js";
-import { described, id, integer, listOf, name, number, reference, threeNumbers } from "./schema-parts.js";
+import {
+  color,
+  described,
+  id,
+  integer,
+  listOf,
+  name,
+  number,
+  reference,
+  threeNumbers,
+} from "./schema-parts.js";
 import { WORDS } from "./words.js";
 
 /** The features that a project stores. */
@@ -76,7 +86,12 @@ export const featureSchema: v.GenericSchema<unknown, SolidFeature> = v.pipe(
     }),
     objectWith({ ...piece, type: v.literal("sweep"), profile, path: loop }),
     objectWith({ ...piece, type: v.literal("sew"), faces: listOf(profile) }),
-    objectWith({ ...piece, type: v.literal("import"), brep: v.string() }),
+    objectWith({
+      ...piece,
+      type: v.literal("import"),
+      brep: v.string(),
+      looks: v.optional(listOf(objectWith({ name: v.optional(v.string()), color: v.optional(color) }))),
+    }),
     objectWith({ ...piece, type: v.literal("boolean"), tool: v.lazy(() => listOf(featureSchema)) }),
     objectWith({
       ...common,

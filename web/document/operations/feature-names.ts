@@ -1,3 +1,4 @@
+import type { FaceLook } from "tetrafront/internal";
 import type { SolidFeature } from "tetrafront/project";
 import { operationStrings } from "../../strings";
 
@@ -14,14 +15,23 @@ export function featureLabel(features: readonly SolidFeature[], id: number): str
   return `${capital(nouns[feature.type])} ${alike.indexOf(feature) + 1}`;
 }
 
+/** Returns what the file of a part says about a face or a piece of it, by its origin: `3/face 2`, `3/face 2#4`. */
+export function faceLook(features: readonly SolidFeature[], origin: string): FaceLook | undefined {
+  const [, id, face] = /^(\d+)\/face (\d+)(#\d+)?$/.exec(origin) ?? [];
+  const feature = features.find((one) => one.id === Number(id));
+  return feature?.type === "import" ? feature.looks?.[Number(face) - 1] : undefined;
+}
+
 /**
- * Returns the name of a face by its origin: "Box 1 top" of `3/top`, "Fillet 1 front–top" of `4/fillet 3/front|3/top`. Where a face
+ * Returns the name of a face by its origin: the one in its file, "Box 1 top" of `3/top`, "Fillet 1 front–top" of `4/fillet 3/front|3/top`. Where a face
  * comes from another one, only the place of that one is named.
  */
 export function faceLabel(features: readonly SolidFeature[], origin: string): string {
   const [, id = "", own = ""] = /^(\d+)\/(.*)$/.exec(origin) ?? [];
   const feature = features.find((one) => one.id === Number(id));
   if (!feature) return origin;
+  const given = faceLook(features, origin)?.name;
+  if (given !== undefined) return given + own.replace(/^[^#]*#?/, " ").trimEnd();
   const words = own
     .replace(/^(fillet|chamfer|mirror|tool) /, "")
     .replace(/\d+\//g, "")

@@ -46,6 +46,13 @@ interface Rotation {
   readonly angle: number;
 }
 
+/** What a CAD file says about a face. */
+export interface FaceLook {
+  readonly name?: string | undefined;
+  /** Red, green and blue from 0 to 1. */
+  readonly color?: Vector | undefined;
+}
+
 /** The kinds of features that have a piece, which an operation combines with the solid. */
 export interface PieceKinds {
   /** The position is the centre of the bottom. */
@@ -78,8 +85,8 @@ export interface PieceKinds {
   readonly sweep: { readonly profile: Profile; readonly path: Loop };
   /** The solid that plane faces enclose. Their loops meet along equal curves. */
   readonly sew: { readonly faces: readonly Profile[] };
-  /** The text of a BREP file. */
-  readonly import: { readonly brep: string };
+  /** The text of a BREP file; and the names and colours of its faces in their order, if the file had any. */
+  readonly import: { readonly brep: string; readonly looks?: readonly FaceLook[] | undefined };
   /** The solid of another list of features. */
   readonly boolean: { readonly tool: readonly Feature[] };
 }

@@ -1,4 +1,7 @@
 /** A CAD file as the first feature of a solid. */
+import { kindsOfBrep } from "../brep-model.js";
+import { looksOf, ownName } from "../step-looks.js";
+import type { FaceLook, PieceKinds } from "./feature.js";
 import { FeatureError, type FeatureKernel, Session } from "./session.js";
 
 export interface PartFile {
@@ -10,14 +13,35 @@ export interface PartFile {
 
 const PATH = "/part";
 
-/** Returns the solids of a file as the text of a BREP file. Throws a FeatureError if it has none. */
-export function brepOfFile(kernel: FeatureKernel, file: PartFile): string {
+/** What a file gives to the feature. */
+export type ImportedPart = PieceKinds["import"];
+
+/** Returns the solids of a file, with the names and colours of their faces. Throws a FeatureError if it has none. */
+export function partOfFile(kernel: FeatureKernel, file: PartFile): ImportedPart {
+  const brep = brepOfFile(kernel, file);
+  if (file.format !== "step") return { brep };
+  const kinds = kindsOfBrep(brep, "");
+  const found = looksOf(latin(file.bytes), kinds);
+  const looks = kinds.flatMap((own, s) =>
+    own.map((_, f): FaceLook => {
+      const { name = "", color } = found[s]?.faces[f] ?? {};
+      return { name: ownName(name), color };
+    }),
+  );
+  const areKnown = looks.some(({ name, color }) => name !== undefined || color !== undefined);
+  return areKnown ? { brep, looks } : { brep };
+}
+
+const latin = (bytes: Uint8Array): string => new TextDecoder("latin1").decode(bytes);
+
+/** Returns the solids of a file as the text of a BREP file. */
+function brepOfFile(kernel: FeatureKernel, file: PartFile): string {
   const session = new Session(kernel);
   try {
     const shape = session.hold(
       file.format === "step"
         ? stepShape(session, file.bytes)
-        : kernel.BRepToolsWrapper.Read(new TextDecoder("latin1").decode(file.bytes)),
+        : kernel.BRepToolsWrapper.Read(latin(file.bytes)),
     );
     const solids = shape.IsNull() ? [] : session.parts(shape, "solid");
     if (solids.length === 0)
