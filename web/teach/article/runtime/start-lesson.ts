@@ -8,6 +8,7 @@ import "../styles/pocket.css";
 import "../styles/slivers.css";
 import "../styles/race.css";
 import "../styles/sides.css";
+import "../styles/twins.css";
 import "../styles/dock.css";
 import "../styles/modes.css";
 import type { Value } from "../kit/values";

@@ -1,0 +1,130 @@
+/** Lesson 8: every structure gives the answer of the list, and the heap gives the side that the engine takes. */
+import { readFileSync } from "node:fs";
+import { loadPlaneFront } from "tetrafront/trace";
+import { describe, expect, test } from "vitest";
+import { Heap, heapFilm } from "../../../web/teach/article/figures/search/heap-rules";
+import { heapShape, heapSize } from "../../../web/teach/article/figures/search/heap-shape";
+import {
+  HashGrid,
+  ListSearch,
+  makeFront,
+  Quadtree,
+  structureNames,
+  structuresOf,
+  type Circle,
+  whole,
+} from "../../../web/teach/article/figures/search/search-rules";
+
+/** The same random numbers every time. */
+function randomNumbers(seed: number): () => number {
+  let state = seed;
+  return () => (state = (state * 16807) % 2147483647) / 2147483647;
+}
+
+describe("the structures", () => {
+  test.each([12, 240, 960])("find what the list finds among %d nodes", (count) => {
+    const structures = structuresOf(makeFront(count));
+    const random = randomNumbers(count);
+    for (let i = 0; i < 60; i++) {
+      const circle: Circle = {
+        at: [random() * 1.2 - 0.1, random() * 1.2 - 0.1],
+        radius: 0.005 + 0.4 * random(),
+      };
+      const { found, visits } = structures.list.find(circle);
+      expect(visits).toHaveLength(count);
+      for (const name of structureNames) {
+        const answer = structures[name].find(circle);
+        expect(answer.found).toEqual(found);
+        const compared = answer.visits.flatMap((visit) => ("node" in visit ? [visit.node] : []));
+        expect(new Set(compared).size).toBe(compared.length);
+        for (const node of found) expect(compared).toContain(node);
+      }
+    }
+  });
+
+  test("find nodes that lie in one position, and on the border of cells", () => {
+    const nodes = [...Array.from({ length: 9 }, () => [0.5, 0.5] as const), [0, 0] as const, [1, 1] as const];
+    const structures = structuresOf(nodes);
+    for (const name of structureNames) {
+      expect(structures[name].find({ at: [0.5, 0.5], radius: 0.01 }).found).toHaveLength(9);
+      expect(structures[name].find({ at: [1, 1], radius: 0 }).found).toEqual([10]);
+    }
+  });
+
+  test("the front has as many nodes as are asked for, within its square", () => {
+    for (const count of [60, 333, 960]) {
+      const nodes = makeFront(count);
+      expect(nodes).toHaveLength(count);
+      for (const [x, y] of nodes) {
+        expect(Math.min(x, y)).toBeGreaterThan(0);
+        expect(Math.max(x, y)).toBeLessThan(1);
+      }
+    }
+  });
+
+  const text = readFileSync("web/lessons/8.md", "utf8");
+  const rows = [...text.matchAll(/^\| (\d+) +\|(.+)\|$/gm)].map(([, count, cells = ""]) => ({
+    count: Number(count),
+    means: cells.split("|").map(Number),
+  }));
+
+  test("have a table of the lesson with four fronts", () => {
+    expect(rows.map(({ count }) => count)).toEqual([60, 240, 960, 3840]);
+  });
+
+  test.each(rows)("make these mean visits with $count nodes", ({ count, means }) => {
+    const nodes = makeFront(count);
+    const side =
+      nodes.reduce((sum, [x, y], i) => {
+        const [u, v] = nodes[(i + 1) % count] ?? [x, y];
+        return sum + Math.hypot(u - x, v - y);
+      }, 0) / count;
+    const structures = [new Quadtree(nodes, whole), new HashGrid(nodes, 3 * side)];
+    const found = structures.map((structure) =>
+      Math.round(
+        nodes.reduce((sum, at) => sum + structure.find({ at, radius: 2 * side }).visits.length, 0) / count,
+      ),
+    );
+    expect([new ListSearch(nodes).find({ at: [0, 0], radius: 0 }).visits.length, ...found]).toEqual(means);
+  });
+
+  test("differ in what they visit, as the tasks of the lesson ask", () => {
+    const visits = (count: number, circle: Circle): readonly number[] => {
+      const structures = structuresOf(makeFront(count));
+      return structureNames.map((name) => structures[name].find(circle).visits.length);
+    };
+    const [list = 0, quadtree = 0] = visits(960, { at: [0.83, 0.6], radius: 0.03 });
+    expect(quadtree).toBeLessThan(0.05 * list);
+    const [, tree = 0, grid = 0] = visits(960, { at: [0.3, 0.64], radius: 0.005 });
+    expect(grid).toBeGreaterThan(3 * tree);
+  });
+});
+
+describe("the heap", () => {
+  test("gives its entries in their order", () => {
+    const random = randomNumbers(3);
+    const heap = new Heap();
+    const lengths = Array.from({ length: 300 }, () => Math.round(random() * 40));
+    lengths.forEach((length, side) => heap.push({ side, pass: 0, length }));
+    for (let side = 0; side < 300; side += 3) heap.remove(side);
+    const taken: number[] = [];
+    while (heap.top) {
+      taken.push(heap.top.length);
+      heap.remove(heap.top.side);
+    }
+    const left = lengths.filter((_length, side) => side % 3 !== 0).sort((a, b) => a - b);
+    expect(taken).toEqual(left);
+  });
+
+  test("has on top the side that the engine takes, in every step, and the sides of the front", async () => {
+    const made = heapFilm(await loadPlaneFront(), heapShape, heapSize);
+    expect(made?.film.sizes.at(-1)).toBe(0);
+    made?.steps.forEach(({ base, states }, k) => {
+      expect(states[0]?.[0]).toBe(base);
+      expect(states[0]).toHaveLength(made.film.sizes[k] ?? NaN);
+      expect(states[4]).toHaveLength(made.film.sizes[k + 1] ?? NaN);
+    });
+    const cheaper = made?.steps.filter(({ comparisons, listComparisons }) => listComparisons < comparisons);
+    expect(cheaper?.length).toBeGreaterThan(0);
+  });
+});
