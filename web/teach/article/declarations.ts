@@ -1,6 +1,6 @@
 import type { FigureDeclaration } from "./declaration.ts";
-import { candidatesDeclaration, candidatesSpaceDeclaration } from "./figures/candidates/declaration.ts";
 import { ballDeclaration } from "./figures/ball/declaration.ts";
+import { candidatesDeclaration, candidatesSpaceDeclaration } from "./figures/candidates/declaration.ts";
 import { crossingDeclaration } from "./figures/crossing/declaration.ts";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
 import { frontDeclaration } from "./figures/front/declaration.ts";
