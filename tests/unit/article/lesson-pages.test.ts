@@ -1,7 +1,6 @@
 /** The lessons themselves, as they are built into the site. */
 import path from "node:path";
 import { describe, expect, test } from "vitest";
-import { articleOf } from "../../../web/teach/article/articles";
 import {
   lessonEntries,
   lessonNumbers,
@@ -17,14 +16,6 @@ const numbers = lessonNumbers(folders.sources);
 const pageOf = (number: number): string => makeLessonPage(`${number}/index.html`, folders) ?? "";
 
 describe("the pages of the lessons", () => {
-  test("are known to the app", () => {
-    const known = Array.from({ length: 12 }, (_none, number) => number).filter(
-      (number) => articleOf(number) !== null,
-    );
-    expect(known).toEqual(numbers);
-    expect(articleOf(4)).toBe("./lessons/4/");
-  });
-
   test("are entries of the bundler, with their list", () => {
     const names = lessonEntries(folders).map((entry) => path.relative(folders.root, entry));
     expect(names).toEqual(["lessons/index.html", ...numbers.map((number) => `lessons/${number}/index.html`)]);
