@@ -239,11 +239,8 @@ test("on a phone, presenter mode cuts off no button of the header", async ({ pag
   }
 });
 
-test("presenter mode keeps the view and a game, and gives its room to the panels", async ({ page }) => {
+test("presenter mode keeps the view, and gives its room to the panels", async ({ page }) => {
   await openFront(page, "candidates");
-  await page.getByTestId("volume-game-toggle").click();
-  await page.getByTestId("volume-game").locator("[data-testid^=volume-choice-]").first().click();
-  const score = await page.getByTestId("volume-game-score").textContent();
   const viewport = page.getByTestId("viewport");
   const step = (await viewport.getAttribute("data-step")) ?? "";
   const canvas = viewport.locator("canvas").first();
@@ -254,13 +251,11 @@ test("presenter mode keeps the view and a game, and gives its room to the panels
   await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
   await expect(page.getByTestId("presenter")).toBeVisible();
   await expect(canvas).toHaveAttribute("data-seen", "before");
-  await expect(page.getByTestId("volume-game-score")).toHaveText(score ?? "");
   await expect(viewport).toHaveAttribute("data-step", step);
   await expect(page.getByRole("complementary", { name: "Model", exact: true })).toBeHidden();
   expect((await page.getByTestId("lens").boundingBox())?.width).toBeGreaterThan(1.2 * width);
   await page.getByTestId("presenter-end").click();
   await expect(canvas).toHaveAttribute("data-seen", "before");
-  await expect(page.getByTestId("volume-game-score")).toHaveText(score ?? "");
   await expect(page.getByRole("complementary", { name: "Model", exact: true })).toBeVisible();
   expect((await page.getByTestId("lens").boundingBox())?.width).toBeCloseTo(width, 0);
 });

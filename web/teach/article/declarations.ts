@@ -3,6 +3,7 @@ import { crossingDeclaration } from "./figures/crossing/declaration.ts";
 import { crossingSpaceDeclaration } from "./figures/crossing-space/declaration.ts";
 import { frontDeclaration } from "./figures/front/declaration.ts";
 import { idealDeclaration } from "./figures/ideal/declaration.ts";
+import { mesherDeclaration } from "./figures/mesher/declaration.ts";
 import { pocketDeclaration } from "./figures/pocket/declaration.ts";
 import { raceDeclaration } from "./figures/race/declaration.ts";
 import { sidesDeclaration } from "./figures/sides/declaration.ts";
@@ -17,6 +18,7 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   ideal: idealDeclaration,
   crossing: crossingDeclaration,
   "crossing-space": crossingSpaceDeclaration,
+  mesher: mesherDeclaration,
   pocket: pocketDeclaration,
   stall: stallDeclaration,
   sliver: sliverDeclaration,

@@ -20,12 +20,13 @@ function recordFront(app: App): void {
 }
 
 /** Opens the page of a lesson, or the list of all, beside the app. */
-export const openLessons = (number?: number): void =>
-  void window.open(number === undefined ? "./lessons/" : `./lessons/${number}/`, "_blank", "noopener");
+export const openLessons = (page?: number | "mesher"): void =>
+  void window.open(page === undefined ? "./lessons/" : `./lessons/${page}/`, "_blank", "noopener");
 
 /** The command of the lessons, in the menu of the help. */
 export const lessonCommands: readonly Command[] = [
   define("help", 0)("lessons", texts.lessons, () => openLessons(), { words: words.lessons }),
+  define("help", 0)("mesher", texts.mesher, () => openLessons("mesher"), { words: words.mesher }),
 ];
 
 /** The commands of the recorded front, in the menu of the mesh. */

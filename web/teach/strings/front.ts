@@ -12,6 +12,7 @@ export const frontStrings = {
     end: "Last state of the front",
     close: "Show the model instead of the front",
     lessons: "Lessons",
+    mesher: "Be the mesher",
   },
   /** Other words that find commands. */
   words: {
@@ -19,6 +20,7 @@ export const frontStrings = {
     start: "step first begin rewind",
     end: "step last finish",
     lessons: "learn course tutorial teach students articles help",
+    mesher: "game play level learn",
   },
   needsFront: "Record the front first (Mesh ▸ Record the front).",
   group: "Front",

@@ -8,6 +8,7 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   crossing: async () => new (await import("./crossing/crossing-figure")).CrossingFigure(),
   "crossing-space": async () =>
     new (await import("./crossing-space/crossing-space-figure")).CrossingSpaceFigure(),
+  mesher: async () => new (await import("./mesher/mesher-figure")).MesherFigure(),
   pocket: async () => new (await import("./pocket/pocket-figure")).PocketFigure(),
   stall: async () => new (await import("./stall/stall-figure")).StallFigure(),
   sliver: async () => new (await import("./sliver/sliver-figure")).SliverFigure(),
