@@ -18,7 +18,8 @@ const pageOf = (number: number): string => makeLessonPage(`${number}/index.html`
 describe("the pages of the lessons", () => {
   test("are entries of the bundler, with their list", () => {
     const names = lessonEntries(folders).map((entry) => path.relative(folders.root, entry));
-    expect(names).toEqual(["lessons/index.html", ...numbers.map((number) => `lessons/${number}/index.html`)]);
+    const pages = [...numbers, "mesher"].map((page) => `lessons/${page}/index.html`);
+    expect(names).toEqual(["lessons/index.html", ...pages]);
     const list = makeLessonPage("index.html", folders) ?? "";
     for (const number of numbers) expect(list).toContain(`href="./${number}/"`);
     expect(makeLessonPage("99/index.html", folders)).toBeNull();
