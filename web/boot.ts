@@ -23,11 +23,27 @@ function showArrival(bar: HTMLProgressElement): void {
 const bar = document.getElementById("arrived");
 if (bar instanceof HTMLProgressElement) showArrival(bar);
 
-import("./main").catch(() => {
-  const text = document.getElementById("loading");
-  bar?.remove();
-  if (text) {
-    text.textContent =
-      "A part of Tetrafront could not be loaded. Check the connection to the network, then reload this page.";
-  }
-});
+/**
+ * Returns the page that a link to a lesson leads to, `?lesson=7`; null for another address. Earlier versions of the app had the
+ * lessons in a tab.
+ */
+function lessonPage(query: URLSearchParams): string | null {
+  const lesson = query.get("lesson");
+  if (lesson === null) return null;
+  return /^(\d|1[01])$/.test(lesson) ? `./lessons/${lesson}/` : "./lessons/";
+}
+
+function load(): void {
+  import("./main").catch(() => {
+    const text = document.getElementById("loading");
+    bar?.remove();
+    if (text) {
+      text.textContent =
+        "A part of Tetrafront could not be loaded. Check the connection to the network, then reload this page.";
+    }
+  });
+}
+
+const lesson = lessonPage(new URLSearchParams(location.search));
+if (lesson === null) load();
+else location.replace(lesson);

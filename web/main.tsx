@@ -64,18 +64,17 @@ void import("./commands/offline-actions")
 
 /**
  * The address selects the document to open, `model=ID` or `new=1`, but a reload continues with the document as it was
- * before the reload. A lesson is opened again after a reload; its model stays as the reader has changed it.
+ * before the reload.
  */
 function intentOf(query: URLSearchParams): Intent {
   const [navigation] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
   const start = startOf(query);
   if (start && navigation?.type === "navigate") return start;
-  return { kind: "continue", isReload: navigation?.type === "reload", otherwise: start };
+  return { kind: "continue", otherwise: start };
 }
 
 function startOf(query: URLSearchParams): Start | null {
   if (query.get("new") === "1") return { kind: "new" };
-  if (teaching.lesson !== null) return { kind: "lesson", number: teaching.lesson };
   const model = query.get("model");
   return model === null ? null : { kind: "model", id: model };
 }

@@ -96,7 +96,7 @@ const PANELS = [
 ];
 
 /** The folders of web/teach, in the same way. */
-const TEACH = [["strings"], ["player"], ["article"], ["lessons"], ["commands"], ["panels"], ["embed"]];
+const TEACH = [["strings"], ["player"], ["article"], ["commands"], ["panels"], ["embed"]];
 
 /** The folders whose imports have levels, by the name under which `npm run lint` reports them. */
 export const layeredFolders = {

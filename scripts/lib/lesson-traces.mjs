@@ -122,6 +122,8 @@ function pocket() {
 const LESSON_TRACES = {
   /** A ball, to be opened: the front from its boundary to its middle. */
   ball: () => ({ surface: ball(4), optimization: "none" }),
+  /** A cube of twelve triangles, for "Be the mesher". */
+  cube: () => ({ surface: box(1), optimization: "none" }),
   /** A box with the sweeps of the optimizer. */
   box: () => ({ surface: box(3), optimization: "default" }),
   /** A pocket that the front cannot fill, and recovery can. */

@@ -23,7 +23,7 @@ export class ArticlePage {
     page.on("pageerror", (error) => this.errors.push(error.message));
   }
 
-  async open(lesson: number): Promise<void> {
+  async open(lesson: number | string): Promise<void> {
     await this.page.goto(`./lessons/${lesson}/`);
     await this.page.evaluate(() => document.fonts.ready);
   }

@@ -201,7 +201,7 @@ test("each first view is under 300 kB, without requests to other hosts", async (
   }
 });
 
-test("the list leads to every lesson, the app to its article, and the policy refuses nothing", async ({
+test("the list leads to every lesson, the app and older links to the pages, and the policy refuses nothing", async ({
   page,
 }) => {
   const refused = await recordRefusals(page);
@@ -216,9 +216,21 @@ test("the list leads to every lesson, the app to its article, and the policy ref
   await page.getByRole("link", { name: /Next/ }).click();
   await expect(page.getByTestId("figure-A")).toHaveAttribute("data-ready", "true");
   expect(await refused()).toEqual([]);
+  for (const [link, leadsTo] of [
+    ["?lesson=4", "lessons/4/"],
+    ["?lesson=10&step=12", "lessons/10/"],
+    ["?lesson=7&runs=first-in,strict%2Blinear", "lessons/7/"],
+    ["?lesson=7.5", "lessons/"],
+  ] as const) {
+    await page.goto(`./${link}`);
+    await expect(page).toHaveURL((url) => url.pathname.endsWith(`/${leadsTo}`) && url.search === "");
+    await expect(page.getByRole("heading").first()).toBeVisible();
+  }
   await page.goto("./?test=1&new=1");
-  await page.getByRole("tab", { name: "Lessons" }).click();
-  await expect(page.getByTestId("article-4")).toHaveAttribute("href", "./lessons/4/");
+  await page.getByRole("menuitem", { name: "Help" }).click();
+  const opening = page.waitForEvent("popup");
+  await page.getByRole("menuitem", { name: "Lessons" }).click();
+  await expect(await opening).toHaveURL(/\/lessons\/$/);
 });
 
 test("a word lights its part by the mouse and by keys, and a link leads to a state", async ({ page }) => {

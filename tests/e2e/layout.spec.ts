@@ -84,8 +84,8 @@ test("on a screen of usual width, the controls of the player take one row above 
   page,
 }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
-  await page.goto("./?test=1&lesson=5");
-  await expect(page.getByTestId("lesson-front")).toHaveAttribute("data-shown", "true");
+  await page.goto("./?test=1&model=unit-cube&step=1223");
+  await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "1223");
   const centre = async (testId: string): Promise<number> => {
     const box = await page.getByTestId(testId).boundingBox();
     return (box?.y ?? NaN) + (box?.height ?? NaN) / 2;

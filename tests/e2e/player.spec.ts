@@ -264,49 +264,6 @@ test("a damaged trace is refused with the byte and a remedy", async ({ page }) =
   await expect(app.viewport).not.toHaveAttribute("data-steps");
 });
 
-test("the reader chooses nodes of the volume in the view and by keyboard, and is judged", async ({
-  page,
-}) => {
-  const { viewport } = await openTrace(page, star);
-  await page.getByTestId("volume-game-toggle").click();
-  const verdict = page.getByTestId("volume-game-verdict");
-  const inView = page.getByTestId("volume-choices").locator("button");
-  await expect(inView.first()).toBeVisible();
-  const asked = await viewport.getAttribute("data-step");
-  // Labels of near nodes can lie on each other: the topmost takes the click.
-  await inView.last().click();
-  await expect(verdict).toContainText("point");
-  await expect(page.getByTestId("volume-game-score")).toContainText("of 2 points");
-  await expect(viewport).toHaveAttribute("data-step", asked ?? "");
-  // Another level does not ask the same step again for points.
-  await page.getByTestId("volume-game-level").getByText("Medium").click();
-  await expect(page.getByTestId("volume-game-score")).toContainText("of 2 points");
-  await page.getByTestId("volume-game-next").click();
-  await expect(verdict).toBeEmpty();
-  await expect(viewport).not.toHaveAttribute("data-step", asked ?? "");
-  const choices = page.getByTestId("volume-game").getByRole("group", { name: "Nodes to choose from" });
-  // The focus is on the first choice already: the keyboard alone suffices, also for the next question.
-  await choices.getByRole("button").first().focus();
-  await page.keyboard.press("Enter");
-  await expect(verdict).toContainText("point");
-  await expect(page.getByTestId("volume-game-score")).toContainText("of 4 points");
-  // The reader's choice and the program's are marked in the view and in the panel.
-  const view = page.getByTestId("volume-choices");
-  await expect(view.locator("[data-chosen]")).toContainText("you");
-  await expect(view.locator("[data-program]")).toContainText("program");
-  await expect(choices.locator('[aria-pressed="true"]')).toContainText("you");
-  await expect(page.getByTestId("volume-game-next")).toBeFocused();
-  await page.keyboard.press("Enter");
-  await expect(verdict).toBeEmpty();
-  await expect(choices.getByRole("button").first()).toBeFocused();
-  await page.keyboard.press("Enter");
-  await expect(page.getByTestId("volume-game-score")).toContainText("of 6 points");
-  expect(await violations(page)).toEqual([]);
-  await page.getByTestId("volume-game-end").click();
-  await expect(inView).toHaveCount(0);
-  await expect(page.getByTestId("volume-game-toggle")).toBeVisible();
-});
-
 /** Promises that reading a trace has shown progress. `stops`: presses *Stop* in the same moment. */
 function readingShown(page: Page, stops: boolean): Promise<void> {
   return page.evaluate(
@@ -444,59 +401,6 @@ test("a condition is typed, corrected, jumped to and paused at, by keyboard", as
   await expect(page.getByTestId("player-no-step")).toHaveText("No further step");
 });
 
-test("the reader chooses nodes of a patch, is judged, and sees what a wrong one would break", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await tab(page, "Front").click();
-  await recordButton(page).click();
-  await expect(choice(page, "Jump to")).toBeVisible();
-  await choice(page, "Jump to").selectOption("patch");
-  await stopBefore(page).click();
-  await page.getByTestId("game-toggle").click();
-  const verdict = page.getByTestId("game-verdict");
-  // The view names the nodes to choose from, and the lens does not explain another step.
-  const offered = page.locator("[data-testid^=game-choice-]");
-  await expect(offered.first()).toBeVisible();
-  const asked = (await offered.allTextContents()).slice(0, -1).map((name) => name.replace("Node", "node"));
-  expect(asked.length).toBeGreaterThan(0);
-  const named = page.getByTestId("lens-labels").locator("span[data-kind=candidate]");
-  await expect.poll(() => named.allTextContents()).toEqual(expect.arrayContaining(asked));
-  await expect(page.getByTestId("lens")).toContainText("show the base edge that comes next");
-  await expect(page.getByTestId("lens-sentence")).toHaveCount(0);
-  const choices = page.getByRole("group", { name: "Nodes to choose from" }).getByRole("button");
-  // Choose by keyboard until a choice is wrong: its edges are named, and the score stays.
-  await choices.first().focus();
-  await page.keyboard.press("Enter");
-  await expect(verdict).toContainText("point");
-  await expect(page.getByTestId("game-score")).toContainText("of 2 points");
-  const step = await app.viewport.getAttribute("data-step");
-  await page.getByTestId("game-next").click();
-  await expect(app.viewport).not.toHaveAttribute("data-step", step ?? "");
-  await expect(verdict).toBeEmpty();
-  await page.getByTestId("game-level").getByText("Hard").click();
-  for (let round = 0; !(await verdict.textContent())?.includes("cross"); round++) {
-    expect(round).toBeLessThan(12);
-    if (round > 0) await page.getByTestId("game-next").click();
-    await expect(verdict).toBeEmpty();
-    await choices.nth(round % (await choices.count())).click();
-    await expect(verdict).toContainText("program chose");
-  }
-  expect(await violations(page)).toEqual([]);
-  // Going back leads to the questions before.
-  const reached = await app.viewport.getAttribute("data-step");
-  await button(page, "Step back").click();
-  await expect
-    .poll(async () => Number(await app.viewport.getAttribute("data-step")))
-    .toBeLessThan(Number(reached));
-  await button(page, "Step forward").click();
-  await expect(app.viewport).toHaveAttribute("data-step", reached ?? "");
-  await page.getByTestId("game-toggle").click();
-  await expect(page.getByTestId("plane-zoom")).toBeVisible();
-  await expect(page.getByTestId("lens-sentence")).toBeVisible();
-});
-
 test("after the last step come the sweeps of the optimizer, whose poor elements the view shows", async ({
   page,
 }) => {
@@ -526,26 +430,4 @@ test("after the last step come the sweeps of the optimizer, whose poor elements 
   await button(page, "Step back").click();
   await expect(sweeps).toHaveCount(0);
   await expect(page.getByTestId("lens-sentence")).toBeVisible();
-});
-
-test("stepping back in the game of the volume leads to the question before", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await tab(page, "Front").click();
-  await recordButton(page).click();
-  await expect(app.viewport).toHaveAttribute("data-step", "0");
-  await page.getByTestId("volume-game-toggle").click();
-  const step = async (): Promise<number> => Number(await app.viewport.getAttribute("data-step"));
-  await expect(page.getByTestId("volume-choice-new")).toBeVisible();
-  const seen = [await step()];
-  for (let question = 1; question < 8; question++) {
-    await button(page, "Step forward").click();
-    await expect.poll(step).toBeGreaterThan(seen.at(-1) ?? 0);
-    seen.push(await step());
-  }
-  // Questions lie on some states only: the game goes back over the same ones.
-  for (const before of seen.slice(0, -1).reverse()) {
-    await button(page, "Step back").click();
-    await expect(app.viewport).toHaveAttribute("data-step", String(before));
-  }
 });

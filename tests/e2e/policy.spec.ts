@@ -66,9 +66,9 @@ test("nothing is refused while a CAD file is meshed, bodies are joined and a pic
   expect(await refused()).toEqual([]);
 });
 
-test("nothing is refused in a lesson with formulas, nor in an embedded front", async ({ page }) => {
+test("nothing is refused in a front with formulas, nor in an embedded front", async ({ page }) => {
   const refused = await recordRefusals(page);
-  await page.goto("./?test=1&lesson=4");
+  await page.goto("./?test=1&model=unit-cube&step=99");
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-steps", /\d/);
   await expect(page.locator(".katex").first()).toBeVisible();
   await page.goto("./embed.html?test=1&model=unit-cube&step=258&candidate=0");

@@ -1,19 +1,29 @@
-/** Lessons in class and on paper: presenter mode, the laser pointer, and the print view. */
+/** A front in class: presenter mode and the laser pointer. */
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Locator, type Page } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { button, choice, playButton, slider } from "./controls";
 
-async function openLesson(page: Page, number: number): Promise<void> {
-  await page.goto(`./?test=1&lesson=${number}`);
-  await expect(page.getByTestId("lesson-front")).toHaveAttribute("data-shown", "true");
+/** Fronts to talk about, by their model and step. */
+const fronts = {
+  cube: "unit-cube&step=0",
+  ideal: "unit-cube&step=99",
+  candidates: "unit-cube&step=1223",
+  crossing: "unit-cube&step=258&candidate=0",
+  patch: "square-to-circle&step=-900&color=size",
+} as const;
+
+async function openFront(page: Page, front: keyof typeof fronts): Promise<void> {
+  await page.goto(`./?test=1&model=${fronts[front]}`);
+  const step = new URLSearchParams(`model=${fronts[front]}`).get("step") ?? "";
+  await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", step);
 }
 
 const heightOf = async (page: Page): Promise<number> =>
-  (await page.getByTestId("lesson-page").getByRole("heading").first().boundingBox())?.height ?? 0;
+  (await page.getByTestId("player-counter").boundingBox())?.height ?? 0;
 
 test("presenter mode has larger type and a laser pointer that takes no clicks", async ({ page }) => {
-  await openLesson(page, 1);
+  await openFront(page, "cube");
   const before = await heightOf(page);
   await page.getByRole("menuitem", { name: "Help" }).click();
   await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
@@ -56,7 +66,7 @@ test("on a phone, the button that ends presenter mode covers nothing of the view
 });
 
 test("presenter mode enlarges the labels of the view, and knows the keys of a clicker", async ({ page }) => {
-  await openLesson(page, 4);
+  await openFront(page, "ideal");
   const labels = page.getByTestId("lens-labels").locator("span");
   const heightOfLabel = async (): Promise<number> => (await labels.first().boundingBox())?.height ?? 0;
   const legend = async (): Promise<number> =>
@@ -112,7 +122,7 @@ for (const [width, height] of [
     page,
   }) => {
     await page.setViewportSize({ width, height });
-    await openLesson(page, 3);
+    await openFront(page, "patch");
     await present(page);
     const player = page.getByTestId("player");
     const rows = new Set<number>();
@@ -140,7 +150,7 @@ for (const [width, height] of [
   });
 
 test("no formula of the lens is broken across lines", async ({ page }) => {
-  await openLesson(page, 3);
+  await openFront(page, "patch");
   const lens = page.getByTestId("lens");
   const broken = () =>
     lens.locator(".katex-html").evaluateAll((formulas) =>
@@ -165,10 +175,10 @@ test("no formula of the lens is broken across lines", async ({ page }) => {
   }
 });
 
-for (const number of [4, 5, 10])
-  test(`presenter mode shows the formulas of lesson ${number} without scrolling`, async ({ page }) => {
+for (const front of ["ideal", "candidates", "crossing"] as const)
+  test(`presenter mode shows the formulas of a step without scrolling: ${front}`, async ({ page }) => {
     await page.setViewportSize({ width: 1440, height: 900 });
-    await openLesson(page, number);
+    await openFront(page, front);
     await page.getByRole("menuitem", { name: "Help" }).click();
     await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
     await expect(page.getByTestId("presenter")).toBeVisible();
@@ -185,7 +195,7 @@ for (const number of [4, 5, 10])
   });
 
 test("Escape ends presenter mode, but first a menu, a selection or text in a field", async ({ page }) => {
-  await openLesson(page, 1);
+  await openFront(page, "cube");
   const presenter = page.getByTestId("presenter");
   await page.getByRole("menuitem", { name: "Help" }).click();
   await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
@@ -195,7 +205,7 @@ test("Escape ends presenter mode, but first a menu, a selection or text in a fie
   await page.keyboard.press("Escape");
   await expect(page.getByRole("menuitemcheckbox")).toHaveCount(0);
   await expect(presenter).toBeVisible();
-  await page.getByTestId("lesson-answer-1").fill("12");
+  await page.getByPlaceholder("p1").fill("width");
   await page.keyboard.press("Escape");
   await expect(presenter).toBeVisible();
   // Everything is selected, and the first Escape clears this.
@@ -229,30 +239,25 @@ test("on a phone, presenter mode cuts off no button of the header", async ({ pag
   }
 });
 
-test("presenter mode keeps the view and a game, and gives its room to the panels", async ({ page }) => {
-  await openLesson(page, 5);
-  await page.getByTestId("volume-game-toggle").click();
-  await page.getByTestId("volume-game").locator("[data-testid^=volume-choice-]").first().click();
-  const score = await page.getByTestId("volume-game-score").textContent();
+test("presenter mode keeps the view, and gives its room to the panels", async ({ page }) => {
+  await openFront(page, "candidates");
   const viewport = page.getByTestId("viewport");
   const step = (await viewport.getAttribute("data-step")) ?? "";
   const canvas = viewport.locator("canvas").first();
   // If presenter mode made a new view, its canvas and camera would be others.
   await canvas.evaluate((element) => element.setAttribute("data-seen", "before"));
-  const width = (await page.getByTestId("lesson-page").boundingBox())?.width ?? 0;
+  const width = (await page.getByTestId("lens").boundingBox())?.width ?? 0;
   await page.getByRole("menuitem", { name: "Help" }).click();
   await page.getByRole("menuitemcheckbox", { name: "Presenter mode" }).click();
   await expect(page.getByTestId("presenter")).toBeVisible();
   await expect(canvas).toHaveAttribute("data-seen", "before");
-  await expect(page.getByTestId("volume-game-score")).toHaveText(score ?? "");
   await expect(viewport).toHaveAttribute("data-step", step);
   await expect(page.getByRole("complementary", { name: "Model", exact: true })).toBeHidden();
-  expect((await page.getByTestId("lesson-page").boundingBox())?.width).toBeGreaterThan(1.2 * width);
+  expect((await page.getByTestId("lens").boundingBox())?.width).toBeGreaterThan(1.2 * width);
   await page.getByTestId("presenter-end").click();
   await expect(canvas).toHaveAttribute("data-seen", "before");
-  await expect(page.getByTestId("volume-game-score")).toHaveText(score ?? "");
   await expect(page.getByRole("complementary", { name: "Model", exact: true })).toBeVisible();
-  expect((await page.getByTestId("lesson-page").boundingBox())?.width).toBeCloseTo(width, 0);
+  expect((await page.getByTestId("lens").boundingBox())?.width).toBeCloseTo(width, 0);
 });
 
 test("the panel of an operation is enlarged, and the model keeps clear of it", async ({ page }) => {
@@ -293,45 +298,11 @@ test("the panel of an operation is enlarged, and the model keeps clear of it", a
   await expect(panel).toBeHidden();
 });
 
-test("a lesson is printed with its text, the view, its figures and tasks, and nothing else", async ({
-  page,
-}) => {
-  await page.addInitScript(() => {
-    // The browser sends these events itself when it prints.
-    window.print = () => window.dispatchEvent(new Event("beforeprint"));
-  });
-  await openLesson(page, 8);
-  await expect(page.getByTestId("queue-figure")).toBeVisible();
-  await page.getByTestId("lesson-print").click();
-  const sheet = page.getByTestId("printed-lesson");
-  await expect(sheet).toBeHidden();
-  await page.emulateMedia({ media: "print" });
-  await expect(sheet).toBeVisible();
-  await expect(page.getByTestId("app")).toBeHidden();
-  await expect(sheet.getByRole("heading").first()).toContainText("Search structures");
-  await expect(sheet.locator("button, nav, input")).toHaveCount(0);
-  await expect(sheet.locator("canvas")).toBeVisible();
-  await expect(sheet.getByRole("table")).toContainText("14,855");
-  await expect(sheet.getByTestId("queue-figure")).toBeVisible();
-  await expect(sheet).toContainText("Divide the two numbers");
-  await expect(sheet).toContainText("?lesson=8");
-  // The picture shows the front.
-  const colors = await sheet.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
-    const { data } = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height) ?? {};
-    return new Set(new Uint32Array(data?.buffer ?? new ArrayBuffer(0))).size;
-  });
-  expect(colors).toBeGreaterThan(20);
-  await page.emulateMedia({ media: "screen" });
-  await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
-  await expect(sheet).toHaveCount(0);
-  await expect(page.getByTestId("lesson-page")).toBeVisible();
-});
-
-test("on a phone, the lens of lesson 10 shows its formulas without scrolling, and no label of further candidates", async ({
+test("on a phone, the lens shows the formulas of a crossing without scrolling, and no label of further candidates", async ({
   page,
 }) => {
   await page.setViewportSize({ width: 390, height: 844 });
-  await openLesson(page, 10);
+  await openFront(page, "crossing");
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "Log and problems" }).click();
   const formulas = page.getByTestId("lens-formula").locator(".katex");
@@ -341,7 +312,7 @@ test("on a phone, the lens of lesson 10 shows its formulas without scrolling, an
   const labels = page.getByTestId("lens-labels").locator("span").filter({ visible: true });
   await expect
     .poll(async () => (await labels.allInnerTexts()).filter((text) => /^node/.test(text)))
-    .toEqual(["node 137"]);
+    .toHaveLength(1);
   // What is used less is behind a button.
   await page.getByTestId("player-more").click();
   await expect(choice(page, "Speed")).toBeVisible();
@@ -349,8 +320,7 @@ test("on a phone, the lens of lesson 10 shows its formulas without scrolling, an
 });
 
 test("presenter mode enlarges notices, which cover no legend", async ({ page }) => {
-  await openLesson(page, 4);
-  // The lesson's model is not edited: the notice says so.
+  await openFront(page, "ideal");
   const notices = page.getByRole("region", { name: "Notices" });
   const shownNotice = async (): Promise<{
     readonly top: number;

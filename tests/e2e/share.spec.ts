@@ -176,9 +176,6 @@ test("what an address asks for and cannot get is reported, in the app and in an 
   }
   await page.goto("./?test=1&model=unit-cube&step=x");
   await expect(notice).toContainText("“step=x”");
-  await page.goto("./?test=1&lesson=7.5&runs=sideways");
-  await expect(notice).toContainText("There is no lesson “7.5”");
-  await expect(notice).toContainText("“sideways”");
   const failure = page.getByTestId("embed-failure");
   await page.goto("./embed.html?test=1&model=unit-cube&step=x");
   await expect(failure).toContainText("“step=x”");

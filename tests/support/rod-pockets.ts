@@ -15,7 +15,7 @@ export interface RecordedPocket {
 
 /** Records the front in the rod of needles. */
 export async function recordRod(): Promise<Trace> {
-  const file = new URL("../../public/lessons/needles.json", import.meta.url);
+  const file = new URL("./needles.json", import.meta.url);
   const project = readProject(readFileSync(file, "utf8"));
   if (!project.success) throw new Error(project.errors[0].message);
   return recordFront(project.value);

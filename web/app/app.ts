@@ -3,7 +3,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { DocumentPictures } from "../session/document-pictures";
 import type { Gallery } from "../session/gallery";
 import { Session, type SessionOptions } from "../session/session";
-import { createShell, hideMeshNotices, showNotice, type Shell } from "../session/shell";
+import { createShell, hideMeshNotices, type Shell } from "../session/shell";
 import { Drawing } from "../tools/drawing/drawing";
 import { MeshQueryClient } from "../viewer/queries/mesh-query-client";
 import { noReplay, type Replay } from "./replay";
@@ -53,10 +53,6 @@ export class App extends Session {
   constructor(session: SessionOptions, { gallery, generate, still, left = null, replayOf }: PageOptions) {
     super(session);
     this.mesher = session.previewMesher;
-    this.documents.setLock({
-      isLocked: () => this.isLocked,
-      refused: () => this.#offerToEdit(),
-    });
     this.gallery = gallery;
     this.generate = generate;
     this.still = still;
@@ -71,17 +67,5 @@ export class App extends Session {
       if (hasFailed) this.shell.setState({ bottomTab: "problems" });
     });
     this.replay = replayOf?.(this, session.mesher) ?? noReplay;
-  }
-
-  /** Whether the document is not edited, because what is shown beside it holds for it as it is. */
-  get isLocked(): boolean {
-    return this.shell.getState().lock?.documentId === this.documents.state.getState().id;
-  }
-
-  #offerToEdit(): void {
-    const { lock } = this.shell.getState();
-    if (!lock) return;
-    const action = { label: lock.edit, run: (): void => this.shell.setState({ lock: null }) };
-    showNotice(this.shell, { key: "locked", tone: "information", text: lock.text, action });
   }
 }

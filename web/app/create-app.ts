@@ -18,18 +18,15 @@ import { App, type PageOptions } from "./app";
 /** What a new app shows first. */
 export type Intent =
   /**
-   * The document that this tab had before a reload, or the reader's own used last; if there is none, another one: null
-   * for the opening model of the gallery.
+   * The document that this tab had open, or the one used last; if there is none, another one: null for the opening model of the
+   * gallery.
    */
-  | { readonly kind: "continue"; readonly isReload: boolean; readonly otherwise: Start | null }
+  | { readonly kind: "continue"; readonly otherwise: Start | null }
   | Start
   | { readonly kind: "project"; readonly project: Project };
 
-/** A document that does not depend on what was open before: a model of the gallery, or an empty project, also for a lesson. */
-export type Start =
-  | { readonly kind: "model"; readonly id: string }
-  | { readonly kind: "new" }
-  | { readonly kind: "lesson"; readonly number: number };
+/** A document that does not depend on what was open before: a model of the gallery, or an empty project. */
+export type Start = { readonly kind: "model"; readonly id: string } | { readonly kind: "new" };
 
 export interface AppOptions {
   /**
@@ -103,7 +100,7 @@ export async function createApp(options: AppOptions): Promise<App> {
 /** If the gallery does not have the model, keep the last document. */
 function knownIntent(intent: Intent, { models }: Gallery): Intent {
   const isKnown = intent.kind !== "model" || models.some(({ id }) => id === intent.id);
-  return isKnown ? intent : { kind: "continue", isReload: false, otherwise: null };
+  return isKnown ? intent : { kind: "continue", otherwise: null };
 }
 
 interface FirstDocument extends Pick<LockedDocument, "document"> {
@@ -120,12 +117,11 @@ async function firstDocument(
   if (intent.kind === "project") return { document: newDocument(intent.project) };
   if (intent.kind === "continue") {
     // Without storage, for example in a private window, there is nothing to continue.
-    const resumed = await library?.resume(intent.isReload).catch(() => null);
+    const resumed = await library?.resume().catch(() => null);
     if (resumed) return resumed;
   }
   const start = intent.kind === "continue" ? intent.otherwise : intent;
   if (start?.kind === "new") return { document: newDocument(emptyProject()) };
-  if (start?.kind === "lesson") return { document: { ...newDocument(emptyProject()), lesson: start.number } };
   const model =
     gallery.models.find(({ id }) => id === start?.id) ??
     gallery.models.find(({ id }) => id === gallery.opening);

@@ -124,24 +124,14 @@ function entityItems(app: App): PaletteItem[] {
   );
 }
 
-/** Entries of another part of the page. */
-export interface PaletteSource {
-  /** Returns the entries. A query may hold a number, as in "step 100". */
-  readonly itemsOf: (app: App, query: string) => readonly PaletteItem[];
-  /** Loads what the entries need, when the palette is opened. */
-  readonly load: () => Promise<void>;
-}
+/** Returns entries of another part of the page. A query may hold a number, as in "step 100". */
+export type PaletteSource = (app: App, query: string) => readonly PaletteItem[];
 
 const sources: PaletteSource[] = [];
 
 /** Adds entries of another part of the page, before it is shown. */
 export function addPaletteItems(source: PaletteSource): void {
   sources.push(source);
-}
-
-/** Loads what the entries of other parts need. Without a network, some entries are missing. */
-export async function loadPaletteItems(): Promise<void> {
-  await Promise.allSettled(sources.map(({ load }) => load()));
 }
 
 /** Returns all entries. Disabled commands, entities, examples, settings and those that were added are only found, never listed. */
@@ -153,7 +143,7 @@ export function paletteItems(
   return {
     listed: ofCommands.filter(({ needs }) => needs === null),
     found: [
-      ...sources.flatMap(({ itemsOf }) => itemsOf(app, query)),
+      ...sources.flatMap((itemsOf) => itemsOf(app, query)),
       ...settingItems(app),
       ...templateItems(app),
       ...exampleItems(app),

@@ -34,9 +34,9 @@ export function openProject(app: App, project: Project, file: ProjectFile | null
   meshOpened(app);
 }
 
-/** Opens a project as a new document, and does not mesh it. `lesson`: number of the lesson whose model it is. */
-export function showModel(app: App, project: Project, lesson: number | null = null): void {
-  finishOpening(app, app.showProject(project, null, lesson));
+/** Opens a project as a new document, and does not mesh it. */
+export function showModel(app: App, project: Project): void {
+  finishOpening(app, app.showProject(project));
 }
 
 /** Opens a surface as a new document: a project with a body per solid; the card shows the first one. */

@@ -12,35 +12,22 @@ import { toolCommands } from "./tool-commands";
 import { pieceCommands, sweepCommands, transformCommands } from "./operation-commands";
 import { viewMenu } from "./view-menu";
 
-/** Commands that make or change entities are not for a locked document. */
-const editing = (commands: readonly Command[]): readonly Command[] =>
-  commands.map((command) => ({
-    ...command,
-    enabled: (app) => !app.isLocked && command.enabled(app),
-    needs: (app) => (app.isLocked ? (app.shell.getState().lock?.text ?? null) : command.needs(app)),
-  }));
-
-/** Tools that change entities and stand in menus among others: without them, the view of a locked document has no armed editor. */
-const armed: ReadonlySet<string> = new Set(["tool-move", "tool-node", "tool-source", "paint-size"]);
-
 const all: Command[] = [
   ...fileMenu,
   ...editMenu,
   ...toolCommands.filter(({ menu }) => menu === "edit"),
-  ...editing([
-    ...transformCommands,
-    ...booleanCommands,
-    ...toolCommands.filter(({ menu }) => menu === "create"),
-    ...createMenu,
-    ...pieceCommands,
-    ...solidCommands,
-    ...sweepCommands,
-  ]),
+  ...transformCommands,
+  ...booleanCommands,
+  ...toolCommands.filter(({ menu }) => menu === "create"),
+  ...createMenu,
+  ...pieceCommands,
+  ...solidCommands,
+  ...sweepCommands,
   ...viewMenu,
   ...toolCommands.filter(({ menu }) => menu === "view"),
   ...meshMenu,
   ...helpMenu,
-].flatMap((command) => (armed.has(command.id) ? editing([command]) : [command]));
+];
 
 /** Every command, in the order of the menus. */
 export const commands: readonly Command[] = all;

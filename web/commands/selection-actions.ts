@@ -18,7 +18,7 @@ export function deleteSelection(app: App): void {
   const edit = deleteEntities(project, selection);
   const chosen = new Set(selection.map(entityKey));
   const others = withDependents(project, selection).filter((entity) => !chosen.has(entityKey(entity)));
-  if (!app.documents.edit(edit)) return;
+  app.documents.edit(edit);
   app.view.clear();
   if (others.length === 0) return;
   const { history } = app.documents.state.getState();

@@ -80,12 +80,11 @@ export class DocumentLibrary {
   }
 
   /**
-   * Returns the document to continue with: after a reload, the one that this tab had open; on another visit, the reader's own
-   * that it had open last, not the model of a lesson; in a new tab, the own one used last, unless other tabs are open; else
-   * null.
+   * Returns the document to continue with: the one that this tab had open; in a new tab, the one used last, unless other tabs
+   * are open; else null.
    */
-  async resume(isReload = true): Promise<LockedDocument | null> {
-    const last = isReload ? this.#tab.read() : this.#tab.readOwn();
+  async resume(): Promise<LockedDocument | null> {
+    const last = this.#tab.read();
     if (last === null) return this.#takeLast();
     const taken = await this.take(last);
     if (typeof taken !== "string") return taken;
@@ -104,7 +103,7 @@ export class DocumentLibrary {
    * lock it.
    */
   async unsaved(): Promise<{ readonly id: string; readonly name: string } | null> {
-    const id = this.#tab.readOwn() ?? (await this.#lastId());
+    const id = this.#tab.read() ?? (await this.#lastId());
     const document = id === null ? "missing" : await this.#read(id);
     if (typeof document === "string") return null;
     const { project } = document.history.present;
@@ -115,10 +114,10 @@ export class DocumentLibrary {
    * Records that this tab has a document open instead of the previous one. Without a `release`, locks the
    * document.
    */
-  keepOpen({ id, lesson }: Pick<OpenDocument, "id" | "lesson">, release?: () => void): void {
+  keepOpen({ id }: Pick<OpenDocument, "id">, release?: () => void): void {
     const before = this.#open;
     this.#open = { id, release: release ? Promise.resolve(release) : this.#locks.acquire(id, newLockTime) };
-    this.#tab.write(id, lesson === null);
+    this.#tab.write(id);
     if (before) this.#released = before.release.then((releaseBefore) => releaseBefore?.());
   }
 
@@ -161,12 +160,10 @@ export class DocumentLibrary {
     return typeof taken === "string" ? null : taken;
   }
 
-  /** Returns the own document used last; null if other tabs are open. */
+  /** Returns the document used last; null if other tabs are open. */
   async #lastId(): Promise<string | null> {
     if (await this.isOpenElsewhere()) return null;
-    const [listed, heads] = await Promise.all([this.storage.list(), this.storage.heads()]);
-    const ofLessons = new Set(heads.flatMap(({ id, lesson }) => (lesson === undefined ? [] : [id])));
-    return listed.find(({ id }) => !ofLessons.has(id))?.id ?? null;
+    return (await this.storage.list())[0]?.id ?? null;
   }
 
   async #copy(id: string): Promise<LockedDocument | null> {

@@ -24,8 +24,6 @@ export interface OpenDocument {
   readonly savedKey: string;
   /** Null until the user has chosen a file, and in browsers that do not reveal it. */
   readonly file: ProjectFile | null;
-  /** Number of the lesson that has opened its model in this document; null for a document of the reader's own. */
-  readonly lesson: number | null;
 }
 
 export interface DocumentState extends OpenDocument {
@@ -56,7 +54,6 @@ export function newDocument(
     history: startHistory<DocumentContent>({ project, ...(meshVersion !== undefined && { meshVersion }) }),
     savedKey: documentKey(project),
     file,
-    lesson: null,
   };
 }
 
@@ -102,15 +99,6 @@ function agreeing({ project }: DocumentContent, after: DocumentContent): Documen
   return change ? changedContent(after, change) : after;
 }
 
-/** What keeps a document from being edited. */
-export interface EditLock {
-  readonly isLocked: () => boolean;
-  /** Called for an edit that was refused. */
-  readonly refused: () => void;
-}
-
-const refusedGesture: Gesture = { update: () => undefined, commit: () => undefined, cancel: () => undefined };
-
 /** The open document: its project, its undo steps, and whether a file contains it. */
 export class DocumentStore {
   readonly state: StoreApi<DocumentState>;
@@ -119,7 +107,6 @@ export class DocumentStore {
   readonly #now: () => number;
   /** The current gesture. Calls of an ended gesture have no effect. */
   #gesture: Gesture | null = null;
-  #lock: EditLock | null = null;
   #left = new AbortController();
   readonly #leaving = new Set<() => void>();
 
@@ -147,30 +134,13 @@ export class DocumentStore {
     this.#leaving.add(listener);
   }
 
-  /** Refuses edits while a lock is closed. */
-  setLock(lock: EditLock): void {
-    this.#lock = lock;
-  }
-
-  #isRefused(): boolean {
-    const isRefused = this.#lock?.isLocked() ?? false;
-    if (isRefused) this.#lock?.refused();
-    return isRefused;
-  }
-
-  /** Applies an edit, after committing the current gesture. Returns false if it was refused. */
-  edit(edit: ProjectEdit): boolean {
-    if (this.#isRefused()) return false;
-    this.#apply(edit);
-    return true;
-  }
-
-  /** Shows a mesh of the project, as a step of undo: null for the one that a run makes. Locks permit it: the model stays as it is. */
+  /** Shows a mesh of the project, as a step of undo: null for the one that a run makes. */
   setMeshVersion(label: string, meshVersion: string | null): void {
-    this.#apply({ label, change: (draft) => void (draft.meshVersion = meshVersion) });
+    this.edit({ label, change: (draft) => void (draft.meshVersion = meshVersion) });
   }
 
-  #apply(edit: ProjectEdit): void {
+  /** Applies an edit, after committing the current gesture. */
+  edit(edit: ProjectEdit): void {
     this.#gesture?.commit();
     const { history } = this.state.getState();
     this.#set(commit(history, edit, contentAfter(history.present, edit), this.#now(), this.held));
@@ -203,7 +173,6 @@ export class DocumentStore {
 
   /** Begins a gesture, after committing the current one. */
   begin(label: string): Gesture {
-    if (this.#isRefused()) return refusedGesture;
     this.#gesture?.commit();
     const { history } = this.state.getState();
     const start = history.present;
@@ -246,13 +215,13 @@ export class DocumentStore {
   }
 
   /** Cancels the current gesture, shows another document, and returns the previous one. */
-  show({ id, history, savedKey, file, lesson }: OpenDocument): DocumentState {
+  show({ id, history, savedKey, file }: OpenDocument): DocumentState {
     this.#gesture?.cancel();
     const before = this.state.getState();
     this.#left.abort();
     this.#left = new AbortController();
     for (const forget of this.#leaving) forget();
-    this.state.setState({ id, history, savedKey, file, lesson, left: this.left });
+    this.state.setState({ id, history, savedKey, file, left: this.left });
     return before;
   }
 
@@ -262,8 +231,7 @@ export class DocumentStore {
    */
   markSaved(id: string, project: Project, file: ProjectFile | null): void {
     if (this.state.getState().id !== id) return;
-    // Saved, the model of a lesson is the reader's own.
-    this.state.setState({ savedKey: documentKey(project), file, lesson: null });
+    this.state.setState({ savedKey: documentKey(project), file });
   }
 
   /** Calls back whenever the project changes, and for every document that is shown. Returns a function that stops this. */

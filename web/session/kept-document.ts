@@ -26,8 +26,6 @@ export interface DocumentHead {
   readonly listed: 0 | 1;
   readonly savedKey: string;
   readonly file: ProjectFile | null;
-  /** Number of the lesson whose model this is. */
-  readonly lesson?: number;
   /** If the document is as it was opened: opened again, the same file replaces it. Earlier versions of the app have stored none. */
   readonly isUnchanged?: boolean;
 }
@@ -78,7 +76,7 @@ export type DocumentSummary = Pick<DocumentHead, "id" | "name" | "at">;
 export const maxKeptHistoryBytes = 4 * 2 ** 20;
 
 export function documentHead(
-  { id, history: { past, present, future }, savedKey, file, lesson }: OpenDocument,
+  { id, history: { past, present, future }, savedKey, file }: OpenDocument,
   at: number,
   isListed: boolean,
 ): DocumentHead {
@@ -90,7 +88,6 @@ export function documentHead(
     listed: isListed ? 1 : 0,
     savedKey,
     file,
-    ...(lesson !== null && { lesson }),
     isUnchanged,
   };
 }
@@ -132,7 +129,7 @@ export const blobsOf = (texts: ReadonlyMap<string, string>): { readonly longText
  * a project that cannot be read, the document is as before that change.
  */
 export async function openKept(kept: KeptDocument): Promise<OpenDocument | null> {
-  const { id, file, lesson = null, content } = kept;
+  const { id, file, content } = kept;
   const texts = new Map<string, string>();
   await readTexts(content, texts);
   const project = parseWith(content.text, texts) as Project;
@@ -154,7 +151,7 @@ export async function openKept(kept: KeptDocument): Promise<OpenDocument | null>
   // An earlier version of the app may have made other keys.
   const savedKey = kept.listed === 1 ? kept.savedKey : documentKey(present.project);
   const isUsable = content.version === value.version;
-  return { id, history: isUsable ? { ...history, present } : startHistory(present), savedKey, file, lesson };
+  return { id, history: isUsable ? { ...history, present } : startHistory(present), savedKey, file };
 }
 
 /** Returns the changes that continue the content, without a gap. */

@@ -88,15 +88,10 @@ export class Session {
   }
 
   /**
-   * Shows a project as a new document, or the model of a lesson. Returns the previous document, which Recent lists if it was
-   * changed or made of a file.
+   * Shows a project as a new document. Returns the previous document, which Recent lists if it was changed or made of a file.
    */
-  showProject(
-    project: Project,
-    file: ProjectFile | null = null,
-    lesson: number | null = null,
-  ): DocumentState {
-    return this.#showNew({ ...newDocument(project, file), lesson });
+  showProject(project: Project, file: ProjectFile | null = null): DocumentState {
+    return this.#showNew(newDocument(project, file));
   }
 
   /** Shows a project with a mesh that no run makes of it, as a new document. Returns the previous document. */

@@ -32,7 +32,6 @@ export interface Notice {
     | "shared"
     | "animation"
     | "address"
-    | "locked"
     | "update"
     | "offline"
     | "worker";
@@ -41,20 +40,11 @@ export interface Notice {
   readonly action: { readonly label: string; readonly run: () => void };
 }
 
-export interface DocumentLock {
-  readonly documentId: string;
-  /** Why it is not edited, and the label of the button that permits it. */
-  readonly text: string;
-  readonly edit: string;
-}
-
 /** Which tabs, drawers and dialogs are open. Undo does not affect it, and a reload resets it. */
 export interface ShellState {
   /** On wide screens, the lens is there while a front is shown. */
   readonly leftTab: "model" | "examples" | "lens";
-  readonly rightTab: "inspector" | "quality" | "display" | "lessons";
-  /** A document that is not edited, because what is shown beside it holds for it as it is; null if there is none. */
-  readonly lock: DocumentLock | null;
+  readonly rightTab: "inspector" | "quality" | "display";
   readonly bottomTab: "log" | "problems" | "patches" | "front" | "history";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
@@ -92,7 +82,6 @@ export function createShell(): Shell {
   return createStore<ShellState>(() => ({
     leftTab: "model",
     rightTab: "inspector",
-    lock: null,
     bottomTab: "log",
     drawer: null,
     dialog: null,
@@ -122,7 +111,7 @@ export function hideNotice(shell: Shell, hidden: Notice["key"]): void {
 /** Notices about a mesh, or about what becomes of an opened file in the next one: they give way to a run. */
 const ofMesh: readonly Notice["key"][] = ["file-notes", "improvement", "prepared"];
 /** Notices about the open document, which give way to another one. */
-const ofDocument: readonly Notice["key"][] = [...ofMesh, "deleted", "note", "locked"];
+const ofDocument: readonly Notice["key"][] = [...ofMesh, "deleted", "note"];
 
 export const hideMeshNotices = (shell: Shell): void => hideNotices(shell, ofMesh);
 export const hideDocumentNotices = (shell: Shell): void => hideNotices(shell, ofDocument);

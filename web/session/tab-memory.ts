@@ -3,9 +3,7 @@
  */
 export interface TabMemory {
   read(): string | null;
-  /** Returns the document of the reader's own that was open last: the model of a lesson is none. */
-  readOwn(): string | null;
-  write(id: string, isOwn: boolean): void;
+  write(id: string): void;
 }
 
 /** A document that a tab has opened by itself and not meshed, because another tab is open. */
@@ -17,38 +15,27 @@ export interface UnmeshedStart {
 
 export class BrowserTabMemory implements TabMemory {
   readonly #key: string;
-  readonly #ownKey: string;
   readonly #startKey: string;
 
   /** Two apps on one page need different names. */
   constructor(name: string) {
     this.#key = `tetrafront-open-document-${name}`;
-    this.#ownKey = `tetrafront-own-document-${name}`;
     this.#startKey = `tetrafront-unmeshed-start-${name}`;
   }
 
   read(): string | null {
-    return this.#item(this.#key);
-  }
-
-  readOwn(): string | null {
-    return this.#item(this.#ownKey);
-  }
-
-  write(id: string, isOwn: boolean): void {
     try {
-      sessionStorage.setItem(this.#key, id);
-      if (isOwn) sessionStorage.setItem(this.#ownKey, id);
+      return sessionStorage.getItem(this.#key);
     } catch {
-      // Without session storage, a reload opens the document changed last.
+      return null;
     }
   }
 
-  #item(key: string): string | null {
+  write(id: string): void {
     try {
-      return sessionStorage.getItem(key);
+      sessionStorage.setItem(this.#key, id);
     } catch {
-      return null;
+      // Without session storage, a reload opens the document changed last.
     }
   }
 

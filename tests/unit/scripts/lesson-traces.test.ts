@@ -40,6 +40,7 @@ test("the site gets these files", async () => {
   await lessonTraces().generateBundle.call({ emitFile });
   expect(emitted).toEqual({
     "traces/ball.tft": files["ball"],
+    "traces/cube.tft": files["cube"],
     "traces/box.tft": files["box"],
     "traces/pocket.tft": files["pocket"],
   });

@@ -12,11 +12,6 @@ it.each([
   "model=unit-cube",
   "model=unit-cube&step=0",
   "model=unit-cube&step=-12&order=random&color=age&faces=all&elements=cut&candidate=0&camera=1,2,3,4,5,6",
-  "lesson=7",
-  "lesson=7&step=-3",
-  "lesson=7&runs=first-in,strict%2Blinear",
-  // Whether there is such a lesson is known later.
-  "lesson=99",
 ])("nothing of “%s”", (query) => {
   expect(problemsOf(query)).toEqual([]);
 });
@@ -33,13 +28,8 @@ it.each([
   ["model=a&step=1&candidate=-1", [/“candidate=-1”.*decides/]],
   ["model=a&step=1&camera=1,2,3", [/six numbers.*“camera=1,2,3”.*whole model/]],
   ["model=a&step=1&color=red&candidate=z", [/color=red/, /candidate=z/]],
-  ["lesson=7&runs=sideways", [/“sideways”.*Only the lesson/]],
-  ["lesson=7&runs=sideways,strict,down", [/“sideways”.*: strict/, /“down”.*: strict/]],
   ["model=a&order=random", [/“order” without a step.*No front/]],
   ["camera=1,2,3&color=age", [/“color” and “camera” without a step/]],
-  ["lesson=7&runs=down,down", [/“down”/]],
-  ["lesson=7&step=x", [/whole number.*“step=x”.*begins/]],
-  ["runs=random", [/“runs” without a lesson/]],
 ])("the parameters of “%s” that cannot be read, and what is shown instead", (query, expected) => {
   const problems = problemsOf(query);
   expect(problems).toHaveLength(expected.length);

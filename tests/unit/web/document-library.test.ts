@@ -23,7 +23,6 @@ function browser() {
 }
 
 /** A document of the reader's own. */
-const ownOf = (id: string) => ({ id, lesson: null });
 
 const nameOf = (opened: Awaited<ReturnType<DocumentLibrary["resume"]>>): string | undefined =>
   opened?.document.history.present.project.name;
@@ -34,7 +33,7 @@ describe("the library of kept documents", () => {
     const tabs = await Promise.all(
       ["a", "b", "c", "d"].map(async (name, i) => {
         const tab = openTab();
-        tab.library.keepOpen(ownOf(await keep(name, i)));
+        tab.library.keepOpen({ id: await keep(name, i) });
         return tab;
       }),
     );
@@ -62,27 +61,6 @@ describe("the library of kept documents", () => {
     expect(await second.library.take(last)).toBe("open-in-another-tab");
     close(first);
     expect(nameOf(await second.library.resume())).toBe("last");
-  });
-
-  it("brings the reader's own document back after a lesson, and a reload the model of the lesson", async () => {
-    const { openTab, keep, storage, close } = browser();
-    const mine = await keep("mine", 1);
-    const first = openTab();
-    first.library.keepOpen(ownOf(mine));
-    const model = { ...newDocument({ ...cubeProject(), name: "model of a lesson" }), lesson: 3 };
-    await storage.write(keptDocument(model, 2, true));
-    first.library.keepOpen(model);
-    close(first);
-    expect(await openTab(first.memory).library.unsaved()).toBeNull();
-    const reloaded = await openTab(first.memory).library.resume(true);
-    expect(nameOf(reloaded)).toBe("model of a lesson");
-    expect(reloaded?.document.lesson).toBe(3);
-    reloaded?.release();
-    const visited = await openTab(first.memory).library.resume(false);
-    expect(nameOf(visited)).toBe("mine");
-    visited?.release();
-    // A new tab, too, though the model was changed last.
-    expect(nameOf(await openTab().library.resume(false))).toBe("mine");
   });
 
   it("lists a file that is opened again once, and keeps what was changed or is open in another tab", async () => {
@@ -116,7 +94,7 @@ describe("the library of kept documents", () => {
     const { openTab, keep } = browser();
     const id = await keep("original", 1);
     const first = openTab();
-    first.library.keepOpen(ownOf(id));
+    first.library.keepOpen({ id });
     const duplicate = openTab(Object.assign(new MemoryTab(), { id }));
     const resumed = await duplicate.library.resume();
     expect(nameOf(resumed)).toBe("original");
@@ -140,8 +118,8 @@ describe("the library of kept documents", () => {
     const { openTab, keep } = browser();
     const ids = await Promise.all(["other", "own", "closed"].map((name, i) => keep(name, i)));
     const [other, own] = [openTab(), openTab()];
-    other.library.keepOpen(ownOf(ids[0] ?? ""));
-    own.library.keepOpen(ownOf(ids[1] ?? ""));
+    other.library.keepOpen({ id: ids[0] ?? "" });
+    own.library.keepOpen({ id: ids[1] ?? "" });
     const listed = await own.library.list();
     expect(listed.map(({ name, openIn }) => [name, openIn])).toEqual([
       ["closed", null],
@@ -162,7 +140,7 @@ describe("the library of kept documents", () => {
     expect(nameOf(await tab.library.resume())).toBe("drawn");
     // The document of this tab comes before the one used last.
     const memory = new MemoryTab();
-    memory.write(await keep("mine", 0), true);
+    memory.write(await keep("mine", 0));
     expect(await openTab(memory).library.unsaved()).toBeNull();
   });
 
@@ -170,8 +148,8 @@ describe("the library of kept documents", () => {
     const { openTab, keep, locks } = browser();
     const [a, b] = [await keep("a", 1), await keep("b", 2)];
     const { library } = openTab();
-    library.keepOpen(ownOf(a));
-    library.keepOpen(ownOf(b));
+    library.keepOpen({ id: a });
+    library.keepOpen({ id: b });
     await Promise.resolve();
     await Promise.resolve();
     expect([...locks.held]).toEqual([b]);
@@ -183,7 +161,7 @@ describe("the library of kept documents", () => {
     await keep("b", 3);
     await keep("untouched", 2, false);
     const { library } = openTab();
-    library.keepOpen(ownOf(a));
+    library.keepOpen({ id: a });
     const listed = (await library.list()).map(({ name, openIn }) => [name, openIn]);
     expect(listed).toEqual([
       ["b", null],
@@ -199,8 +177,8 @@ describe("the library of kept documents", () => {
     await keep("untouched", 5, false);
     const open = await keep("untouched and open", 5, false);
     const [first, second] = [openTab(), openTab()];
-    first.library.keepOpen(ownOf(oldest));
-    second.library.keepOpen(ownOf(open));
+    first.library.keepOpen({ id: oldest });
+    second.library.keepOpen({ id: open });
     await first.library.clean();
     const names = [...storage.documents.values()].map(({ name }) => name);
     expect(names).toHaveLength(maxListedDocuments + 2);
@@ -221,7 +199,7 @@ describe("the library of kept documents", () => {
     const list = storage.list.bind(storage);
     storage.list = async () => {
       const opened = await keep("new", 5, false);
-      second.keepOpen(ownOf(opened));
+      second.keepOpen({ id: opened });
       return list();
     };
     await openTab().library.clean();

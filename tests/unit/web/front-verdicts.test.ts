@@ -116,7 +116,7 @@ describe("every accepted candidate passes, and every refused one fails for the r
   });
 
   test("the needles, among which are nodes in the plane of their face", async () => {
-    const file = new URL("../../../public/lessons/needles.json", import.meta.url);
+    const file = new URL("../../support/needles.json", import.meta.url);
     const project = readProject(readFileSync(file, "utf8"));
     if (!project.success) throw new Error(project.errors[0].message);
     const checked = check(await recordFront(project.value));

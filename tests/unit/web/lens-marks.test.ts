@@ -126,8 +126,6 @@ describe("the marks of a step", () => {
     expect(marks.isAccepted).toBe(false);
     expect(marks.ideal).toEqual([step.idealPoint]);
     expect(marks.others).toHaveLength(step.candidates.length - 1);
-    // In the game, the nodes to choose from have markers: labels would lie over them. All else is drawn.
-    expect(lensMarks({ ...scene, isGame: true })).toEqual({ ...marks, labels: [] });
   });
 
   it("of an accepted candidate show the element, and nothing that fails", () => {

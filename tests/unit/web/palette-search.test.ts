@@ -4,7 +4,7 @@ import type { Mesher } from "tetrafront";
 import { createBody } from "tetrafront/project";
 import { beforeEach, expect, it, vi } from "vitest";
 import { App } from "../../../web/app/app";
-import { loadPaletteItems, paletteItems, type PaletteItem } from "../../../web/commands/palette-items";
+import { paletteItems, type PaletteItem } from "../../../web/commands/palette-items";
 import { inGroups, searchPalette } from "../../../web/commands/palette-search";
 import { commands } from "../../../web/commands/registry";
 import { isSimilarWord } from "../../../web/commands/similar-words";
@@ -20,15 +20,6 @@ import { cubeProject } from "../../support/projects";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
 import { SilentWorker } from "../../support/silent-worker";
-
-vi.mock("../../../web/teach/lessons/course", () => ({
-  course: () => {
-    const titles = Array.from({ length: 10 }, (_, i) =>
-      i === 9 ? "When no candidate fits" : `Title ${i + 1}`,
-    );
-    return Promise.resolve({ lessons: titles.map((title) => ({ title })) });
-  },
-}));
 
 beforeEach(() => {
   vi.stubGlobal("Worker", SilentWorker);
@@ -232,15 +223,18 @@ it.each(["mesh", "points", "lines"])("does not hide a layer by the word %s alone
   expect(foundBy(query)[0]).not.toMatch(/^layer-/);
 });
 
-it("finds lessons by their number, also before their titles are known, and by their titles", async () => {
-  for (const areLoaded of [false, true]) {
-    if (areLoaded) await loadPaletteItems();
-    expect(foundBy("lesson 10")[0]).toBe("lesson-10");
-    expect(foundBy("lesson 1")[0]).toBe("lesson-1");
-    expect(foundBy("candidate fits")).toEqual(areLoaded ? ["lesson-10"] : []);
+it("finds lessons by their number, and opens their pages", () => {
+  expect(foundBy("lesson 10")[0]).toBe("lesson-10");
+  expect(foundBy("lesson 0")[0]).toBe("lesson-0");
+  expect(foundBy("lesson")).toEqual(["lessons"]);
+  expect(foundBy("lesson 12")).toEqual([]);
+  const open = vi.fn();
+  vi.stubGlobal("window", { open });
+  for (const query of ["lessons", "lesson 7"]) {
+    const { listed, found } = paletteItems(cubeApp(), query);
+    searchPalette(query, listed, found)[0]?.run();
   }
-  expect(foundBy("lesson")).toHaveLength(11);
-  expect(foundBy("lesson 11")).toEqual([]);
+  expect(open.mock.calls.map(([address]) => address as string)).toEqual(["./lessons/", "./lessons/7/"]);
 });
 
 it("remeshes the triangles of bodies", () => {

@@ -9,7 +9,7 @@ import { recordFront } from "../../support/recorded-models";
 
 let trace: Trace;
 beforeAll(async () => {
-  const file = new URL("../../../public/lessons/needles.json", import.meta.url);
+  const file = new URL("../../support/needles.json", import.meta.url);
   const project = readProject(readFileSync(file, "utf8"));
   if (!project.success) throw new Error(project.errors[0].message);
   trace = await recordFront(project.value);

@@ -177,25 +177,6 @@ describe("an improvement", () => {
     dispose();
   });
 
-  it("is shown though the model is locked, and so is the mesh that replaces it", async () => {
-    const { documents, run, steps, stale, finish, dispose } = await improvable();
-    const refused = vi.fn();
-    documents.setLock({ isLocked: () => true, refused });
-    expect(documents.edit(renamed("another name"))).toBe(false);
-    expect(refused).toHaveBeenCalledOnce();
-    await run.generate();
-    finish();
-    expect(await run.improve()).toMatchObject({ kind: "shown" });
-    expect(steps()).toEqual(["Improve mesh"]);
-    expect(run.state.getState()).toMatchObject({ isValid: true, improvement: { isImproved: true } });
-    await run.generate();
-    expect(steps()).toEqual(["Improve mesh", "Generate mesh"]);
-    expect(run.state.getState()).toMatchObject({ isValid: null, improvement: null });
-    expect(stale()).toBe(false);
-    expect(refused).toHaveBeenCalledOnce();
-    dispose();
-  });
-
   it("that ends during a drag waits for its end, and the drag stays one step", async () => {
     const { documents, run, steps, finish, dispose } = await improvable();
     await run.generate();

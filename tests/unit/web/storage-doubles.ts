@@ -148,18 +148,12 @@ export class MemoryLocks implements DocumentLocks {
 
 export class MemoryTab implements TabMemory {
   id: string | null = null;
-  ownId: string | null = null;
 
   read(): string | null {
     return this.id;
   }
 
-  readOwn(): string | null {
-    return this.ownId;
-  }
-
-  write(id: string, isOwn: boolean): void {
+  write(id: string): void {
     this.id = id;
-    if (isOwn) this.ownId = id;
   }
 }

@@ -3,7 +3,7 @@ import { Spotlight, useSpotlight } from "@mantine/spotlight";
 import { IconSearch } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
 import { useStore } from "zustand";
-import { loadPaletteItems, paletteItems } from "../../commands/palette-items";
+import { paletteItems } from "../../commands/palette-items";
 import { inGroups, searchPalette } from "../../commands/palette-search";
 import { keyNames } from "../../commands/registry";
 import { strings } from "../../strings";
@@ -25,7 +25,6 @@ export function CommandPalette() {
   useRun((state) => state.busy);
   useView((state) => state.selection.length);
   useStore(app.viewer);
-  useLoadedItems(opened);
   const { listed, found } = opened ? paletteItems(app, query) : nothing;
   const actions = inGroups(searchPalette(query, listed, found)).map(({ group, items }) => ({
     group,
@@ -82,14 +81,6 @@ export function CommandPalette() {
       }}
     />
   );
-}
-
-/** Renders again when the entries are loaded that are loaded for the palette. */
-function useLoadedItems(opened: boolean): void {
-  const [, setLoaded] = useState(false);
-  useEffect(() => {
-    if (opened) void loadPaletteItems().then(() => setLoaded(true));
-  }, [opened]);
 }
 
 /** Selects the first action for keys that the field did not get, as after typing, and runs it if Enter was among them. */

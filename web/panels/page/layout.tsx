@@ -19,7 +19,7 @@ import { ViewportPanel } from "../viewport/viewport-panel";
 import tabs from "../../ui/frames/panel-tabs.module.css";
 import styles from "./layout.module.css";
 
-const rightTabs = ["inspector", "quality", "display", "lessons"] as const;
+const rightTabs = ["inspector", "quality", "display"] as const;
 
 /** The whole app: panels beside the view if there is room, otherwise in drawers. */
 export function PageLayout() {
@@ -241,7 +241,6 @@ function LeftPanel() {
 
 function RightPanel() {
   const app = useApp();
-  const slot = useSlots().right;
   const tab = useShell((state) => state.rightTab);
   return (
     <Tabs
@@ -258,9 +257,6 @@ function RightPanel() {
           {strings.report.tab}
         </Tabs.Tab>
         <Tabs.Tab value="display">{strings.inspector.display}</Tabs.Tab>
-        <Tabs.Tab value="lessons" data-testid="tab-lessons">
-          {slot.label}
-        </Tabs.Tab>
       </Tabs.List>
       <Tabs.Panel value="inspector">
         <Inspector />
@@ -273,11 +269,6 @@ function RightPanel() {
       <Tabs.Panel value="display">
         <PanelBoundary>
           <DisplayPanel />
-        </PanelBoundary>
-      </Tabs.Panel>
-      <Tabs.Panel value="lessons">
-        <PanelBoundary>
-          <slot.Panel />
         </PanelBoundary>
       </Tabs.Panel>
     </Tabs>

@@ -7,11 +7,10 @@ export interface TabSlot {
   readonly Panel: ComponentType;
 }
 
-/** What the page shows of what can be played in the view and of what is read beside it. The app knows no more of what teaches (web/teach). */
+/** What the page shows of what can be played in the view. The app knows no more of what teaches (web/teach). */
 export interface Slots {
   /** At the left, while it is offered; alone there in presenter mode. */
   readonly left: TabSlot & { readonly useIsOffered: () => boolean };
-  readonly right: TabSlot;
   readonly bottom: TabSlot;
   /** In the view, while a replay is shown. */
   readonly Overlay: ComponentType<{ readonly viewer: Viewer }>;

@@ -41,8 +41,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const isReplaying = useStore(app.replay.state, ({ isShown }) => isShown);
   const { Overlay, Beside, useBeside } = useSlots();
   const isMoving = useStore(app.drawing.state, ({ amount, typed }) => amount !== null || typed !== null);
-  const isLocked = useLocked();
-  const hasColumn = !isLocked && (layout !== "phone" || !isReplaying);
+  const hasColumn = layout !== "phone" || !isReplaying;
   const hasOperation = useStore(app.operations.state, ({ open }) => open !== null);
   const [operation, setOperation] = useState<HTMLElement | null>(null);
   const showsStart = useShell(({ startPage }) => startPage) && !hasOperation && !isReplaying;
@@ -56,7 +55,6 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       className={styles["view"]}
       data-operation={hasOperation || undefined}
       data-split={hasBeside || undefined}
-      data-without-tools={isLocked || undefined}
       data-start={showsStart || undefined}
       data-replaying={isReplaying || undefined}
     >
@@ -79,7 +77,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         </Suspense>
       )}
       {trouble && <ViewNotice trouble={trouble} />}
-      {!isLocked && <ToolColumn />}
+      <ToolColumn />
       <div className={styles["top"]}>
         {hasChoices ? <DrawingBar /> : showsSizes ? <SizeBar /> : <CutBar />}
         {/* On a wide screen, the panel of an operation takes this place. */}
@@ -102,13 +100,6 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       )}
     </main>
   );
-}
-
-/** Returns whether the document is not edited. */
-function useLocked(): boolean {
-  const app = useApp();
-  const id = useStore(app.documents.state, (state) => state.id);
-  return useStore(app.shell, ({ lock }) => lock?.documentId === id);
 }
 
 /** Returns where an element ends in what contains it, in CSS pixels from the left; 0 without one. */

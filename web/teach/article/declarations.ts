@@ -10,6 +10,7 @@ import {
   plateNeedlesDeclaration,
   plateSpotDeclaration,
 } from "./figures/plate/declaration.ts";
+import { mesherDeclaration } from "./figures/mesher/declaration.ts";
 import { pocketDeclaration } from "./figures/pocket/declaration.ts";
 import { raceDeclaration } from "./figures/race/declaration.ts";
 import { heapDeclaration, searchDeclaration } from "./figures/search/declaration.ts";
@@ -33,6 +34,7 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   plate: plateDeclaration,
   "plate-spot": plateSpotDeclaration,
   "plate-needles": plateNeedlesDeclaration,
+  mesher: mesherDeclaration,
   pocket: pocketDeclaration,
   stall: stallDeclaration,
   sliver: sliverDeclaration,

@@ -1,22 +1,8 @@
 /** What the address of a page asks for and cannot get. Loaded if the address has parameters. */
 import type { App } from "../../app/app";
-import { lessonIn } from "../lessons/lesson-address";
-import { rulesNamed } from "../lessons/run-rules";
 import { sharedFrontIn } from "../player/shared-front";
 import { showNotice } from "../../session/shell";
 import { addressStrings as texts } from "../strings/address";
-
-/**
- * Returns a sentence for each parameter that cannot be read, about what was expected and what is shown instead. Whether a model,
- * a lesson or a step exists is not known here.
- */
-export function addressProblems(query: URLSearchParams): readonly string[] {
-  const lesson = lessonIn(query);
-  const step = query.get("step");
-  const isUnread = lesson !== null && lesson.step === null && step !== null;
-  if (isUnread) return [...runProblems(query, lesson.runs), texts.lessonStep(step)];
-  return lesson ? runProblems(query, lesson.runs) : [...frontProblems(query), ...runsAlone(query)];
-}
 
 /** Parameters that say how a front is shown. */
 const frontNames = ["order", "color", "faces", "elements", "candidate", "camera"] as const;
@@ -33,15 +19,11 @@ export function showAddressProblems({ shell }: Pick<App, "shell">, problems: rea
   });
 }
 
-function runProblems(query: URLSearchParams, known: readonly string[]): readonly string[] {
-  const unknown = (query.get("runs") ?? "")
-    .split(",")
-    .map((name) => name.trim())
-    .filter((name) => rulesNamed(name) === null);
-  return [...new Set(unknown)].map((name) => texts.runs(name, known));
-}
-
-function frontProblems(query: URLSearchParams): readonly string[] {
+/**
+ * Returns a sentence for each parameter that cannot be read, about what was expected and what is shown instead. Whether a model
+ * or a step exists is not known here.
+ */
+export function addressProblems(query: URLSearchParams): readonly string[] {
   const step = query.get("step");
   if (step === null) {
     const names = frontNames.filter((name) => query.has(name));
@@ -63,9 +45,4 @@ function frontProblems(query: URLSearchParams): readonly string[] {
     const value = query.get(name);
     return value === null || isRead[name] ? [] : [texts.ofFront[name](value)];
   });
-}
-
-/** Runs belong to a lesson. */
-function runsAlone(query: URLSearchParams): readonly string[] {
-  return query.has("runs") ? [texts.runsAlone] : [];
 }

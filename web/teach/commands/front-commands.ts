@@ -19,13 +19,14 @@ function recordFront(app: App): void {
   void playerOf(app).record({ optimizes: true });
 }
 
-/** Opens the list of the lessons, or the lesson that is open. */
-const openLessons = (app: App): void =>
-  app.shell.setState({ rightTab: "lessons", drawer: "right", startPage: false });
+/** Opens the page of a lesson, or the list of all, beside the app. */
+export const openLessons = (page?: number | "mesher"): void =>
+  void window.open(page === undefined ? "./lessons/" : `./lessons/${page}/`, "_blank", "noopener");
 
 /** The command of the lessons, in the menu of the help. */
 export const lessonCommands: readonly Command[] = [
-  define("help", 0)("lessons", texts.lessons, openLessons, { words: words.lessons }),
+  define("help", 0)("lessons", texts.lessons, () => openLessons(), { words: words.lessons }),
+  define("help", 0)("mesher", texts.mesher, () => openLessons("mesher"), { words: words.mesher }),
 ];
 
 /** The commands of the recorded front, in the menu of the mesh. */

@@ -2,6 +2,7 @@ import type { App } from "../../app/app";
 import type { PaletteItem, PaletteSource } from "../../commands/palette-items";
 import { frontStrings as texts } from "../strings/front";
 import { shareStrings } from "../strings/share";
+import { openLessons } from "./front-commands";
 import { playerOf } from "./player-of";
 
 const sharing = {
@@ -47,40 +48,19 @@ function stepItems(app: App, query: string): PaletteItem[] {
   return [{ ...item, label: label(step, trace.stepCount), needs: null, run: () => playerOf(app).seek(step) }];
 }
 
-/** Titles of the lessons, null for one that cannot be read; null before they are loaded. */
-let titles: readonly (string | null)[] | null = null;
+/** Number of the last lesson; the first one is lesson 0. */
+const lastLesson = 11;
 
-/**
- * Returns the lessons. Before their titles are known, returns the one whose number a query has: "lesson 10". An unknown number
- * opens the list of lessons.
- */
-function lessonItems(app: App, query: string): PaletteItem[] {
-  const typed = Number(/\blesson\s+(\d+)\s*$/i.exec(query)?.[1] ?? 0);
-  const known = titles?.map((title, index) => ({ title, number: index + 1 }));
-  const lessons = known?.filter(({ title }) => title !== null) ?? [{ title: null, number: typed }];
-  return lessons
-    .filter(({ number }) => number > 0)
-    .map(({ title, number }) => ({
-      id: `lesson-${number}`,
-      group: texts.lessons,
-      label: texts.lesson(number, title),
-      words: "",
-      hotkey: null,
-      needs: null,
-      takesFocus: true,
-      run: () => {
-        app.shell.setState({ startPage: false });
-        void import("./lesson-actions").then(({ openLessonNumber }) =>
-          openLessonNumber(app, { number, runs: [], step: null }),
-        );
-      },
-    }));
+/** Returns the lesson whose number a query has: "lesson 10". */
+function lessonItems(query: string): PaletteItem[] {
+  const number = Number(/\blesson\s+(\d+)\s*$/i.exec(query)?.[1] ?? NaN);
+  if (!(number <= lastLesson)) return [];
+  const item = { id: `lesson-${number}`, group: texts.lessons, label: texts.lesson(number), words: "" };
+  return [{ ...item, hotkey: null, needs: null, run: () => openLessons(number) }];
 }
 
-export const teachingItems: PaletteSource = {
-  itemsOf: (app, query) => [...stepItems(app, query), ...lessonItems(app, query), ...sharingItems(app)],
-  load: async () => {
-    const { course } = await import("../lessons/course");
-    titles = (await course()).lessons.map((lesson) => lesson?.title ?? null);
-  },
-};
+export const teachingItems: PaletteSource = (app, query) => [
+  ...stepItems(app, query),
+  ...lessonItems(query),
+  ...sharingItems(app),
+];

@@ -57,10 +57,10 @@ function labelsOf(state: PlayerState): readonly LensLabel[] {
   if (scene) return lensMarks(scene).labels;
   const recovered = recoveryMarksOf(state);
   if (recovered) return recovered.labels;
-  const { trace, step, candidate, edgeTask } = state;
+  const { trace, step, candidate } = state;
   const surface = trace && surfaceState(trace, step);
   return trace?.surface && typeof surface === "number"
-    ? surfaceLabels(trace.surface, surface, candidate, edgeTask)
+    ? surfaceLabels(trace.surface, surface, candidate)
     : [];
 }
 

@@ -11,10 +11,6 @@ const loadPlane = () => import("./player/plane-view");
 const Lens = lazy(async () => ({ default: (await loadPanels()).Lens }));
 const FrontPanel = lazy(async () => ({ default: (await loadPanels()).FrontPanel }));
 const PlaneView = lazy(async () => ({ default: (await loadPlane()).PlaneView }));
-/** Loaded when the tab is opened, because it needs the libraries that render text. */
-const LessonsPanel = lazy(async () => ({
-  default: (await import("./lessons/lessons-panel")).LessonsPanel,
-}));
 const FrontOverlay = lazy(async () => {
   const { FrontOverlay: Overlay } = await import("./player/front-overlay");
   // So that the plane of a patch is there when one is first shown.
@@ -42,10 +38,9 @@ function Overlay({ viewer }: { readonly viewer: Viewer }) {
   );
 }
 
-/** What the page shows of fronts and lessons. */
+/** What the page shows of fronts. */
 export const teachingSlots: Slots = {
   left: { label: frontStrings.lens, Panel: Lens, useIsOffered: useHasLens },
-  right: { label: frontStrings.lessons, Panel: LessonsPanel },
   bottom: { label: frontStrings.tab, Panel: FrontPanel },
   Overlay,
   Legend,

@@ -56,7 +56,7 @@ export interface LensMarks {
 
 /** Returns what is drawn of a scene. */
 export function lensMarks(scene: LensScene): LensMarks {
-  const { trace, step, examined, others: all, showsIdeal, isGame, supposed } = scene;
+  const { trace, step, examined, others: all, supposed } = scene;
   const others = all.slice(0, maxOthers);
   const base = cornersOf(trace, step.face);
   const apex = examined?.candidate.position ?? null;
@@ -67,7 +67,7 @@ export function lensMarks(scene: LensScene): LensMarks {
     ...failing.labels,
     ...candidateLabel(examined),
     { kind: "base", position: mean(base), text: texts.base(step.face) },
-    ...(showsIdeal ? [{ kind: "ideal", position: step.idealPoint, text: texts.ideal } as const] : []),
+    { kind: "ideal", position: step.idealPoint, text: texts.ideal },
     { kind: "base", position: tip[1] ?? base[0], text: texts.normal },
     ...others.flatMap(({ node, isNew, position }) =>
       isNew ? [] : [{ kind: "candidate" as const, position, text: texts.node(node), isMinor: true as const }],
@@ -76,7 +76,7 @@ export function lensMarks(scene: LensScene): LensMarks {
   return {
     base,
     normal: tip,
-    ideal: showsIdeal ? [step.idealPoint] : [],
+    ideal: [step.idealPoint],
     candidate: apex ? [apex] : [],
     others: others.map(({ position }) => position),
     newSides: apex ? base.flatMap((corner) => [corner, apex]) : [],
@@ -84,7 +84,7 @@ export function lensMarks(scene: LensScene): LensMarks {
     isAccepted,
     supposed: supposed?.joined.flat() ?? [],
     ...failing,
-    labels: isGame ? [] : labels,
+    labels,
   };
 }
 

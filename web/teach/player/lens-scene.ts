@@ -4,7 +4,6 @@ import type { FrontChange } from "./judge";
 import { decisive, examine, type LensCandidate } from "./lens";
 import type { PlayerState } from "./player";
 import { searchRegionOf, type SearchRegion } from "./search-region";
-import { chosenCandidate, type VolumeTask } from "./volume-game";
 
 /** A step of the volume with the examined candidate. */
 export interface LensScene {
@@ -14,20 +13,14 @@ export interface LensScene {
   /** The other candidates of the step. */
   readonly others: readonly TracedCandidate[];
   readonly region: SearchRegion | null;
-  readonly showsIdeal: boolean;
   /**
    * How the front would change with the examined candidate, if the view shows this: one was chosen that was refused, and whose
    * element would have a volume. Else null.
    */
   readonly supposed: FrontChange | null;
-  /** Whether nodes have labels of another kind, those to choose from: others would lie under them. */
-  readonly isGame: boolean;
 }
 
-type Examined = Pick<
-  PlayerState,
-  "step" | "lensStep" | "isPlaying" | "sweep" | "candidate" | "showsRegion" | "task"
->;
+type Examined = Pick<PlayerState, "step" | "lensStep" | "isPlaying" | "sweep" | "candidate" | "showsRegion">;
 
 /** What was examined last in each trace: the view and the panels ask for the same. */
 const known = new WeakMap<Trace, { readonly state: Examined; readonly scene: LensScene | null }>();
@@ -53,14 +46,12 @@ function isSame(a: Examined, b: Examined): boolean {
     a.isPlaying === b.isPlaying &&
     a.sweep === b.sweep &&
     a.candidate === b.candidate &&
-    a.showsRegion === b.showsRegion &&
-    a.task === b.task
+    a.showsRegion === b.showsRegion
   );
 }
 
 /** Returns the scene of a state as `lensSceneOf` does, but always as a new object, which is not kept. */
 export function sceneOf(trace: Trace, state: Examined): LensScene | null {
-  if (state.task) return taskScene(trace, state.task);
   // While the front is played or scrubbed, only its faces change.
   if (state.isPlaying || state.step !== state.lensStep || state.sweep !== null) return null;
   const step = trace.stepAt(state.lensStep);
@@ -74,9 +65,7 @@ export function sceneOf(trace: Trace, state: Examined): LensScene | null {
     examined,
     others: step.candidates.filter((candidate) => candidate !== chosen),
     region: state.showsRegion ? searchRegionOf(trace, step) : null,
-    showsIdeal: true,
     supposed: state.candidate === null ? null : supposedChange(examined),
-    isGame: false,
   };
 }
 
@@ -85,20 +74,4 @@ function supposedChange(examined: LensCandidate | null): FrontChange | null {
   const verdict = examined?.candidate.verdict;
   const wasPossible = verdict === "crosses" || verdict === "too-close";
   return examined && wasPossible && !examined.isBehind ? examined.change : null;
-}
-
-/** The base face that is asked for, and what the choice would make. */
-function taskScene(trace: Trace, task: VolumeTask): LensScene {
-  const { step } = task.question;
-  const chosen = chosenCandidate(trace, task);
-  return {
-    trace,
-    step,
-    examined: chosen && examine(trace, step, chosen),
-    others: [],
-    region: null,
-    showsIdeal: task.showsIdeal,
-    supposed: null,
-    isGame: true,
-  };
 }

@@ -7,12 +7,10 @@ import type { MeshRun } from "../../session/run";
 import { entityLabels, type EntityLabels } from "./entity-labels";
 import type { FrontColoring } from "./front-values";
 import type { Loop } from "./loop";
-import type { EdgeTask } from "./mesher-game";
 import { firstState, phaseEnd, phaseStart } from "./phases";
 import { Playback } from "./playback";
 import { recordProject, type PreparedOf, type Recorded, type RecordingChoices } from "./recording";
 import { nextStop, refusedIn, type Stop } from "./stops";
-import type { VolumeTask } from "./volume-game";
 
 /** Which faces of the front are drawn: all, or those that look towards the eye, as seen from the empty volume. */
 export const frontFaces = ["inside", "all"] as const;
@@ -64,10 +62,6 @@ export interface PlayerState {
    * The sweep of the optimizer whose mesh is shown, from 1; 0 for the mesh of the front; null if the front is shown.
    */
   readonly sweep: number | null;
-  /** What "Be the mesher" asks in the volume; null if it is not played. */
-  readonly task: VolumeTask | null;
-  /** What "Be the mesher" asks in a patch; null if it is not played. */
-  readonly edgeTask: EdgeTask | null;
   /** Whether the front is faded while the lens shows a step. */
   readonly fades: boolean;
   /** Whether the view follows the base face. */
@@ -111,8 +105,6 @@ export const initialPlayerState: PlayerState = {
   candidate: null,
   showsRegion: false,
   sweep: null,
-  task: null,
-  edgeTask: null,
   fades: true,
   follows: false,
 };

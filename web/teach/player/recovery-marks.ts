@@ -20,7 +20,7 @@ export interface RecoveryMarks {
 const maxLabels = 8;
 const texts = playerStrings.marks;
 
-type Shown = Pick<PlayerState, "trace" | "step" | "lensStep" | "isPlaying" | "sweep" | "task">;
+type Shown = Pick<PlayerState, "trace" | "step" | "lensStep" | "isPlaying" | "sweep">;
 
 /** What was shown last of each trace: the view and its labels ask for the same. */
 const known = new WeakMap<Trace, { readonly step: number; readonly marks: RecoveryMarks | null }>();
@@ -29,15 +29,8 @@ const known = new WeakMap<Trace, { readonly step: number; readonly marks: Recove
  * Returns the marks of the step of recovery that a state shows; null while the front is played or scrubbed, and for other
  * steps. It is the same object as long as the step is the same. O(changes) for a new one.
  */
-export function recoveryMarksOf({
-  trace,
-  step,
-  lensStep,
-  isPlaying,
-  sweep,
-  task,
-}: Shown): RecoveryMarks | null {
-  if (!trace || isPlaying || step !== lensStep || sweep !== null || task) return null;
+export function recoveryMarksOf({ trace, step, lensStep, isPlaying, sweep }: Shown): RecoveryMarks | null {
+  if (!trace || isPlaying || step !== lensStep || sweep !== null) return null;
   const before = known.get(trace);
   if (before?.step === step) return before.marks;
   const shown = trace.stepAt(step);

@@ -1,7 +1,6 @@
 import type { Trace } from "tetrafront/trace";
 import type { StoreApi } from "zustand/vanilla";
 import type { Position } from "../../document/position";
-import { showAskedEdge, showAskedFace } from "./asked-face";
 import { cornersOf } from "./judge";
 import { LensLayer } from "./lens-layer";
 import { lensMarks } from "./lens-marks";
@@ -58,20 +57,11 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
     followed = positions && { step: state.step, scene };
     if (positions) viewer.framing.fitPositions(positions);
   };
-  /** What was asked for last: the view moves once per question, and the reader may turn it then. */
-  let asked: unknown = null;
-  const ask = ({ task, edgeTask }: PlayerState): void => {
-    const question = task?.question ?? edgeTask?.question ?? null;
-    if (question === null || question === asked) return;
-    asked = question;
-    if (task) showAskedFace(trace, task, viewer);
-    else if (edgeTask) showAskedEdge(edgeTask, viewer);
-  };
   const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {
     const recovered = recoveryMarksOf(state);
     replay.show(state, (scene !== null || recovered !== null) && state.fades, scene?.supposed);
-    surface.show(surfaceState(trace, state.step), state.candidate, state.edgeTask);
+    surface.show(surfaceState(trace, state.step), state.candidate);
     sweeps.show(state.sweep);
     lens.show(scene, recovered);
     return scene;
@@ -90,7 +80,6 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
       const scene = draw(state);
       if (state.follows) follow(state, scene);
       else followed = null;
-      ask(state);
       viewer.requestFrame();
     },
     end: (): void => {

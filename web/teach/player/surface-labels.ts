@@ -3,7 +3,6 @@ import type { EdgeStep, PlanarFront, SurfaceTrace } from "tetrafront/trace";
 import { mean } from "../../document/vectors";
 import { playerStrings } from "../strings/player";
 import type { LensLabel } from "./lens-marks";
-import type { EdgeTask } from "./mesher-game";
 import { cornersOfPlane } from "./plane-drawing";
 import { examinedCandidate } from "./planar-lens";
 import { endsOf } from "./planar-judge";
@@ -13,15 +12,13 @@ const texts = playerStrings.marks;
 
 /**
  * Returns the labels of a state, from 0: the corners of the patch whose front advances, and the base edge of the step with a
- * candidate. `candidate`: as for `examinedCandidate`. With a task, the base edge that it asks for, and the nodes to choose from.
+ * candidate. `candidate`: as for `examinedCandidate`.
  */
 export function surfaceLabels(
   surface: SurfaceTrace,
   state: number,
   candidate: number | null,
-  task: EdgeTask | null = null,
 ): readonly LensLabel[] {
-  if (task) return [...cornerLabels(task.question.front), ...taskLabels(task)];
   const front = surface.fronts[surface.frontAt(state) ?? -1];
   if (!front || state >= front.lastStep) return [];
   const step = surface.stepAt(state);
@@ -34,24 +31,6 @@ const cornerLabels = (front: PlanarFront): LensLabel[] =>
     position: inSpace(front, node),
     text: name,
   }));
-
-function taskLabels({ question, answer }: EdgeTask): LensLabel[] {
-  const { front, step, nodes } = question;
-  const atEdge = (kind: "base" | "failing", edge: number, text: string): LensLabel => ({
-    kind,
-    position: mean(endsOf(front, edge).map((node) => inSpace(front, node))),
-    text,
-  });
-  return [
-    atEdge("base", step.edge, texts.base(step.edge)),
-    ...nodes.map((node): LensLabel => ({
-      kind: "candidate",
-      position: inSpace(front, node),
-      text: texts.node(node),
-    })),
-    ...(answer?.verdict.edges ?? []).map((edge) => atEdge("failing", edge, texts.edge(edge))),
-  ];
-}
 
 /** A new node that was refused has no position in space. */
 function edgeLabels(front: PlanarFront, step: EdgeStep, rank: number | null): LensLabel[] {

@@ -6,9 +6,7 @@ import { createFacetMaterial } from "../../viewer/materials/facet-material";
 import { setColor } from "../../viewer/materials/uniforms";
 import type { SceneChanges } from "../../viewer/scene-state";
 import { Dots, Facets, WideSegments } from "./lens-parts";
-import type { EdgeTask } from "./mesher-game";
-import { endsOf } from "./planar-judge";
-import { finishedPatches, inSpace, stepMarks, surfaceScene, type PatchTriangles } from "./surface-scene";
+import { finishedPatches, stepMarks, surfaceScene, type PatchTriangles } from "./surface-scene";
 
 /** The lines and patches of a trace after a step, in space, with the base edge, its new triangle, and what refuses a candidate. */
 export class SurfaceLayer implements Layer {
@@ -30,7 +28,6 @@ export class SurfaceLayer implements Layer {
   #madeBefore: readonly number[] = [0];
   #state: number | null = null;
   #candidate: number | null = null;
-  #task: EdgeTask | null = null;
   /** Whether the triangles are there, relative to the present origin. They are made when a state is first shown. */
   #hasTriangles = false;
   #origin: Position = [0, 0, 0];
@@ -67,48 +64,31 @@ export class SurfaceLayer implements Layer {
     if (!changes.has("origin")) return;
     this.#origin = origin;
     this.#hasTriangles = false;
-    this.show(this.#state, this.#candidate, this.#task);
+    this.show(this.#state, this.#candidate);
   }
 
   /**
-   * Shows a state of the lines and patches, from 0; null to show nothing. `candidate`: as for `examinedCandidate`. `task`: the
-   * base edge that the reader is asked about is shown instead of the step's.
+   * Shows a state of the lines and patches, from 0; null to show nothing. `candidate`: as for `examinedCandidate`.
    */
-  show(state: number | null, candidate: number | null = null, task: EdgeTask | null = null): void {
+  show(state: number | null, candidate: number | null = null): void {
     this.#state = state;
     this.#candidate = candidate;
-    this.#task = task;
     this.root.visible = state !== null;
     if (state === null) return;
     if (!this.#hasTriangles) this.#writeTriangles();
-    const scene = surfaceScene(this.#trace, state, task ? null : this.#candidate);
+    const scene = surfaceScene(this.#trace, state, this.#candidate);
     this.#sides.set(scene.sides, this.#origin);
     this.#walk.set(scene.walk, this.#origin);
     this.#front.set(scene.front, this.#origin);
     this.#nodes.set(scene.nodes, this.#origin);
     this.#done.show(0, this.#doneBefore[scene.finished] ?? 0);
     this.#made.show(this.#madeBefore[scene.finished] ?? 0, scene.made);
-    if (task) this.#showTask(task);
-    else this.#showStep(state);
+    this.#showStep(state);
   }
 
   dispose(): void {
     const parts = [this.#nodes, this.#triangle, this.#supposed, this.#done, this.#made];
     for (const part of [...this.#wide, ...parts]) part.dispose();
-  }
-
-  /** Draws the base edge of a question. After the answer, also draws the triangle, or the edges that prevent it. */
-  #showTask({ question: { front, step }, answer }: EdgeTask): void {
-    const ends = (nodes: readonly number[]): Position[] => nodes.map((node) => inSpace(front, node));
-    const edges = answer?.verdict.edges ?? [];
-    const apex = answer && answer.verdict.points > 0 ? answer.node : null;
-    this.#base.set(ends(endsOf(front, step.edge)), this.#origin);
-    this.#culprit.set(
-      edges.flatMap((edge) => ends(endsOf(front, edge))),
-      this.#origin,
-    );
-    this.#triangle.set(apex === null ? [] : ends([...step.nodes, apex]), this.#origin);
-    this.#supposed.set([], this.#origin);
   }
 
   /** Draws the base edge of a step, the triangle over it, and the edge because of which its candidate was refused. */

@@ -10,8 +10,6 @@ export const addressStrings = {
   understood: "OK",
   step: (value: string) =>
     `The address should have a whole number as its step, but has ${quoted("step", value)}. No front is shown.`,
-  lessonStep: (value: string) =>
-    `The address should have a whole number as its step, but has ${quoted("step", value)}. The lesson begins where it always does.`,
   stepAlone: (value: string) =>
     `The address has ${quoted("step", value)} without a model, for example “model=unit-cube”. No front is shown.`,
   withoutStep: (names: readonly string[]) =>
@@ -34,13 +32,4 @@ export const addressStrings = {
     camera: (value: string) =>
       `A camera has six numbers, x, y and z of the eye and of what it looks at, but the address has ${quoted("camera", value)}. The whole model is shown.`,
   },
-  noLesson: (value: string, count: number) =>
-    `There is no lesson “${short(value)}”: the lessons are 1 to ${count}. The list of the lessons is shown.`,
-  runs: (name: string, known: readonly string[]) =>
-    `The address asks for a run by the rules “${short(name)}”, which do not exist. ${
-      known.length === 0
-        ? "Only the lesson’s own run is shown."
-        : `Shown besides the lesson’s own run: ${known.join(", ")}.`
-    }`,
-  runsAlone: "The address has “runs” without a lesson, for example “lesson=7”. No runs are shown.",
 } as const;

@@ -12,13 +12,15 @@ export const frontStrings = {
     end: "Last state of the front",
     close: "Show the model instead of the front",
     lessons: "Lessons",
+    mesher: "Be the mesher",
   },
   /** Other words that find commands. */
   words: {
     play: "step animation run pause",
     start: "step first begin rewind",
     end: "step last finish",
-    lessons: "learn course tutorial teach students orders experiments help",
+    lessons: "learn course tutorial teach students articles help",
+    mesher: "game play level learn",
   },
   needsFront: "Record the front first (Mesh ▸ Record the front).",
   group: "Front",
@@ -41,7 +43,7 @@ export const frontStrings = {
     animation: "video film movie gif export share",
   },
   lessons: "Lessons",
-  lesson: (number: number, title: string | null) => `Lesson ${number}${title === null ? "" : `: ${title}`}`,
+  lesson: (number: number) => `Lesson ${number}`,
   at: {
     lines: (step: string, steps: string) => `Lines after step ${step} of ${steps}`,
     patches: (step: string, steps: string) => `Fronts of the patches after step ${step} of ${steps}`,

@@ -5,7 +5,6 @@ import type { Refusal } from "tetrafront/trace";
 import { conditionStrings } from "./condition";
 import { crossingTestStrings } from "./crossing-test";
 import { frontStrings } from "./front";
-import { mesherGameStrings, volumeGameStrings } from "./mesher-game";
 import { recoverySentence } from "./recovery";
 import { otherwise, surfaceLensStrings } from "./surface-lens";
 
@@ -97,8 +96,6 @@ export const playerStrings = {
   before: (...stop: Parameters<typeof stopName>) => `Previous ${stopName(...stop)}`,
   noFurther: "No further step",
   condition: conditionStrings,
-  game: mesherGameStrings,
-  volumeGame: volumeGameStrings,
   pauseThere: "Pause there",
   loopSteps: "Steps to repeat",
   loopEnds: { from: "First step to repeat", to: "Last step to repeat" },

@@ -45,18 +45,23 @@ ${body}
 const header = (links: string): string =>
   `<header class="top"><nav aria-label="Site">${links}</nav><button id="theme" type="button" aria-label="Dark or light" title="Dark or light"><span></span></button></header>`;
 
-/** Returns the page of one lesson; `all` are the written lessons in their order. */
-export function lessonPage(number: number, lesson: CompiledLesson, all: readonly ListedLesson[]): string {
+/** Returns the page of one lesson, or with null one beside the lessons; `all` are the written lessons in their order. */
+export function lessonPage(
+  number: number | null,
+  lesson: CompiledLesson,
+  all: readonly ListedLesson[],
+): string {
   const index = all.findIndex((each) => each.number === number);
+  const [before, next] = number === null ? [] : [all[index - 1], all[index + 1]];
   const link = (each: ListedLesson | undefined, rel: string, label: string): string =>
     each
       ? `<a rel="${rel}" href="../${each.number}/"><span>${label}</span>${each.number}. ${attribute(each.title)}</a>`
       : "<span></span>";
   const body = `${header('<a href="../">Lessons</a><a href="../../">Tetrafront</a>')}
 <main>
-<p class="number">Lesson ${number}</p>
+<p class="number">${number === null ? "A game" : `Lesson ${number}`}</p>
 ${lesson.html}
-<nav class="next" aria-label="Lessons">${link(all[index - 1], "prev", "Before")}${link(all[index + 1], "next", "Next")}</nav>
+<nav class="next" aria-label="Lessons">${link(before, "prev", "Before")}${link(next, "next", "Next")}</nav>
 </main>`;
   return page(`${lesson.title} – Tetrafront`, lesson.summary, "../../", lesson.css, body);
 }
@@ -72,6 +77,7 @@ export function lessonListPage(all: readonly ListedLesson[]): string {
 <h1>The advancing front</h1>
 <p class="lead">How a computer fills a shape with triangles and tetrahedra. Each lesson is one article, and each figure is the method itself: drag everything.</p>
 <ol>${entries.join("")}</ol>
+<p><a href="./mesher/"><b>Be the mesher</b></a>: advance a front yourself, and see your mesh beside the program’s.</p>
 </main>`;
   return page("Lessons – Tetrafront", "Lessons about the advancing-front method", "../", "", body);
 }

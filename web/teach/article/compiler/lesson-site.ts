@@ -23,10 +23,13 @@ export function lessonNumbers(sources: string): readonly number[] {
     .toSorted((a, b) => a - b);
 }
 
+/** Names of the pages beside the lessons, which have no number. */
+const otherPages = ["mesher"] as const;
+
 /** Returns the entries of the bundler. */
 export const lessonEntries = ({ root, sources }: LessonFolders): readonly string[] =>
-  ["index.html", ...lessonNumbers(sources).map((number) => `${number}/index.html`)].map((name) =>
-    path.join(root, "lessons", name),
+  ["index.html", ...[...lessonNumbers(sources), ...otherPages].map((name) => `${name}/index.html`)].map(
+    (name) => path.join(root, "lessons", name),
   );
 
 /** Returns a page by its path below `lessons`; null if there is none. Throws LessonError. */
@@ -36,15 +39,16 @@ export function makeLessonPage(name: string, folders: LessonFolders): string | n
     readonly models: readonly { readonly id: string }[];
   };
   const models = gallery.models.map(({ id }) => id);
-  const compiled = new Map<number, CompiledLesson>(
-    numbers.map((number) => {
-      const file = path.join(folders.sources, `${number}.md`);
-      const context = { declarations, lessons: numbers, models };
-      return [number, compileLesson(readFileSync(file, "utf8"), path.relative(process.cwd(), file), context)];
-    }),
-  );
+  const compile = (page: number | string): CompiledLesson => {
+    const file = path.join(folders.sources, `${page}.md`);
+    const context = { declarations, lessons: numbers, models };
+    return compileLesson(readFileSync(file, "utf8"), path.relative(process.cwd(), file), context);
+  };
+  const compiled = new Map<number, CompiledLesson>(numbers.map((number) => [number, compile(number)]));
   const all = [...compiled].map(([number, { title, summary }]) => ({ number, title, summary }));
   if (name === "index.html") return lessonListPage(all);
+  const other = otherPages.find((each) => name === `${each}/index.html`);
+  if (other) return lessonPage(null, compile(other), all);
   const number = Number(/^(\d+)\/index\.html$/.exec(name)?.[1] ?? NaN);
   const lesson = compiled.get(number);
   return lesson ? lessonPage(number, lesson, all) : null;
@@ -65,7 +69,8 @@ export function lessonSite(folders: LessonFolders): Plugin {
         if (file.startsWith(folders.sources)) server.hot.send({ type: "full-reload" });
       });
       server.middlewares.use((request, response, next) => {
-        const [, name] = /^\/lessons\/((?:\d+\/)?)(?:index\.html)?(?:\?.*)?$/.exec(request.url ?? "") ?? [];
+        const [, name] =
+          /^\/lessons\/((?:(?:\d+|mesher)\/)?)(?:index\.html)?(?:\?.*)?$/.exec(request.url ?? "") ?? [];
         const html = name === undefined ? null : makeLessonPage(`${name}index.html`, folders);
         if (html === null) return next();
         server

@@ -14,6 +14,7 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   plate: async () => new (await import("./plate/plate-figure")).PlateFigure("truth"),
   "plate-spot": async () => new (await import("./plate/plate-figure")).PlateFigure("spot"),
   "plate-needles": async () => new (await import("./plate/plate-figure")).PlateFigure("needles"),
+  mesher: async () => new (await import("./mesher/mesher-figure")).MesherFigure(),
   pocket: async () => new (await import("./pocket/pocket-figure")).PocketFigure(),
   stall: async () => new (await import("./stall/stall-figure")).StallFigure(),
   sliver: async () => new (await import("./sliver/sliver-figure")).SliverFigure(),

@@ -4,6 +4,7 @@ import "../styles/fonts.css";
 import "../styles/page.css";
 import "../styles/text.css";
 import "../styles/figures.css";
+import "../styles/mesher.css";
 import "../styles/pocket.css";
 import "../styles/slivers.css";
 import "../styles/race.css";

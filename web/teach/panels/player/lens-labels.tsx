@@ -96,12 +96,11 @@ const noLabels: readonly LensLabel[] = [];
 function useSurfaceLabels(): readonly LensLabel[] {
   const trace = usePlayer((state) => state.trace);
   const candidate = usePlayer((state) => state.candidate);
-  const task = usePlayer((state) => state.edgeTask);
   const step = usePlayer((state) => (state.isPlaying || state.step !== state.lensStep ? null : state.step));
   return useMemo(() => {
     const state = trace && step !== null ? surfaceState(trace, step) : null;
-    return trace?.surface && state !== null ? surfaceLabels(trace.surface, state, candidate, task) : noLabels;
-  }, [trace, step, candidate, task]);
+    return trace?.surface && state !== null ? surfaceLabels(trace.surface, state, candidate) : noLabels;
+  }, [trace, step, candidate]);
 }
 
 /** A label that is not shown keeps its size. */

@@ -1,4 +1,4 @@
-import { Button, Text } from "@mantine/core";
+import { Text } from "@mantine/core";
 import { lazy, memo, Suspense, useDeferredValue, useMemo } from "react";
 import type { AdvanceStep } from "tetrafront/trace";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
@@ -14,55 +14,28 @@ import { CandidatesAndFormulas, type CandidateRow } from "./candidate-table";
 import { frontChangeOf, sentenceOf, whatIfOf } from "./lens-sentence";
 import styles from "./player.module.css";
 import { SurfaceLens } from "./surface-lens";
-import { useKeptState } from "./use-kept-state";
-import { useFrontPlayer, usePlayer, useTrace } from "./use-player";
+import { usePlayer, useTrace } from "./use-player";
 
 const texts = playerStrings;
 const Sweeps = lazy(async () => ({ default: (await import("./sweeps")).Sweeps }));
-const VolumeGame = lazy(async () => ({ default: (await import("./volume-game")).VolumeGame }));
 const IdealFormula = lazy(async () => ({ default: (await import("./step-formula")).IdealFormula }));
 const RefusalFormula = lazy(async () => ({ default: (await import("./step-formula")).RefusalFormula }));
 const CrossingFormula = lazy(async () => ({ default: (await import("./crossing-formula")).CrossingFormula }));
 
 /** Why a step ended as it did. */
 export function Lens() {
-  const player = useFrontPlayer();
   const isPlaying = usePlayer((state) => state.isPlaying);
-  const isVolume = usePlayer(({ step }) => step >= 0);
   const sweeps = usePlayer(({ trace, lensStep }) =>
     trace && lensStep === trace.stepCount ? trace.optimization : null,
   );
-  const [isGame, setIsGame] = useKeptState(useTrace(), "is-game", false);
   return (
     <ScrollPanel label={texts.lens} className={styles["lens"]} data-testid="lens">
-      {isGame && isVolume ? (
+      {sweeps && (
         <Suspense fallback={null}>
-          <VolumeGame onEnd={() => setIsGame(false)} />
+          <Sweeps optimization={sweeps} />
         </Suspense>
-      ) : (
-        <>
-          {sweeps && (
-            <Suspense fallback={null}>
-              <Sweeps optimization={sweeps} />
-            </Suspense>
-          )}
-          {isPlaying ? <Text size="sm">{texts.playing}</Text> : <Step />}
-          {isVolume && (
-            <Button
-              size="compact-xs"
-              variant="default"
-              mt={8}
-              data-testid="volume-game-toggle"
-              onClick={() => {
-                player.pause();
-                setIsGame(true);
-              }}
-            >
-              {texts.game.start}
-            </Button>
-          )}
-        </>
       )}
+      {isPlaying ? <Text size="sm">{texts.playing}</Text> : <Step />}
     </ScrollPanel>
   );
 }
@@ -70,9 +43,6 @@ export function Lens() {
 function Step() {
   const trace = useTrace();
   const state = usePlayer(({ lensStep }) => surfaceState(trace, lensStep));
-  const isGame = usePlayer(({ edgeTask }) => edgeTask !== null);
-  // The step before the question would be taken for what is asked.
-  if (isGame) return <Text size="sm">{texts.game.lens}</Text>;
   if (trace.surface === null || state === null) return <VolumeLens />;
   return <SurfaceLens surface={trace.surface} state={state} />;
 }

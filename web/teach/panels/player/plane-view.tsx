@@ -1,5 +1,5 @@
-import { Button, SegmentedControl } from "@mantine/core";
-import { lazy, Suspense, useMemo, useState } from "react";
+import { SegmentedControl } from "@mantine/core";
+import { useMemo, useState } from "react";
 import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace } from "tetrafront/trace";
 import { labelAt } from "../../player/entity-labels";
 import { ellipseOf, planePaths, windowAround, windowOf, type PlaneWindow } from "../../player/plane-drawing";
@@ -11,11 +11,9 @@ import { PlaneCorners } from "./plane-corners";
 import styles from "./plane-view.module.css";
 import { useFrontPlayer, usePlayer } from "./use-player";
 
-const { plane: texts, game } = playerStrings;
+const texts = playerStrings.plane;
 /** Radius of dots, as a share of the drawing. */
 const dot = 0.008;
-
-const MesherGame = lazy(async () => ({ default: (await import("./mesher-game")).MesherGame }));
 
 type Zoom = "patch" | "edge";
 
@@ -40,9 +38,7 @@ interface PlaneProps {
 }
 
 function Plane({ surface, index, state }: PlaneProps) {
-  const player = useFrontPlayer();
   const labels = usePlayer((shown) => shown.labels);
-  const [isGame, setIsGame] = useState(false);
   const [zoom, setZoom] = useState<Zoom>("patch");
   const front = surface.fronts[index];
   const step = useMemo(() => surface.stepAt(state), [surface, state]);
@@ -54,42 +50,21 @@ function Plane({ surface, index, state }: PlaneProps) {
       <header className={styles["header"]}>
         <b>{texts.title(labelAt(labels?.patches, front.patch))}</b>
         <span className={styles["choices"]}>
-          {!isGame && (
-            <SegmentedControl
-              size="xs"
-              aria-label={texts.zoom}
-              data-testid="plane-zoom"
-              value={zoom}
-              data={[
-                { value: "patch", label: texts.zooms.patch },
-                { value: "edge", label: texts.zooms.edge },
-              ]}
-              onChange={setZoom}
-            />
-          )}
-          <Button
-            size="compact-xs"
-            variant="default"
-            data-testid="game-toggle"
-            onClick={() => {
-              player.pause();
-              setIsGame(!isGame);
-            }}
-          >
-            {isGame ? game.end : game.start}
-          </Button>
+          <SegmentedControl
+            size="xs"
+            aria-label={texts.zoom}
+            data-testid="plane-zoom"
+            value={zoom}
+            data={[
+              { value: "patch", label: texts.zooms.patch },
+              { value: "edge", label: texts.zooms.edge },
+            ]}
+            onChange={setZoom}
+          />
         </span>
       </header>
-      {isGame ? (
-        <Suspense fallback={null}>
-          <MesherGame surface={surface} state={state} />
-        </Suspense>
-      ) : (
-        <>
-          <Drawing front={front} step={step} state={state} box={box} />
-          <p className={styles["hint"]}>{hintOf(front, step)}</p>
-        </>
-      )}
+      <Drawing front={front} step={step} state={state} box={box} />
+      <p className={styles["hint"]}>{hintOf(front, step)}</p>
     </section>
   );
 }

@@ -1,0 +1,94 @@
+/** "Be the mesher": fronts in the plane and in space by mouse, finger and keys, until they close or stall. */
+import { expect, test } from "@playwright/test";
+import { loadLevel } from "../../web/teach/article/figures/mesher/levels";
+import { playWell } from "../support/good-mesher";
+import { ArticlePage, type Pixel } from "./article-page";
+import { isSound, settings } from "./article-settings";
+
+for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.entries(settings)) {
+  test.describe(name, () => {
+    test.use({ viewport, colorScheme, hasTouch, contextOptions: { reducedMotion } });
+
+    test("its tasks, in the plane and in space, and two meshes side by side", async ({ page }) => {
+      const lesson = new ArticlePage(page, hasTouch);
+      await lesson.open("mesher");
+      await lesson.see("A");
+      await lesson.isUndone();
+      const figure = lesson.figure("A");
+      const pick = (choice: number | string) => figure.locator(`[data-choice="${choice}"]`);
+
+      // Five corners by keys: a new node, and then Enter is enough.
+      await pick("new").focus();
+      await page.keyboard.press("Enter");
+      for (let i = 0; i < 40 && (await lesson.value("A", "closed")) === 0; i++) {
+        const before = await lesson.value("A", "front");
+        const elements = await lesson.value("A", "elements");
+        for (const button of await figure.locator('.picks button:not([data-choice="wait"])').all()) {
+          await button.focus();
+          await page.keyboard.press("Enter");
+          if ((await lesson.value("A", "elements")) > elements) break;
+        }
+        expect(await lesson.value("A", "elements"), `front of ${before}`).toBeGreaterThan(elements);
+      }
+      await lesson.done(1);
+      await expect(figure.getByRole("table")).toContainText("Smallest angle");
+
+      // A new node that is dragged behind the side is refused, with its reason.
+      await figure.locator('[data-result="again"]').click();
+      await lesson.see("A");
+      const from = await lesson.middle(lesson.handle("A", "new"));
+      const scene = await figure.locator(".scene").boundingBox();
+      const corner: Pixel = [(scene?.x ?? 0) + 8, (scene?.y ?? 0) + 8];
+      await lesson.drag(from, corner);
+      await pick("new").click();
+      await expect(figure.locator(".status")).toContainText("Refused");
+      expect(await lesson.value("A", "refused")).toBe(1);
+      // Whatever waits, waits: the front stalls.
+      while ((await lesson.value("A", "stalled")) === 0) await pick("wait").click();
+      await lesson.done(4);
+      await expect(figure.locator(".verdict")).toContainText("pocket");
+
+      // The boot, in good triangles.
+      await figure.locator('[data-level="boot"]').click();
+      await expect.poll(async () => (await lesson.values("A"))["level"]).toBe("boot");
+      for (const choice of playWell(await loadLevel("boot")).choices) await pick(choice).click();
+      expect(await lesson.value("A", "angle")).toBeGreaterThan(15);
+      await lesson.done(2);
+
+      // A cube, in space.
+      await figure.locator('[data-level="cube"]').click();
+      await expect.poll(async () => (await lesson.values("A"))["level"]).toBe("cube");
+      for (let i = 0; i < 40 && (await lesson.value("A", "closed")) === 0; i++) {
+        const elements = await lesson.value("A", "elements");
+        for (const button of await figure.locator('.picks button:not([data-choice="wait"])').all()) {
+          await button.click();
+          if ((await lesson.value("A", "elements")) > elements) break;
+        }
+      }
+      await lesson.see("A");
+      await lesson.done(3);
+      await isSound(lesson);
+    });
+  });
+}
+
+test("a node lights in the list and in the picture, and a click in the picture takes it", async ({
+  page,
+}) => {
+  const lesson = new ArticlePage(page, false);
+  await lesson.open("mesher");
+  await lesson.see("A");
+  const figure = lesson.figure("A");
+  const label = figure.locator(".label", { hasText: /^A$/ });
+  const at = await lesson.middle(label);
+  const button = figure.getByRole("button", { name: "Node A" });
+  // The letter is above its node.
+  await page.mouse.move(at[0], at[1] + 12);
+  await expect(button).toHaveAttribute("data-lit", "");
+  await button.hover();
+  await expect(label).toHaveClass(/active/);
+  const refused = await lesson.value("A", "refused");
+  await page.mouse.click(at[0], at[1] + 12);
+  const after = (await lesson.value("A", "elements")) + (await lesson.value("A", "refused"));
+  expect(after).toBe(refused + 1);
+});
