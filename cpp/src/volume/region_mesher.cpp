@@ -278,7 +278,7 @@ std::uint32_t RegionMesher::tetrahedronCount() const {
 
 std::uint32_t RegionMesher::frontFaceCount() const {
   std::size_t waiting = 0;
-  for (std::size_t region = current_ ? region_ + 1 : 0; region < halvesOf_.size(); ++region) {
+  for (std::size_t region = current_ ? region_ + 1 : region_; region < halvesOf_.size(); ++region) {
     waiting += halvesOf_[region].size();
   }
   return static_cast<std::uint32_t>(waiting) + (current_ ? current_->frontFaceCount() : 0);
@@ -287,7 +287,7 @@ std::uint32_t RegionMesher::frontFaceCount() const {
 /// Returns the triangles of regions that have not begun, as a front sees them.
 std::vector<NodeTriple> RegionMesher::waitingFaces() const {
   std::vector<NodeTriple> faces;
-  for (std::size_t region = current_ ? region_ + 1 : 0; region < halvesOf_.size(); ++region) {
+  for (std::size_t region = current_ ? region_ + 1 : region_; region < halvesOf_.size(); ++region) {
     for (const std::uint32_t half : halvesOf_[region]) {
       const auto [a, b, c] = nodesOfHalf(boundary_, half);
       faces.push_back({NodeId(a), NodeId(c), NodeId(b)});

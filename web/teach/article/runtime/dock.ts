@@ -40,9 +40,13 @@ export class Dock {
         });
     for (const type of ["scroll", "resize"])
       // What the reader holds keeps its place and size.
-      window.addEventListener(type, () => document.querySelector(".held") ?? this.#update(), {
-        passive: true,
-      });
+      window.addEventListener(
+        type,
+        () => {
+          if (document.querySelector(".held") === null) this.#update();
+        },
+        { passive: true },
+      );
   }
 
   /** The reader has touched a figure by the text; `word` stays visible beside it. */

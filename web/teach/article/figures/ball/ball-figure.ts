@@ -210,7 +210,7 @@ export class BallFigure implements Figure {
       state: step,
       cut: values.number("cut"),
       open: values.number("open"),
-      isPlaying: isPlaying,
+      isPlaying,
       lit: this.#lit,
     });
   }
