@@ -299,13 +299,21 @@ describe("the layer of patches", () => {
     expect(visible()).toEqual([true, true, true, false]);
   });
 
-  it("lets a worker build the tree for hit tests at once, but while samples follow each other only at the end", async () => {
+  it("lets a worker build the tree of a large surface at once, but while samples follow each other only at the end", async () => {
     vi.useFakeTimers();
     try {
       const build = vi.fn(() => new Promise<never>(() => undefined));
       const layer = new PatchesLayer(build);
-      const layers = { ...start.layers, patches: true };
-      let state = { ...start, layers };
+      const square = preview([], [[0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0]]);
+      const patchTriangles = Uint32Array.from({ length: 60_000 }, (_, corner) => corner % 3);
+      let state = {
+        ...start,
+        layers: { ...start.layers, patches: true },
+        preview: {
+          samples: { ...square, patchTriangles },
+          project: { ...project, patches: project.patches.slice(0, 1) },
+        },
+      };
       show(layer, state);
       await vi.advanceTimersByTimeAsync(1000);
       expect(build).toHaveBeenCalledTimes(1);
