@@ -333,11 +333,15 @@ test("presenter mode enlarges notices, which cover no legend", async ({ page }) 
     await page.keyboard.press("Enter");
     const notice = notices.locator("p").first();
     await expect(notice).toBeVisible();
-    const line = await notice.evaluate((text) => {
-      const range = document.createRange();
-      range.selectNodeContents(text);
-      return range.getClientRects()[0]?.height ?? 0;
-    });
+    const heightOfLine = (): Promise<number> =>
+      notice.evaluate((text) => {
+        const range = document.createRange();
+        range.selectNodeContents(text);
+        return range.getClientRects()[0]?.height ?? 0;
+      });
+    // A notice that is replaced by its next text has none for a moment.
+    await expect.poll(heightOfLine).toBeGreaterThan(0);
+    const line = await heightOfLine();
     const { y = 0, height = 0 } = (await notices.boundingBox()) ?? {};
     await notices.getByRole("button", { name: "Dismiss" }).first().click();
     return { top: y, bottom: y + height, type: line };
