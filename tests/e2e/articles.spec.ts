@@ -59,6 +59,10 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       const lesson = new ArticlePage(page, hasTouch);
       await lesson.open(1);
       await lesson.see("A");
+      // It opens with a front: something is filled, and something is empty.
+      const { filled = 0, triangles: all = 0 } = await lesson.values("A");
+      expect(Number(filled) / Number(all)).toBeGreaterThan(0.3);
+      expect(Number(filled) / Number(all)).toBeLessThan(0.7);
       const stops = page.locator(".stop");
       const read = async (index: number): Promise<void> => {
         const line = viewport.width <= 1000 ? 0.68 : 0.46;
@@ -69,7 +73,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       };
       await read((await stops.count()) - 1);
       await expect.poll(() => lesson.value("A", "finished")).toBe(1);
-      await read(5);
+      await read(6);
       await expect.poll(() => lesson.value("A", "atrefusal")).toBe(1);
       const triangles = await lesson.value("A", "triangles");
       const from = await lesson.middle(lesson.handle("A", "corner-4"));

@@ -22,12 +22,16 @@ const narrow = 1.25;
 /** Half the opening angle of the camera, as a tangent. */
 const opening = Math.tan(((30 / 2) * Math.PI) / 180);
 
+type Axes = readonly [Position, Position, Position];
+
 export class Camera {
   target: Position;
   distance: number;
   yaw: number;
   pitch: number;
   readonly #pitches: readonly [number, number];
+  /** The axes, and the angles that they belong to. */
+  #known: { readonly yaw: number; readonly pitch: number; readonly axes: Axes } | null = null;
 
   constructor(
     readonly stage: Stage,
@@ -43,18 +47,17 @@ export class Camera {
   }
 
   /** The axes of the view: to the right, up, and towards the eye. */
-  get axes(): readonly [Position, Position, Position] {
-    const [sy, cy, sp, cp] = [
-      Math.sin(this.yaw),
-      Math.cos(this.yaw),
-      Math.sin(this.pitch),
-      Math.cos(this.pitch),
-    ];
-    return [
+  get axes(): Axes {
+    const { yaw, pitch } = this;
+    if (this.#known?.yaw === yaw && this.#known.pitch === pitch) return this.#known.axes;
+    const [sy, cy, sp, cp] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
+    const axes: Axes = [
       [cy, sy, 0],
       [-sp * sy, sp * cy, cp],
       [cp * sy, -cp * cy, sp],
     ];
+    this.#known = { yaw, pitch, axes };
+    return axes;
   }
 
   get #reach(): number {

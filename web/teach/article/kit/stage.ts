@@ -113,6 +113,15 @@ export interface LabelOptions {
   readonly look?: string;
 }
 
+interface Label {
+  readonly node: HTMLSpanElement;
+  text: string;
+  look: string;
+  /** Width in pixels; 0 until it is measured. */
+  width: number;
+  at: Pixel;
+}
+
 export class Stage {
   readonly element = element("div", { class: "scene" });
   readonly canvas = element("canvas", { "aria-hidden": "true" });
@@ -121,7 +130,7 @@ export class Stage {
   height = 0;
   readonly #layer = element("div", { class: "layer" });
   readonly #handles = new Map<string, Handle>();
-  readonly #labels: HTMLSpanElement[] = [];
+  readonly #labels: Label[] = [];
   #usedLabels = 0;
   #frame = 0;
   #isNear = true;
@@ -141,6 +150,10 @@ export class Stage {
       { rootMargin: "200px" },
     ).observe(this.element);
     onTheme(() => this.requestDraw());
+    document.fonts.addEventListener("loadingdone", () => {
+      for (const label of this.#labels) label.width = 0;
+      this.requestDraw();
+    });
     window.addEventListener("beforeprint", () => this.#drawNow());
   }
 
@@ -183,21 +196,30 @@ export class Stage {
   label(text: string, [x, y]: Pixel, { dx = 0, dy = 0, look = "" }: LabelOptions = {}): void {
     let label = this.#labels[this.#usedLabels];
     if (!label) {
-      label = element("span", { class: "label" });
+      label = { node: element("span", { class: "label" }), text: "", look: "", width: 0, at: [0, 0] };
       this.#labels.push(label);
-      this.#layer.prepend(label);
+      this.#layer.prepend(label.node);
     }
     this.#usedLabels++;
-    if (label.dataset["text"] !== text) {
-      label.dataset["text"] = text;
-      label.replaceChildren(rich(text));
+    label.node.hidden = false;
+    label.at = [x + dx, y + dy];
+    if (label.text === text && label.look === look) return;
+    if (label.text !== text) label.node.replaceChildren(rich(text));
+    if (label.look !== look) label.node.className = `label ${look}`;
+    Object.assign(label, { text, look, width: 0 });
+  }
+
+  /** Measures the labels that are new, all of them at once, and moves every label to its place. */
+  #placeLabels(): void {
+    const used = this.#labels.slice(0, this.#usedLabels);
+    for (const { node } of this.#labels.slice(this.#usedLabels)) node.hidden = true;
+    for (const label of used) if (label.width === 0) label.width = label.node.offsetWidth;
+    for (const { node, width, at } of used) {
+      const half = width / 2 + 4;
+      const left = Math.min(this.width - half, Math.max(half, at[0]));
+      const top = Math.min(this.height - 12, Math.max(12, at[1]));
+      node.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)`;
     }
-    label.className = `label ${look}`;
-    label.hidden = false;
-    const half = label.offsetWidth / 2 + 4;
-    const left = Math.min(this.width - half, Math.max(half, x + dx));
-    const top = Math.min(this.height - 12, Math.max(12, y + dy));
-    label.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)`;
   }
 
   #drawNow(): void {
@@ -207,7 +229,7 @@ export class Stage {
     this.context.clearRect(0, 0, this.width, this.height);
     this.#usedLabels = 0;
     this.draw();
-    for (const label of this.#labels.slice(this.#usedLabels)) label.hidden = true;
+    this.#placeLabels();
     this.#placeHandles();
   }
 

@@ -65,27 +65,46 @@ export function keyedValue(key: string, value: number, { min, max, step }: Limit
   return key === "Home" ? min : key === "End" ? max : null;
 }
 
-/** Makes every shown number and every value in a formula follow its figure, with the digits that the author wrote. */
+/**
+ * Makes every shown number and every value in a formula follow its figure, with the digits that the author wrote. In the answer of
+ * a task, the author's numbers are those of a solution: they stand until the reader has found one.
+ */
 export function tieShownValues(figures: PageFigures): void {
   for (const node of document.querySelectorAll<HTMLElement>("[data-show]")) {
     const { figure, name } = tiedTo(figures, node.dataset["show"] ?? "");
     const places = placesOf(node.textContent);
-    effect(() => {
-      const value = figure.values.get(name);
-      if (value === undefined) return;
-      const text = typeof value === "number" ? digits(value, places) : value;
-      if (node.textContent !== text) node.textContent = text;
-    });
+    whenSolved(node, () =>
+      effect(() => {
+        const value = figure.values.get(name);
+        if (value === undefined) return;
+        const text = typeof value === "number" ? digits(value, places) : value;
+        if (node.textContent !== text) node.textContent = text;
+      }),
+    );
   }
   for (const formula of document.querySelectorAll<HTMLElement>(".formula[aria-label*='{']")) {
     const template = formula.getAttribute("aria-label") ?? "";
-    effect(() => {
-      const label = template.replaceAll(/\{([A-Z]\.\w+)\}/g, (_whole, target: string) => {
-        const { figure, name } = tiedTo(figures, target);
-        const value = figure.values.get(name);
-        return typeof value === "number" ? digits(value, 2) : (value ?? "");
-      });
-      formula.setAttribute("aria-label", label);
-    });
+    const label = (textOf: (target: string) => string): void =>
+      formula.setAttribute(
+        "aria-label",
+        template.replaceAll(/\{([A-Z]\.\w+)\}/g, (_whole, target: string) => textOf(target)),
+      );
+    label((target) => formula.querySelector(`[data-show="${target}"]`)?.textContent ?? "");
+    whenSolved(formula, () =>
+      effect(() =>
+        label((target) => {
+          const { figure, name } = tiedTo(figures, target);
+          const value = figure.values.get(name);
+          return typeof value === "number" ? digits(value, 2) : (value ?? "");
+        }),
+      ),
+    );
   }
+}
+
+/** Acts at once; for a node in the answer of a task, when the task is done. */
+function whenSolved(node: HTMLElement, act: () => void): void {
+  const task = node.closest(".because")?.closest(".task");
+  if (task) task.addEventListener("done", act, { once: true });
+  else act();
 }

@@ -19,6 +19,7 @@ import { PageFigure } from "./page-figure";
 import { showSingle, singleFigure } from "./single";
 import { Slides } from "./slides";
 import { watchTasks } from "./tasks";
+import { startPrint } from "./print";
 import { startTheme } from "./theme";
 import { startWalks } from "./walks";
 import { tieWords } from "./words";
@@ -31,6 +32,7 @@ const figures = new Map(
 );
 
 startTheme();
+startPrint(figures);
 const dock = new Dock(figures);
 tieDraggedNumbers(figures, dock);
 tieShownValues(figures);

@@ -1,6 +1,10 @@
-/** Tasks: conditions on the values of figures. The page notices when one holds, and says so. */
+/**
+ * Tasks: conditions on the values of figures. The page notices when one holds, and says so. A reader who does not want to solve a
+ * task can read its answer.
+ */
 import { effect } from "@preact/signals-core";
 import { evaluate, parseCondition } from "../condition";
+import { button } from "../kit/dom";
 import type { PageFigures } from "./page-figure";
 
 export interface TaskWatch {
@@ -15,12 +19,15 @@ export function watchTasks(figures: PageFigures): TaskWatch {
   const listeners: ((task: HTMLElement) => void)[] = [];
   for (const task of all) {
     const until = parseCondition(task.dataset["until"] ?? "");
+    const reveal = button({ class: "reveal" }, "Show the answer", () => showAnswer(task));
+    task.querySelector(".ask")?.after(reveal);
     const stop = effect(() => {
       const value = evaluate(until, ({ figure, name }) => figures.get(figure)?.values.number(name) ?? NaN);
       if (value !== 1 || task.dataset["done"] === "true") return;
       task.dataset["done"] = "true";
       task.setAttribute("aria-label", `${task.getAttribute("aria-label") ?? ""}, done`);
-      task.querySelector(".because p")?.removeAttribute("hidden");
+      showAnswer(task);
+      task.dispatchEvent(new Event("done"));
       queueMicrotask(() => {
         stop();
         for (const listener of listeners) listener(task);
@@ -28,4 +35,9 @@ export function watchTasks(figures: PageFigures): TaskWatch {
     });
   }
   return { all, onDone: (listener) => void listeners.push(listener) };
+}
+
+function showAnswer(task: HTMLElement): void {
+  task.querySelector(".reveal")?.remove();
+  task.querySelector(".because p")?.removeAttribute("hidden");
 }

@@ -20,7 +20,9 @@ export interface DrawnElement {
 
 const light: Position = unit([-0.5, -0.35, 0.8]) ?? [0, 0, 1];
 /** Distances from the base, in its sides, between which faces fade. */
-const fade = [1.5, 2.5] as const;
+const fade = [1.15, 2.2] as const;
+/** Faces nearer than this to the base, in its sides, are outlines if they turn their back to the eye. */
+const outlined = 0.8;
 
 export class SpaceDrawing {
   constructor(
@@ -51,7 +53,7 @@ export class SpaceDrawing {
       const pixels = face.corners.map((corner) => this.camera.pixel(corner));
       const normal = this.#normal(face.corners);
       if (dot(normal, subtract(this.camera.eye, middle)) <= 0) {
-        if (strength > 0.5) backs.push(pixels);
+        if (length(middle) < outlined) backs.push(pixels);
         continue;
       }
       // What is high is near the eye of the front; the ground of the hollow is deep.
@@ -63,13 +65,13 @@ export class SpaceDrawing {
         face.isCulprit ? mix(colour, c.refused, 0.6) : mix(c.ground, colour, strength),
         1,
         {
-          colour: face.isCulprit ? c.refused : mix(c.ground, mix(deep, c.ink, 0.35), strength),
+          colour: face.isCulprit ? c.refused : mix(c.ground, mix(colour, deep, 0.75), strength ** 2),
           width: face.isCulprit ? 3.5 : 1,
         },
       );
     }
     for (const pixels of backs)
-      this.pen.polygon(pixels, null, 1, { colour: c.ink, width: 0.75, alpha: 0.22 });
+      this.pen.polygon(pixels, null, 1, { colour: c.ink, width: 0.75, alpha: 0.16 });
   }
 
   drawBase(base: readonly Position[], isLit: boolean): void {

@@ -260,9 +260,16 @@ export class CandidatesSpaceFigure implements Figure {
     if (size === 0) return;
     this.#drawing.drawFront(near);
     this.#drawing.drawBase(base, this.#lit === "base");
+    // One element at a time; of the others, those that were tried before it are outlines.
     for (const { candidate, apex, name } of named)
-      if (name !== chosen?.name && (candidate.node !== null || candidate.height === 1))
-        this.#drawing.drawFan(base, apex, candidate.verdict === "accepted" ? c.new : c.ink, 0.6, [3, 5]);
+      if (name !== chosen?.name && candidate.verdict !== "not tried")
+        this.#drawing.drawFan(
+          base,
+          apex,
+          candidate.verdict === "accepted" ? c.new : c.refused,
+          0.7,
+          candidate.verdict === "accepted" ? [] : [5, 4],
+        );
     if (chosen) {
       const { verdict } = chosen.candidate;
       const look = verdict === "accepted" ? "accepted" : verdict === "not tried" ? "idle" : "refused";

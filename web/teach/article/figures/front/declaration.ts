@@ -6,6 +6,8 @@ export const frontDeclaration: FigureDeclaration = {
   options: {
     size: { type: "number", label: "size" },
     shape: { type: "word", words: ["boot", "fish"] },
+    /** At which step the figure opens; without this option, at the beginning. */
+    at: { type: "word", words: ["middle"] },
   },
   values: {
     step: "number",
@@ -18,6 +20,7 @@ export const frontDeclaration: FigureDeclaration = {
     fresh: "number",
     refused: "number",
     refusedsofar: "number",
+    refusedsteps: "number",
     angle: "number",
     corners: "number",
     touched: "number",

@@ -65,6 +65,7 @@ export class FrontFigure implements Figure {
       isFirst = false;
       untracked(() => this.#fill());
     });
+    if (values.word("at") === "middle" && this.#film) this.#player.seek(middleOf(this.#film));
   }
 
   go({ step, beat, size }: Readonly<Record<string, string>>): void {
@@ -74,7 +75,7 @@ export class FrontFigure implements Figure {
     const named: Readonly<Record<string, number>> = {
       "first-refused": film.refusals[0] ?? 0,
       "first-new": firstNewIn(film),
-      middle: Math.round(film.stepCount * 0.45),
+      middle: middleOf(film),
       end: film.stepCount,
     };
     const to = step === undefined ? this.#player.step : (named[step] ?? Number(step));
@@ -201,6 +202,7 @@ export class FrontFigure implements Figure {
       filled: film.triangles.filter(({ born }) => born <= finished).length,
       fresh: film.nodes.length - film.boundaryNodes,
       refused: film.refusedCount,
+      refusedsteps: film.refusals.length,
       refusedsofar: film.refusedBefore[finished] ?? 0,
       angle: film.worst.angle,
       corners: this.#polygon.corners.length,
@@ -258,6 +260,9 @@ export class FrontFigure implements Figure {
     }
   }
 }
+
+/** Returns a step at which much is filled, and much is empty. */
+const middleOf = ({ stepCount }: FrontFilm): number => Math.round(stepCount * 0.45);
 
 /** Returns the first step that makes a new node. */
 function firstNewIn(film: FrontFilm): number {

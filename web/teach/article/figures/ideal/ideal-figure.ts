@@ -287,7 +287,7 @@ export class IdealFigure implements Figure {
   #drawRightTriangle(base: Pixel, apex: Pixel): void {
     const c = colours();
     const pen = this.#pen;
-    const { foot, radius, h, height, edges, position, square } = this.#point;
+    const { foot, radius, h, height, square } = this.#point;
     const [, , view] = this.#camera.axes;
     const sideways = this.#corners.map((corner) => {
       const to = subtract(corner, foot);
@@ -324,19 +324,26 @@ export class IdealFigure implements Figure {
       look: "on-new",
       dx: isRightward ? 26 : -26,
     });
-    const isEven = Math.max(...edges) / Math.min(...edges) < 1.01;
-    this.#corners.forEach((corner, i) => {
-      const length = edges[i] ?? 0;
-      if (isEven && (i === shown || i !== this.#frontCorner(shown))) return;
-      const pixel = this.#camera.pixel(betweenPositions(corner, position, 0.36));
-      this.#stage.label(digits(length, 2), pixel, { look: "soft plate", dx: pixel[0] > apex[0] ? 36 : -36 });
-    });
+    this.#labelEdges(shown, apex);
   }
 
-  /** Returns the nearest corner other than the one of R. */
-  #frontCorner(other: number): number {
-    const depths = this.#corners.map((corner, i) => (i === other ? Infinity : this.#camera.depth(corner)));
-    return depths.indexOf(Math.min(...depths));
+  /** The lengths of the new edges, beside them and above the face; only one of them if all are alike. `shown` has *h* at its edge. */
+  #labelEdges(shown: number, apex: Pixel): void {
+    const { edges, position } = this.#point;
+    const pixels = this.#corners.map((corner) => this.#camera.pixel(corner));
+    const isEven = Math.max(...edges) / Math.min(...edges) < 1.01;
+    const xs = pixels.map(([x]) => x);
+    const leftmost = xs.indexOf(Math.min(...xs.map((x, i) => (i === shown ? Infinity : x))));
+    this.#corners.forEach((corner, i) => {
+      if (isEven && i !== leftmost) return;
+      const x = xs[i] ?? 0;
+      // An edge at the border of the picture has its label outside; one in the middle has it higher up, on itself.
+      const side = x === Math.min(...xs) ? -1 : x === Math.max(...xs) ? 1 : 0;
+      const up = side === 0 ? 0.62 : i === shown ? 0.24 : 0.46;
+      const pixel = this.#camera.pixel(betweenPositions(corner, position, up));
+      const dx = side === 0 ? (x > apex[0] ? 6 : -6) : side * 30;
+      this.#stage.label(digits(edges[i] ?? 0, 2), pixel, { look: "soft plate", dx });
+    });
   }
 
   #rightAngle(base: Pixel, end: Pixel, apex: Pixel): void {

@@ -23,6 +23,8 @@ const frame = [-plate[0] - 0.11, -plate[1] - 0.03, plate[0] + 0.11, plate[1] + 0
 /** Pixels from the edge of the hole to the handles of its width and height. */
 const handleDistance = 13;
 const forceLineCount = 22;
+/** Width of the stage in pixels below which labels stand nearer to their places. */
+const smallStage = 420;
 
 export class PlatePanel {
   readonly element: HTMLElement;
@@ -81,6 +83,7 @@ export class PlatePanel {
       {
         name: "hole",
         label: "Hole",
+        look: "active",
         at: () => at([0, 0], [0, 0]),
         begin,
         move: (pixel) => change({ ...hole(), at: this.view.point(pixel) }),
@@ -89,7 +92,7 @@ export class PlatePanel {
       {
         name: "wide",
         label: "Width of the hole",
-        look: "small",
+        look: "active small",
         at: () => at([hole().a, 0], right),
         begin,
         move: (pixel) => change({ ...hole(), a: to(pixel, right)[0] }),
@@ -98,7 +101,7 @@ export class PlatePanel {
       {
         name: "high",
         label: "Height of the hole",
-        look: "small",
+        look: "active small",
         at: () => at([0, hole().b], up),
         begin,
         move: (pixel) => change({ ...hole(), b: to(pixel, up)[1] }),
@@ -260,17 +263,28 @@ export class PlatePanel {
       corners.reduce((sum, [, y]) => sum + y / 3, 0),
     ];
     const isLit = lit === "peak";
-    if (isLit) this.pen.circle(this.view.pixel(middle), 20, null, { stroke: c.refused, width: 2.5 });
+    const [x, y] = this.view.pixel(middle);
+    // Only what is on this side of the line is seen of the triangle.
+    const at: Pixel = [curtain === null ? x : Math.min(x, this.view.pixel([curtain, 0])[0] - 5), y];
+    if (isLit) this.pen.circle(at, 20, null, { stroke: c.refused, width: 2.5 });
     const isBelow = middle[1] < hole.at[1];
-    const dy = isBelow ? 24 : -24;
+    // Away from the hole, and from the handle of its height.
+    const isLeft = curtain !== null || middle[0] < hole.at[0] - 1e-6;
     if (curtain === null || middle[0] < curtain + 0.05)
-      this.stage.label(digits(solved.answer, 2), this.view.pixel(middle), {
-        dx: curtain === null ? 40 : -46,
-        dy,
-        look: "plate strong",
-      });
+      this.#drawValue(digits(solved.answer, 2), at, isLeft, isBelow);
     if (curtain === null || curtain > hole.at[0] + 0.02) return;
     const tip = this.view.pixel([hole.at[0], hole.at[1] + (isBelow ? -hole.b : hole.b)]);
-    this.stage.label(digits(highestStress(hole), 2), tip, { dx: 46, dy, look: "plate strong" });
+    this.pen.circle(tip, 5, c.plate, { stroke: c.ink, width: 2 });
+    this.#drawValue(`${digits(highestStress(hole), 2)} in truth`, tip, false, isBelow);
+  }
+
+  /** A value beside a place, tied to it by a line. */
+  #drawValue(text: string, [x, y]: Pixel, isLeft: boolean, isBelow: boolean): void {
+    const { ink } = colours();
+    const far = this.stage.width < smallStage ? 0.55 : 1;
+    const [dx, dy] = [(isLeft ? -1 : 1) * 62 * far, (isBelow ? 1 : -1) * 46 * far];
+    this.pen.line([x, y], [x + dx, y + dy], ink, 1.25);
+    this.pen.circle([x, y], 2.5, ink);
+    this.stage.label(text, [x + dx, y + dy], { look: "plate strong", dx: isLeft ? -16 : 16 });
   }
 }

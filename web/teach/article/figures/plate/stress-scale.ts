@@ -58,9 +58,9 @@ export class Gauge {
   readonly #gap = element("span", { class: "gap" });
   readonly #needle = element("span", { class: "answer" });
   readonly #answer = element("span", { class: "answer-label" });
-  readonly #one = element("span", { class: "tick-label" }, "1 far away");
+  readonly #one = element("span", { class: "tick-label" }, "far away 1");
   readonly #truth = element("span", { class: "truth" });
-  readonly #truthLabel = element("span", { class: "tick-label" });
+  readonly #truthLabel = element("span", { class: "tick-label truth-label" });
   /** Theme and truth for which the bar is drawn. */
   #drawn = "";
 
@@ -88,7 +88,7 @@ export class Gauge {
     this.#answer.style.left = `${at(answer)}%`;
     this.#answer.textContent = digits(answer, 2);
     this.#truth.style.left = this.#truthLabel.style.left = `${at(truth)}%`;
-    this.#truthLabel.textContent = `${digits(truth, 2)} truth`;
+    this.#truthLabel.textContent = `truth ${digits(truth, 2)}`;
     this.#one.style.left = `${at(1)}%`;
     // Labels that would stand on each other.
     this.#one.hidden = truth > 9 || truth < 1.9;

@@ -12,6 +12,8 @@ export const sidesDeclaration: FigureDeclaration = {
     rule: { type: "word", words: ["middle", "start"] },
     /** What is shown first: the present side with its averagings, all sides of the walk, or the finished division. */
     show: { type: "word", words: ["side", "walk", "division"] },
+    /** At which step the figure opens; without this option, at the one that it shows. */
+    at: { type: "word", words: ["end"] },
   },
   values: {
     step: "number",

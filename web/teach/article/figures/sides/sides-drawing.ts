@@ -27,6 +27,12 @@ const barWidth = 6;
 const maxRows = 7;
 /** About half the width of a character of a label, in pixels. */
 const charWidth = 3.6;
+/** Up to where lines of whole sizes are drawn behind the curve. */
+const highestTick = 2;
+/** Smallest width in pixels of a side whose length stands in its triangle. */
+const labelledWidth = 54;
+/** Where the line lies that is drawn in sizes: below the line, in its units. */
+const rulerDepth = { wide: 1.15, narrow: 0.62 } as const;
 
 export class SidesDrawing {
   constructor(
@@ -63,8 +69,25 @@ export class SidesDrawing {
       [this.#at([begin, 0]), this.#at([begin, first]), ...top, this.#at([lineEnd, 0])],
       c.void,
     );
+    this.#drawAxes();
     this.pen.line(this.#at([0, 0]), this.#at([lineEnd, 0]), c.faint, 1.5, { dash: [2, 5] });
     this.pen.line(this.#at([begin, 0]), this.#at([lineEnd, 0]), c.ink, widths.front);
+  }
+
+  /** Squares of one unit: heights and lengths have the same scale. */
+  #drawAxes(): void {
+    const c = colours();
+    for (let x = 0; x <= lineEnd; x++)
+      this.pen.line(this.#at([x, 0]), this.#at([x, highestTick + 0.6]), c.ink, 1, { alpha: 0.07 });
+    for (let size = 1; size <= highestTick; size++) {
+      this.pen.line(this.#at([0, size]), this.#at([lineEnd, size]), c.ink, 1, { alpha: 0.07 });
+      this.stage.label(String(size), this.#at([0, size]), {
+        dx: this.#isSmall ? -13 : -20,
+        look: "soft small",
+      });
+    }
+    const top = this.#at([0, highestTick + 0.6]);
+    this.stage.label("size", top, { dx: this.#isSmall ? -4 : -20, look: "soft small" });
   }
 
   #drawCurve({ curve, lit }: DrawnSides): void {
@@ -100,7 +123,11 @@ export class SidesDrawing {
       const isOver = to > lineEnd + 1e-9;
       const width = lit === "triangle" || lit === "sides" ? 2.5 : 1;
       this.#drawTriangle(from, to, mix(c["new-soft"], c.stone, age), width, isOver ? overAlpha : 1);
-      if (!isOver) this.#drawWrong(curve, from, to, divided);
+      if (isOver) return;
+      this.#drawWrong(curve, from, to, divided);
+      const middle = (from + to) / 2;
+      if ((to - from) * this.view.scale > labelledWidth && (!isNew || i < ends.length - 2))
+        this.stage.label(digits(to - from, 2), this.#at([middle, 0.24 * (to - from)]), { look: "soft" });
     });
     for (const [i, to] of ends.entries()) {
       const from = ends[i - 1];
@@ -124,7 +151,8 @@ export class SidesDrawing {
     const c = colours();
     const middle = (from + to) / 2;
     const corners = [this.#at([from, 0]), this.#at([to, 0]), this.#at([middle, to - from])];
-    this.pen.polygon(corners, fill, alpha, { colour: width > 1 ? c.new : c.faint, width, alpha });
+    this.pen.polygon(corners, fill, alpha, { colour: width > 1 ? c.new : c.edge, width: width + 0.5, alpha });
+    if (alpha === 1) this.pen.circle(corners[2] ?? [0, 0], 3, c.new);
   }
 
   /** A side that is not as long as the size at its middle: its triangle misses the curve. */
@@ -215,11 +243,15 @@ export class SidesDrawing {
     const [x, ground] = this.#at([from, 0]);
     const { scale } = this.view;
     const row = this.#isSmall ? 19 : 24;
-    const rows = Math.max(1, Math.min(maxRows, 1 + Math.floor((this.stage.height - ground - 40) / row)));
+    const rows = Math.max(3, Math.min(maxRows, 1 + Math.floor((this.stage.height - ground - 36) / row)));
     const last = comparisons.length - 1;
-    // The last row is always there; rows before it are left out if there are too many.
-    const shown = comparisons.map((_comparison, i) => i).filter((i) => i < rows - 1 || i === last);
-    shown.forEach((i, at) => {
+    // If there are too many rows, those before the last one are left out, and a line says so.
+    const leftOut = comparisons.length > rows ? comparisons.length - (rows - 1) : 0;
+    const shown = comparisons.map((_comparison, i) => i).filter((i) => i < last - leftOut || i === last);
+    if (leftOut > 0 && round > last - 0.5)
+      this.#labelAfter([x - 6, ground + 28 + (shown.length - 1) * row], `⋮ ${leftOut} rows left out`, "soft");
+    shown.forEach((i, order) => {
+      const at = order + (leftOut > 0 && i === last ? 1 : 0);
       const alpha = (i === 0 ? out : clamp(round - i + 1, 0, 1)) * fades;
       const { length, target } = comparisons[i] ?? { length: 0, target: 0 };
       if (alpha <= 0.02) return;
@@ -244,13 +276,11 @@ export class SidesDrawing {
         );
       }
       if (alpha < 0.6) return;
-      const text = isEqual ? "equal" : `${digits(100 * share, share < 0.1 ? 1 : 0)} % apart`;
-      const isSkipped = i === last && at > 0 && (shown[at - 1] ?? 0) < i - 1;
-      this.#labelAfter(
-        [x + high * scale, y + 3],
-        isSkipped ? `${text}, ${i} averagings` : text,
-        isEqual ? "new" : "refused",
-      );
+      const percent = 100 * share;
+      const text = isEqual
+        ? `equal after ${averagingsText(i)}`
+        : `${digits(Math.abs(target - length), 3)} apart, ${digits(percent, percent < 9.95 ? 1 : 0)} %`;
+      this.#labelAfter([x + high * scale, y + 3], text, isEqual ? "new" : "refused");
     });
   }
 
@@ -285,15 +315,37 @@ export class SidesDrawing {
       this.stage.label(digits(length, 2), this.#at([from + length / 2, 0]), { dy: 18, look: "strong" });
   }
 
-  /** The finished division: how many sides, and their common factor. */
+  /**
+   * The finished division: below the line, the same line drawn in sizes. There, all sides are equally long; ticks are whole sizes.
+   */
   #drawCount({ walk, begin }: DrawnSides, divided: number): void {
     if (divided < 0.5) return;
-    const count = walk.nodes.length - 1;
-    const middle = this.#at([(begin + lineEnd) / 2, 0]);
+    const c = colours();
+    const { nodes, lambda } = walk;
+    const count = nodes.length - 1;
+    const depth = this.#isSmall ? rulerDepth.narrow : rulerDepth.wide;
+    const alpha = 2 * divided - 1;
+    const onRuler = (share: number): Pixel => this.#at([begin + share * (lineEnd - begin), -depth]);
+    const gap = 9;
+    for (let i = 0; i < count; i++) {
+      const [from, to] = [this.#at([nodes[i] ?? 0, 0]), this.#at([nodes[i + 1] ?? 0, 0])];
+      const [low, high] = [onRuler(i / count), onRuler((i + 1) / count)];
+      const band: readonly Pixel[] = [[from[0], from[1] + gap], [to[0], to[1] + gap], high, low];
+      this.pen.polygon(band, i % 2 === 0 ? c["new-soft"] : c.stone, 0.55 * alpha);
+      this.pen.line(low, high, c.new, 4, { alpha });
+    }
+    for (let i = 0; i <= count; i++) this.pen.circle(onRuler(i / count), 3.6, c.ink, { alpha });
+    for (let size = 0; size <= lambda; size++) {
+      const [x, y] = onRuler(size / lambda);
+      this.pen.line([x, y + 6], [x, y + 13], c.soft, 1.5, { alpha });
+      if (size === 0 || lambda < 14 || size % 5 === 0)
+        this.stage.label(String(size), [x, y], { dy: 23, look: "soft small" });
+    }
+    const [x, y] = onRuler(0.5);
     this.stage.label(
-      `${digits(walk.lambda, 2)} sizes long: ${count} sides, each ${digits(walk.lambda / count, 3)} sizes`,
-      middle,
-      { dy: 26, look: "strong" },
+      `${digits(lambda, 2)} sizes long: ${count} sides, each ${digits(lambda / count, 3)} sizes`,
+      [x, y],
+      { dy: this.#isSmall ? 42 : 46, look: "strong" },
     );
   }
 }

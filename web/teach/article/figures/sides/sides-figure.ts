@@ -26,9 +26,9 @@ const begins: Readonly<Record<string, number>> = { slope: 2.4 };
 
 export class SidesFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  #view = new PlaneView(this.#stage, [-0.3, -1.85, 9.1, 2.75], {
+  #view = new PlaneView(this.#stage, [-0.65, -2, 9, 2.75], {
     below: narrowStage,
-    window: [-0.3, -1.1, 9.1, 2.7],
+    window: [-0.65, -1.5, 9, 2.7],
   });
   readonly #player = new FilmPlayer({
     beats: beatNames,
@@ -54,11 +54,14 @@ export class SidesFigure implements Figure {
     const shown = values.word("show");
     if (values.word("rule") === "start") this.#rule = "start";
     // Without bars below the line, its room is used for the curve.
-    if (shown === "walk" || shown === "division")
-      this.#view = new PlaneView(this.#stage, [-0.3, -0.6, 9.1, 2.75], {
+    if (shown === "walk" || shown === "division") {
+      const low = shown === "walk" ? -0.35 : -1.85;
+      this.#view = new PlaneView(this.#stage, [-0.65, low, 9, 2.75], {
         below: narrowStage,
-        window: [-0.3, -0.5, 9.1, 2.7],
+        window: [-0.65, shown === "walk" ? -0.4 : -1.5, 9, 2.7],
       });
+      this.#stage.element.classList.add(shown);
+    }
     this.#curve = new SizeCurve(curves[values.word("curve")] ?? this.#curve.knots);
     this.#begin = begins[values.word("begin")] ?? 0;
     host.append(this.#stage.element, this.#player.element);
@@ -85,7 +88,8 @@ export class SidesFigure implements Figure {
       untracked(() => this.#choose(this.#rule));
     });
     const { length } = this.#walk.sides;
-    if (shown === "side") this.#player.seek(0, 4);
+    if (values.word("at") === "end") this.#player.seek(length + 1);
+    else if (shown === "side") this.#player.seek(0, 4);
     else if (shown !== "") this.#player.seek(shown === "walk" ? length : length + 1);
   }
 
@@ -184,7 +188,8 @@ export class SidesFigure implements Figure {
   #report(): void {
     const { step, beat, finished } = this.#player;
     const { sides, lambda, nodes } = this.#walk;
-    const side = sides[Math.min(step, sides.length - 1)];
+    // When all sides stand, the text goes on to speak of the first one.
+    const side = sides[step] ?? sides[0];
     if (!side) return;
     const [first, second] = side.comparisons;
     const apart = (at: typeof first): number => (at ? (at.target - at.length) / at.length : 0);

@@ -6,6 +6,8 @@ export const surfaceDeclaration: FigureDeclaration = {
   options: {
     bulge: { type: "number", label: "bulge of the surface" },
     show: { type: "word", words: ["dot", "front"] },
+    /** The patch with which the figure opens; without this option, the sail. */
+    patch: { type: "word", words: ["sail", "kite"] },
   },
   values: {
     lostsquare: "number",
@@ -31,7 +33,7 @@ export const surfaceDeclaration: FigureDeclaration = {
   },
   states: {
     at: { words: ["a", "edge", "middle"], takesNumber: false },
-    patch: { words: ["sail", "flat"], takesNumber: false },
+    patch: { words: ["sail", "flat", "kite"], takesNumber: false },
     bulge: { words: [], takesNumber: true },
     ruler: { words: ["square", "plane", "space"], takesNumber: false },
     step: { words: ["middle", "end"], takesNumber: true },

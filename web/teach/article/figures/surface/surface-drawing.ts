@@ -8,9 +8,9 @@ import type { Camera } from "../../kit/space";
 import type { Pixel } from "../../kit/stage";
 import type { SurfaceMaps } from "./surface-maps";
 
-/** Cells of the surface in a row, and lines of the net between each. */
-const cells = 24;
-const cellsPerLine = 3;
+/** Cells of the surface in a row, and cells from one line of the net to the next. */
+const cells = 16;
+const cellsPerLine = 2;
 const light: Position = unitOf([-0.5, -0.55, 0.8]) ?? [0, 0, 1];
 const shadow: Colour = [22, 34, 56];
 /** Depths by which triangles are before the cells behind them, and lines before both. */
@@ -45,29 +45,39 @@ export function drawSurface(context: CanvasRenderingContext2D, camera: Camera, d
   const pen = new Pen(context);
   const c = colours();
   const at = (position: Position): Pixel => camera.pixel(position);
-  const shadeOf = ([p, q, r]: readonly Position[], base: Colour): Colour => {
+  const shadeOf = ([p, q, r]: readonly Position[], base: Colour, strength = 0.3): Colour => {
     if (!p || !q || !r) return base;
     const normal = unitOf(cross(subtract(q, p), subtract(r, p))) ?? [0, 0, 1];
     const isFront = dot(normal, subtract(camera.eye, p)) > 0;
     const bright = Math.max(0, dot(normal, light) * (isFront ? 1 : -1));
     // Far is deeper than near.
     const depth = (camera.depth(p) - camera.distance) / 3 + 0.5;
-    return mix(mix(base, shadow, 0.3 + 0.12 * Math.min(1, Math.max(0, depth))), base, bright * 1.1);
+    return mix(mix(base, shadow, strength * (1 + 0.4 * Math.min(1, Math.max(0, depth)))), base, bright * 1.1);
   };
   const painted: Painted[] = [];
   if (!drawn.isCovered) {
-    const grid = Array.from({ length: cells + 1 }, (_row, j) =>
-      Array.from({ length: cells + 1 }, (_column, i) => drawn.maps.pointAt([i / cells, j / cells]).position),
+    const steps = Array.from({ length: cells + 1 }, (_none, i) => i / cells);
+    const grid = steps.map((eta) =>
+      steps.map((xi) => {
+        const { position } = drawn.maps.pointAt([xi, eta]);
+        return { position, pixel: at(position), depth: camera.depth(position) };
+      }),
     );
-    const corner = (i: number, j: number): Position => grid[j]?.[i] ?? [0, 0, 0];
+    const corner = (i: number, j: number): (typeof grid)[number][number] =>
+      grid[j]?.[i] ?? { position: [0, 0, 0], pixel: [0, 0], depth: 0 };
     for (let j = 0; j < cells; j++)
       for (let i = 0; i < cells; i++) {
         const quad = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
-        const colour = shadeOf(quad, drawn.hasNet ? mix(c.void, c.active, 0.1) : c.void);
+        const base = drawn.hasNet ? mix(c.void, c.active, 0.1) : c.void;
+        const colour = shadeOf(
+          quad.map(({ position }) => position),
+          base,
+        );
+        const pixels = quad.map(({ pixel }) => pixel);
         // A stroke of the same colour closes the seams between cells.
         painted.push({
-          depth: camera.depth(mean(quad)),
-          paint: () => pen.polygon(quad.map(at), colour, 1, { colour, width: 1 }),
+          depth: quad.reduce((sum, { depth }) => sum + depth / 4, 0),
+          paint: () => pen.polygon(pixels, colour, 1, { colour, width: 1 }),
         });
       }
     if (drawn.hasNet)
@@ -80,16 +90,17 @@ export function drawSurface(context: CanvasRenderingContext2D, camera: Camera, d
             const isBorder = line === 0 || line === cells;
             const width = isBorder ? 2.25 : drawn.isNetLit ? 2 : 1;
             painted.push({
-              depth: camera.depth(from) - before.line,
+              depth: from.depth - before.line,
               paint: () =>
-                pen.line(at(from), at(to), c.ink, width, {
+                pen.line(from.pixel, to.pixel, c.ink, width, {
                   alpha: isBorder ? 1 : drawn.isNetLit ? 0.9 : 0.42,
                 }),
             });
           }
   }
   for (const { corners, fill, edge } of drawn.triangles) {
-    const colour = shadeOf(corners, fill);
+    // Their colours say how good they are: light and shadow change them little.
+    const colour = shadeOf(corners, fill, 0.14);
     painted.push({
       depth: camera.depth(mean(corners)) - (drawn.isCovered ? 0 : before.triangle),
       paint: () => pen.polygon(corners.map(at), colour, 1, { colour: edge, width: 1.1 }),

@@ -25,6 +25,7 @@ const unitCorners: readonly PlanePoint[] = [
   [1, 1],
   [0, 1],
 ];
+type Views = Readonly<Record<"square" | "plane", PlaneView>>;
 const rulerTexts: Readonly<Record<Ruler, string>> = {
   square: "Measure in the unit square",
   plane: "Measure in the stretched square",
@@ -32,6 +33,12 @@ const rulerTexts: Readonly<Record<Ruler, string>> = {
 };
 const patches: Readonly<Record<string, Corners>> = {
   sail: startCorners,
+  kite: [
+    [-1.2, -0.35, -0.2],
+    [1, -0.75, -0.22],
+    [1.25, 0.75, 0.1],
+    [-0.9, 0.35, 0.1],
+  ],
   flat: [
     [-1.05, -0.5, 0],
     [0.75, -0.5, 0],
@@ -46,6 +53,14 @@ const triangleRadius = 0.27;
 const dotMargin = 0.06;
 /** Where corners may be. */
 const reach: Position = [1.5, 1, 0.8];
+/** Milliseconds after the last change in which the rulers that are not shown measure as well. */
+const restTime = 150;
+/** Distance in pixels of labels from handles. */
+const labelDistance = 34;
+/** Distance of the eye from a patch that is wider than the sail. */
+const wideDistance = 4.3;
+/** An angle of all equilateral triangles, in degrees. */
+const bestAngle = 60;
 const panels = ["square", "plane", "space"] as const;
 type Panel = (typeof panels)[number];
 
@@ -70,7 +85,7 @@ export class SurfaceFigure implements Figure {
   readonly #notice = element("div", { class: "notice", role: "status" });
   readonly #status = element("p", { class: "status" });
   readonly #choices = element("div", {
-    class: "choices",
+    class: "choices rulers",
     role: "group",
     "aria-label": "Which lengths the front measures",
   });
@@ -81,11 +96,16 @@ export class SurfaceFigure implements Figure {
   };
   #corners: Corners = startCorners;
   #maps = new SurfaceMaps(startCorners, 1);
+  #views: Views = this.#viewsOf(this.#maps);
   #dot: PlanePoint = [0.42, 0.44];
   #ruler: Ruler = "space";
   #values: Values | null = null;
   #engine: PlaneFront | null = null;
-  #filled: Readonly<Record<Ruler, FilledPatch | null>> = { square: null, plane: null, space: null };
+  /** The patch as each ruler fills it; of the present patch, unless the ruler is stale. */
+  readonly #filled: Record<Ruler, FilledPatch | null> = { square: null, plane: null, space: null };
+  readonly #stale = new Set<Ruler>();
+  readonly #means = new Map<Ruler, { readonly text: HTMLElement; readonly bar: HTMLElement }>();
+  #rest = 0;
   #isFront = false;
   #isHandled = false;
   #isLed = false;
@@ -94,6 +114,8 @@ export class SurfaceFigure implements Figure {
   async mount(host: HTMLElement, values: Values): Promise<void> {
     this.#values = values;
     this.#isFront = values.word("show") === "front";
+    this.#corners = patches[values.word("patch")] ?? startCorners;
+    if (this.#corners !== startCorners) this.#camera.distance = wideDistance;
     const panel = (name: Panel, title: string): HTMLElement =>
       element(
         "div",
@@ -113,13 +135,7 @@ export class SurfaceFigure implements Figure {
     );
     if (this.#isFront) {
       host.append(this.#player.element, this.#choices);
-      for (const ruler of rulers)
-        this.#choices.append(
-          button({ "data-ruler": ruler }, rulerTexts[ruler], () => {
-            this.#isHandled = true;
-            this.#choose(ruler);
-          }),
-        );
+      for (const ruler of rulers) this.#choices.append(this.#rulerButton(ruler));
     }
     host.append(this.#status);
     if (this.#isFront) this.#engine = await loadPlaneFront();
@@ -136,7 +152,24 @@ export class SurfaceFigure implements Figure {
       untracked(() => this.#change(this.#corners, bulge));
     });
     this.#choose("square");
+    this.#fillRest();
     this.#player.seek(this.#filled.square?.film.stepCount ?? 0);
+  }
+
+  /** A ruler to choose, with the mean angle that it leads to. */
+  #rulerButton(ruler: Ruler): HTMLButtonElement {
+    const made = button({ "data-ruler": ruler }, "", () => {
+      this.#isHandled = true;
+      this.#choose(ruler);
+    });
+    const mean = { text: element("b"), bar: element("i") };
+    this.#means.set(ruler, mean);
+    made.append(
+      element("span", {}, rulerTexts[ruler]),
+      mean.text,
+      element("span", { class: "mean" }, mean.bar),
+    );
+    return made;
   }
 
   go({ at, patch, bulge, ruler, step }: Readonly<Record<string, string>>): void {
@@ -207,6 +240,7 @@ export class SurfaceFigure implements Figure {
       },
       end: () => {
         this.#notice.textContent = "";
+        this.#fillRest();
       },
     };
   }
@@ -218,7 +252,11 @@ export class SurfaceFigure implements Figure {
     if (!maps.isSound) return;
     this.#corners = corners;
     this.#maps = maps;
-    this.#fill();
+    this.#views = this.#viewsOf(maps);
+    for (const ruler of rulers) this.#stale.add(ruler);
+    this.#setFilm();
+    clearTimeout(this.#rest);
+    if (this.#isFront) this.#rest = window.setTimeout(() => this.#fillRest(), restTime);
   }
 
   #choose(ruler: Ruler): void {
@@ -228,16 +266,22 @@ export class SurfaceFigure implements Figure {
     this.#setFilm();
   }
 
-  #fill(): void {
-    const engine = this.#engine;
-    if (engine) {
-      const [square, plane, space] = rulers.map((ruler) => fillPatch(engine, this.#maps, ruler));
-      this.#filled = { square: square ?? null, plane: plane ?? null, space: space ?? null };
-    }
-    this.#setFilm();
+  /** Fills the patch by a ruler, unless it is known already. */
+  #fill(ruler: Ruler): void {
+    if (!this.#engine || !this.#stale.delete(ruler)) return;
+    this.#filled[ruler] = fillPatch(this.#engine, this.#maps, ruler);
+  }
+
+  /** Fills by the rulers that are not shown, too. A drag does not wait for them. */
+  #fillRest(): void {
+    clearTimeout(this.#rest);
+    if (!this.#isFront || this.#stale.size === 0) return;
+    for (const ruler of rulers) this.#fill(ruler);
+    this.#report();
   }
 
   #setFilm(): void {
+    this.#fill(this.#ruler);
     const film = this.#filled[this.#ruler]?.film;
     if (film) this.#player.setFilm(film);
     else this.#report();
@@ -302,17 +346,22 @@ export class SurfaceFigure implements Figure {
     const strong = (text: string, look = ""): HTMLElement => element("b", { class: look }, text);
     if (!filled) return this.#status.replaceChildren("The front cannot fill this patch.");
     this.#status.replaceChildren(
+      "The bars show the smallest angle of a triangle on the surface, on average: 60° would be perfect. ",
       strong(String(filled.film.triangles.length)),
-      " triangles; the worst has an angle of ",
+      " triangles; the worst has ",
       strong(`${digits(filled.worst.angle, 0)}°`, "refused"),
-      " on the surface",
+      ".",
     );
     for (const name of panels)
       this.#notes[name].replaceChildren(strong(`${digits(filled.means[name], 0)}°`, "active"), " on average");
+    for (const [ruler, { text, bar }] of this.#means) {
+      const mean = this.#filled[ruler]?.means.space ?? 0;
+      text.textContent = `${digits(mean, 0)}°`;
+      bar.style.width = `${(100 * mean) / bestAngle}%`;
+    }
   }
 
-  get #views(): Readonly<Record<"square" | "plane", PlaneView>> {
-    const { plane } = this.#maps;
+  #viewsOf({ plane }: SurfaceMaps): Views {
     const [xs, ys] = [plane.map(([x]) => x), plane.map(([, y]) => y)];
     const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     const margin = 0.1 * Math.max(right - left, high - low);
@@ -355,13 +404,12 @@ export class SurfaceFigure implements Figure {
     const filled = this.#filled[this.#ruler];
     if (this.#isFront) {
       if (filled) {
-        const { film } = filled;
-        const points = new Map<PlanePoint, PlanePoint>(
-          film.nodes.map((node, i) => [node, filled.unit[i] ?? node]),
-        );
-        const at = (node: PlanePoint): Pixel => this.#at(name, points.get(node) ?? node);
+        const { film, unit } = filled;
         const corners = this.#ruler === "square" ? unitCorners : this.#maps.plane;
-        corners.forEach((corner, i) => points.set(corner, unitCorners[i] ?? corner));
+        const pixels = unit.map((node) => this.#at(name, node));
+        const pixelOf = new Map<PlanePoint, Pixel>(film.nodes.map((node, i) => [node, pixels[i] ?? [0, 0]]));
+        corners.forEach((corner, i) => pixelOf.set(corner, this.#at(name, unitCorners[i] ?? corner)));
+        const at = (node: PlanePoint): Pixel => pixelOf.get(node) ?? [0, 0];
         const drawing = new FrontDrawing(pen, at, 0.7);
         drawing.draw({
           film,
@@ -370,7 +418,7 @@ export class SurfaceFigure implements Figure {
           beat: 0,
           lit: this.#lit === "front" ? "front" : null,
         });
-        this.#drawSkewed(pen, filled, (node) => this.#at(name, filled.unit[node] ?? [0, 0]));
+        this.#drawSkewed(pen, filled, (node) => pixels[node] ?? [0, 0]);
       }
     } else {
       drawNet(pen, (unit) => this.#at(name, unit), this.#lit === "net");
@@ -400,7 +448,7 @@ export class SurfaceFigure implements Figure {
       .map(({ corners, born, skew }): SurfaceTriangle => {
         const age = isFull ? 1 : clamp(((step - born) / span) * 1.2, 0, 1);
         const fill = mix(mix(c["new-soft"], c.stone, age), c.refused, skew);
-        return { corners: corners.map(positionOf), fill, edge: mix(c.edge, c.ink, 0.25) };
+        return { corners: corners.map(positionOf), fill, edge: c.edge };
       });
     const sides = (filled?.film.sides ?? [])
       .filter(({ born, died }) => born <= step && died > step)
@@ -441,12 +489,23 @@ export class SurfaceFigure implements Figure {
       const [dx, dy] = [x - middle[0], y - middle[1]];
       const length = Math.max(1, Math.hypot(dx, dy));
       const look = Math.abs((angles[i] ?? 60) - 60) > 20 ? "refused plate" : "active plate";
-      stage.label(`${digits(angles[i] ?? 0, 0)}°`, [x, y], {
-        dx: (22 * dx) / length,
-        dy: (15 * dy) / length,
-        look,
-      });
+      const at: Pixel = [x + (22 * dx) / length, y + (15 * dy) / length];
+      stage.label(`${digits(angles[i] ?? 0, 0)}°`, this.#besideHandles(stage, at), { look });
     });
+  }
+
+  /** Returns where a label stands that would cover a corner of the surface: beside it. */
+  #besideHandles(stage: Stage, [x, y]: Pixel): Pixel {
+    if (stage !== this.#stages.space) return [x, y];
+    for (const corner of this.#corners) {
+      const [u, v] = this.#camera.pixel(corner);
+      const away = Math.hypot(x - u, y - v);
+      if (away >= labelDistance) continue;
+      const by =
+        away < 1 ? [0, labelDistance] : [(x - u) * (labelDistance / away), (y - v) * (labelDistance / away)];
+      return [u + (by[0] ?? 0), v + (by[1] ?? 0)];
+    }
+    return [x, y];
   }
 
   /** Triangles that are skewed on the surface are red in the planes, too. */
@@ -454,7 +513,8 @@ export class SurfaceFigure implements Figure {
     const c = colours();
     filled.film.triangles.forEach(({ corners, born }, index) => {
       const skew = skewOf(filled.smallest[index] ?? 60);
-      if (skew > 0 && born <= this.#player.step) pen.polygon(corners.map(at), c.refused, skew);
+      if (skew > 0 && born <= this.#player.step)
+        pen.polygon(corners.map(at), mix(c.stone, c.refused, skew), 1, { colour: c.edge, width: 0.7 });
     });
     if (this.#lit === "worst") this.#drawWorst(pen, filled, at);
   }

@@ -9,7 +9,7 @@ export const rulers = ["square", "plane", "space"] as const;
 export type Ruler = (typeof rulers)[number];
 
 /** Length of edges in space. */
-export const targetSize = 0.17;
+export const targetSize = 0.2;
 /** Nodes in a row of the grid on which the metric is given. */
 const nodesPerRow = 13;
 
