@@ -26,6 +26,20 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       }
     });
 
+    test("a reader can have the answer of a task, with the numbers of a solution", async ({ page }) => {
+      const lesson = new ArticlePage(page, hasTouch);
+      await lesson.open(3);
+      await lesson.see("A");
+      const task = lesson.task(1);
+      const answer = task.locator(".because p");
+      await expect(answer).toBeHidden();
+      await task.getByRole("button", { name: "Show the answer" }).click();
+      await expect(answer).toBeVisible();
+      await expect(answer).toContainText("It is 26° there");
+      await lesson.isUndone();
+      expect(lesson.errors).toEqual([]);
+    });
+
     test("a word in the text docks a figure that is out of view", async ({ page }) => {
       const lesson = new ArticlePage(page, hasTouch);
       await lesson.open(4);
@@ -160,4 +174,36 @@ test("the keys of a clicker turn the slides", async ({ page }) => {
   await page.getByRole("button", { name: "Slides" }).click();
   await expect(count).toHaveText(/\d+ \/ \d+/);
   await isSound(lesson);
+});
+
+test("printing loads every figure and keeps the proportions of its drawing on paper", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.addInitScript(() => {
+    window.print = () => {
+      document.documentElement.dataset["printed"] = "true";
+    };
+  });
+  const lesson = new ArticlePage(page, false);
+  await lesson.open(3);
+  await page.keyboard.press("Control+p");
+  await expect(page.locator("html")).toHaveAttribute("data-printed", "true");
+  const canvases = page.locator(".figure .scene canvas");
+  const shapes = (): Promise<number[]> =>
+    canvases.evaluateAll((all) => all.map((canvas) => canvas.clientWidth / canvas.clientHeight));
+  await expect(canvases).toHaveCount(6);
+  const before = await shapes();
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  await page.emulateMedia({ media: "print" });
+  await page.setViewportSize({ width: 688, height: 1000 });
+  const after = await shapes();
+  after.forEach((shape, i) => expect(shape).toBeCloseTo(before[i] ?? 0, 1));
+  const excess = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  expect(excess).toBeLessThanOrEqual(0);
+  await expect(page.locator(".handle").first()).toBeHidden();
+  await expect(page.locator(".because p").first()).toBeVisible();
+  // A light page, and after printing the reader's own.
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "light");
+  await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+  await expect(page.locator("html")).not.toHaveAttribute("data-theme", "light");
+  expect(lesson.errors).toEqual([]);
 });

@@ -35,35 +35,45 @@ export function startPrint(figures: PageFigures): void {
 const loadAll = (figures: PageFigures): Promise<unknown> =>
   Promise.all([...figures.values()].map((figure) => figure.load().catch(() => null)));
 
-/** Fixes the sizes of all figures, and makes the page light; returns what undoes it. */
+/** Fixes the sizes and columns of all figures, and makes the page light; returns what undoes it. */
 function prepare(figures: PageFigures): () => void {
   const { documentElement: root } = document;
   const theme = root.dataset["theme"];
-  const changed: HTMLElement[] = [];
-  const sizes = [...figures.values()].flatMap(({ element }) =>
-    [...element.querySelectorAll<HTMLElement>(".scene, canvas")].map((node) => {
-      const { width, height } = node.getBoundingClientRect();
-      return { node, width, height };
-    }),
-  );
-  const widths = [...figures.values()].map(({ element }) => ({ element, width: element.offsetWidth }));
+  const fixed = [...figures.values()].flatMap(({ element }) => stylesOf(element));
   root.dataset["theme"] = "light";
   themeChanged();
-  for (const { node, width, height } of sizes) {
-    node.style.width = `${width}px`;
-    node.style.height = `${height}px`;
-    changed.push(node);
-  }
-  for (const { element, width } of widths) {
-    element.style.width = `${width}px`;
-    element.style.zoom = String(Math.min(1, paperWidth / Math.max(1, width)));
-    changed.push(element);
-  }
+  for (const { node, styles } of fixed)
+    for (const [name, value] of Object.entries(styles)) node.style.setProperty(name, value);
   return () => {
+    for (const { node, styles } of fixed)
+      for (const name of Object.keys(styles)) node.style.removeProperty(name);
     if (theme === undefined) delete root.dataset["theme"];
     else root.dataset["theme"] = theme;
-    for (const { style } of changed)
-      for (const name of ["width", "height", "zoom"]) style.removeProperty(name);
     themeChanged();
   };
+}
+
+interface FixedStyles {
+  readonly node: HTMLElement;
+  readonly styles: Readonly<Record<string, string>>;
+}
+
+/** Returns the styles by which a figure stays as it is, whatever the width of the paper. */
+function stylesOf(figure: HTMLElement): readonly FixedStyles[] {
+  const { width } = figure.getBoundingClientRect();
+  const zoom = String(Math.min(1, paperWidth / Math.max(1, width)));
+  const found: FixedStyles[] = [{ node: figure, styles: { width: `${width}px`, zoom } }];
+  for (const node of figure.querySelectorAll<HTMLElement>(".scene, .scene canvas")) {
+    const box = node.getBoundingClientRect();
+    found.push({ node, styles: { width: `${box.width}px`, height: `${box.height}px` } });
+  }
+  for (const node of figure.querySelectorAll<HTMLElement>("div")) {
+    const { display, gridTemplateColumns } = getComputedStyle(node);
+    if (display !== "grid") continue;
+    found.push({ node, styles: { "grid-template-columns": gridTemplateColumns } });
+    for (const child of node.children)
+      if (child instanceof HTMLElement)
+        found.push({ node: child, styles: { "grid-column": getComputedStyle(child).gridColumn } });
+  }
+  return found;
 }

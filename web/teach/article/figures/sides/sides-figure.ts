@@ -60,7 +60,7 @@ export class SidesFigure implements Figure {
         below: narrowStage,
         window: [-0.65, shown === "walk" ? -0.4 : -1.5, 9, 2.7],
       });
-      this.#stage.element.classList.add(shown);
+      this.#stage.element.classList.add(shown === "walk" ? "low" : "ruled");
     }
     this.#curve = new SizeCurve(curves[values.word("curve")] ?? this.#curve.knots);
     this.#begin = begins[values.word("begin")] ?? 0;
