@@ -60,7 +60,9 @@ describe("the race", () => {
     expect(rows.map(({ growth }) => growth)).toEqual([0.2, 0.3, 0.6, 1.6]);
   });
 
-  const claim = /for (\d+) of the sixty wings.+at 0\.6 for (\d+) of them, and at 1\.6 for (none|\d+)/.exec(text);
+  const claim = /for (\d+) of the sixty wings.+at 0\.6 for (\d+) of them, and at 1\.6 for (none|\d+)/.exec(
+    text,
+  );
 
   test.each([
     [0.25, claim?.[1]],

@@ -89,7 +89,10 @@ describe("the structures", () => {
   });
 
   test("are dearer than a list for few nodes, as the lesson says", () => {
-    const written = /up to (\d+) nodes, with \d+ visits against (\d+)\. With (\d+) nodes, it is \d+ against (\d+)/.exec(text);
+    const written =
+      /up to (\d+) nodes, with \d+ visits against (\d+)\. With (\d+) nodes, it is \d+ against (\d+)/.exec(
+        text,
+      );
     const meanVisits = (count: number): number => {
       const nodes = makeFront(count);
       const side =

@@ -103,11 +103,7 @@ export class CrossingSpaceFigure implements Figure {
     );
     const cards = [this.#boxes, this.#planes, this.#sides].map((card) => card.element);
     const layers = element("div", { class: "layers" }, ...cards);
-    host.append(
-      element("div", { class: "with-layers" }, this.#stage.element, layers),
-      choices,
-      this.#status,
-    );
+    host.append(element("div", { class: "with-layers" }, this.#stage.element, layers), choices, this.#status);
     this.#stage.setHandles([0, 1, 2, 3, 4, 5].map((index) => this.#handle(index)));
     effect(() => {
       values.number("t");
@@ -291,18 +287,18 @@ export class CrossingSpaceFigure implements Figure {
     if (excess <= tolerance) this.#pen.cross(end, 9, colour, 3.5);
     else this.#pen.circle(end, 6, colours().plate, { stroke: colour, width: 2.5 });
     this.#beside("*α*^1**g**_1", start, turn, look);
-    this.#beside("*α*^2**g**_2", turn, end, look);
+    this.#beside("*α*^2**g**_2", end, turn, look, -24);
     this.#beside("*α*^3**g**_3", pixel(side[0]), end, look, 30);
   }
 
-  /** Puts a label beside the middle of a line, on its left and below. */
+  /** Puts a label beside the middle of a line: on its left or below, with a negative distance on the other side. */
   #beside(text: string, from: Pixel, to: Pixel, look: string, far = 24): void {
     const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     const length = Math.max(1, Math.hypot(dx, dy));
     const [u, v] = [-dy / length, dx / length];
     const turn = (Math.abs(v) > 0.5 ? v : -u) < 0 ? -1 : 1;
     this.#stage.label(text, between(from, to, 0.5), {
-      dx: turn * u * (far + 8),
+      dx: turn * u * (far + 8 * Math.sign(far)),
       dy: turn * v * far,
       look: `${look} plate`,
     });

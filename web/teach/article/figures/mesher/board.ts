@@ -245,10 +245,9 @@ export class Board {
     return tried.find((at) => this.judge(facet, at) === null) ?? null;
   }
 
-  /** Returns where a new node is proposed: at the ideal point, or, if no node stands, where a new one does. */
+  /** Returns where a new node is proposed: where it stands, or at the ideal point if it stands nowhere. */
   proposalFor(facet: readonly number[]): Position {
-    const ideal = this.idealOf(facet);
-    return this.#hasNode(facet) ? ideal : (this.#newNodeFor(facet) ?? ideal);
+    return this.#newNodeFor(facet) ?? this.idealOf(facet);
   }
 
   #hasNode(facet: readonly number[]): boolean {

@@ -48,7 +48,7 @@ const planeLevels = {
       [0.9, 2],
       [0, 2],
     ],
-    size: 0.56,
+    size: 0.58,
   },
   fine: {
     loop: [

@@ -155,8 +155,7 @@ export class MesherDrawing {
       if (isWall) {
         const shade = mix(c.rim, c.hollow, 0.12 + 0.4 * facing(corners, eye));
         this.pen.polygon(pixels, shade, 0.9, { colour: c.ink, width: 0.7 * width });
-      }
-      else
+      } else
         this.pen.polygon(pixels, null, 1, { colour: c.ink, width: 0.7 * width, alpha: isLit ? 0.9 : 0.35 });
     });
   }

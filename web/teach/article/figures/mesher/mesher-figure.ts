@@ -120,7 +120,8 @@ export class MesherFigure implements Figure {
     this.#name = name;
     this.#level = level;
     this.#camera.target = mean(level.nodes);
-    this.#camera.distance = cameraReach * Math.max(...level.nodes.map((node) => distance(node, mean(level.nodes))));
+    this.#camera.distance =
+      cameraReach * Math.max(...level.nodes.map((node) => distance(node, mean(level.nodes))));
     this.#levels.forEach((each, i) => each.setAttribute("aria-pressed", String(levelNames[i] === name)));
     this.#stage.element.classList.toggle("turns", level.dimension === 3);
     this.#begin(isHandled);

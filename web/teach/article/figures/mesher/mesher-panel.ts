@@ -62,7 +62,8 @@ export class MesherPanel {
   /** Offers nodes; none when the front has closed or stalled. */
   offer(offers: readonly Offer[], canUndo: boolean): void {
     const focused = document.activeElement;
-    const held = this.#picks.contains(focused) && focused instanceof HTMLElement ? focused.dataset["choice"] : null;
+    const held =
+      this.#picks.contains(focused) && focused instanceof HTMLElement ? focused.dataset["choice"] : null;
     this.#picks.replaceChildren(...offers.map((offer) => this.#pick(offer)));
     this.#picks.hidden = offers.length === 0;
     this.#toolBar.hidden = offers.length === 0;
@@ -80,7 +81,11 @@ export class MesherPanel {
     made.append(
       element("span", { class: choice === "new" ? "spot new" : "spot" }, choice === "new" ? "+" : name),
       element("span", { class: "name" }, choice === "new" ? "New node" : `Node ${name}`),
-      element("span", { class: "angle" }, isRefused ? "refused" : angle === null ? "–" : `${digits(angle, 0)}°`),
+      element(
+        "span",
+        { class: "angle" },
+        isRefused ? "refused" : angle === null ? "–" : `${digits(angle, 0)}°`,
+      ),
     );
     for (const type of ["pointerenter", "focus"])
       made.addEventListener(type, () => this.actions.hover(choice));
@@ -96,7 +101,8 @@ export class MesherPanel {
 
   /** Shows the end, with its verdict and the way on; null while the front is open. */
   showEnd(end: { readonly verdict: string; readonly next: string | null } | null): void {
-    const wasFocused = this.element.contains(document.activeElement) || document.activeElement === document.body;
+    const wasFocused =
+      this.element.contains(document.activeElement) || document.activeElement === document.body;
     this.#end.hidden = end === null;
     this.question.classList.toggle("ended", end !== null);
     this.#end.replaceChildren(

@@ -35,10 +35,16 @@ export function outlookOf(board: Board, choice: number | Position): Outlook | nu
 }
 
 /** Returns the choice of a careful player: good angles, now and in what is left of a front in the plane. Null if nothing stands. */
-export function carefulChoice(board: Board, nodes: readonly number[], newNode: Position): number | "new" | null {
+export function carefulChoice(
+  board: Board,
+  nodes: readonly number[],
+  newNode: Position,
+): number | "new" | null {
   const side = longestSide(board.positions(board.active ?? []));
   const nearest = Math.min(
-    ...[...new Set(board.front.flat())].map((node) => distance(board.positions([node])[0] ?? newNode, newNode)),
+    ...[...new Set(board.front.flat())].map((node) =>
+      distance(board.positions([node])[0] ?? newNode, newNode),
+    ),
   );
   const ranked = [...nodes, "new" as const].flatMap((choice) => {
     const outlook = outlookOf(board, choice === "new" ? newNode : choice);

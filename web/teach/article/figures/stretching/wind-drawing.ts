@@ -9,7 +9,7 @@ import { directionOf, ellipseOf, type TensorField } from "./tensor-rules";
 /** The hill: where its top is, how high it is over its foot, and how wide. */
 const hill = { x: extent[0] / 2, height: 0.165, width: 0.42 } as const;
 /** Heights at which a line of the wind begins, and the length of its pieces. */
-const heights = [0.18, 0.45, 0.72] as const;
+const heights = [0.08, 0.35, 0.6] as const;
 const piece = 0.03;
 const arrow = 7;
 
@@ -22,7 +22,9 @@ export function drawHill(stage: Stage, view: PlaneView): void {
     const x = from + ((to - from) * i) / count;
     return [x, low + 0.012 + hill.height * Math.exp(-(((x - hill.x) / hill.width) ** 2))];
   });
-  const ground = [...ridge, [to, low - 1] as const, [from, low - 1] as const].map((point) => view.pixel(point));
+  const ground = [...ridge, [to, low - 1] as const, [from, low - 1] as const].map((point) =>
+    view.pixel(point),
+  );
   const c = colours();
   new Pen(stage.context).polygon(ground, c.rock, 1, { colour: c.edge, width: 1.5 });
   stage.label("hill", view.pixel([hill.x, low + 0.07]), { look: "soft" });
