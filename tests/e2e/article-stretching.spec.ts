@@ -46,7 +46,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await lesson.see("B");
       const { at, scale } = await scaleOf(lesson);
       const [x, y] = at(0.95, 0.45);
-      const length = 0.165 * scale + (viewport.width < 500 ? 25 : 13);
+      const length = 0.165 * scale + (viewport.width < 500 ? 16 : 0);
       const turn = (50 * Math.PI) / 180;
       await lesson.dragHandle("B", "along-5", [x + length * Math.cos(turn), y - length * Math.sin(turn)]);
       expect(await lesson.value("B", "least")).toBeGreaterThan(2.7);

@@ -47,7 +47,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
 
       await lesson.see("B");
       const history = lesson.figure("B").getByRole("slider", { name: "Step" });
-      await expect.poll(() => lesson.value("B", "poor")).toBe(137);
+      await expect.poll(() => lesson.value("B", "poor")).toBe(41);
       await history.focus();
       for (let i = 0; i < 47 && (await lesson.value("B", "poor")) > 0; i++)
         await page.keyboard.press("ArrowRight");

@@ -31,7 +31,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
         expect(await lesson.value("A", "elements"), `front of ${before}`).toBeGreaterThan(elements);
       }
       await lesson.done(1);
-      await expect(figure.getByRole("table")).toContainText("Smallest angle");
+      await expect(figure.locator("[data-row=worst] td").first()).toContainText("°");
 
       // A new node that is dragged behind the side is refused, with its reason.
       await figure.locator('[data-result="again"]').click();
@@ -43,6 +43,13 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await pick("new").click();
       await expect(figure.locator(".status")).toContainText("Refused");
       expect(await lesson.value("A", "refused")).toBe(1);
+      // A press without a drag takes the golden point, and undo takes it back.
+      await figure.locator('[data-tool="hint"]').click();
+      await expect(figure.locator(".picks [data-lit]")).toHaveCount(1);
+      await figure.locator(".picks [data-lit]").click();
+      expect(await lesson.value("A", "elements")).toBe(1);
+      await figure.locator('[data-tool="undo"]').click();
+      expect(await lesson.value("A", "elements")).toBe(0);
       // Whatever waits, waits: the front stalls.
       while ((await lesson.value("A", "stalled")) === 0) await pick("wait").click();
       await lesson.done(4);
@@ -67,6 +74,17 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       }
       await lesson.see("A");
       await lesson.done(3);
+
+      // The prism of the recorded run: one new node, and all faces to it.
+      await figure.locator('[data-level="prism"]').click();
+      await expect.poll(async () => (await lesson.values("A"))["level"]).toBe("prism");
+      for (let i = 0; i < 12 && (await lesson.value("A", "closed")) === 0; i++) {
+        await figure.locator('[data-tool="hint"]').click();
+        await figure.locator(".picks [data-lit]").click();
+      }
+      expect(await lesson.value("A", "closed")).toBe(1);
+      expect(await lesson.value("A", "elements")).toBe(8);
+      expect(await lesson.value("A", "newnodes")).toBe(1);
       await isSound(lesson);
     });
   });
@@ -79,16 +97,15 @@ test("a node lights in the list and in the picture, and a click in the picture t
   await lesson.open("mesher");
   await lesson.see("A");
   const figure = lesson.figure("A");
-  const label = figure.locator(".label", { hasText: /^A$/ });
+  const label = figure.locator(".label.spot", { hasText: /^A$/ });
   const at = await lesson.middle(label);
   const button = figure.getByRole("button", { name: "Node A" });
-  // The letter is above its node.
-  await page.mouse.move(at[0], at[1] + 12);
+  await page.mouse.move(at[0], at[1]);
   await expect(button).toHaveAttribute("data-lit", "");
   await button.hover();
-  await expect(label).toHaveClass(/active/);
+  await expect(label).toHaveClass(/lit/);
   const refused = await lesson.value("A", "refused");
-  await page.mouse.click(at[0], at[1] + 12);
+  await page.mouse.click(at[0], at[1]);
   const after = (await lesson.value("A", "elements")) + (await lesson.value("A", "refused"));
   expect(after).toBe(refused + 1);
 });

@@ -1,8 +1,8 @@
-/** Plays "Be the mesher" well: of the choices that stand, the one whose element has the largest smallest angle. */
+/** Plays "Be the mesher" well: as its hints say. */
 import { Board, type Start } from "../../web/teach/article/figures/mesher/board";
-import { smallestAngleOf } from "../../web/teach/article/figures/mesher/simplices";
+import { carefulChoice } from "../../web/teach/article/figures/mesher/outlook";
 
-/** Returns the choices in their order, and the board as they leave it. New nodes are made where they are best. */
+/** Returns the choices in their order, and the board as they leave it. New nodes are made where they are proposed. */
 export function playWell(start: Start): {
   readonly choices: readonly (number | "new")[];
   readonly board: Board;
@@ -12,20 +12,11 @@ export function playWell(start: Start): {
   for (let i = 0; i < 100; i++) {
     const facet = board.active;
     if (!facet) break;
-    const corners = board.positions(facet);
-    const ideal = board.idealOf(facet);
-    const tried = [...board.nodesFor(facet, 8), "new" as const].flatMap((choice) => {
-      const at = choice === "new" ? ideal : (board.nodes[choice] ?? ideal);
-      const isPossible = board.judge(facet, choice === "new" ? ideal : choice) === null;
-      // A node that is there already leaves less to fill.
-      return isPossible
-        ? [{ choice, worth: smallestAngleOf([...corners, at]) - (choice === "new" ? 12 : 0) }]
-        : [];
-    });
-    const [best] = tried.toSorted((a, b) => b.worth - a.worth);
-    if (!best) break;
-    board.choose(best.choice === "new" ? ideal : best.choice);
-    choices.push(best.choice);
+    const newNode = board.proposalFor(facet);
+    const choice = carefulChoice(board, board.nodesFor(facet, 8), newNode);
+    if (choice === null) break;
+    board.choose(choice === "new" ? newNode : choice);
+    choices.push(choice);
   }
   return { choices, board };
 }

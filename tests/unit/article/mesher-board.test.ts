@@ -10,6 +10,8 @@ import {
   overlaps,
   smallestAngleOf,
 } from "../../../web/teach/article/figures/mesher/simplices";
+import { outlookOf } from "../../../web/teach/article/figures/mesher/outlook";
+import { twistedPrism } from "../../../web/teach/article/figures/pocket/twisted-prism";
 import { playWell } from "../../support/good-mesher";
 import { randomSource } from "../../support/random";
 
@@ -241,5 +243,74 @@ test.each(["five", "boot", "fine", "stretched"] as const)(
       elements.reduce((sum, each) => sum + areaOf(cornersOf(nodes, each)), 0),
     ];
     expect(filled).toBeCloseTo(expected, 9);
+    const [mine, theirs] = [board, level.program].map((mesh) => measuresOf(mesh.nodes, mesh.elements, 0));
+    expect(mine?.angle).toBeGreaterThan((theirs?.angle ?? 90) - 0.5);
   },
 );
+
+test("who plays well fills a cube with five tetrahedra", () => {
+  const facets = cube().front;
+  // Diagonals that leave a regular tetrahedron in the middle.
+  const around = squares.flatMap(([a = 0, b = 0, c = 0, d = 0]) =>
+    [a, c].every((node) => [0, 3, 5, 6].includes(node))
+      ? [
+          [a, b, c],
+          [a, c, d],
+        ]
+      : [
+          [b, c, d],
+          [b, d, a],
+        ],
+  );
+  expect(around).toHaveLength(facets.length);
+  const { board, choices } = playWell({ nodes: cubeNodes, facets: around, sizeAt });
+  expect(board.isClosed).toBe(true);
+  expect(choices).toHaveLength(5);
+  expect(measuresOf(board.nodes, board.elements, 8).angle).toBeCloseTo(54.74, 2);
+});
+
+test("none of its own nodes fills a turned prism, and one new node does", () => {
+  const { corners, faces } = twistedPrism(20);
+  const start = { nodes: corners, facets: faces, sizeAt };
+  const board = new Board(start);
+  for (const facet of board.front)
+    for (const node of board.nodesFor(facet, Infinity)) expect(board.judge(facet, node)).not.toBeNull();
+  const played = playWell(start);
+  expect(played.board.isClosed).toBe(true);
+  expect(played.board.elements).toHaveLength(8);
+  expect(played.choices.filter((choice) => choice === "new")).toHaveLength(1);
+});
+
+test("undo takes choices back one by one, and an outlook leaves the board as it was", () => {
+  const board = polygon(6);
+  const seen: string[] = [];
+  const state = (): string => JSON.stringify([board.nodes, board.elements, board.front, board.active]);
+  for (let i = 0; i < 3 && board.active; i++) {
+    seen.push(state());
+    const facet = board.active;
+    for (const node of board.nodesFor(facet, 8)) outlookOf(board, node);
+    expect(state()).toBe(seen.at(-1));
+    if (i === 1) board.wait();
+    else board.choose(board.nodesFor(facet, 8).find((node) => !board.judge(facet, node)) ?? -1);
+  }
+  while (board.canUndo) {
+    board.undo();
+    expect(state()).toBe(seen.pop());
+  }
+  expect(seen).toEqual([]);
+});
+
+test("an outlook tells the sharpest corner that a choice leaves", () => {
+  // A right-angled corner of which the choice leaves 90° - 63.4°.
+  const nodes: Position[] = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [1, 2, 0],
+    [0, 2, 0],
+  ];
+  const board = new Board({ nodes, facets: nodes.map((_node, i) => [i, (i + 1) % 4]), sizeAt });
+  expect(board.active).toEqual([0, 1]);
+  const outlook = outlookOf(board, 2);
+  expect(outlook?.angle).toBeCloseTo(26.57, 2);
+  expect(outlook?.left).toBeCloseTo(26.57, 2);
+});

@@ -60,6 +60,26 @@ describe("the race", () => {
     expect(rows.map(({ growth }) => growth)).toEqual([0.2, 0.3, 0.6, 1.6]);
   });
 
+  const claim = /for (\d+) of the sixty wings.+at 0\.6 for (\d+) of them, and at 1\.6 for (none|\d+)/.exec(
+    text,
+  );
+
+  test.each([
+    [0.25, claim?.[1]],
+    [0.6, claim?.[2]],
+    [1.6, claim?.[3] === "none" ? "0" : claim?.[3]],
+  ])(
+    "has the fewest refusals layer by layer with growth %d for %s wings",
+    (growth, written) => {
+      const best = wings(60).filter((wing) => {
+        const { layered, ...others } = refusals(wing, growth);
+        return layered <= Math.min(...Object.values(others));
+      });
+      expect(String(best.length)).toBe(written);
+    },
+    120_000,
+  );
+
   test.each(rows)(
     "has these mean refusals of sixty wings with growth $growth",
     ({ growth, means }) => {

@@ -88,6 +88,28 @@ describe("the structures", () => {
     expect([new ListSearch(nodes).find({ at: [0, 0], radius: 0 }).visits.length, ...found]).toEqual(means);
   });
 
+  test("are dearer than a list for few nodes, as the lesson says", () => {
+    const written =
+      /up to (\d+) nodes, with \d+ visits against (\d+)\. With (\d+) nodes, it is \d+ against (\d+)/.exec(
+        text,
+      );
+    const meanVisits = (count: number): number => {
+      const nodes = makeFront(count);
+      const side =
+        nodes.reduce((sum, [x, y], i) => {
+          const [u, v] = nodes[(i + 1) % count] ?? [x, y];
+          return sum + Math.hypot(u - x, v - y);
+        }, 0) / count;
+      const tree = new Quadtree(nodes, whole);
+      return nodes.reduce((sum, at) => sum + tree.find({ at, radius: 2 * side }).visits.length, 0) / count;
+    };
+    const [few = 0, fewVisits = 0, more = 0, moreVisits = 0] = (written ?? []).slice(1).map(Number);
+    expect(Math.round(meanVisits(few))).toBe(fewVisits);
+    expect(Math.round(meanVisits(more))).toBe(moreVisits);
+    for (let count = 5; count <= few; count++) expect(meanVisits(count)).toBeGreaterThan(count);
+    for (let count = more; count < 80; count += 5) expect(meanVisits(count)).toBeLessThan(count);
+  });
+
   test("differ in what they visit, as the tasks of the lesson ask", () => {
     const visits = (count: number, circle: Circle): readonly number[] => {
       const structures = structuresOf(makeFront(count));

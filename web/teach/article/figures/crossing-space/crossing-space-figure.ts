@@ -102,7 +102,8 @@ export class CrossingSpaceFigure implements Figure {
       ...this.#buttons,
     );
     const cards = [this.#boxes, this.#planes, this.#sides].map((card) => card.element);
-    host.append(this.#stage.element, choices, element("div", { class: "layers" }, ...cards), this.#status);
+    const layers = element("div", { class: "layers" }, ...cards);
+    host.append(element("div", { class: "with-layers" }, this.#stage.element, layers), choices, this.#status);
     this.#stage.setHandles([0, 1, 2, 3, 4, 5].map((index) => this.#handle(index)));
     effect(() => {
       values.number("t");
@@ -271,8 +272,8 @@ export class CrossingSpaceFigure implements Figure {
     const pixel = (position: Position): Pixel => this.#camera.pixel(position);
     const look: ColourName & ("refused" | "active") = excess <= tolerance ? "refused" : "active";
     const colour = colours()[look];
-    this.#stage.label("**x**_f", pixel(face[0]), { dx: -16, dy: 16 });
-    this.#stage.label("**x**_s", pixel(side[0]), { dx: -16, dy: -18 });
+    this.#stage.label("**x**_f", pixel(face[0]), { dx: -20, dy: 18, look: "plate" });
+    this.#stage.label("**x**_s", pixel(side[0]), { dx: -20, dy: -18, look: "plate" });
     if (!at || length(at) > farAway) return;
     const corner = addScaled(face[0], subtract(face[1], face[0]), alphas[0]);
     const isLit = this.#lit === "path";
@@ -285,9 +286,22 @@ export class CrossingSpaceFigure implements Figure {
     this.#pen.line(pixel(side[0]), end, colour, isLit ? 7 : 4);
     if (excess <= tolerance) this.#pen.cross(end, 9, colour, 3.5);
     else this.#pen.circle(end, 6, colours().plate, { stroke: colour, width: 2.5 });
-    this.#stage.label("*α*^1**g**_1", between(start, turn, 0.5), { look, dy: 18 });
-    this.#stage.label("*α*^2**g**_2", between(turn, end, 0.5), { look, dx: 34, dy: 6 });
-    this.#stage.label("*α*^3**g**_3", between(pixel(side[0]), end, 0.5), { look, dx: -36 });
+    this.#beside("*α*^1**g**_1", start, turn, look);
+    this.#beside("*α*^2**g**_2", end, turn, look, -24);
+    this.#beside("*α*^3**g**_3", pixel(side[0]), end, look, 30);
+  }
+
+  /** Puts a label beside the middle of a line: on its left or below, with a negative distance on the other side. */
+  #beside(text: string, from: Pixel, to: Pixel, look: string, far = 24): void {
+    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    const length = Math.max(1, Math.hypot(dx, dy));
+    const [u, v] = [-dy / length, dx / length];
+    const turn = (Math.abs(v) > 0.5 ? v : -u) < 0 ? -1 : 1;
+    this.#stage.label(text, between(from, to, 0.5), {
+      dx: turn * u * (far + 8 * Math.sign(far)),
+      dy: turn * v * far,
+      look: `${look} plate`,
+    });
   }
 }
 

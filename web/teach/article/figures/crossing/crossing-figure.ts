@@ -53,7 +53,10 @@ export class CrossingFigure implements Figure {
 
   mount(host: HTMLElement, values: Values): void {
     this.#values = values;
-    host.append(this.#stage.element, this.#notice, this.#cards.element);
+    host.append(
+      this.#notice,
+      element("div", { class: "with-layers" }, this.#stage.element, this.#cards.element),
+    );
     this.#stage.setHandles(names.map((name) => this.#handle(name)));
     effect(() => {
       values.number("t");

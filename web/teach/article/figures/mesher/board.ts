@@ -53,16 +53,25 @@ const newNode = -1;
 
 const keyOf = (facet: readonly number[]): string => facet.toSorted((a, b) => a - b).join();
 
+interface Before {
+  readonly nodes: number;
+  readonly elements: number;
+  readonly front: Map<string, readonly number[]>;
+  readonly waiting: Set<string>;
+}
+
 export class Board {
   readonly nodes: Position[];
   readonly elements: (readonly number[])[] = [];
   /** Choices that were refused, in their order. */
   readonly refused: Refused[] = [];
   readonly givenNodes: number;
-  readonly #front: Map<string, readonly number[]>;
+  #front: Map<string, readonly number[]>;
   /** Facets that wait since the last element was made. */
-  readonly #waiting = new Set<string>();
+  #waiting = new Set<string>();
   readonly #sizeAt: Start["sizeAt"];
+  /** How the board was before each choice that stands, the last one at the end. */
+  readonly #before: Before[] = [];
 
   constructor({ nodes, facets, sizeAt }: Start) {
     this.nodes = [...nodes];
@@ -177,6 +186,7 @@ export class Board {
       this.refused.push(refused);
       return refused;
     }
+    this.#keep();
     const node = typeof apex === "number" ? apex : this.nodes.push(apex) - 1;
     this.elements.push([...facet, node]);
     this.#front.delete(keyOf(facet));
@@ -193,8 +203,33 @@ export class Board {
   /** Lets the active facet wait until the next element is made. */
   wait(): void {
     const facet = this.active;
-    if (facet) this.#waiting.add(keyOf(facet));
+    if (!facet) return;
+    this.#keep();
+    this.#waiting.add(keyOf(facet));
     this.#skipImpossible();
+  }
+
+  get canUndo(): boolean {
+    return this.#before.length > 0;
+  }
+
+  /** Takes the last choice that stands back, or the last facet that was left for later. Refusals stay counted. */
+  undo(): void {
+    const before = this.#before.pop();
+    if (!before) return;
+    this.nodes.length = before.nodes;
+    this.elements.length = before.elements;
+    this.#front = before.front;
+    this.#waiting = before.waiting;
+  }
+
+  #keep(): void {
+    this.#before.push({
+      nodes: this.nodes.length,
+      elements: this.elements.length,
+      front: new Map(this.#front),
+      waiting: new Set(this.#waiting),
+    });
   }
 
   #skipImpossible(): void {
@@ -202,12 +237,25 @@ export class Board {
       this.#waiting.add(keyOf(facet));
   }
 
+  /** Returns where a new node breaks nothing: in the middle of the front, at the ideal point, or lower. Null if nowhere. */
+  #newNodeFor(facet: readonly number[]): Position | null {
+    const heights = triedHeights.map((share) => this.idealOf(facet, share));
+    const middle = mean(this.positions([...new Set(this.front.flat())]));
+    const tried = facet.length === 3 ? [middle, ...heights] : [...heights, middle];
+    return tried.find((at) => this.judge(facet, at) === null) ?? null;
+  }
+
+  /** Returns where a new node is proposed: where it stands, or at the ideal point if it stands nowhere. */
+  proposalFor(facet: readonly number[]): Position {
+    return this.#newNodeFor(facet) ?? this.idealOf(facet);
+  }
+
+  #hasNode(facet: readonly number[]): boolean {
+    return this.nodesFor(facet, Infinity).some((node) => this.judge(facet, node) === null);
+  }
+
   #isPossible(facet: readonly number[]): boolean {
-    const nodes = this.nodesFor(facet, Infinity);
-    return (
-      nodes.some((node) => this.judge(facet, node) === null) ||
-      triedHeights.some((share) => this.judge(facet, this.idealOf(facet, share)) === null)
-    );
+    return this.#hasNode(facet) || this.#newNodeFor(facet) !== null;
   }
 }
 

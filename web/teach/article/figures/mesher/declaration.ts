@@ -8,6 +8,7 @@ export const mesherDeclaration: FigureDeclaration = {
   },
   values: {
     level: "text",
+    stage: "number",
     front: "number",
     elements: "number",
     newnodes: "number",

@@ -38,7 +38,7 @@ const regular = (corners: number): readonly PlanePoint[] =>
   });
 
 const planeLevels = {
-  five: { loop: regular(5), size: 1.2 },
+  five: { loop: regular(5), size: 1 },
   boot: {
     loop: [
       [0, 0],
@@ -48,7 +48,7 @@ const planeLevels = {
       [0.9, 2],
       [0, 2],
     ],
-    size: 0.62,
+    size: 0.58,
   },
   fine: {
     loop: [
@@ -57,7 +57,7 @@ const planeLevels = {
       [2, 1.4],
       [0, 1.4],
     ],
-    size: 0.75,
+    size: 0.66,
     fine: { position: [0, 0], size: 0.22 },
   },
   stretched: {

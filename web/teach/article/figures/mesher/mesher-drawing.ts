@@ -1,7 +1,7 @@
 /** Draws a front that the reader advances, or a finished mesh, in the plane and in space: pieces from far to near. */
 import type { Position } from "../../../../document/position";
-import { add, addScaled, between, mean, scale, subtract } from "../../../../document/vectors";
-import { colours, mix, type Colour } from "../../kit/colours";
+import { add, between, mean, scale, subtract } from "../../../../document/vectors";
+import { colours, css, mix, type Colour } from "../../kit/colours";
 import { between as betweenPixels, type Pen, widths } from "../../kit/pen";
 import type { Pixel } from "../../kit/stage";
 import { cornersOf, measuresOf, type Board, type Refused } from "./board";
@@ -39,11 +39,12 @@ export class MesherDrawing {
     readonly boldness: number,
   ) {}
 
-  /** The board with the active facet, and the element that a choice would make. */
+  /** The board with the active facet, the element that a choice would make, and where a new node is proposed. */
   drawBoard(
     board: Board,
     active: readonly number[] | null,
     preview: Preview | null,
+    proposal: Position,
     lit: string | null,
   ): void {
     const c = colours();
@@ -61,6 +62,7 @@ export class MesherDrawing {
     const corners = active && board.positions(active);
     if (corners) this.#active(corners);
     if (corners && preview) this.#preview(board, corners, preview);
+    else if (corners) this.#proposal(corners, proposal);
   }
 
   /** A finished mesh, with its worst element and what is left of its front. In space it is opened. */
@@ -100,17 +102,22 @@ export class MesherDrawing {
     return { depth: this.sight.depth(mean(corners)), draw: () => draw(pixels) };
   }
 
-  /** Empty is cool. */
+  /** Empty is cool: what the front encloses. */
   #fillEmpty(board: Board): void {
-    const c = colours();
-    for (const facet of board.front) {
-      const [a, b] = board.positions(facet);
-      if (!a || !b) continue;
-      // A band on the empty side tells where it is.
-      const inward = normalOf([a, b]);
-      const corners = [a, b, addScaled(b, inward, 0.16), addScaled(a, inward, 0.16)];
-      this.pen.polygon(corners.map(this.sight.pixel), c.void);
-    }
+    const { context } = this.pen;
+    loopsOf(board.front).forEach((loop, i) =>
+      this.pen.path(board.positions(loop).map(this.sight.pixel), i === 0),
+    );
+    if (board.front.length === 0) return;
+    context.fillStyle = css(colours().void);
+    context.fill();
+  }
+
+  /** Where the golden point would complete an element. */
+  #proposal(corners: readonly Position[], at: Position): void {
+    const apex = this.sight.pixel(at);
+    for (const corner of corners)
+      this.pen.line(this.sight.pixel(corner), apex, colours().new, 1.6 * this.boldness, { dash: [3, 5] });
   }
 
   #element(corners: readonly Position[], colour: Colour, rim: Colour | null): readonly Piece[] {
@@ -145,8 +152,10 @@ export class MesherDrawing {
       }
       // Seen from the empty side, a face is the wall of the hollow; from behind, it would hide the hollow, and is an outline.
       const isWall = facing(corners, eye) > 0;
-      if (isWall) this.pen.polygon(pixels, c.void, 0.92, { colour: c.ink, width: 0.7 * width });
-      else
+      if (isWall) {
+        const shade = mix(c.rim, c.hollow, 0.12 + 0.4 * facing(corners, eye));
+        this.pen.polygon(pixels, shade, 0.9, { colour: c.ink, width: 0.7 * width });
+      } else
         this.pen.polygon(pixels, null, 1, { colour: c.ink, width: 0.7 * width, alpha: isLit ? 0.9 : 0.35 });
     });
   }
@@ -184,6 +193,24 @@ export class MesherDrawing {
       if (pixels.length === 2 && a && b) this.pen.cross(betweenPixels(a, b, 0.5), 5, c.refused, 2.5);
     });
   }
+}
+
+/** Returns the nodes of the closed loops that the sides of a front form in the plane. */
+function loopsOf(front: readonly (readonly number[])[]): readonly (readonly number[])[] {
+  const left = new Set(front);
+  const loops: number[][] = [];
+  for (const first of front) {
+    if (!left.delete(first)) continue;
+    const loop = [...first];
+    for (;;) {
+      const next = [...left].find(([start]) => start === loop.at(-1));
+      if (!next) break;
+      left.delete(next);
+      loop.push(next[1] ?? 0);
+    }
+    loops.push(loop);
+  }
+  return loops;
 }
 
 const facing = (corners: readonly Position[], eye: Position): number => {

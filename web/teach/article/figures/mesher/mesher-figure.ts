@@ -1,17 +1,21 @@
 /** "Be the mesher": a front in the plane or in space that the reader advances until it closes or stalls, beside the program's mesh. */
 import type { Position } from "../../../../document/position";
-import { mean } from "../../../../document/vectors";
+import { distance, dot, mean, unit } from "../../../../document/vectors";
 import { button, digits, element } from "../../kit/dom";
 import type { Figure } from "../../kit/figure";
+import { Motion } from "../../kit/motion";
 import { Pen } from "../../kit/pen";
 import { PlaneView } from "../../kit/plane-view";
 import { Camera } from "../../kit/space";
 import { Stage, type HandleOptions, type Pixel } from "../../kit/stage";
 import type { Values } from "../../kit/values";
 import { nodeHandle } from "../pocket/node-handle";
-import { Board, measuresOf, type Fault, type MeshMeasures, type Refused } from "./board";
+import { Board, cornersOf, measuresOf, type Fault, type MeshMeasures, type Refused } from "./board";
 import { levelNames, loadLevel, type Level, type LevelName } from "./levels";
 import { MesherDrawing, type Preview, type Sight } from "./mesher-drawing";
+import { MesherPanel, type Choice, type Offer } from "./mesher-panel";
+import { carefulChoice, outlookOf } from "./outlook";
+import { heightOver, normalOf, smallestAngleOf } from "./simplices";
 
 const levelLabels: Readonly<Record<LevelName, string>> = {
   five: "Five corners",
@@ -25,8 +29,18 @@ const levelLabels: Readonly<Record<LevelName, string>> = {
 const mostNodes = 8;
 const letters = "ABCDEFGH";
 /** How near the pointer must be to a node, in pixels. */
-const reach = 26;
+const reach = 30;
+/** A press that moves less than this, in pixels, is no drag. */
+const stillness = 5;
 const smallStage = 500;
+/** Distance of the camera from a shape in space, as a multiple of the shape's radius. */
+const cameraReach = 4.3;
+/** A face is seen edge-on if the cosine between its normal and the view is less. */
+const leastOpenness = 0.42;
+/** Turns of the view that are tried, in radians, the least first. */
+const turns = Array.from({ length: 21 }, (_none, i) => (i % 2 === 0 ? 1 : -1) * 0.15 * Math.ceil(i / 2));
+/** A corner sharper than this, in degrees, is a warning. */
+const sharp = 25;
 
 const faultTexts: Readonly<Record<Fault, (dimension: 2 | 3) => string>> = {
   behind: (dimension) =>
@@ -40,8 +54,6 @@ const faultTexts: Readonly<Record<Fault, (dimension: 2 | 3) => string>> = {
   encloses: () => "Refused: a node of the front would lie inside, or on the border.",
 };
 
-type Choice = number | "new";
-
 export class MesherFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
   readonly #pen = new Pen(this.#stage.context);
@@ -49,13 +61,19 @@ export class MesherFigure implements Figure {
   readonly #levels = levelNames.map((name) =>
     button({ "data-level": name }, levelLabels[name], () => void this.#open(name, true)),
   );
-  readonly #question = element("p", { class: "status", role: "status" });
-  readonly #choices = element("div", {
-    class: "choices picks",
-    role: "group",
-    "aria-label": "The next node",
+  readonly #panel = new MesherPanel({
+    choose: (choice) => this.#choose(choice),
+    hover: (choice) => this.#hover(choice),
+    wait: () => this.#change((board) => board.wait()),
+    undo: () => this.#change((board) => board.undo()),
+    hint: () => this.#hint(),
+    again: () => this.#begin(true),
+    next: () => {
+      const next = this.#nextLevel;
+      if (next) void this.#open(next, true);
+    },
+    light: (part) => this.mark(part),
   });
-  readonly #result = element("div", { class: "result" });
   #values: Values | null = null;
   #name: LevelName = "five";
   #level: Level | null = null;
@@ -65,6 +83,9 @@ export class MesherFigure implements Figure {
   #nodes: readonly number[] = [];
   #hovered: Choice | null = null;
   #lastRefused: Refused | null = null;
+  /** Choices that were refused over the active facet. */
+  #refusedHere = new Set<Choice>();
+  readonly #motion = new Motion();
   #lit: string | null = null;
   #isHandled = false;
   #opened = 0;
@@ -76,7 +97,8 @@ export class MesherFigure implements Figure {
       { class: "choices levels", role: "group", "aria-label": "Shape" },
       ...this.#levels,
     );
-    host.append(levels, this.#stage.element, this.#question, this.#choices, this.#result);
+    const body = element("div", { class: "mesher-body" }, this.#stage.element, this.#panel.element);
+    host.append(levels, body);
     this.#followPointer();
     await this.#open(values.word("level") as LevelName, false);
   }
@@ -98,6 +120,8 @@ export class MesherFigure implements Figure {
     this.#name = name;
     this.#level = level;
     this.#camera.target = mean(level.nodes);
+    this.#camera.distance =
+      cameraReach * Math.max(...level.nodes.map((node) => distance(node, mean(level.nodes))));
     this.#levels.forEach((each, i) => each.setAttribute("aria-pressed", String(levelNames[i] === name)));
     this.#stage.element.classList.toggle("turns", level.dimension === 3);
     this.#begin(isHandled);
@@ -107,7 +131,6 @@ export class MesherFigure implements Figure {
     if (!this.#level) return;
     this.#isHandled = isHandled;
     this.#board = new Board(this.#level);
-    this.#lastRefused = null;
     this.#ask();
   }
 
@@ -115,80 +138,109 @@ export class MesherFigure implements Figure {
     return this.#board?.active === null;
   }
 
+  get #nextLevel(): LevelName | undefined {
+    return levelNames[levelNames.indexOf(this.#name) + 1];
+  }
+
   /** Asks for the node of the next element, or shows what has become of the front. */
   #ask(): void {
     const board = this.#board;
     const active = board?.active;
     this.#hovered = null;
+    this.#lastRefused = null;
+    this.#refusedHere = new Set();
     if (board && active) {
-      this.#newNode = board.idealOf(active);
+      this.#newNode = board.proposalFor(active);
       this.#nodes = board.nodesFor(active, mostNodes).toSorted((a, b) => a - b);
+      this.#turnTo(board.positions(active));
     } else this.#nodes = [];
     this.#stage.setHandles(board && active ? [this.#newHandle()] : []);
-    this.#showChoices();
-    this.#showResult();
     this.#report();
   }
 
+  /** Turns the view, as little as is needed, until a face is not seen edge-on. */
+  #turnTo(facet: readonly Position[]): void {
+    if (facet.length < 3) return;
+    const normal = unit(normalOf(facet)) ?? [0, 0, 1];
+    const { yaw } = this.#camera;
+    const openness = (turn: number): number => {
+      this.#camera.yaw = yaw + turn;
+      return Math.abs(dot(this.#camera.axes[2], normal));
+    };
+    const open = turns.find((turn) => openness(turn) >= leastOpenness);
+    this.#camera.yaw = yaw;
+    if (open === undefined || open === 0) return;
+    this.#motion.run(400, (t) => {
+      this.#camera.yaw = yaw + open * t;
+      this.#stage.requestDraw();
+    });
+  }
+
+  /** The golden point: a drag moves it, a press takes it. */
   #newHandle(): HandleOptions {
     const moveTo = (position: Position): void => {
       this.#newNode = position;
-      this.#hovered = "new";
+      this.#refusedHere.delete("new");
       this.#report();
     };
-    const begin = (): void => void (this.#hovered = "new");
+    let [pressed, hasMoved]: [Pixel, boolean] = [[0, 0], false];
+    const press = {
+      begin: (): void => {
+        [pressed, hasMoved] = [this.#pixel(this.#newNode), false];
+        this.#hover("new");
+      },
+      end: (): void => {
+        if (!hasMoved) this.#choose("new");
+      },
+    };
+    const follow = (move: (pixel: Pixel) => void) => (pixel: Pixel) => {
+      hasMoved ||= Math.hypot(pixel[0] - pressed[0], pixel[1] - pressed[1]) > stillness;
+      if (hasMoved) move(pixel);
+    };
+    const named = { name: "new", label: "The new node: drag it, or press to take it", look: "new solid" };
     if (this.#level?.dimension === 3) {
       const bounds = [-4, 4].map((x): Position => [x, x, x]) as [Position, Position];
-      return {
-        ...nodeHandle(this.#camera, bounds, { at: () => this.#newNode, moveTo, begin, describe: () => "" }),
-        name: "new",
-        label: "The new node: arrow keys move it across the view",
-      };
+      const handle = nodeHandle(this.#camera, bounds, {
+        at: () => this.#newNode,
+        moveTo,
+        begin: press.begin,
+        describe: () => "",
+      });
+      return { ...handle, ...named, ...press, move: follow((pixel) => handle.move(pixel)) };
     }
     return {
-      name: "new",
-      label: "The new node",
-      look: "new solid",
+      ...named,
+      ...press,
       at: () => this.#pixel(this.#newNode),
-      begin,
-      move: (pixel) => moveTo(this.#pointAt(pixel)),
+      move: follow((pixel) => moveTo(this.#pointAt(pixel))),
     };
   }
 
-  #showChoices(): void {
-    const isFocused = this.#choices.contains(document.activeElement);
-    const named = this.#nodes.map((node, i) => this.#choiceButton(node, `Node ${letters[i] ?? ""}`));
-    const all = this.#isOver
-      ? []
-      : [
-          ...named,
-          this.#choiceButton("new", "New node"),
-          button({ "data-choice": "wait", class: "quiet" }, "Leave it for later", () => {
-            this.#isHandled = true;
-            this.#lastRefused = null;
-            this.#board?.wait();
-            this.#ask();
-          }),
-        ];
-    this.#choices.replaceChildren(...all);
-    this.#choices.hidden = this.#isOver;
-    // Enter is enough to go on.
-    if (isFocused) (this.#choices.querySelector("button") ?? this.#result.querySelector("button"))?.focus();
+  #offers(board: Board): readonly Offer[] {
+    const facet = board.active;
+    if (!facet) return [];
+    const corners = board.positions(facet);
+    return [...this.#nodes, "new" as const].map((choice, i) => {
+      const at = this.#positionOf(choice);
+      const isBehind = heightOver(corners, at) <= 0;
+      return {
+        choice,
+        name: letters[i] ?? "",
+        angle: isBehind ? null : smallestAngleOf([...corners, at]),
+        isRefused: this.#refusedHere.has(choice),
+      };
+    });
   }
 
-  #choiceButton(choice: Choice, label: string): HTMLButtonElement {
-    const made = button({ "data-choice": String(choice) }, label, () => this.#choose(choice));
-    for (const type of ["pointerenter", "focus"]) made.addEventListener(type, () => this.#hover(choice));
-    for (const type of ["pointerleave", "blur"]) made.addEventListener(type, () => this.#hover(null));
-    return made;
+  #positionOf(choice: Choice): Position {
+    return choice === "new" ? this.#newNode : (this.#board?.nodes[choice] ?? this.#newNode);
   }
 
   /** List and drawing light the same choice. */
   #hover(choice: Choice | null): void {
     if (choice === this.#hovered) return;
     this.#hovered = choice;
-    for (const each of this.#choices.querySelectorAll<HTMLElement>("[data-choice]"))
-      each.toggleAttribute("data-lit", each.dataset["choice"] === String(choice));
+    this.#panel.lightPick(choice);
     this.#stage.requestDraw();
   }
 
@@ -196,9 +248,27 @@ export class MesherFigure implements Figure {
     const board = this.#board;
     if (!board || this.#isOver) return;
     this.#isHandled = true;
-    this.#lastRefused = board.choose(choice === "new" ? this.#newNode : choice);
-    if (this.#lastRefused) this.#report();
-    else this.#ask();
+    const refused = board.choose(choice === "new" ? this.#newNode : choice);
+    if (!refused) return this.#ask();
+    this.#lastRefused = refused;
+    this.#refusedHere.add(choice);
+    this.#report();
+  }
+
+  #change(act: (board: Board) => void): void {
+    if (!this.#board) return;
+    this.#isHandled = true;
+    act(this.#board);
+    this.#ask();
+  }
+
+  /** Lights what a careful player would choose; the choice is left to the reader. */
+  #hint(): void {
+    const active = this.#board?.active;
+    if (!this.#board || !active) return;
+    this.#lastRefused = null;
+    const nodes = this.#board.nodesFor(active, mostNodes);
+    this.#hover(carefulChoice(this.#board, nodes, this.#newNode));
   }
 
   #followPointer(): void {
@@ -214,7 +284,7 @@ export class MesherFigure implements Figure {
     };
     scene.addEventListener("pointermove", (event) => {
       if (event.buttons === 0) this.#hover(nodeAt(event));
-      scene.classList.toggle("picks", this.#hovered !== null);
+      scene.classList.toggle("picks-node", this.#hovered !== null);
     });
     scene.addEventListener("pointerleave", () => this.#hover(null));
     let pressed: Pixel = [0, 0];
@@ -239,6 +309,7 @@ export class MesherFigure implements Figure {
     const program = this.#program;
     this.#values?.put({
       level: this.#name,
+      stage: 1 + levelNames.indexOf(this.#name),
       front: board.front.length,
       elements: own.elements,
       newnodes: own.newNodes,
@@ -253,7 +324,25 @@ export class MesherFigure implements Figure {
       programrefused: level.programRefused,
       handled: this.#isHandled,
     });
-    this.#question.replaceChildren(...this.#questionParts(board, level));
+    if (board.isClosed)
+      this.#levels[levelNames.indexOf(this.#name)]?.setAttribute("data-closed", digits(own.angle, 0));
+    this.#panel.question.replaceChildren(...this.#questionParts(board, level));
+    this.#panel.offer(this.#offers(board), board.canUndo);
+    this.#panel.lightPick(this.#hovered);
+    this.#panel.showScore(
+      { ...own, refused: board.refused.length, front: board.front.length },
+      { ...program, refused: level.programRefused, front: 0 },
+      level.dimension,
+    );
+    const next = this.#nextLevel;
+    this.#panel.showEnd(
+      this.#isOver
+        ? {
+            verdict: verdictOf(board, own, program, level),
+            next: next ? `Next: ${levelLabels[next].toLowerCase()}` : null,
+          }
+        : null,
+    );
     this.#stage.requestDraw();
   }
 
@@ -261,81 +350,15 @@ export class MesherFigure implements Figure {
     const strong = (text: string, look = ""): HTMLElement => element("b", { class: look }, text);
     const [facet, facets, what] =
       dimension === 2 ? ["side", "sides", "triangle"] : ["face", "faces", "tetrahedron"];
-    if (board.isClosed) return [strong("The front is closed."), " Below, your mesh beside the program’s."];
-    const left = board.front.length;
+    if (board.isClosed) return [strong("Closed.")];
     if (board.isStalled)
       return [
-        strong("The front has stalled.", "refused"),
-        ` Nothing fits on the ${left} ${facets} that are left.`,
+        strong("Stalled.", "refused"),
+        ` Nothing fits on the ${board.front.length} ${facets} that are left.`,
       ];
     if (this.#lastRefused)
       return [strong(faultTexts[this.#lastRefused.fault](dimension), "refused"), " Choose again."];
-    return [
-      `The ${facet} in blue comes next: which node makes its ${what}? `,
-      strong(String(left)),
-      ` ${facets} are left.`,
-    ];
-  }
-
-  #showResult(): void {
-    const [board, level] = [this.#board, this.#level];
-    this.#result.hidden = !this.#isOver;
-    if (!board || !level || !this.#isOver) return this.#result.replaceChildren();
-    const own = measuresOf(board.nodes, board.elements, board.givenNodes);
-    const program = this.#program;
-    const angle = level.dimension === 2 ? "Smallest angle" : "Smallest angle between faces";
-    const degrees = ({ angle: value, worst }: MeshMeasures): string =>
-      worst === null ? "none" : `${digits(value, 0)}°`;
-    const rows = [
-      ["elements", level.dimension === 2 ? "Triangles" : "Tetrahedra", own.elements, program.elements],
-      ["front", level.dimension === 2 ? "Sides left empty" : "Faces left empty", board.front.length, 0],
-      ["nodes", "New nodes", own.newNodes, program.newNodes],
-      ["worst", angle, degrees(own), degrees(program)],
-      ["refused", "Refused choices", board.refused.length, level.programRefused],
-    ] as const;
-    const table = element(
-      "table",
-      { "aria-label": "Your mesh beside the program’s" },
-      element(
-        "tr",
-        {},
-        element("td"),
-        element("th", { scope: "col" }, "you"),
-        element("th", { scope: "col" }, "the program"),
-      ),
-      ...rows.map(([part, label, mine, theirs]) => {
-        const row = element(
-          "tr",
-          { "data-row": part },
-          element("th", { scope: "row" }, label),
-          element("td", {}, String(mine)),
-          element("td", {}, String(theirs)),
-        );
-        row.addEventListener("pointerenter", () => this.mark(part));
-        row.addEventListener("pointerleave", () => this.mark(null));
-        return row;
-      }),
-    );
-    const next = levelNames[levelNames.indexOf(this.#name) + 1];
-    const buttons = element(
-      "div",
-      { class: "choices" },
-      button({ "data-result": "again" }, "Again", () => this.#begin(true)),
-      ...(next
-        ? [
-            button(
-              { "data-result": "next" },
-              `Next: ${levelLabels[next].toLowerCase()}`,
-              () => void this.#open(next, true),
-            ),
-          ]
-        : []),
-    );
-    this.#result.replaceChildren(
-      table,
-      element("p", { class: "verdict" }, verdictOf(board, own, program, level)),
-      buttons,
-    );
+    return [strong(`The blue ${facet} is next.`, "active"), ` Which node completes its ${what}?`];
   }
 
   /** The window of the shape, as its least and largest x and y. */
@@ -399,14 +422,30 @@ export class MesherFigure implements Figure {
     const boldness = this.#stage.width < smallStage ? 0.8 : 1;
     if (this.#isOver) return this.#drawBoth(board, level, 0.85 * boldness);
     const drawing = new MesherDrawing(this.#pen, this.#sight(null), boldness);
-    drawing.drawBoard(board, board.active, this.#preview(board), this.#lit);
+    const preview = this.#preview();
+    drawing.drawBoard(board, board.active, preview, this.#newNode, this.#lit);
     if (this.#lit === "refused") drawing.drawRefused(board.refused, true);
+    if (preview && !preview.refused) this.#labelPreview(board, preview.at);
     this.#nodes.forEach((node, i) => {
-      const at = this.#pixel(board.nodes[node] ?? [0, 0, 0]);
-      this.#stage.label(letters[i] ?? "", at, {
-        dy: -16,
-        look: node === this.#hovered ? "active plate" : "plate",
-      });
+      const look = node === this.#hovered ? " lit" : this.#refusedHere.has(node) ? " refused" : "";
+      this.#stage.label(letters[i] ?? "", this.#pixel(this.#positionOf(node)), { look: `spot${look}` });
+    });
+  }
+
+  /** Says the angle of the element that a choice would make, and where it leaves a sharp corner. */
+  #labelPreview(board: Board, at: Position): void {
+    const facet = board.active;
+    if (!facet || this.#hovered === null) return;
+    const corners = [...board.positions(facet), at];
+    const angle = smallestAngleOf(corners);
+    if (heightOver(board.positions(facet), at) <= 0 || angle < 0.5) return;
+    this.#stage.label(`${digits(angle, 0)}°`, this.#pixel(mean(corners)), { look: "new strong" });
+    const outlook = outlookOf(board, this.#hovered === "new" ? this.#newNode : this.#hovered);
+    if (outlook?.left === null || outlook?.corner == null || outlook.left > sharp) return;
+    const corner = outlook.corner < board.nodes.length ? board.positions([outlook.corner])[0] : this.#newNode;
+    this.#stage.label(`leaves ${digits(outlook.left, 0)}°`, this.#pixel(corner ?? at), {
+      dy: 28,
+      look: "refused plate",
     });
   }
 
@@ -432,14 +471,18 @@ export class MesherFigure implements Figure {
     ["Your mesh", "The program’s mesh"].forEach((name, i) =>
       this.#stage.label(name, places[i] ?? [0, 0], { look: "strong" }),
     );
+    for (const [{ nodes, elements }, sight] of [[board, own] as const, [program, theirs] as const]) {
+      const { worst, angle } = measuresOf(nodes, elements, 0);
+      if (worst === null || sight.eye !== null) continue;
+      const middle = mean(cornersOf(nodes, elements[worst] ?? []));
+      this.#stage.label(`${digits(angle, 0)}°`, sight.pixel(middle), { look: "active plate" });
+    }
   }
 
   /** The element that the hovered choice would make, or the one that was refused. */
-  #preview(board: Board): Preview | null {
-    if (this.#hovered !== null) {
-      const at = this.#hovered === "new" ? this.#newNode : board.nodes[this.#hovered];
-      return at ? { at, refused: null } : null;
-    }
+  #preview(): Preview | null {
+    if (this.#hovered !== null && !this.#refusedHere.has(this.#hovered))
+      return { at: this.#positionOf(this.#hovered), refused: null };
     return this.#lastRefused && { at: this.#lastRefused.at, refused: this.#lastRefused };
   }
 }
@@ -448,8 +491,8 @@ export class MesherFigure implements Figure {
 function verdictOf(board: Board, own: MeshMeasures, program: MeshMeasures, { dimension }: Level): string {
   const element = dimension === 2 ? "triangle" : "tetrahedron";
   if (!board.isClosed)
-    return `The red rest is a pocket: every node of it makes a ${element} that crosses the front or is flat, and so does every new one. An earlier choice has shaped it.`;
+    return `The red rest is a pocket: whatever node it takes, the ${element} crosses the front or is flat. Undo, and look for the choice that made it.`;
   if (own.angle >= program.angle - 0.5)
-    return `No ${element} of yours is thinner than the program’s thinnest, which is blue.`;
-  return `Your thinnest ${element} is blue. It closes what earlier choices have left; the program’s has ${digits(program.angle, 0)}°.`;
+    return `As good as the program, or better. The thinnest ${element} of each is blue.`;
+  return `Your thinnest ${element} is blue. It had to take what earlier choices have left.`;
 }

@@ -55,6 +55,8 @@ export class PocketFigure implements Figure {
     distance: 3.6,
     yaw: -0.25,
     pitch: 0.46,
+    // Seen edge-on, a corner could not be dragged around.
+    pitches: [0.25, 1.25],
   });
   readonly #drawing = new PocketDrawing(this.#stage, this.#camera, new Pen(this.#stage.context));
   readonly #motion = new Motion();

@@ -26,6 +26,8 @@ export class RaceFigure implements Figure, PanelOwner {
   readonly #motion = new Motion();
   readonly #notice = element("div", { class: "notice", role: "status" });
   #at = centre;
+  /** The wing at the end of its last movement. */
+  focus = centre;
   #values: Values | null = null;
   #engine: PlaneFront | null = null;
   #isHandled = false;
@@ -70,6 +72,7 @@ export class RaceFigure implements Figure, PanelOwner {
       500,
       (t) => {
         this.#at = [from[0] + (centre[0] - from[0]) * t, from[1] + (centre[1] - from[1]) * t];
+        this.focus = this.#at;
         this.#fill();
       },
       arrive,
@@ -88,6 +91,11 @@ export class RaceFigure implements Figure, PanelOwner {
   begin(): void {
     this.#motion.stop();
     this.#timeline.pause();
+  }
+
+  end(): void {
+    this.focus = this.#at;
+    this.#show();
   }
 
   moveWing(to: PlanePoint): void {

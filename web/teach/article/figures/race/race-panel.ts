@@ -1,11 +1,12 @@
 /** One of the fronts of a race: its drawing, with the wing to drag, and its counts. */
 import { colours } from "../../kit/colours";
 import { digits, element } from "../../kit/dom";
+import { clamp } from "../../kit/motion";
 import { Pen } from "../../kit/pen";
 import { PlaneView, type PlanePoint } from "../../kit/plane-view";
 import { Stage } from "../../kit/stage";
 import { FrontDrawing } from "../front/front-drawing";
-import type { FrontFilm } from "../front/front-film";
+import { smallestAngle, type FrontFilm } from "../front/front-film";
 import { channel, loopsOf, onWing, type Wing } from "./race-rules";
 
 /** Where the wing is held, and where it is turned, in lengths of its chord. */
@@ -14,10 +15,15 @@ const handles = { wing: [0, 0], turn: [1.05, 0] } as const;
 const smallStage = 260;
 /** Crosses younger than this share of the steps are strong. */
 const youngShare = 0.04;
+/** Half the width and height of the window around the wing on a small stage. */
+const [halfWidth, halfHeight] = [0.5, 0.287] as const;
 
 export interface PanelOwner {
   readonly wing: Wing;
+  /** What a small picture shows: its middle. */
+  readonly focus: PlanePoint;
   begin(): void;
+  end(): void;
   moveWing(to: PlanePoint): void;
   turnWing(towards: PlanePoint): void;
 }
@@ -25,7 +31,6 @@ export interface PanelOwner {
 export class RacePanel {
   readonly element: HTMLElement;
   readonly #stage = new Stage(() => this.#draw());
-  readonly #view = new PlaneView(this.#stage, [-0.02, -0.02, channel[0] + 0.02, channel[1] + 0.02]);
   readonly #pen = new Pen(this.#stage.context);
   readonly #count = element("b", { class: "refused" });
   readonly #angle = element("span", { class: "worst" });
@@ -54,6 +59,7 @@ export class RacePanel {
         label: `Wing, ${title}`,
         at: () => this.#view.pixel(onWing(owner.wing, handles.wing)),
         begin: () => owner.begin(),
+        end: () => owner.end(),
         move: (pixel) => owner.moveWing(this.#view.point(pixel)),
       },
       {
@@ -84,10 +90,24 @@ export class RacePanel {
     this.element.toggleAttribute("data-best", isBest);
     this.#stage.element.classList.toggle("playing", isPlaying);
     if (film) {
-      this.#count.textContent = `${film.refusedBefore[this.#step] ?? 0} refused`;
-      this.#angle.textContent = `smallest angle ${digits(film.worst.angle, 0)}°`;
+      const step = this.#step;
+      const isEnd = step >= film.stepCount;
+      const angle = isEnd ? film.worst.angle : smallestAngleBefore(film, step);
+      const soFar = isEnd ? "" : " so far";
+      this.#count.textContent = `${film.refusedBefore[step] ?? 0} refused${soFar}`;
+      this.#angle.textContent = angle === null ? "" : `smallest angle ${digits(angle, 0)}°`;
     }
     this.#stage.requestDraw();
+  }
+
+  /** The channel; on a small stage, what is around the wing. */
+  get #view(): PlaneView {
+    const whole = [-0.02, -0.02, channel[0] + 0.02, channel[1] + 0.02] as const;
+    if (this.#stage.width >= smallStage) return new PlaneView(this.#stage, whole);
+    const middle = (axis: 0 | 1, half: number): number =>
+      clamp(this.owner.focus[axis], half - 0.02, channel[axis] + 0.02 - half);
+    const [x, y] = [middle(0, halfWidth), middle(1, halfHeight)];
+    return new PlaneView(this.#stage, [x - halfWidth, y - halfHeight, x + halfWidth, y + halfHeight]);
   }
 
   get #step(): number {
@@ -144,4 +164,12 @@ export class RacePanel {
     }
     context.restore();
   }
+}
+
+/** Returns the smallest angle of the triangles that are there at a step, in degrees; null before the first one. */
+function smallestAngleBefore({ triangles, nodes }: FrontFilm, step: number): number | null {
+  const angles = triangles
+    .filter(({ born }) => born <= step)
+    .map(({ corners }) => smallestAngle(corners.map((node) => nodes[node] ?? [0, 0])));
+  return angles.length > 0 ? Math.min(...angles) : null;
 }

@@ -14,7 +14,7 @@ export interface TimelineRun {
 const playTime = 9;
 const [keyStep, pageStep] = [0.01, 0.1] as const;
 /** Room for the names, and the smallest distance between two of them, in pixels. */
-const [namesWidth, nameHeight, top, bottom] = [112, 16, 14, 8] as const;
+const [namesWidth, nameHeight, top, bottom] = [118, 18, 18, 8] as const;
 
 export class Timeline {
   readonly element: HTMLElement;
@@ -178,15 +178,18 @@ export class Timeline {
         context.beginPath();
         for (let k = from; k <= to; k++) context.lineTo(x(k / last), y(refusedBefore[k] ?? 0));
         context.strokeStyle = css(c.refused, alpha);
-        context.lineWidth = 2;
+        context.lineWidth = 2.5;
         context.setLineDash([...dash]);
         context.stroke();
         context.setLineDash([]);
       };
       const here = Math.round(this.share * last);
       line(0, here, 1);
-      line(here, last, 0.28);
+      line(here, last, 0.4);
     }
+    context.font = `500 13px ${getComputedStyle(this.#slider).fontFamily}`;
+    context.fillStyle = css(c.soft);
+    context.fillText("refused candidates", x(0) + 4, top);
     this.#drawNames(context, x(1) + 8, y, ground);
     context.strokeStyle = context.fillStyle = css(c.ink);
     context.lineWidth = 2;

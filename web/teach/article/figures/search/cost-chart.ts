@@ -16,7 +16,9 @@ export interface CostChart {
   readonly isLit: boolean;
 }
 
-const [left, right, top, bottom] = [12, 120, 12, 24] as const;
+const [left, right, top, bottom] = [46, 120, 24, 24] as const;
+/** Lines of the scale: each is ten times the line below it. */
+const decades = [10, 100, 1000] as const;
 const nameHeight = 17;
 const dashes: readonly (readonly number[])[] = [[], [9, 4], [2, 4]];
 
@@ -34,7 +36,8 @@ export function drawCostChart(canvas: HTMLCanvasElement, chart: CostChart): void
     Math.log(value / from) / Math.log(to / from);
   const x = (count: number): number => left + along(count, fewest, most) * (width - left - right);
   const ground = height - bottom;
-  const y = (visits: number): number => ground - along(Math.max(4, visits), 4, most) * (ground - top);
+  const highest = Math.max(1000, most);
+  const y = (visits: number): number => ground - along(Math.max(4, visits), 4, highest) * (ground - top);
   const line = (points: readonly (readonly [number, number])[], colour: string, lineWidth: number): void => {
     context.beginPath();
     for (const point of points) context.lineTo(...point);
@@ -52,8 +55,20 @@ export function drawCostChart(canvas: HTMLCanvasElement, chart: CostChart): void
     chart.rule,
     2,
   );
-  context.textAlign = "center";
   context.fillStyle = chart.soft;
+  context.textAlign = "right";
+  for (const visits of decades) {
+    line(
+      [
+        [left, y(visits)],
+        [x(most), y(visits)],
+      ],
+      chart.rule,
+      1,
+    );
+    context.fillText(String(visits), left - 8, y(visits) + 4.5);
+  }
+  context.textAlign = "center";
   for (const count of chart.nodes)
     if (Math.abs(x(count) - x(chart.present)) > 46)
       context.fillText(String(count), Math.max(12, x(count)), height - 7);
@@ -85,7 +100,7 @@ export function drawCostChart(canvas: HTMLCanvasElement, chart: CostChart): void
   );
   context.textAlign = "left";
   context.fillStyle = chart.soft;
-  context.fillText("visits", left, 12);
+  context.fillText("visits, each line ten times the one below", left - 32, 12);
   context.fillStyle = chart.ink;
   // Names at the ends of the lines, moved apart where they would overlap.
   const ends = chart.rows

@@ -22,6 +22,8 @@ const beatNames = [
 ] as const;
 /** Rows of the heap that are drawn. */
 const rowCount = 5;
+/** Pixels between a side and its length. */
+const labelGap = 15;
 
 export class HeapFigure implements Figure {
   readonly #front = new Stage(() => this.#drawFront());
@@ -157,15 +159,27 @@ export class HeapFigure implements Figure {
     // The lengths of the other sides have no room on a small stage.
     const isSmall = this.#front.width < 400;
     const middle = at([0.5, 0.5]);
+    const placed: Pixel[] = [];
     for (const side of present.states[0] ?? []) {
       const isTop = side === present.base;
       if (isSmall && !isTop) continue;
       const half = between(...pixels(side), 0.5);
-      // The label of the active side is beside it, away from the middle of the front.
-      const away = [half[0] - middle[0], half[1] - middle[1]] as const;
-      const by = isTop ? 24 / Math.max(1, Math.hypot(...away)) : 0;
-      const look = isTop ? "active plate" : "plate small";
-      this.#front.label(digits(lengths[side] ?? 0, 2), half, { dx: by * away[0], dy: by * away[1], look });
+      const text = digits(lengths[side] ?? 0, 2);
+      // The label of the active side is beside it, away from the middle of the front; the others are on the empty side.
+      if (isTop) {
+        const away = [half[0] - middle[0], half[1] - middle[1]] as const;
+        const by = 24 / Math.max(1, Math.hypot(...away));
+        this.#front.label(text, half, { dx: by * away[0], dy: by * away[1], look: "active plate" });
+        continue;
+      }
+      const [from, to] = pixels(side);
+      const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+      const by = labelGap / Math.max(1, Math.hypot(dx, dy));
+      const place: Pixel = [half[0] + by * dy * 1.3, half[1] - by * dx];
+      // Where there is no room, the tree tells the length.
+      if (placed.some(([x, y]) => Math.abs(x - place[0]) < 30 && Math.abs(y - place[1]) < 15)) continue;
+      placed.push(place);
+      this.#front.label(text, place, { look: "small" });
     }
   }
 

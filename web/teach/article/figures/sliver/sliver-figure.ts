@@ -103,8 +103,8 @@ export class SliverFigure implements Figure {
   readonly #camera = new Camera(this.#stage, {
     target: [0, 0, 0.46],
     distance: 2.95,
-    yaw: 0.42,
-    pitch: 0.42,
+    yaw: 0.16,
+    pitch: 0.5,
   });
   readonly #pen = new Pen(this.#stage.context);
   readonly #motion = new Motion();

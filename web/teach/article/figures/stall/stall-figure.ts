@@ -62,7 +62,13 @@ function scaled(each: RodPocket): Scaled {
 
 export class StallFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0, 0, 0.54], distance: 3.7, yaw: 0.5, pitch: 0.44 });
+  readonly #camera = new Camera(this.#stage, {
+    target: [0, 0, 0.54],
+    distance: 3.1,
+    yaw: 0.5,
+    pitch: 0.44,
+    pitches: [0.25, 1.2],
+  });
   readonly #drawing = new PocketDrawing(this.#stage, this.#camera, new Pen(this.#stage.context));
   readonly #motion = new Motion();
   readonly #all = rodPockets.map(scaled);

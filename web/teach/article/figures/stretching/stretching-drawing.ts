@@ -7,7 +7,7 @@ import { FrontDrawing, type DrawnFront } from "../front/front-drawing";
 import { outOfSpaceOf, type Tensor, type TensorField, type Triangle } from "./tensor-rules";
 
 /** Width of a stage in pixels below which lines are thinner. */
-const smallStage = 400;
+const smallStage = 300;
 /** Columns and rows of the faint ellipses between the nodes of the background grid. */
 const [columns, rows] = [9, 6] as const;
 

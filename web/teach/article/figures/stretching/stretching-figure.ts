@@ -13,6 +13,7 @@ import type { Values } from "../../kit/values";
 import { filmOf, type FrontFilm } from "../front/front-film";
 import { extent, fields, outline, type FieldName } from "./fields";
 import { drawField, drawGrid, drawSide, ellipseAround, fadeOut, type Drawn } from "./stretching-drawing";
+import { drawHill, drawWind } from "./wind-drawing";
 import {
   aspectOf,
   centroidOf,
@@ -31,8 +32,8 @@ import {
 } from "./tensor-rules";
 
 const beatNames = ["active side", "ideal point", "candidates", "test", "new triangle"] as const;
-/** Pixels between the tip of an axis and its handle: more on small stages, where fingers drag. */
-const gaps = { large: 13, small: 25 } as const;
+/** Pixels between the tip of an axis and its handle: on small stages, fingers need room. */
+const gaps = { large: 0, small: 16 } as const;
 /** Width of a small stage in pixels. */
 const smallStage = 450;
 /** Edges of length 1 from the middle to the border of the round window. */
@@ -350,7 +351,9 @@ export class StretchingFigure implements Figure {
     const c = colours();
     const pen = new Pen(this.#here.context);
     const at = (point: PlanePoint): Pixel => this.#view.pixel(point);
+    if (this.isField) drawHill(this.#here, this.#view);
     drawSide(this.#here, at, this.#drawnWith(film));
+    if (this.isField) drawWind(pen, at, this.#tensors);
     if (this.isField)
       drawGrid(
         pen,
@@ -366,8 +369,8 @@ export class StretchingFigure implements Figure {
           width: 2,
         });
       const colour = this.isField ? c.ink : c.active;
-      pen.line(middle, this.#tipOf(ellipse, true, this.#gap - 7), colour, 2.25);
-      pen.line(middle, this.#tipOf(ellipse, false, this.#gap - 7), colour, 1.5);
+      pen.line(middle, this.#tipOf(ellipse, true, this.#gap), colour, 2.25);
+      pen.line(middle, this.#tipOf(ellipse, false, this.#gap), colour, 1.5);
     }
     this.#here.element.classList.toggle("playing", this.#player.isPlaying);
     if (this.isField || this.#player.isPlaying) return;

@@ -57,11 +57,15 @@ export function ellipseOf([xx, xy, yy]: Tensor): Omit<Ellipse, "at"> {
 
 /** Ellipses at the corners of a rectangle, from (0, 0) to `extent`, and in its middle: a background grid of four triangles. */
 export class TensorField {
+  readonly #tensors: readonly Tensor[];
+
   constructor(
     /** One ellipse that holds everywhere; or those at the corners, counter-clockwise from (0, 0), and in the middle. */
     readonly ellipses: readonly Ellipse[],
     readonly extent: PlanePoint,
-  ) {}
+  ) {
+    this.#tensors = ellipses.map(tensorOf);
+  }
 
   get nodes(): readonly PlaneNode[] {
     return this.ellipses.map(({ at, size, stretching, angle }) => ({
@@ -74,7 +78,7 @@ export class TensorField {
 
   /** Returns the tensor at a position: its entries are linear in each triangle of the background grid. */
   tensorAt([x, y]: PlanePoint): Tensor {
-    const tensors = this.ellipses.map(tensorOf);
+    const tensors = this.#tensors;
     const first: Tensor = tensors[0] ?? [1, 0, 1];
     const middle = tensors[4];
     if (!middle) return first;

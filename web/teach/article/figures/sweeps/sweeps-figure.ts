@@ -97,6 +97,8 @@ export class SweepsFigure implements Figure {
     if (!trace.success) throw new Error(trace.errors[0].message);
     this.#film = new SweepFilm(trace.value);
     this.#player.setFilm(this.#film);
+    // Before the first sweep, there is nothing to compare.
+    this.#player.seek(1);
   }
 
   go({ sweep }: Readonly<Record<string, string>>): void {
