@@ -204,8 +204,7 @@ TEST(WithLattices, CountsAreThoseOfTheFront) {
 }
 
 TEST(WithLattices, AreTheDefaultInLargeMeshesOnly) {
-  const SurfaceMesh sphere = geodesicSphere(12);
-  const MeshRun small = filled(sphere, 0.16, MeshOptions().interior);
+  const MeshRun small = filled(geodesicSphere(7), 0.2, MeshOptions().interior);
   EXPECT_LT(small.volume().tetrahedra.size() / 4, std::size_t{9'000});
   EXPECT_EQ(small.latticeCount(), 0U);
   const MeshRun large = filled(geodesicSphere(14), 0.08, MeshOptions().interior);
