@@ -128,6 +128,7 @@ function engineIntake(kind) {
     { x: noseAt, inner: 0.013, outer: 0.34, reach: 2.4 },
     { x: length + 0.2, inner: 0.135, outer: 0.28, reach: 2.4 },
   ]);
+  builder.meshing = { interior: "front" }; // as in 1988
   return builder;
 }
 

@@ -228,6 +228,7 @@ function missileLauncher() {
     { x: tail, inner: 0.079, outer: 0.76, reach },
     { x: 6.2, inner: 0.46, outer: 0.57, reach },
   ]);
+  builder.meshing = { interior: "front" }; // as in 1988
   return builder;
 }
 

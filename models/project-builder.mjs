@@ -17,6 +17,8 @@ export class ProjectBuilder {
   nodes = [];
   tetrahedra = [];
   sources = [];
+  /** Options of a run, as in the project file; none by default. */
+  meshing;
   #pointOf = new Map();
   #lineOf = new Map();
 
@@ -106,6 +108,7 @@ export class ProjectBuilder {
     const list = (entities) => `[\n${entities.map(row).join(",\n")}\n  ]`;
     const inner = (entities) => list(entities).replaceAll("\n", "\n  ");
     const sources = this.sources.length > 0 ? `,\n    "sources": ${inner(this.sources)}` : "";
+    const meshing = this.meshing ? `,\n  "meshing": ${JSON.stringify(this.meshing)}` : "";
     return `{
   "format": "tetrafront-project",
   "version": 2,
@@ -118,7 +121,7 @@ export class ProjectBuilder {
   "background": {
     "nodes": ${inner(this.nodes)},
     "tetrahedra": ${inner(this.tetrahedra)}${sources}
-  }
+  }${meshing}
 }
 `;
   }

@@ -4,16 +4,17 @@
 ///
 ///     fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]
 ///          [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]
-///          [--max-volume=VOLUME] [--interior=front|lattice]
+///          [--max-volume=VOLUME] [--interior=auto|front|lattice] [--threads=COUNT]
 ///
 /// Prints `name value` lines. Seconds are processor time, which other work on the machine hardly
-/// affects. Bytes are the peak resident size above the size after the surface was read. Exit
+/// affects; wallSeconds alone is time of the clock. Bytes are the peak resident size above the size after the surface was read. Exit
 /// status: 0 done, 1 not completed, 2 invalid arguments or input.
 
 #include <sys/resource.h>
 
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -30,6 +31,7 @@
 
 #include "tetrafront/mesher.h"
 #include "tetrafront/remesh.h"
+#include "tetrafront/threads.h"
 
 namespace {
 
@@ -118,13 +120,16 @@ constexpr std::array<std::pair<std::string_view, Optimization>, 4> kOptimization
      {"thorough", Optimization::kThorough}}};
 constexpr std::array<std::pair<std::string_view, FrontOrder>, 2> kOrders{
     {{"layered", FrontOrder::kLayered}, {"smallest-first", FrontOrder::kSmallestFirst}}};
-constexpr std::array<std::pair<std::string_view, Interior>, 2> kInteriors{
-    {{"front", Interior::kFront}, {"lattice", Interior::kLattice}}};
+constexpr std::array<std::pair<std::string_view, Interior>, 3> kInteriors{
+    {{"front", Interior::kFront}, {"lattice", Interior::kLattice}, {"auto", Interior::kAuto}}};
 constexpr std::array<std::pair<std::string_view, bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
+
+constexpr double kMostThreads = 256.0;
 
 struct Options {
   tetrafront::MeshOptions mesh;
   bool remesh = false;
+  unsigned threads = 1;
 };
 
 /// Returns false, after printing the reason, if the argument is not an option.
@@ -140,6 +145,10 @@ bool readArgument(std::string_view argument, Options& all) {
     if (choose(options.filters, *filters, kSwitch)) return true;
   } else if (const auto remesh = valueOf(argument, "--remesh")) {
     if (choose(all.remesh, *remesh, kSwitch)) return true;
+  } else if (const auto threads = valueOf(argument, "--threads")) {
+    const double count = numberIn(*threads).value_or(0.0);
+    all.threads = count >= 1.0 && count <= kMostThreads ? static_cast<unsigned>(count) : 0;
+    if (all.threads == count) return true;
   } else if (const auto volume = valueOf(argument, "--max-volume")) {
     options.maxVolume = numberIn(*volume).value_or(0.0);
     if (options.maxVolume > 0.0 && std::isfinite(options.maxVolume)) return true;
@@ -191,7 +200,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr,
                  "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]\n"
                  "       [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]\n"
-                 "       [--max-volume=VOLUME] [--interior=front|lattice]\n");
+                 "       [--max-volume=VOLUME] [--interior=auto|front|lattice] [--threads=COUNT]\n");
     return 2;
   }
   std::optional<Surface> surface = readOff(argv[1]);
@@ -208,7 +217,9 @@ int main(int argc, char** argv) {
   constexpr std::uint32_t kBudget = 4096;
   const std::size_t bytesBefore = greatestResidentBytes();
   tetrafront::MeshRun run(surface->points, surface->triangles, options.mesh);
+  tetrafront::useThreads(run, options.threads);
   std::array<double, tetrafront::kPhaseCount> phaseSeconds{};
+  const auto wallBegin = std::chrono::steady_clock::now();
   const double begin = processorSeconds();
   for (bool running = true; running;) {
     const auto phase = static_cast<std::size_t>(run.progress().phase);
@@ -217,6 +228,7 @@ int main(int argc, char** argv) {
     phaseSeconds[phase] += processorSeconds() - before;
   }
   const double total = processorSeconds() - begin;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wallBegin;
   const std::size_t bytes = greatestResidentBytes() - bytesBefore;
   const auto secondsOf = [&](tetrafront::Phase phase) {
     return phaseSeconds[static_cast<std::size_t>(phase)];
@@ -230,6 +242,7 @@ int main(int argc, char** argv) {
               progress.tetrahedra);
   std::printf("lattice %u\n", run.latticeCount());
   std::printf("seconds %.6f\ncheckSeconds %.6f\n", total, secondsOf(tetrafront::Phase::kCheck));
+  std::printf("wallSeconds %.6f\n", wall.count());
   std::printf("volumeSeconds %.6f\n", secondsOf(tetrafront::Phase::kVolume));
   std::printf("optimizeSeconds %.6f\n", secondsOf(tetrafront::Phase::kOptimize));
   std::printf("verifySeconds %.6f\n", secondsOf(tetrafront::Phase::kVerify));

@@ -16,6 +16,7 @@
 #include "field/size_field.h"
 #include "optimize/optimizer.h"
 #include "optimize/sweep_observer.h"
+#include "optimize/tile_runner.h"
 #include "optimize/volume_limiter.h"
 #include "quality/metrics.h"
 #include "surface/surface_trace.h"
@@ -114,6 +115,7 @@ class MeshRun::Impl {
     meshSurface_ = &Impl::meshSurface<RecordingSurfaceTrace>;
     records_ = true;
   }
+  void runTilesBy(std::unique_ptr<TileRunner> runner) { tileRunner_ = std::move(runner); }
   [[nodiscard]] std::vector<std::uint8_t> takeTrace() { return recorder_.takeEvents(); }
   [[nodiscard]] StepRecorder& recorder() { return recorder_; }
   [[nodiscard]] std::uint64_t recordedSteps() const { return recorder_.counts().steps; }
@@ -163,6 +165,7 @@ class MeshRun::Impl {
   void summarizeBodies();
   bool limitElements();
   [[nodiscard]] double frontShare() const;
+  [[nodiscard]] Interior interior() const;
   Task<MeshStatus> fill(Work& work);
   Task<> optimize(Work& work);
   Task<bool> limitVolumes(Work& work);
@@ -218,6 +221,7 @@ class MeshRun::Impl {
   std::uint64_t frontFingerprint_ = 0;
   std::optional<RegionMesher> front_;        ///< while it fills
   std::unique_ptr<SweepObserver> observer_;  ///< of the optimizer, if the run is recorded
+  std::unique_ptr<TileRunner> tileRunner_ = std::make_unique<TilesInTurn>();
   std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes a region
   std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements of a region
   std::size_t region_ = 0;                   ///< region that the optimizer or the limiter works on

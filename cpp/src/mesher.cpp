@@ -12,6 +12,7 @@
 
 #include "base/diagnostics.h"
 #include "boundary/boundary.h"
+#include "lattice/rules.h"
 #include "optimize/locality.h"
 #include "preview/check_input.h"
 #include "quality/metrics.h"
@@ -259,9 +260,16 @@ double MeshRun::Impl::frontShare() const {
   return std::lerp(kFrontShareOfThin, RegionMesher::kFrontShare, std::clamp(fullness, 0.0, 1.0));
 }
 
+/// Returns Interior::kFront or Interior::kLattice.
+Interior MeshRun::Impl::interior() const {
+  if (records_) return Interior::kFront;
+  if (options_.interior != Interior::kAuto) return options_.interior;
+  return expectedTetrahedra_ < kLatticeFrom ? Interior::kFront : Interior::kLattice;
+}
+
 Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
   MeshOptions options = options_;
-  if (records_) options.interior = Interior::kFront;
+  options.interior = interior();
   front_.emplace(surface_, *field_, options, *frontMaker_);
   work.beginPart(1.0);
   const MeshStatus status = co_await front_->run(work, frontShare());
@@ -322,8 +330,14 @@ Task<> MeshRun::Impl::optimize(Work& work) {
   bool isAnyBetter = false;
   for (region_ = 0; region_ < ends.size(); ++region_) {
     work.beginPart(kOrderShare + (1.0 - kOrderShare) * ends[region_]);
-    optimizer_.emplace(std::exchange(region().mesh, {}), *field_, options_.optimization);
-    if (observer_) optimizer_->observe(*observer_);
+    TetMesh mesh = std::exchange(region().mesh, {});
+    if (observer_) {
+      optimizer_.emplace(std::move(mesh), *field_, options_.optimization);
+      optimizer_->observe(*observer_);
+    } else {
+      optimizer_.emplace(MeshOptimizer::inTiles(std::move(mesh), *field_, options_.optimization,
+                                                *tileRunner_));
+    }
     co_await optimizer_->run(work);
     isAnyBetter = isAnyBetter || !optimizer_->hasFoundNothingBetter();
     keepUnfinished();

@@ -8,7 +8,7 @@ import { createMesher } from "../../wasm/dist/index.js";
 import { readSurfaceFile } from "../../wasm/dist/node.js";
 
 /** Subdivisions of the icosahedron's edges. */
-const SPHERES = [6, 8, 9, 11, 14, 19, 27, 41];
+const SPHERES = (process.env.TETRAFRONT_SPHERES ?? "6,8,9,11,14,19,27,41").split(",").filter(Boolean).map(Number);
 const given = process.env.TETRAFRONT_PARTS;
 
 const mesher = await createMesher();
@@ -44,13 +44,13 @@ for (const divisions of SPHERES) {
 const parts = Object.entries(NEEDLE_PARTS).map(([name, make]) => ({ name, read: make }));
 if (given) {
   for (const name of readdirSync(given)) {
-    if (/\.stl$/i.test(name)) parts.push({ name, read: () => readSurfaceFile(path.join(given, name)) });
+    if (/\.stl$/i.test(name)) parts.push({ name, read: async () => (await readSurfaceFile(path.join(given, name))).value });
   }
 }
 for (const { name, read } of parts) {
   try {
     const surface = await read();
-    const { mesh } = await mesher.remeshSurface(surface.mesh ?? surface);
+    const { mesh } = await mesher.remeshSurface(surface);
     await runBothWays(name, mesh);
   } catch (error) {
     row([name, error.diagnostics?.[0]?.code ?? error.message, ...Array.from({ length: 8 }, () => "")]);

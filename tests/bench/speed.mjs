@@ -56,9 +56,14 @@ const optimized = (run) => run.volumeSeconds + run.optimizeSeconds;
 
 /** Measures our engine on one sphere, and compares native with WebAssembly. */
 function runOurs({ thousands, file }) {
-  const native = { front: fillNatively(file, "none"), optimized: fillNatively(file, "default") };
-  const wasm = { front: fillAsWebAssembly(file, "none"), optimized: fillAsWebAssembly(file, "default") };
-  const isSame = ["front", "optimized"].every((kind) => native[kind].fingerprint === wasm[kind].fingerprint);
+  const measured = (fill) => ({
+    front: fill(file, "none"),
+    optimized: fill(file, "default"),
+    lattice: fill(file, "default", "lattice"),
+  });
+  const native = measured(fillNatively);
+  const wasm = measured(fillAsWebAssembly);
+  const isSame = ["front", "optimized", "lattice"].every((kind) => native[kind].fingerprint === wasm[kind].fingerprint);
   return { thousands, native, wasm, isSame };
 }
 
@@ -91,12 +96,14 @@ function showSizes(runs) {
   ];
   table(head("front alone"), ...rows("front", front));
   table(head("front and optimizer"), ...rows("optimized", optimized));
+  table(head("lattice, front and optimizer"), ...rows("lattice", optimized));
   table(
     ["growth exponent, first size to last", "native", "WebAssembly"],
     ...[
       ["front", "front", front],
       ["front and optimizer", "optimized", optimized],
       ["whole run", "optimized", (run) => run.seconds],
+      ["whole run, with a lattice", "lattice", (run) => run.seconds],
     ].map(([name, kind, secondsOf]) => [
       name,
       ...["native", "wasm"].map((engine) =>

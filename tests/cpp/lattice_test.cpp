@@ -203,6 +203,14 @@ TEST(WithLattices, CountsAreThoseOfTheFront) {
   EXPECT_NEAR(countOf(Interior::kLattice) / withFront, 1.0, 0.05);
 }
 
+TEST(WithLattices, AreTheDefaultInLargeMeshesOnly) {
+  const MeshRun small = filled(geodesicSphere(7), 0.2, MeshOptions().interior);
+  EXPECT_LT(small.volume().tetrahedra.size() / 4, std::size_t{9'000});
+  EXPECT_EQ(small.latticeCount(), 0U);
+  const MeshRun large = filled(geodesicSphere(14), 0.08, MeshOptions().interior);
+  EXPECT_GT(large.latticeCount(), 10'000U);
+}
+
 /// Sizes grow away from one corner, then stay: lattices of several sizes, which keep away from each other.
 TEST(WithLattices, GradedSizesMakeSeveralIslands) {
   const SurfaceMesh cube = gridCube(24);

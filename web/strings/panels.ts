@@ -362,11 +362,12 @@ export const panelStrings = {
       thorough: "continues towards angles between 35° and 130°.",
     },
     interior: "Interior",
-    interiors: { front: "Front", lattice: "Lattice" },
+    interiors: { front: "Front", lattice: "Lattice", auto: "Automatic" },
     interiorHints: {
       front: "Fills the deep inside by the front, as everywhere.",
       lattice:
         "Fills the deep inside with regular elements where sizes are nearly constant. Large meshes take a fraction of the time.",
+      auto: "Lattices in meshes of 10\u202f000 elements or more, else the front.",
     },
     gradation: "Gradation",
     gradationHint: "Limits the size ratio of neighbouring elements in the background grid; 0 means no limit.",

@@ -109,6 +109,7 @@ class MeshRun {
  private:
   class Impl;
   friend void recordFront(MeshRun& run, const FrontExperiment& experiment);
+  friend void useThreads(MeshRun& run, unsigned count);
   std::unique_ptr<Impl> impl_;
 };
 

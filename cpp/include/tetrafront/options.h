@@ -47,6 +47,7 @@ enum class Interior : std::uint8_t {
   kFront = 0,  ///< the front, as everywhere
   kLattice =
       1,  ///< lattices, where sizes are nearly constant over some elements and not stretched; only the rest is left to the front
+  kAuto = 2,  ///< lattices in regions that are expected to have some thousands of elements, else the front
 };
 
 struct MeshOptions {
@@ -72,7 +73,7 @@ struct MeshOptions {
   bool filters = true;
   Optimization optimization = Optimization::kDefault;
   /// Work with lattices grows with the surface rather than with the volume. A run that records its front makes none.
-  Interior interior = Interior::kFront;
+  Interior interior = Interior::kAuto;
   /// Largest number of tetrahedra; above it, a run ends with kTooManyElements. The peak memory of a run is about
   /// 150 bytes per tetrahedron, and WebAssembly has at most 4 GB.
   std::uint32_t maxTetrahedra = 20'000'000;

@@ -8,9 +8,9 @@
 namespace tetrafront {
 
 /// Lets a run record its steps, those of lines and patches and the sweeps of the optimizer included: MeshRun::takeTrace()
-/// returns them. Call it before the first MeshRun::advance(). The mesh stays the same, bit for bit, unless `experiment`
-/// changes the rules. A step takes about 40 bytes, in a stretched size field 60. Programs that do not call this function
-/// do not contain the code that records.
+/// returns them. Call it before the first MeshRun::advance(). The front fills everything, and the optimizer does not cut the
+/// mesh into tiles; apart from that the mesh stays the same, bit for bit, unless `experiment` changes the rules. A step takes
+/// about 40 bytes, in a stretched size field 60. Programs that do not call this function do not contain the code that records.
 void recordFront(MeshRun& run, const FrontExperiment& experiment = {});
 
 }  // namespace tetrafront

@@ -2,6 +2,8 @@
 
 /// @file The numbers by which the inside of a region is given to lattices.
 
+#include <cstdint>
+
 namespace tetrafront {
 
 /// Distance that lattices keep from the boundary and from each other / size there. The best of 1.2, 1.6 and 2.0: a nearer
@@ -16,5 +18,8 @@ inline constexpr double kVolumePerCube = 0.117851130197757934;
 
 /// Elements that a class of sizes must be expected to have. Smaller islands save nothing.
 inline constexpr double kMinElements = 500.0;
+
+/// Expected elements of a mesh from which on lattices are used by default. Smaller ones are soon made by the front alone.
+inline constexpr std::uint32_t kLatticeFrom = 10'000;
 
 }  // namespace tetrafront

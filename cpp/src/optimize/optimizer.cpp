@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "optimize/locality.h"
 #include "optimize/mesh_costs.h"
 #include "optimize/mesh_score.h"
 #include "optimize/rules.h"
@@ -13,6 +14,8 @@
 #include "optimize/sweep_observer.h"
 #include "optimize/sweeps.h"
 #include "optimize/tet_complex.h"
+#include "optimize/tile_runner.h"
+#include "optimize/tiles.h"
 
 namespace tetrafront {
 namespace {
@@ -30,6 +33,9 @@ constexpr double kCollectPart = 0.1;
 constexpr double kFreeNodesPerElement = 0.1;
 constexpr double kSweepsOfThin = 0.3;
 constexpr double kRepairOfThin = 35.0;
+/// In tiles, for the estimate of the progress: the ends of the shape steps in tiles, and of those at seams.
+constexpr double kTilesEnd = 0.7;
+constexpr double kSeamsEnd = 0.85;
 
 }  // namespace
 
@@ -336,6 +342,88 @@ class MeshOptimizer::InSpace final : public MeshOptimizer::AnySpace {
   std::optional<TetMesh> kept_;  ///< mesh to restore unless the new one is no worse
 };
 
+/// Shapes in tiles, then at the seams between them, then the other steps for the whole mesh. Small meshes are not cut.
+class MeshOptimizer::InTiles final : public MeshOptimizer::AnySpace {
+ public:
+  InTiles(TetMesh mesh, const SizeField& field, Optimization level, TileRunner& runner)
+      : given_(std::move(mesh)), steps_{field, level}, runner_(runner) {}
+
+  Task<> run(Work& work) override {
+    if (isLarge()) co_await runTiles(work);
+    const StepPart part = isTiled_ ? StepPart::kAfterShapes : StepPart::kAll;
+    optimizer_ = make(std::exchange(given_, {}), steps_.field, scheduleOf(steps_.level, part), {});
+    work.beginPart(1.0);
+    co_await optimizer_->run(work);
+  }
+  [[nodiscard]] std::size_t elementCount() const override {
+    if (tiled_) return tiled_->tetrahedronCount();
+    return optimizer_ ? optimizer_->elementCount() : given_.tetrahedra.size();
+  }
+  [[nodiscard]] TetMesh mesh() const override {
+    if (tiled_) return tiled_->joined();
+    return optimizer_ ? optimizer_->mesh() : given_;
+  }
+  [[nodiscard]] TetMesh take() override {
+    if (tiled_) return tiled_->joined();
+    return optimizer_ ? optimizer_->take() : std::move(given_);
+  }
+  [[nodiscard]] std::size_t innerNodeCount() const override {
+    if (optimizer_) return optimizer_->innerNodeCount();
+    const std::size_t nodes = tiled_ ? tiled_->nodeCount() : given_.points.size();
+    return nodes - fixedNodes_;
+  }
+  [[nodiscard]] bool hasFoundNothingBetter() const override {
+    return optimizer_ && optimizer_->hasFoundNothingBetter();
+  }
+  [[nodiscard]] bool hasRefusedGrowth() const override {
+    return optimizer_ && optimizer_->hasRefusedGrowth();
+  }
+
+ private:
+  [[nodiscard]] bool isLarge() const {
+    return steps_.level != Optimization::kNone && given_.tetrahedra.size() >= kMinTiled;
+  }
+
+  Task<> runTiles(Work& work) {
+    isTiled_ = true;
+    work.beginPart(kBuildShare);
+    TiledMesh tiled = co_await TiledMesh::cut(work, given_);
+    tiled_ = std::move(tiled);
+    given_ = {};
+    work.beginPart(kTilesEnd);
+    co_await runner_.run(work, tiled_->tiles(), steps_);
+    TiledMesh atSeams = co_await TiledMesh::cutSeams(work, *tiled_);
+    tiled_ = std::move(atSeams);
+    work.beginPart(kSeamsEnd);
+    co_await runner_.run(work, tiled_->tiles(), steps_);
+    given_ = tiled_->joined();
+    tiled_.reset();
+    co_await orderAlongMortonCurve(work, given_);
+  }
+
+  TetMesh given_;
+  TileSteps steps_;
+  TileRunner& runner_;
+  std::size_t fixedNodes_ =
+      static_cast<std::size_t>(std::ranges::count(given_.isFixed, std::uint8_t{1}));
+  bool isTiled_ = false;
+  std::optional<TiledMesh> tiled_;  ///< while tiles are worked on
+  std::unique_ptr<AnySpace> optimizer_;
+};
+
+Task<> TileSteps::run(Work& work, TetMesh& mesh) const {
+  MeshOptimizer optimizer = MeshOptimizer::shapes(mesh, field, level);
+  co_await optimizer.run(work);
+  mesh = optimizer.take();
+}
+
+Task<> TilesInTurn::run(Work& work, std::span<Tile> tiles, const TileSteps& steps) {
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+    work.beginPart(static_cast<double>(tile + 1) / static_cast<double>(tiles.size()));
+    co_await steps.run(work, tiles[tile].mesh);
+  }
+}
+
 MeshOptimizer::MeshOptimizer(TetMesh mesh, const SizeField& field, Optimization level,
                              const MeshLimits& limits)
     : optimizer_(make(std::move(mesh), field, scheduleOf(level), limits)) {}
@@ -346,6 +434,15 @@ MeshOptimizer::MeshOptimizer(std::unique_ptr<AnySpace> optimizer)
 MeshOptimizer MeshOptimizer::cautious(TetMesh mesh, const SizeField& field,
                                       const MeshLimits& limits) {
   return MeshOptimizer(make(std::move(mesh), field, cautiousSchedule(), limits));
+}
+
+MeshOptimizer MeshOptimizer::shapes(TetMesh mesh, const SizeField& field, Optimization level) {
+  return MeshOptimizer(make(std::move(mesh), field, scheduleOf(level, StepPart::kShapes), {}));
+}
+
+MeshOptimizer MeshOptimizer::inTiles(TetMesh mesh, const SizeField& field, Optimization level,
+                                     TileRunner& runner) {
+  return MeshOptimizer(std::make_unique<InTiles>(std::move(mesh), field, level, runner));
 }
 
 std::unique_ptr<MeshOptimizer::AnySpace> MeshOptimizer::make(TetMesh mesh, const SizeField& field,

@@ -21,6 +21,7 @@ namespace tetrafront {
 
 struct Step;
 class SweepObserver;
+class TileRunner;
 
 /// What a given mesh must keep. By default nothing.
 struct MeshLimits {
@@ -39,6 +40,10 @@ class MeshOptimizer {
                 const MeshLimits& limits = {});
   /// The same with the steps of cautiousSchedule().
   static MeshOptimizer cautious(TetMesh mesh, const SizeField& field, const MeshLimits& limits);
+  /// The same with the steps that change shapes everywhere, or with all, those in tiles if the mesh is large. The runner must outlive this.
+  static MeshOptimizer shapes(TetMesh mesh, const SizeField& field, Optimization level);
+  static MeshOptimizer inTiles(TetMesh mesh, const SizeField& field, Optimization level,
+                               TileRunner& runner);
   MeshOptimizer(MeshOptimizer&&) noexcept;
   MeshOptimizer& operator=(MeshOptimizer&&) noexcept;
   ~MeshOptimizer();
@@ -68,6 +73,7 @@ class MeshOptimizer {
   class AnySpace;
   template <class Space>
   class InSpace;
+  class InTiles;
   explicit MeshOptimizer(std::unique_ptr<AnySpace> optimizer);
   static std::unique_ptr<AnySpace> make(TetMesh mesh, const SizeField& field,
                                         std::vector<Step> schedule, const MeshLimits& limits);

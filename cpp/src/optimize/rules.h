@@ -55,6 +55,17 @@ inline constexpr double kManyThorough = 0.01;
 /// If shape sweeps leave most elements flat, the boundary consists of needles: nodes between them make far more flat elements than there were.
 inline constexpr double kManyFlat = 0.5;
 
+// Tiles.
+
+/// Largest number of elements of a tile: its nodes and elements stay in the cache of a core, and several thousand of them are worth the
+/// seams around it.
+inline constexpr std::size_t kTileElements = 24'000;
+/// Meshes of fewer elements are optimized as a whole.
+inline constexpr std::size_t kMinTiled = 60'000;
+/// The part of a range of elements below a cut. The second cut, of the elements at seams, must be elsewhere.
+inline constexpr double kFirstCut = 0.5;
+inline constexpr double kSecondCut = 0.42;
+
 // Density: splits and collapses of edges.
 
 /// Edges longer than this many target lengths are split; anything in 1.15 .. 1.45 gives the same

@@ -180,13 +180,18 @@ std::vector<Step> cautiousSchedule() {
   return steps;
 }
 
-std::vector<Step> scheduleOf(Optimization level) {
+std::vector<Step> scheduleOf(Optimization level, StepPart part) {
   std::vector<Step> steps;
-  const auto add = [&](std::span<const Step> part) {
-    for (const Step& step : part) steps.push_back(step);
+  const auto add = [&](std::span<const Step> more) {
+    for (const Step& step : more) steps.push_back(step);
   };
   if (level == Optimization::kNone) return steps;
-  add(level == Optimization::kFast ? std::span<const Step>(kFastSteps) : kShapeSteps);
+  if (part == StepPart::kAfterShapes) {
+    steps.push_back({.sweeps = {}, .purpose = Purpose::kSeeIfSparse});
+  } else {
+    add(level == Optimization::kFast ? std::span<const Step>(kFastSteps) : kShapeSteps);
+  }
+  if (part == StepPart::kShapes) return steps;
   constexpr std::array kSteps = improveSteps(kManyFlat);
   add(kSteps);
   if (level == Optimization::kThorough) add(kThoroughSteps);

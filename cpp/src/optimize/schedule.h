@@ -99,9 +99,12 @@ struct Step {
   double work = 1.0;
 };
 
+/// The steps of a level: all, those that change shapes everywhere, and those after them, which change the few poor elements.
+enum class StepPart : std::uint8_t { kAll, kShapes, kAfterShapes };
+
 /// Returns the steps of a level; none for Optimization::kNone. The spans in the steps are valid for
 /// ever.
-[[nodiscard]] std::vector<Step> scheduleOf(Optimization level);
+[[nodiscard]] std::vector<Step> scheduleOf(Optimization level, StepPart part = StepPart::kAll);
 
 /// Returns steps that hardly ever make the worst angles of a mesh worse.
 [[nodiscard]] std::vector<Step> cautiousSchedule();

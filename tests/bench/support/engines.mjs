@@ -39,17 +39,18 @@ function leastTimes(runs) {
   return least;
 }
 
-/** `level`: optimization level. */
-export function fillNatively(file, level) {
-  return leastTimes(Array.from({ length: RUNS }, () => run(fill, [file, `--optimization=${level}`])));
+/** `level`: optimization level; `interior`: what fills the deep inside. */
+export function fillNatively(file, level, interior = "front") {
+  const args = [file, `--optimization=${level}`, `--interior=${interior}`];
+  return leastTimes(Array.from({ length: RUNS }, () => run(fill, args)));
 }
 
 /**
  * Measures warm runs. The first run of the process, in which V8 compiles, is reported separately as
  * `firstSeconds`.
  */
-export function fillAsWebAssembly(file, level) {
-  return run(process.execPath, [wasmFill, file, level, String(RUNS + 1)]);
+export function fillAsWebAssembly(file, level, interior = "front") {
+  return run(process.execPath, [wasmFill, file, level, String(RUNS + 1), interior]);
 }
 
 /** Measures the front alone on a boundary. Without a grid, the sizes come from the boundary's own edges. */

@@ -1,15 +1,17 @@
 // Runs the WebAssembly engine on a closed surface in this thread: the counterpart of the native program `fill`,
 // for the benchmarks.
 //
-//     node wasm-fill.mjs SURFACE.off LEVEL RUNS
+//     node wasm-fill.mjs SURFACE.off LEVEL RUNS INTERIOR
 //
-// Fills the surface RUNS times, or more until V8 has had time to compile. LEVEL is the optimization level. Prints
-// `name value` lines with the results of the fastest run, in processor time; the minimum volume and optimization
-// times of all runs; `firstSeconds` of the first run; and the size of the engine's memory after all runs.
+// Fills the surface RUNS times, or more until V8 has had time to compile. LEVEL is the optimization level,
+// INTERIOR what fills the deep inside. Prints `name value` lines with the results of the fastest run, in processor
+// time; the minimum volume and optimization times of all runs; `firstSeconds` of the first run; and the size of the
+// engine's memory after all runs.
 import { readFileSync } from "node:fs";
 import createEngine from "../../../wasm/dist/engine/engine.js";
 import {
   ENGINE_STATUSES,
+  INTERIORS,
   MESH_DEFAULTS,
   OPTIMIZATIONS,
   PHASES,
@@ -56,7 +58,7 @@ function processorSeconds() {
   return (user + system) / 1e6;
 }
 
-function fill(engine, surface, optimization) {
+function fill(engine, surface, optimization, interior) {
   const none = new Float64Array(0);
   const grid = {
     nodes: { position: none, size: none, stretching: none, direction: none },
@@ -64,7 +66,7 @@ function fill(engine, surface, optimization) {
     sources: { type: new Uint8Array(0), points: none, size: none, distance: none, growth: none },
     coverageMargin: 0,
   };
-  const options = { ...MESH_DEFAULTS, order: 0, innerShells: 0, optimization };
+  const options = { ...MESH_DEFAULTS, order: 0, innerShells: 0, optimization, interior };
   const regions = { triangleRegions: new Uint32Array(0), maxVolumes: none };
   const run = engine.fillSurface(surface.points, surface.triangles, regions, grid, options);
   const seconds = Object.fromEntries(PHASES.map((phase) => [phase, 0]));
@@ -84,7 +86,7 @@ function fill(engine, surface, optimization) {
   return { status, tetrahedra, fingerprint, minDihedral, maxDihedral, meanRadiusRatio, seconds, total };
 }
 
-const [file, level, runs] = process.argv.slice(2);
+const [file, level, runs, inside] = process.argv.slice(2);
 const surface = readOff(file);
 const { engine, memory } = await loadEngine();
 const bytesBefore = memory.buffer.byteLength;
@@ -93,7 +95,7 @@ for (
   const began = processorSeconds();
   all.length < Number(runs) || processorSeconds() - began < WARM_SECONDS;
 ) {
-  all.push(fill(engine, surface, OPTIMIZATIONS.indexOf(level)));
+  all.push(fill(engine, surface, OPTIMIZATIONS.indexOf(level), INTERIORS.indexOf(inside)));
 }
 const best = all.reduce((one, other) => (other.total < one.total ? other : one));
 const lines = {

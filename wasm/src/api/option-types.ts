@@ -217,9 +217,10 @@ export interface MeshOptions extends SizeOptions {
   /** Default `default`; `none` keeps the mesh that the front made. */
   readonly optimization?: Optimization | undefined;
   /**
-   * What fills the deep inside of regions. Default `front`, as everywhere. `lattice`: lattices with dihedral angles of 60 and 90
+   * What fills the deep inside of regions. `front`: the front, as everywhere. `lattice`: lattices with dihedral angles of 60 and 90
    * degrees, where sizes are nearly constant over some elements and not stretched; only the rest is left to the front, so that the
-   * time grows with the surface rather than with the volume. A recorded run makes none.
+   * time grows with the surface rather than with the volume. Default `auto`: `lattice` for meshes that are expected to have 10 000
+   * elements or more, else `front`. A recorded run makes no lattice.
    */
   readonly interior?: Interior | undefined;
   /** For tests: no front; the exact fill, otherwise the last resort, fills the whole region. */

@@ -90,9 +90,10 @@ Element order
   that consists of triangles stay straight. The report has the scaled Jacobian of the elements.
 
 Interior
-  --interior lattice fills the deep inside with lattices, where sizes are nearly constant over some elements
-  and not stretched, and leaves only the rest to the front: the time grows with the surface rather than with
-  the volume. The report has the number of their elements as interior.lattice.
+  The deep inside of a mesh of 10 000 or more elements is filled with lattices, where sizes are nearly constant
+  over some elements and not stretched; only the rest is left to the front, so that the time grows with the
+  surface rather than with the volume. --interior front fills everything by the front, and --interior lattice
+  uses lattices in smaller meshes too. The report has the number of their elements as interior.lattice.
 
 Element shapes
   --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking

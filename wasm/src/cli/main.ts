@@ -155,7 +155,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
   command.addOption(
     new Option(
       "--interior <kind>",
-      "what fills the deep inside: the front (default), or lattices where sizes are nearly constant, in a fraction of the time",
+      "what fills the deep inside: the front, lattices where sizes are nearly constant, or (auto, the default) lattices in large meshes",
     ).choices(INTERIORS),
   );
   withUnits(withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption())))

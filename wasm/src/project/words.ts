@@ -45,7 +45,7 @@ export const WORDS = {
     "Next face of the front: one of the lowest layer (default), the smallest, the first in, or a random one",
   optimization: "Effort spent on improving the elements after the front",
   interior:
-    "What fills the deep inside: the front (default), or lattices where sizes are nearly constant over some elements",
+    "What fills the deep inside: the front; lattices, where sizes are nearly constant over some elements; or (auto, the default) lattices in large meshes",
   bodies: "Closed triangulated surfaces beside the drawn patches",
   bodyPoints: "Nodes of the given triangles: base64 of x y z per node, as little-endian doubles",
   bodyTriangles: "Given triangles: base64 of three node indices each, as little-endian 32-bit integers",
