@@ -11,7 +11,6 @@ import { isUntouched } from "../../session/document-store";
 import { loadModel } from "../../session/gallery";
 import { showNotice } from "../../session/shell";
 import { untilState } from "../../session/until-state";
-import { breakpoints } from "../../ui/theme/theme";
 import type { CameraPose } from "../../viewer/camera";
 import { beatsOf, knownBeat } from "../player/beats";
 import { firstState } from "../player/phases";
@@ -56,7 +55,8 @@ export async function showShared(app: App, shared: ShownFront): Promise<void> {
   const recorded = await player.record({ order: shared.order ?? undefined });
   if (recorded?.kind !== "recorded") return;
   const { coloring, faces, elements } = shared;
-  player.state.setState({ coloring, faces, elements });
+  // A camera that the link names stays where it is.
+  player.state.setState({ coloring, faces, elements, follows: shared.camera === null });
   player.seek(shared.step);
   const { step } = player.state.getState();
   const { trace } = recorded;
@@ -75,8 +75,6 @@ export async function showShared(app: App, shared: ShownFront): Promise<void> {
       : [addressStrings.noBeat(shared.beat, step, beatsOf(trace, step).length)]),
   ]);
   if (shared.camera) (await viewerOf(app)).setPose(shared.camera);
-  // In a small view, the step could not be seen beside the rest of the model.
-  else if (window.innerWidth < breakpoints.phone) player.state.setState({ follows: true });
 }
 
 /**
