@@ -77,13 +77,24 @@ try {
       if (isPlaying) await page.getByTestId("player-play").click();
     }
   }
+  const repeated = async (name, repeat) => {
+    const begin = await processor();
+    for (let i = 0; i < STEPS; i++) {
+      await repeat(i);
+      await page.waitForTimeout(SETTLED_MS);
+    }
+    console.log(`${name.padEnd(34)}${(((await processor()) - begin) / STEPS).toFixed(1)} ms`);
+  };
+  const forward = () => page.getByTestId("player-forward").click();
   await page.getByTestId("player-scrub").press("Home");
-  const begin = await processor();
-  for (let i = 0; i < STEPS; i++) {
-    await page.getByTestId("player-forward").click();
-    await page.waitForTimeout(SETTLED_MS);
-  }
-  console.log(`a step under the lens             ${(((await processor()) - begin) / STEPS).toFixed(1)} ms`);
+  await repeated("a step under the lens", forward);
+  const bar = page.getByTestId("player-scrub");
+  const { width, height } = await bar.boundingBox();
+  await bar.click({ position: { x: width / 2, y: height / 2 } });
+  await page.waitForTimeout(SETTLED_MS);
+  await repeated("a step in the middle", forward);
+  const beats = page.getByTestId("player-beat");
+  await repeated("a beat in the middle", (i) => beats.fill(String(1 + (i % 5))));
 } finally {
   await browser.close();
   await server.close();

@@ -95,7 +95,7 @@ test("on a screen of usual width, the controls of the player take one row above 
     "player-counter",
     "player-speed",
     "player-follow",
-    "player-fade",
+    "player-film",
     "player-close",
   ];
   const below = [

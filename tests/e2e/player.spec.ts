@@ -246,9 +246,13 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   const face = /face ([\d,]+)/.exec((await page.getByTestId("lens-sentence").textContent()) ?? "")?.[0];
   await expect(page.getByTestId("lens-labels")).toContainText(face ?? "no face");
   await expect(page.getByTestId("lens-legend")).toContainText("why refused");
-  await page.getByTestId("player-fade").uncheck();
+  await page.getByRole("checkbox", { name: "Film of the step" }).uncheck();
   await expect.poll(async () => (await picture()).equals(before)).toBe(false);
-  await page.getByTestId("player-fade").check();
+  const faded = await picture();
+  await page.getByRole("checkbox", { name: "Fade the rest" }).uncheck();
+  await expect.poll(async () => (await picture()).equals(faded)).toBe(false);
+  await page.getByRole("checkbox", { name: "Fade the rest" }).check();
+  await page.getByRole("checkbox", { name: "Film of the step" }).check();
   await choice(page, "Jump to").selectOption("recovery");
   await nextStop(page).click();
   await expect(lens).toContainText("elements around a pocket are removed");

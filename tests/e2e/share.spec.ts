@@ -60,7 +60,7 @@ test("on a phone, no legend of an embedded front covers a label", async ({ page 
       }),
     );
   const labelBoxes = () => boxes('[data-testid="lens-labels"] span:not([style*="hidden"])');
-  await expect(page.getByTestId("front-legend")).toBeVisible();
+  await expect(page.getByTestId("lens-legend")).toBeVisible();
   await expect.poll(async () => (await labelBoxes()).length).toBe(5);
   const covered = async () => {
     const legends = await boxes('[data-testid="lens-legend"], [data-testid="front-legend"]');

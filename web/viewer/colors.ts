@@ -18,6 +18,12 @@ export interface ViewerColors {
   readonly meshPlain: string;
   /** Colour that an out-of-date mesh fades towards. */
   readonly faded: string;
+  /** The wall of a volume that is still empty, near the eye and far from it: cool. */
+  readonly emptyRim: string;
+  readonly emptyHollow: string;
+  /** Elements, and those made last: warm. */
+  readonly filled: string;
+  readonly fresh: string;
   readonly ground: string;
   /** Quality from bad to good, evenly spaced. */
   readonly ramp: readonly string[];

@@ -148,7 +148,9 @@ export class Framing {
     this.fitPositions([position]);
   }
 
-  fitPositions(positions: readonly Position[]): void {
+  /** Moves to positions; `from`: seen from a direction of any length, else from where the camera is. */
+  fitPositions(positions: readonly Position[], from: Position | null = null): void {
+    if (from) this.#view.lookFrom(from, this.#motion);
     const target = new Bounds();
     for (const position of positions) target.add(...position);
     this.#fitBounds(target);

@@ -65,6 +65,7 @@ export class Viewer {
   #isPreparing = false;
   /** Whether the next frame is the last one of a motion. */
   #isResting = false;
+  readonly #movedListeners = new Set<() => void>();
   readonly #layers: SceneLayers;
   readonly #observer: ResizeObserver;
   #state: SceneState;
@@ -95,6 +96,7 @@ export class Viewer {
     this.#updateLayers(null);
     this.framing = new Framing(this.#view, this.#framedScene(), options.motion, options.coveredLeft);
     this.#view.controls.addEventListener("control", () => this.#loop.request());
+    this.#view.controls.addEventListener("controlstart", () => this.#userMoved());
     this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(container);
     this.#resize();
@@ -123,13 +125,25 @@ export class Viewer {
     if (width !== this.framing.coveredLeft) this.#resize(width);
   }
 
+  /** Calls back when the user moves the camera, or a link sets it. Returns a function that ends this. */
+  onUserMoved(listener: () => void): () => void {
+    this.#movedListeners.add(listener);
+    return () => this.#movedListeners.delete(listener);
+  }
+
+  #userMoved(): void {
+    for (const listener of this.#movedListeners) listener();
+  }
+
   look(view: StandardView): void {
+    this.#userMoved();
     this.#view.look(view, this.#options.motion);
     this.framing.fit(null);
   }
 
   /** Looks from a direction, at the same position and distance. */
   lookFrom(direction: Position): void {
+    this.#userMoved();
     this.#view.lookFrom(direction, this.#options.motion);
     this.#loop.request();
   }
@@ -142,6 +156,7 @@ export class Viewer {
   }
 
   setPose({ eye, target }: CameraPose): void {
+    this.#userMoved();
     const { origin } = this.#state;
     this.#view.setPose({ eye: moved(eye, origin, -1), target: moved(target, origin, -1) });
     this.#loop.request();
@@ -149,17 +164,20 @@ export class Viewer {
 
   /** Rotates by angles in degrees. */
   rotate(azimuth: number, polar: number): void {
+    this.#userMoved();
     this.#view.rotate(azimuth, polar, this.#options.motion);
     this.#loop.request();
   }
 
   /** Moves sideways, by fractions of the distance to the target. */
   pan(right: number, down: number): void {
+    this.#userMoved();
     this.#view.pan(right, down, this.#options.motion);
     this.#loop.request();
   }
 
   zoom(factor: number): void {
+    this.#userMoved();
     this.#view.zoom(factor, this.#options.motion);
     this.#loop.request();
   }

@@ -11,7 +11,7 @@ it.each([
   "new=1",
   "model=unit-cube",
   "model=unit-cube&step=0",
-  "model=unit-cube&step=-12&order=random&color=age&faces=all&elements=cut&candidate=0&camera=1,2,3,4,5,6",
+  "model=unit-cube&step=-12&order=random&color=age&faces=all&elements=cut&candidate=0&beat=3&camera=1,2,3,4,5,6",
 ])("nothing of “%s”", (query) => {
   expect(problemsOf(query)).toEqual([]);
 });
@@ -26,6 +26,7 @@ it.each([
   ["model=a&step=1&faces=half", [/“inside” or “all”.*“faces=half”/]],
   ["model=a&step=1&elements=some", [/“recent”.*“elements=some”.*last 60/]],
   ["model=a&step=1&candidate=-1", [/“candidate=-1”.*decides/]],
+  ["model=a&step=1&beat=0", [/beat from 1.*“beat=0”.*after the step/]],
   ["model=a&step=1&camera=1,2,3", [/six numbers.*“camera=1,2,3”.*whole model/]],
   ["model=a&step=1&color=red&candidate=z", [/color=red/, /candidate=z/]],
   ["model=a&order=random", [/“order” without a step.*No front/]],

@@ -49,6 +49,7 @@ const shared: SharedFront = {
   faces: "inside",
   elements: "recent",
   candidate: null,
+  beat: null,
   camera: null,
 };
 

@@ -233,7 +233,7 @@ describe("the front of a candidate, of a real model", () => {
     );
     const layer = new ReplayLayer(trace);
     const drawnFaces = (supposed: LensScene["supposed"]): number => {
-      layer.show(state, false, supposed);
+      layer.show(state, { isFaded: false, isNear: false, supposed });
       const [front] = layer.root.children as Mesh[];
       const corners = front?.geometry.getAttribute("position").array ?? [];
       return Array.from({ length: corners.length / 9 }, (_, i) => corners.slice(9 * i, 9 * i + 9)).filter(

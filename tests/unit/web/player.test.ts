@@ -269,6 +269,72 @@ describe("the player", () => {
     expect(player.state.getState()).toMatchObject({ step: 50, isPlaying: false });
   });
 
+  it("plays every beat of a step at slow speeds, and leaves the beats at fast ones", async () => {
+    const player = playerOf(newApp());
+    await player.open(bytes);
+    const shown = () => {
+      const { step, beat } = player.state.getState();
+      return [step, beat];
+    };
+    player.setSpeed(1);
+    player.play();
+    drawFrame(10);
+    const states: unknown[] = [];
+    // Exact in binary: a fifth of a second and more is a beat.
+    for (let frame = 0; frame < 6; frame++) {
+      drawFrame(203.125);
+      states.push(shown());
+    }
+    expect(states).toEqual([
+      [1, 1],
+      [1, 2],
+      [1, 3],
+      [1, 4],
+      [1, null],
+      [2, 1],
+    ]);
+    expect(player.state.getState().lensStep).toBe(2);
+    player.setSpeed(100);
+    expect(shown()).toEqual([2, null]);
+    player.setSpeed(1);
+    player.showBeat(3);
+    expect(player.state.getState()).toMatchObject({ step: 2, beat: 3, isPlaying: false });
+    player.play();
+    drawFrame(10);
+    drawFrame(203.125);
+    expect(shown()).toEqual([2, 4]);
+    player.move(1);
+    expect(player.state.getState()).toMatchObject({ step: 3, beat: null, isPlaying: false });
+    player.showBeat(5);
+    expect(shown()).toEqual([3, null]);
+    player.setFilm(false);
+    player.play();
+    for (let frame = 0; frame < 6; frame++) drawFrame(203.125);
+    expect(shown()).toEqual([4, null]);
+    player.pause();
+  });
+
+  it("shows the film of the last step to its end, and then pauses", async () => {
+    const player = playerOf(newApp());
+    await player.open(bytes);
+    player.setSpeed(1);
+    player.seek(trace.stepCount - 1);
+    player.play();
+    drawFrame(10);
+    const beats: unknown[] = [];
+    for (let frame = 0; frame < 20 && player.state.getState().isPlaying; frame++) {
+      drawFrame(203.125);
+      beats.push(player.state.getState().beat);
+    }
+    expect(beats.slice(0, 5)).toEqual([1, 2, 3, 4, null]);
+    expect(player.state.getState()).toMatchObject({ step: trace.stepCount, isPlaying: false });
+    // Playing goes on from a beat of the last step, and not from the beginning.
+    player.showBeat(2);
+    player.play();
+    expect(player.state.getState().step).toBe(trace.stepCount);
+    player.pause();
+  });
+
   it("has the kinds of steps that a search from the first state finds", () => {
     const plain = starTrace(starSurface(boxSurface(3, [-1, -1, -1], [1, 1, 1]))).bytes;
     const read = readTrace(plain);

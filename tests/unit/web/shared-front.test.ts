@@ -15,13 +15,14 @@ const full: SharedFront = {
   faces: "all",
   elements: "all",
   candidate: 1,
+  beat: 2,
   camera: { eye: [3, -2, 1.5], target: [0.5, 0.25, 1e-7] },
 };
 
 it("are read as they were written, and leave out defaults", () => {
   expect(sharedFrontIn(queryOf(full))).toEqual(full);
   const usual = { order: null, coloring: "age", faces: "inside", elements: "recent" } as const;
-  const plain: SharedFront = { ...full, ...usual, candidate: null, camera: null };
+  const plain: SharedFront = { ...full, ...usual, candidate: null, beat: null, camera: null };
   expect(queryOf(plain).toString()).toBe("model=unit-cube&step=258");
   expect(sharedFrontIn(queryOf(plain))).toEqual(plain);
 });
@@ -44,6 +45,9 @@ it.each([
   ["faces=half", { faces: "inside" }],
   ["elements=some", { elements: "recent" }],
   ["candidate=-1", { candidate: null }],
+  ["beat=0", { beat: null }],
+  ["beat=-1", { beat: null }],
+  ["beat=x", { beat: null }],
   ["camera=1,2,3", { camera: null }],
   ["camera=1,2,3,4,5,x", { camera: null }],
   ["camera=1,2,,4,5,6", { camera: null }],

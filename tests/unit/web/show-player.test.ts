@@ -1,5 +1,4 @@
 /** The view of a player: when it follows what a step is about. */
-import { createMesher } from "tetrafront";
 import type { Trace } from "tetrafront/trace";
 import { beforeAll, beforeEach, expect, it, vi } from "vitest";
 import { createStore, type StoreApi } from "zustand/vanilla";
@@ -9,16 +8,17 @@ import { nextStop } from "../../../web/teach/player/stops";
 import { showPlayer } from "../../../web/teach/player/show-player";
 import type { Layer } from "../../../web/viewer/layers/layer";
 import type { Viewer } from "../../../web/viewer/viewer";
-import { recordSurface } from "../../support/recorded-models";
+import { galleryProject, recordFront } from "../../support/recorded-models";
 
 let trace: Trace;
 beforeAll(async () => {
-  const mesher = await createMesher();
-  ({ trace } = await recordSurface(mesher, "unit-cube"));
-  mesher.dispose();
+  trace = await recordFront(galleryProject("unit-cube"));
 });
 
 const fitPositions = vi.fn();
+const fit = vi.fn();
+/** What the viewer calls when the user moves the camera. */
+let userMoved = (): void => undefined;
 const warmUp = vi.fn<Viewer["warmUp"]>(() => Promise.resolve());
 /** Layers in the order in which they were added last. */
 let layers: Layer[] = [];
@@ -29,12 +29,18 @@ const viewer = {
   },
   warmUp,
   show: vi.fn(),
-  framing: { replaceModel: vi.fn(), fitPositions },
+  framing: { replaceModel: vi.fn(), fitPositions, fit },
+  pose: { eye: [3, -3, 2], target: [0, 0, 0] },
+  onUserMoved: (listener: () => void) => {
+    userMoved = listener;
+    return vi.fn();
+  },
   requestFrame: vi.fn(),
 } as unknown as Viewer;
 beforeEach(() => {
   layers = [];
   fitPositions.mockReset();
+  fit.mockReset();
   warmUp.mockClear();
 });
 
@@ -109,9 +115,9 @@ it("draws a face and an edge under the lens out of sight, shows the present stat
   const visible = (): readonly boolean[] => layers.map(({ root }) => root.visible);
   const wasVisible = layers.map(() => false);
   drawHidden(() => visible().forEach((isVisible, i) => (wasVisible[i] ||= isVisible)));
-  expect(visible()).toEqual([true, false, false, false]);
-  const [replay, surface, , lens] = wasVisible;
-  expect([replay, surface, lens]).toEqual([true, true, true]);
+  expect(visible()).toEqual([true, false, false, false, false]);
+  const [replay, near, surface, , lens] = wasVisible;
+  expect([replay, near, surface, lens]).toEqual([true, true, true, true]);
   const signal = warmUp.mock.calls[0]?.[2];
   expect(signal?.aborted).toBe(false);
   end();
@@ -128,4 +134,46 @@ it("does not move again to what it follows after states were drawn out of sight"
   drawHidden();
   player.setState({ coloring: "size" });
   expect(fitPositions).toHaveBeenCalledTimes(moves);
+});
+
+it("is seen from one place in all beats of a step, until the user moves the view", () => {
+  const player = following();
+  let step = 1;
+  while (trace.stepAt(step)?.kind !== "advance") step++;
+  player.setState({ step, lensStep: step });
+  expect(fitPositions).toHaveBeenCalledTimes(1);
+  for (const beat of [1, 2, 3, 4, null]) player.setState({ beat });
+  player.setState({ candidate: 0 });
+  expect(fitPositions).toHaveBeenCalledTimes(1);
+  // The direction, if it is another one, is that of the empty side.
+  const [, from] = fitPositions.mock.lastCall as [unknown, readonly number[] | null];
+  const [a = 0, b = 0, c = 0] = trace.faces.nodes.subarray(3 * faceOf(step));
+  const at = (node: number): readonly number[] => [...trace.nodes.positions.subarray(3 * node, 3 * node + 3)];
+  const [u, v] = [b, c].map((node) => at(node).map((x, i) => x - (at(a)[i] ?? 0)));
+  const normal = [0, 1, 2].map(
+    (i) =>
+      (u?.[(i + 1) % 3] ?? 0) * (v?.[(i + 2) % 3] ?? 0) - (u?.[(i + 2) % 3] ?? 0) * (v?.[(i + 1) % 3] ?? 0),
+  );
+  const seen = from ?? [3, -3, 2];
+  expect(normal.reduce((sum, x, i) => sum + x * (seen[i] ?? 0), 0)).toBeGreaterThan(0);
+  userMoved();
+  expect(player.getState().follows).toBe(false);
+  player.setState({ step: step + 1, lensStep: step + 1 });
+  expect(fitPositions).toHaveBeenCalledTimes(1);
+});
+
+function faceOf(step: number): number {
+  const shown = trace.stepAt(step);
+  return shown?.kind === "advance" ? shown.face : 0;
+}
+
+it("shows the whole model again at the end of a film", () => {
+  const player = following();
+  player.setState({ step: 5, lensStep: 5 });
+  expect(fit).not.toHaveBeenCalled();
+  player.setState({ step: trace.stepCount, lensStep: trace.stepCount });
+  expect(fit).toHaveBeenCalledWith(null);
+  expect(fit).toHaveBeenCalledTimes(1);
+  player.setState({ apart: 0.5 });
+  expect(fit).toHaveBeenCalledTimes(1);
 });

@@ -57,6 +57,21 @@ it("names the base edge, the chosen candidate, and the edge that refuses it", ()
   expect(refused).toBeGreaterThan(0);
 });
 
+it("names the size at a station, then the averagings, then the next side, beat by beat", () => {
+  const station = Array.from({ length: surface.stepCount }, (_, i) => surface.stepAt(i + 1)).find(
+    (step) => step?.kind === "station" && step.rounds > 0,
+  );
+  if (station?.kind !== "station") throw new Error("no side was averaged");
+  const texts = (["station", "averages", "side"] as const).map((beat) =>
+    surfaceLabels(surface, station.step, null, beat).map(({ text }) => text),
+  );
+  const number = (value: number): string => Number(value.toPrecision(3)).toString();
+  const averages = `${station.rounds} averaging${station.rounds === 1 ? "" : "s"}`;
+  const all = [`size ${number(station.startSize)}`, averages, `side ${number(station.length)}`];
+  expect(texts).toEqual([all.slice(0, 1), all.slice(0, 2), all]);
+  expect(surfaceLabels(surface, station.step, null)).toEqual([]);
+});
+
 it("has no labels in lines, in finished patches and before the first step", () => {
   for (const state of [0, surface.lastLineStep, ...surface.fronts.map(({ lastStep }) => lastStep)])
     expect(surfaceLabels(surface, state, null)).toEqual([]);

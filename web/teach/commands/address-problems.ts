@@ -5,7 +5,7 @@ import { showNotice } from "../../session/shell";
 import { addressStrings as texts } from "../strings/address";
 
 /** Parameters that say how a front is shown. */
-const frontNames = ["order", "color", "faces", "elements", "candidate", "camera"] as const;
+const frontNames = ["order", "color", "faces", "elements", "candidate", "beat", "camera"] as const;
 
 /** Shows sentences about the address, after those that are shown already. */
 export function showAddressProblems({ shell }: Pick<App, "shell">, problems: readonly string[]): void {
@@ -32,13 +32,14 @@ export function addressProblems(query: URLSearchParams): readonly string[] {
   if (!query.has("model")) return [texts.stepAlone(step)];
   const front = sharedFrontIn(query);
   if (!front) return [texts.step(step)];
-  const { order, coloring, faces, elements, candidate, camera } = front;
+  const { order, coloring, faces, elements, candidate, beat, camera } = front;
   const isRead: Readonly<Record<(typeof frontNames)[number], boolean>> = {
     order: order !== null,
     color: coloring === query.get("color"),
     faces: faces === query.get("faces"),
     elements: elements === query.get("elements"),
     candidate: candidate !== null,
+    beat: beat !== null,
     camera: camera !== null,
   };
   return frontNames.flatMap((name) => {

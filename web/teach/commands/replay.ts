@@ -36,8 +36,8 @@ export function replayOf(app: App, mesher: Promise<Mesher>): Replay {
       drawLabels(player, viewer, paper);
     },
     link: () => {
-      const { trace, step, coloring, faces, elements, candidate } = player.state.getState();
-      return trace && { step, order: trace.header.order, coloring, faces, elements, candidate };
+      const { trace, step, coloring, faces, elements, candidate, beat } = player.state.getState();
+      return trace && { step, order: trace.header.order, coloring, faces, elements, candidate, beat };
     },
     showLinked: async (linked, camera) => {
       const { showLinkedFront } = await import("./step-links");

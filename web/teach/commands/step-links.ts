@@ -11,8 +11,8 @@ import { isUntouched } from "../../session/document-store";
 import { loadModel } from "../../session/gallery";
 import { showNotice } from "../../session/shell";
 import { untilState } from "../../session/until-state";
-import { breakpoints } from "../../ui/theme/theme";
 import type { CameraPose } from "../../viewer/camera";
+import { beatsOf, knownBeat } from "../player/beats";
 import { firstState } from "../player/phases";
 import {
   knownCandidate,
@@ -55,12 +55,14 @@ export async function showShared(app: App, shared: ShownFront): Promise<void> {
   const recorded = await player.record({ order: shared.order ?? undefined });
   if (recorded?.kind !== "recorded") return;
   const { coloring, faces, elements } = shared;
-  player.state.setState({ coloring, faces, elements });
+  // A camera that the link names stays where it is.
+  player.state.setState({ coloring, faces, elements, follows: shared.camera === null });
   player.seek(shared.step);
   const { step } = player.state.getState();
   const { trace } = recorded;
   const candidate = knownCandidate(trace, step, shared.candidate);
-  player.state.setState({ candidate });
+  const beat = knownBeat(trace, step, shared.beat);
+  player.state.setState({ candidate, beat, ...(beat !== null && { film: true }) });
   showAddressProblems(app, [
     ...(step === shared.step
       ? []
@@ -68,10 +70,11 @@ export async function showShared(app: App, shared: ShownFront): Promise<void> {
     ...(shared.candidate === candidate || shared.candidate === null
       ? []
       : [addressStrings.noCandidate(shared.candidate, step)]),
+    ...(shared.beat === beat || shared.beat === null || shared.beat === beatsOf(trace, step).length
+      ? []
+      : [addressStrings.noBeat(shared.beat, step, beatsOf(trace, step).length)]),
   ]);
   if (shared.camera) (await viewerOf(app)).setPose(shared.camera);
-  // In a small view, the step could not be seen beside the rest of the model.
-  else if (window.innerWidth < breakpoints.phone) player.state.setState({ follows: true });
 }
 
 /**
@@ -79,7 +82,7 @@ export async function showShared(app: App, shared: ShownFront): Promise<void> {
  * unchanged model of the gallery, or no front is shown. Throws if the model cannot be loaded.
  */
 export async function sharedFrontOf(app: App): Promise<SharedFront | null> {
-  const { trace, step, coloring, faces, elements, candidate } = playerOf(app).state.getState();
+  const { trace, step, coloring, faces, elements, candidate, beat } = playerOf(app).state.getState();
   if (!trace || trace.header.name !== app.documents.project.name) return null;
   const { order } = trace.header;
   const camera = app.viewer.getState().viewer?.pose ?? null;
@@ -87,7 +90,7 @@ export async function sharedFrontOf(app: App): Promise<SharedFront | null> {
   if (!open) return null;
   const usual = open.original.meshing?.order ?? "layered";
   const named = order === usual ? null : order;
-  return { model: open.id, step, order: named, coloring, faces, elements, candidate, camera };
+  return { model: open.id, step, order: named, coloring, faces, elements, candidate, beat, camera };
 }
 
 interface OpenModel {

@@ -1,11 +1,19 @@
-import { Color, DoubleSide, ShaderMaterial, Vector2 } from "three";
+import { Color, DoubleSide, ShaderMaterial, Vector2, Vector3 } from "three";
 import { enlarging } from "../../viewer/materials/enlarging";
 import { edgeStrength, facetLight } from "../../viewer/materials/glsl";
 import { fading } from "./front-values";
 
+/** Share by which elements that are pulled apart are smaller. */
+const shrinking = "0.14";
+/** Distance that they move, as a share of that from the middle of the model. */
+const distance = "0.75";
+
 const vertexShader = /* glsl */ `
   attribute float value;
+  attribute vec3 ownCentre;
   uniform vec2 range;
+  uniform float apart;
+  uniform vec3 middle;
   uniform float power;
   varying float vShade;
   varying vec3 vViewPosition;
@@ -14,7 +22,8 @@ const vertexShader = /* glsl */ `
     int corner = gl_VertexID % 3;
     vBarycentric = vec3(corner == 0, corner == 1, corner == 2);
     vShade = 1.0 - pow(clamp((range.y - value) / (range.y - range.x), 0.0, 1.0), power);
-    vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);
+    vec3 shrunk = mix(position, ownCentre, ${shrinking} * min(1.0, 3.0 * apart));
+    vec4 viewPosition = modelViewMatrix * vec4(shrunk + ${distance} * apart * (ownCentre - middle), 1.0);
     vViewPosition = viewPosition.xyz;
     gl_Position = projectionMatrix * viewPosition;
   }
@@ -50,7 +59,8 @@ const fragmentShader = /* glsl */ `
 
 /**
  * Triangles without an index, coloured by a value per corner; `range` and `power` are those of `FrontValues`. If `fading` is 1, they are
- * faded between the distances `depths` from the eye.
+ * faded between the distances `depths` from the eye. `apart`: how far elements are pulled away from `middle`, by the attribute
+ * `ownCentre` of their corners.
  */
 export function createFrontMaterial({ opacity }: { readonly opacity: number }): ShaderMaterial {
   return new ShaderMaterial({
@@ -71,6 +81,8 @@ export function createFrontMaterial({ opacity }: { readonly opacity: number }): 
       fading: { value: 0 },
       depths: { value: new Vector2(0, 1) },
       opacity: { value: opacity },
+      apart: { value: 0 },
+      middle: { value: new Vector3() },
       enlarging,
     },
   });

@@ -2,7 +2,7 @@ import { Group } from "three";
 import type { Position } from "../../document/position";
 import type { Layer } from "../../viewer/layers/layer";
 import type { SceneChanges } from "../../viewer/scene-state";
-import { drawnMarks, lensMarks, type DrawnMark } from "./lens-marks";
+import { drawnMarks, drawnPointed, lensMarks, type DrawnMark, type PointedMarks } from "./lens-marks";
 import { Dots, Facets, Segments, WideSegments } from "./lens-parts";
 import type { LensScene } from "./lens-scene";
 import { drawnRecovery, type RecoveryMarks } from "./recovery-marks";
@@ -14,7 +14,12 @@ export class LensLayer implements Layer {
   readonly #region = new Segments("source");
   readonly #marks = drawnMarks.map((mark) => ({ mark, part: partOf(mark) }));
   readonly #recovery = drawnRecovery.map((mark) => ({ mark, part: partOf(mark) }));
-  readonly #parts = [this.#region, ...[...this.#marks, ...this.#recovery].map(({ part }) => part)];
+  readonly #pointed = drawnPointed.map((mark) => ({ mark, part: partOf(mark) }));
+  readonly #parts = [
+    this.#region,
+    ...[...this.#marks, ...this.#recovery, ...this.#pointed].map(({ part }) => part),
+  ];
+  #shownPointed: PointedMarks | null = null;
   #scene: LensScene | null = null;
   #recovered: RecoveryMarks | null = null;
   #origin: Position = [0, 0, 0];
@@ -47,11 +52,24 @@ export class LensLayer implements Layer {
     this.#draw();
   }
 
+  /** Highlights a candidate of the scene; none for null. */
+  point(marks: PointedMarks | null): void {
+    if (marks === this.#shownPointed) return;
+    this.#shownPointed = marks;
+    this.#drawPointed();
+  }
+
+  #drawPointed(): void {
+    const marks = this.#shownPointed;
+    for (const { mark, part } of this.#pointed) part.set(marks ? mark.of(marks) : [], this.#origin);
+  }
+
   dispose(): void {
     for (const part of this.#parts) part.dispose();
   }
 
   #draw(): void {
+    this.#drawPointed();
     const [scene, recovered] = [this.#scene, this.#recovered];
     this.root.visible = scene !== null || recovered !== null;
     if (!this.root.visible) return;

@@ -1,10 +1,12 @@
 /** Positions and labels of what the lens examines, for the view and for drawings. */
+import type { TracedCandidate } from "tetrafront/trace";
 import type { Position } from "../../document/position";
 import { addScaled, cross, mean, subtract, unit } from "../../document/vectors";
 import { playerStrings } from "../strings/player";
 import type { Segment, Triangle } from "./crossing";
 import { faceSize } from "./front-values";
 import { cornersOf, newElement } from "./judge";
+import { isBeforeTest } from "./beats";
 import type { LensScene } from "./lens-scene";
 import { nearestOnFace, partInElement } from "./overlap";
 
@@ -52,10 +54,96 @@ export interface LensMarks {
   /** Where the failing side passes through the face; or a node behind the base face. */
   readonly crossing: readonly Position[];
   readonly labels: readonly LensLabel[];
+  /** Of a film: the height of the ideal point over the base face. */
+  readonly rise: readonly Position[];
+  /** Of a film: the sides to all candidates while they are sought, and those to refused ones while they are tested. */
+  readonly fans: readonly Position[];
+  readonly refusedFans: readonly Position[];
+  /** Of a film: the faces of the element that the step has made. */
+  readonly made: readonly Position[];
 }
 
-/** Returns what is drawn of a scene. */
+/** Returns what is drawn of a scene; of a film, as far as its beat. */
 export function lensMarks(scene: LensScene): LensMarks {
+  const whole = wholeMarks(scene);
+  const { beat, step } = scene;
+  if (beat === null) return whole;
+  if (beat === "base" || beat === "ideal") return beginningOf(whole, beat === "ideal");
+  const tried = step.candidates.slice(0, maxOthers + 1);
+  if (beat === "candidates") {
+    const { labels } = whole;
+    return {
+      ...whole,
+      ...noFailingMarks,
+      isAccepted: false,
+      newSides: [],
+      newFaces: [],
+      fans: tried.flatMap((candidate) => fanOf(whole.base, candidate)),
+      labels: labels.filter(({ kind }) => kind !== "failing"),
+    };
+  }
+  // The element, or that no candidate was accepted.
+  if (beat !== "test") return { ...whole, made: whole.isAccepted ? whole.newFaces : [] };
+  const refused = tried.filter(({ verdict }) => verdict !== "accepted");
+  return {
+    ...whole,
+    normal: [],
+    isAccepted: false,
+    newFaces: [],
+    refusedFans: refused.flatMap((candidate) => fanOf(whole.base, candidate)),
+    labels: whole.labels.filter(({ position }) => position !== whole.normal[1]),
+  };
+}
+
+/** The base face, and the ideal point over it. */
+function beginningOf(whole: LensMarks, hasIdeal: boolean): LensMarks {
+  const [ideal] = whole.ideal;
+  return {
+    ...whole,
+    ...noFailingMarks,
+    ideal: hasIdeal ? whole.ideal : [],
+    rise: hasIdeal && ideal ? [mean(whole.base), ideal] : [],
+    candidate: [],
+    others: [],
+    newSides: [],
+    newFaces: [],
+    normal: hasIdeal ? [] : whole.normal,
+    labels: whole.labels.filter(({ kind }) => kind === "base" || (hasIdeal && kind === "ideal")),
+  };
+}
+
+const fanOf = (base: Triangle, { position }: TracedCandidate): readonly Position[] =>
+  base.flatMap((corner) => [corner, position]);
+
+/** What is highlighted of the candidate under the pointer or the focus. */
+export interface PointedMarks {
+  readonly sides: readonly Position[];
+  readonly apex: readonly Position[];
+  /** The face that the candidate was refused for. */
+  readonly culprit: readonly Position[];
+}
+
+/** Returns the marks of a candidate by its rank; null if the scene does not show it. */
+export function pointedMarks(scene: LensScene | null, rank: number | null): PointedMarks | null {
+  const candidate = scene && rank !== null ? scene.step.candidates[rank] : undefined;
+  if (!scene || !candidate || scene.beat === "base" || scene.beat === "ideal") return null;
+  const { trace, step, beat } = scene;
+  const { culprit } = candidate;
+  return {
+    sides: fanOf(cornersOf(trace, step.face), candidate),
+    apex: [candidate.position],
+    culprit: culprit === null || isBeforeTest(beat) ? [] : cornersOf(trace, culprit),
+  };
+}
+
+export const drawnPointed: readonly DrawnMark<PointedMarks>[] = [
+  { form: "faces", of: ({ culprit }) => culprit, color: "failing", opacity: 0.45 },
+  { form: "segments", of: ({ sides }) => sides, color: "hover", width: 3 },
+  { form: "dots", of: ({ apex }) => apex, color: "hover", size: 16 },
+];
+
+/** Returns all marks of a scene. */
+function wholeMarks(scene: LensScene): LensMarks {
   const { trace, step, examined, others: all, supposed } = scene;
   const others = all.slice(0, maxOthers);
   const base = cornersOf(trace, step.face);
@@ -83,6 +171,10 @@ export function lensMarks(scene: LensScene): LensMarks {
     newFaces: apex ? base.flatMap((corner, i) => [corner, base[(i + 1) % 3] ?? corner, apex]) : [],
     isAccepted,
     supposed: supposed?.joined.flat() ?? [],
+    rise: [],
+    fans: [],
+    refusedFans: [],
+    made: [],
     ...failing,
     labels,
   };
@@ -163,7 +255,7 @@ function failingMarks({
 /** How a part of the marks is drawn, in a colour of the view. Widths, diameters and dashes are in pixels. */
 export type DrawnMark<Marks = LensMarks> = {
   readonly of: (marks: Marks) => readonly Position[];
-  readonly color: "selection" | "failing" | "source" | "point" | "front";
+  readonly color: "selection" | "failing" | "source" | "point" | "front" | "hover";
 } & (
   | { readonly form: "faces"; readonly opacity: number }
   | { readonly form: "segments"; readonly width: number; readonly dash?: number }
@@ -176,9 +268,10 @@ export const drawnMarks: readonly DrawnMark[] = [
   {
     form: "faces",
     of: ({ isAccepted, newFaces }) => (isAccepted ? newFaces : []),
-    color: "selection",
+    color: "front",
     opacity: 0.22,
   },
+  { form: "faces", of: ({ made }) => made, color: "front", opacity: 0.5 },
   { form: "faces", of: ({ base }) => base, color: "selection", opacity: 0.75 },
   { form: "faces", of: ({ culprit }) => culprit, color: "failing", opacity: 0.3 },
   { form: "faces", of: ({ pierced }) => pierced, color: "failing", opacity: 0.2 },
@@ -188,7 +281,7 @@ export const drawnMarks: readonly DrawnMark[] = [
   {
     form: "segments",
     of: ({ isAccepted, newSides }) => (isAccepted ? newSides : []),
-    color: "selection",
+    color: "front",
     width: 2.5,
   },
   {
@@ -198,6 +291,9 @@ export const drawnMarks: readonly DrawnMark[] = [
     width: 1.8,
     dash: 9,
   },
+  { form: "segments", of: ({ fans }) => fans, color: "point", width: 1.4, dash: 9 },
+  { form: "segments", of: ({ refusedFans }) => refusedFans, color: "failing", width: 1.8, dash: 9 },
+  { form: "segments", of: ({ rise }) => rise, color: "source", width: 2.5 },
   { form: "segments", of: ({ base }) => edgesOf(base), color: "selection", width: 4 },
   { form: "segments", of: ({ normal }) => normal, color: "selection", width: 2.5 },
   { form: "segments", of: ({ overlapOutline }) => overlapOutline, color: "point", width: 1.8 },

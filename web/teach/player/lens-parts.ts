@@ -11,7 +11,7 @@ import type { Viewport } from "../../viewer/scene-state";
 import { setColor, setNumber } from "../../viewer/materials/uniforms";
 import { SegmentGeometry, segmentsInState } from "../../viewer/segment-geometry";
 
-type ColorName = "selection" | "front" | "failing" | "source" | "point" | "line";
+type ColorName = "selection" | "front" | "failing" | "source" | "point" | "line" | "hover";
 
 /** Positions drawn in one colour. */
 export abstract class Part<Drawn extends Mesh | LineSegments | Points> {

@@ -1,5 +1,6 @@
 /** What the lens examines in a state of the player: for the view, the panel and drawings. */
 import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront/trace";
+import { beatAt, isBeforeTest, isFleeting, type Beat } from "./beats";
 import type { FrontChange } from "./judge";
 import { decisive, examine, type LensCandidate } from "./lens";
 import type { PlayerState } from "./player";
@@ -10,6 +11,8 @@ export interface LensScene {
   readonly trace: Trace;
   readonly step: AdvanceStep;
   readonly examined: LensCandidate | null;
+  /** The beat of the step; null if the step is shown as a whole. */
+  readonly beat: Beat | null;
   /** The other candidates of the step. */
   readonly others: readonly TracedCandidate[];
   readonly region: SearchRegion | null;
@@ -20,7 +23,18 @@ export interface LensScene {
   readonly supposed: FrontChange | null;
 }
 
-type Examined = Pick<PlayerState, "step" | "lensStep" | "isPlaying" | "sweep" | "candidate" | "showsRegion">;
+const examinedParts = [
+  "step",
+  "lensStep",
+  "isPlaying",
+  "speed",
+  "sweep",
+  "candidate",
+  "showsRegion",
+  "film",
+  "beat",
+] as const;
+type Examined = Pick<PlayerState, (typeof examinedParts)[number]>;
 
 /** What was examined last in each trace: the view and the panels ask for the same. */
 const known = new WeakMap<Trace, { readonly state: Examined; readonly scene: LensScene | null }>();
@@ -31,7 +45,8 @@ const known = new WeakMap<Trace, { readonly state: Examined; readonly scene: Len
  */
 export function lensSceneOf(state: PlayerState): LensScene | null {
   const { trace } = state;
-  if (!trace) return null;
+  // Between elements that are pulled apart, marks would be in the way.
+  if (!trace || state.apart > 0) return null;
   const before = known.get(trace);
   if (before && isSame(before.state, state)) return before.scene;
   const scene = sceneOf(trace, state);
@@ -39,34 +54,32 @@ export function lensSceneOf(state: PlayerState): LensScene | null {
   return scene;
 }
 
-function isSame(a: Examined, b: Examined): boolean {
-  return (
-    a.step === b.step &&
-    a.lensStep === b.lensStep &&
-    a.isPlaying === b.isPlaying &&
-    a.sweep === b.sweep &&
-    a.candidate === b.candidate &&
-    a.showsRegion === b.showsRegion
-  );
-}
+const isSame = (a: Examined, b: Examined): boolean => examinedParts.every((part) => a[part] === b[part]);
 
 /** Returns the scene of a state as `lensSceneOf` does, but always as a new object, which is not kept. */
 export function sceneOf(trace: Trace, state: Examined): LensScene | null {
-  // While the front is played or scrubbed, only its faces change.
-  if (state.isPlaying || state.step !== state.lensStep || state.sweep !== null) return null;
+  if (isFleeting(state) || state.sweep !== null) return null;
   const step = trace.stepAt(state.lensStep);
   if (step?.kind !== "advance") return null;
-  const index = state.candidate ?? decisive(step);
+  const beat = beatAt({ ...state, trace });
+  const index = state.candidate ?? examinedIn(step, beat);
   const chosen = index === null ? undefined : step.candidates[index];
   const examined = chosen ? examine(trace, step, chosen) : null;
   return {
     trace,
     step,
+    beat,
     examined,
     others: step.candidates.filter((candidate) => candidate !== chosen),
-    region: state.showsRegion ? searchRegionOf(trace, step) : null,
-    supposed: state.candidate === null ? null : supposedChange(examined),
+    region: state.showsRegion || beat === "ideal" ? searchRegionOf(trace, step) : null,
+    supposed: state.candidate === null || isBeforeTest(beat) ? null : supposedChange(examined),
   };
+}
+
+/** Returns the candidate that is examined if none is chosen: in the beat of the test, the first one that was refused. */
+export function examinedIn(step: AdvanceStep, beat: Beat | null): number | null {
+  const refused = step.candidates.findIndex(({ verdict }) => verdict !== "accepted");
+  return beat === "test" && refused >= 0 ? refused : decisive(step);
 }
 
 /** Returns how the front would change with a refused candidate; null if it would not, or if it has changed so. */

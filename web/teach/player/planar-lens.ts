@@ -1,4 +1,5 @@
 import type { EdgeCandidate, EdgeStep, PlanarFront, SurfaceStep } from "tetrafront/trace";
+import type { Beat } from "./beats";
 import {
   clearance,
   crossedEdges,
@@ -30,6 +31,12 @@ export interface PlanarLensCandidate {
 /** Returns the candidate that decides a step: the accepted one, or the last one. */
 export function decisiveCandidate({ candidates }: EdgeStep): number | null {
   return candidates.length === 0 ? null : candidates.length - 1;
+}
+
+/** Returns the rank of the candidate that a beat examines: in the test, the first one that was refused. */
+export function candidateInBeat(step: EdgeStep, rank: number | null, beat: Beat | null): number | null {
+  const refused = step.candidates.findIndex(({ verdict }) => verdict !== "accepted");
+  return rank ?? (beat === "test" && refused >= 0 ? refused : decisiveCandidate(step));
 }
 
 /** Returns the candidate of a rank; null stands for the one that decides the step. */

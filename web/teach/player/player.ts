@@ -4,6 +4,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { settledProject, type DocumentStore } from "../../session/document-store";
 import { failureText } from "../../session/failure-text";
 import type { MeshRun } from "../../session/run";
+import { beatsOf, knownBeat, playsBeats, usualBeats } from "./beats";
 import { entityLabels, type EntityLabels } from "./entity-labels";
 import type { FrontColoring } from "./front-values";
 import type { Loop } from "./loop";
@@ -56,20 +57,30 @@ export interface PlayerState {
   readonly elements: ShownElements;
   /** Index of the candidate in the step that the lens shows; null: the one that decides the step. */
   readonly candidate: number | null;
+  /** The candidate under the pointer or the focus, in the list or in the view; null: none. */
+  readonly pointed: number | null;
+  /** Whether a step at rest is shown as a film: beat by beat, and only what is near it. */
+  readonly film: boolean;
+  /** The beat of the step, from 1; null for the last one, the state after the step (beats.ts). */
+  readonly beat: number | null;
+  /** How far the elements of the filled volume are pulled apart, 0 to 1. */
+  readonly apart: number;
+  /** Position of the plane that cuts the elements open, 0 to 1: the share of the model behind it. */
+  readonly cutAt: number;
   /** Whether the view shows the search region of the step. */
   readonly showsRegion: boolean;
   /**
    * The sweep of the optimizer whose mesh is shown, from 1; 0 for the mesh of the front; null if the front is shown.
    */
   readonly sweep: number | null;
-  /** Whether the front is faded while the lens shows a step. */
+  /** Whether the front is faded while the lens shows a step, without a film. */
   readonly fades: boolean;
-  /** Whether the view follows the base face. */
+  /** Whether the view follows the base face; until the user moves it. */
   readonly follows: boolean;
 }
 
 /** Speeds to choose from, in steps per second. */
-export const speeds = [1, 5, 25, 100, 500, 2500, 10_000] as const;
+export const speeds = [0.2, 1, 5, 25, 100, 500, 2500, 10_000] as const;
 /** Steps of the keys that jump. */
 export const jump = 100;
 
@@ -103,10 +114,15 @@ export const initialPlayerState: PlayerState = {
   faces: "inside",
   elements: "recent",
   candidate: null,
+  pointed: null,
+  film: true,
+  beat: null,
+  apart: 0,
+  cutAt: 0.5,
   showsRegion: false,
   sweep: null,
   fades: true,
-  follows: false,
+  follows: true,
 };
 
 export interface PlayerOptions {
@@ -205,8 +221,8 @@ export class Player {
   /** Shows the model again. */
   close(): void {
     this.#playback.stop();
-    const { recording, reading, speed, coloring, faces, elements, showsRegion, fades, follows, condition } =
-      this.state.getState();
+    const { recording, reading, speed, coloring, faces, elements, showsRegion } = this.state.getState();
+    const { film, fades, follows, condition } = this.state.getState();
     this.state.setState({
       ...initialPlayerState,
       recording,
@@ -216,6 +232,7 @@ export class Player {
       faces,
       elements,
       showsRegion,
+      film,
       fades,
       follows,
       condition,
@@ -234,7 +251,25 @@ export class Player {
     this.#soughtAt = performance.now();
     clearTimeout(this.#settling);
     if (isScrubbed) this.#settling = setTimeout(() => this.#settle(), settledMs);
-    this.state.setState({ step: to, candidate: null, sweep: null, ...(!isScrubbed && { lensStep: to }) });
+    this.#showState(to, null, isScrubbed);
+  }
+
+  #showState(step: number, beat: number | null, isScrubbed: boolean): void {
+    const shown = { step, beat, candidate: null, pointed: null, sweep: null, apart: 0 };
+    this.state.setState({ ...shown, ...(!isScrubbed && { lensStep: step }) });
+  }
+
+  /** Shows a beat of the present step, and pauses. Null or a number beyond the last one: the state after the step. */
+  showBeat(beat: number | null): void {
+    this.pause();
+    const { trace, step } = this.state.getState();
+    if (trace) this.state.setState({ beat: knownBeat(trace, step, beat), pointed: null, sweep: null });
+  }
+
+  /** Shows steps as films, or as a whole. */
+  setFilm(film: boolean): void {
+    this.state.setState({ film, beat: null });
+    if (this.state.getState().isPlaying) this.#start();
   }
 
   /** Shows the state after a step, and pauses. Others may follow at once, so the lens waits for the last. */
@@ -274,12 +309,13 @@ export class Player {
 
   /** Plays from the present state; from the first one of the volume if the present one is the last. */
   play(): void {
-    const { trace, step, loop, speed } = this.state.getState();
+    const { trace, step, loop, beat } = this.state.getState();
     if (!trace || trace.stepCount === firstState(trace)) return;
     const last = loop?.to ?? trace.stepCount;
-    if (step >= last || (loop && step < loop.from)) this.seek(loop?.from ?? 0);
+    const isOver = step >= last && beat === null;
+    if (isOver || (loop && step < loop.from)) this.seek(loop?.from ?? 0);
     this.state.setState({ isPlaying: true, playsStills: prefersStills() });
-    this.#start(speed);
+    this.#start();
   }
 
   pause(): void {
@@ -300,11 +336,15 @@ export class Player {
 
   setSpeed(speed: number): void {
     this.state.setState({ speed });
-    if (this.state.getState().isPlaying) this.#start(speed);
+    if (this.state.getState().isPlaying) this.#start();
   }
 
-  #start(speed: number): void {
-    this.#playback.start(speed, this.state.getState().playsStills ? stillSeconds : 0);
+  #start(): void {
+    const { speed, playsStills } = this.state.getState();
+    const isFilm = playsBeats(this.state.getState());
+    // Fast playing knows no beats.
+    if (!isFilm) this.state.setState({ beat: null });
+    this.#playback.start(isFilm ? usualBeats * speed : speed, playsStills ? stillSeconds : 0);
   }
 
   /** Ends a recording or the reading of a trace without a result, and shows the model again. */
@@ -362,23 +402,50 @@ export class Player {
       lensStep: 0,
       loop: null,
       candidate: null,
+      pointed: null,
+      beat: null,
+      apart: 0,
       sweep: null,
       failure: null,
     });
   }
 
+  /** Plays a number of steps, or of beats. */
+  #advance(due: number): void {
+    if (!playsBeats(this.state.getState())) return this.#playSteps(due);
+    for (let i = 0; i < due && this.state.getState().isPlaying; i++) this.#playBeat();
+  }
+
+  /** Shows the next beat, or the first one of the next step. */
+  #playBeat(): void {
+    const { trace, step, beat, loop } = this.state.getState();
+    if (!trace) return;
+    if (beat === null && step < (loop?.to ?? trace.stepCount)) return this.#playSteps(1);
+    if (beat !== null) this.state.setState({ beat: knownBeat(trace, step, beat + 1) });
+    // The film of the last step has been shown, or its repetition begins.
+    else if (loop) this.#playSteps(1);
+    else this.pause();
+  }
+
   /** Plays a number of steps: up to the next stop, the end of the loop, or the end. */
-  #advance(steps: number): void {
+  #playSteps(steps: number): void {
     const { trace, step, loop, stopAt } = this.state.getState();
     if (!trace) return;
     const last = loop?.to ?? trace.stepCount;
+    const show = (to: number): void => {
+      const isFilm = playsBeats(this.state.getState()) && beatsOf(trace, to).length > 1;
+      if (isFilm) this.#showState(to, 1, false);
+      else this.seek(to);
+    };
     // The last step of the loop has been shown.
-    if (loop && step >= last) return this.seek(loop.from);
+    if (loop && step >= last) return show(loop.from);
     const stop = stopAt && nextStop(trace, step, 1, stopAt, Math.min(last, step + steps));
     const end = stop ?? last;
-    if (step + steps < end) return this.seek(step + steps);
-    this.seek(end);
-    if (loop && stop === null) return;
+    if (step + steps < end) return show(step + steps);
+    if (stop === null) show(end);
+    else this.seek(end);
+    // The film of the last step is still to be shown.
+    if (stop === null && (loop || this.state.getState().beat !== null)) return;
     this.pause();
     if (stopAt && stop !== null) this.state.setState({ candidate: refusedIn(trace, stop, stopAt) });
   }

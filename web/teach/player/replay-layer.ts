@@ -20,11 +20,29 @@ import { setColor, setNumber, setTexture } from "../../viewer/materials/uniforms
 import type { SceneChanges } from "../../viewer/scene-state";
 import { ElementBuffers } from "./element-buffers";
 import { FrontBuffers } from "./front-buffers";
-import { wholeMesh } from "./whole-mesh";
+import { wholeMesh, type WholeChoice } from "./whole-mesh";
 import { createFrontMaterial } from "./front-material";
 import { type FrontColoring, frontValues, type FrontValues } from "./front-values";
+import { elementsShown, isUnfinished, showsWhole } from "./beats";
 import type { FrontChange } from "./judge";
 import type { PlayerState } from "./player";
+
+/** In a film, as many of the elements made last have the colours of the newest. */
+const freshCount = 150;
+
+interface ShownWhole extends WholeChoice {
+  readonly step: number;
+}
+
+/** How a state is drawn. */
+export interface Drawn {
+  /** Whether the front stays behind what the lens shows. */
+  readonly isFaded: boolean;
+  /** Whether the front near the step is shown instead. */
+  readonly isNear: boolean;
+  /** Instead of what the step has made, the state before it is shown, without the faces that would leave the front. */
+  readonly supposed: FrontChange | null;
+}
 
 /** The front of a trace after a step, and the elements made last. */
 export class ReplayLayer implements Layer {
@@ -37,10 +55,14 @@ export class ReplayLayer implements Layer {
   readonly #wholeMaterial = createFrontMaterial({ opacity: 1 });
   readonly #whole = new Mesh(new BufferGeometry(), this.#wholeMaterial);
   readonly #materials = [this.#frontMaterial, this.#elementMaterial, this.#wholeMaterial];
-  #shownWhole: { readonly step: number; readonly isCut: boolean } | null = null;
+  readonly #frontMesh: Mesh;
+  readonly #bounds: Sphere;
+  #shownWhole: ShownWhole | null = null;
   readonly #frontGeometry = new BufferGeometry();
   readonly #elementGeometry = new BufferGeometry();
   #ramp: DataTexture | null = null;
+  /** Colours of elements in a film. */
+  #warmRamp: DataTexture | null = null;
   #values: FrontValues;
   #coloring: FrontColoring = "age";
   #origin: Position = [0, 0, 0];
@@ -58,9 +80,9 @@ export class ReplayLayer implements Layer {
     this.#elementGeometry
       .setAttribute("position", new BufferAttribute(this.#elements.positions, 3))
       .setAttribute("value", new BufferAttribute(this.#elements.values, 1));
-    const front = new Mesh(this.#frontGeometry, this.#frontMaterial);
+    const front = (this.#frontMesh = new Mesh(this.#frontGeometry, this.#frontMaterial));
     const elements = new Mesh(this.#elementGeometry, this.#elementMaterial);
-    const bounds = sphereAround(trace.nodes.positions);
+    const bounds = (this.#bounds = sphereAround(trace.nodes.positions));
     for (const mesh of [front, elements, this.#whole]) {
       mesh.onBeforeRender = (_renderer, _scene, camera) => this.#setDepths(bounds, camera);
       mesh.frustumCulled = false;
@@ -75,7 +97,9 @@ export class ReplayLayer implements Layer {
     const { colors, origin } = changes.state;
     if (changes.has("colors")) {
       this.#ramp?.dispose();
+      this.#warmRamp?.dispose();
       this.#ramp = rampTexture(colors.ramp);
+      this.#warmRamp = rampTexture([colors.filled, colors.filled, colors.fresh]);
       for (const material of this.#materials) {
         setTexture(material, "ramp", this.#ramp);
         setColor(material, "edgeColor", colors.meshEdge);
@@ -86,19 +110,12 @@ export class ReplayLayer implements Layer {
     if (changes.has("origin")) this.#reset(origin);
   }
 
-  /**
-   * Shows a state of the player; nothing before the volume. The cost of a few steps is that of their faces. `isFaded`: the
-   * front stays behind what the lens shows. `supposed`: instead of what the step has made, the state before it is shown,
-   * without the faces that would leave the front.
-   */
-  show(
-    { step: after, lensStep, isPlaying, sweep, coloring, faces, elements }: PlayerState,
-    isFaded: boolean,
-    supposed: FrontChange | null = null,
-  ): void {
+  /** Shows a state of the player; nothing before the volume. The cost of a few steps is that of their faces. */
+  show(state: PlayerState, { isFaded, isNear, supposed }: Drawn): void {
+    const { step: after, sweep, coloring, faces } = state;
     this.root.visible = after >= 0 && sweep === null;
     if (after < 0) return;
-    const step = supposed ? after - 1 : after;
+    const step = supposed || isUnfinished(state) ? after - 1 : after;
     if (coloring !== this.#coloring) {
       this.#coloring = coloring;
       this.#values = frontValues(this.#trace, coloring);
@@ -107,16 +124,30 @@ export class ReplayLayer implements Layer {
     }
     for (const material of this.#materials) setNumber(material, "fading", isFaded ? 1 : 0);
     this.#frontMaterial.side = faces === "all" ? DoubleSide : FrontSide;
-    this.#front.show(step, supposed?.left);
-    this.#frontGeometry.setDrawRange(0, 3 * this.#front.slotCount);
-    const written = this.#front.written();
-    if (written) this.#upload(...written);
-    setRange(this.#frontMaterial, this.#values.rangeAt(step));
+    this.#frontMesh.visible = !isNear;
+    if (!isNear) {
+      this.#front.show(step, supposed?.left);
+      this.#frontGeometry.setDrawRange(0, 3 * this.#front.slotCount);
+      const written = this.#front.written();
+      if (written) this.#upload(...written);
+      setRange(this.#frontMaterial, this.#values.rangeAt(step));
+    }
+    this.#showElements(state, step, isNear);
+  }
 
-    const isWhole = elements === "all" || elements === "cut";
-    const isAtRest = !isPlaying && after === lensStep;
-    this.#showWhole(isWhole && isAtRest ? { step, isCut: elements === "cut" } : null);
-    this.#elements.show(step, isWhole && isAtRest ? "none" : elements, this.#origin);
+  #showElements(state: PlayerState, step: number, isNear: boolean): void {
+    const { film, cutAt, apart } = state;
+    const elements = elementsShown(state);
+    for (const material of [this.#elementMaterial, this.#wholeMaterial])
+      setTexture(material, "ramp", film ? this.#warmRamp : this.#ramp);
+    const isWhole = showsWhole(state);
+    const choice = { cutAt: elements === "cut" ? cutAt : null, isApart: apart > 0 };
+    this.#showWhole(isWhole ? { step, ...choice } : null);
+    setNumber(this.#wholeMaterial, "apart", apart);
+    const made = this.#trace.steps.elementsMade[step] ?? 1;
+    setRange(this.#wholeMaterial, [film ? made - freshCount : 0, made]);
+    // What the step makes is part of its marks; other elements could hide it.
+    this.#elements.show(step, isWhole || isNear ? "none" : elements, this.#origin);
     this.#elementGeometry.setDrawRange(0, this.#elements.cornerCount);
     for (const attribute of Object.values(this.#elementGeometry.attributes))
       if (attribute instanceof BufferAttribute) attribute.needsUpdate = true;
@@ -124,20 +155,24 @@ export class ReplayLayer implements Layer {
   }
 
   /** Shows all elements of a state; none for null. */
-  #showWhole(shown: { readonly step: number; readonly isCut: boolean } | null): void {
+  #showWhole(shown: ShownWhole | null): void {
     const before = this.#shownWhole;
-    if (shown?.step === before?.step && shown?.isCut === before?.isCut) return;
+    const isSame =
+      shown?.step === before?.step && shown?.cutAt === before?.cutAt && shown?.isApart === before?.isApart;
+    if (isSame) return;
     this.#shownWhole = shown;
     this.#whole.visible = shown !== null;
     this.#whole.geometry.dispose();
     this.#whole.geometry = new BufferGeometry();
     this.#whole.geometry.boundingSphere = new Sphere();
     if (!shown) return;
-    const { positions, values } = wholeMesh(this.#trace, shown.step, shown.isCut, this.#origin);
+    const { positions, values, centroids } = wholeMesh(this.#trace, shown.step, shown, this.#origin);
     this.#whole.geometry
       .setAttribute("position", new BufferAttribute(positions, 3))
       .setAttribute("value", new BufferAttribute(values, 1));
-    setRange(this.#wholeMaterial, [0, this.#trace.steps.elementsMade[shown.step] ?? 1]);
+    if (shown.isApart) this.#whole.geometry.setAttribute("ownCentre", new BufferAttribute(centroids, 3));
+    const middle: unknown = this.#wholeMaterial.uniforms["middle"]?.value;
+    if (middle instanceof Vector3) middle.copy(this.#bounds.center).sub(scratch.fromArray([...this.#origin]));
   }
 
   dispose(): void {
@@ -151,6 +186,7 @@ export class ReplayLayer implements Layer {
     ])
       owned.dispose();
     this.#ramp?.dispose();
+    this.#warmRamp?.dispose();
   }
 
   /** Faded faces pale from the nearest to the farthest place of the model. */

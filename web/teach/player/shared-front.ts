@@ -16,6 +16,8 @@ export interface ShownFront {
   readonly elements: ShownElements;
   /** Candidate that the lens shows; null for the one that decides the step. */
   readonly candidate: number | null;
+  /** Beat of the step's film, from 1; null for the state after the step. */
+  readonly beat: number | null;
   /** Null for a camera that shows the whole model. */
   readonly camera: CameraPose | null;
 }
@@ -43,19 +45,21 @@ export function sharedFrontIn(query: URLSearchParams): SharedFront | null {
       elements: query.get("elements"),
     }),
     candidate: countIn(query.get("candidate")),
+    beat: beatIn(query.get("beat")),
     camera: cameraIn(query.get("camera")),
   };
 }
 
 /** Returns the front that a link to a project names, without the camera; null without a step. */
 export function linkedFrontOf(linked: Readonly<Record<string, unknown>>): Omit<ShownFront, "camera"> | null {
-  const { step, order, coloring, faces, elements, candidate } = linked;
+  const { step, order, coloring, faces, elements, candidate, beat } = linked;
   if (!Number.isSafeInteger(step)) return null;
   return {
     step: Number(step),
     order: FRONT_ORDERS.find((each) => each === order) ?? "layered",
     ...viewIn({ coloring, faces, elements }),
     candidate: Number.isSafeInteger(candidate) && Number(candidate) >= 0 ? Number(candidate) : null,
+    beat: Number.isSafeInteger(beat) && Number(beat) > 0 ? Number(beat) : null,
   };
 }
 
@@ -70,13 +74,14 @@ function viewIn(names: Readonly<Record<"coloring" | "faces" | "elements", unknow
 
 /** Returns the parameters of an address; defaults are left out. */
 export function queryOf(front: SharedFront): URLSearchParams {
-  const { model, step, order, coloring, faces, elements, candidate, camera } = front;
+  const { model, step, order, coloring, faces, elements, candidate, beat, camera } = front;
   const query = new URLSearchParams({ model, step: String(step) });
   if (order !== null) query.set("order", order);
   if (coloring !== "age") query.set("color", coloring);
   if (faces !== "inside") query.set("faces", faces);
   if (elements !== "recent") query.set("elements", elements);
   if (candidate !== null) query.set("candidate", String(candidate));
+  if (beat !== null) query.set("beat", String(beat));
   if (camera) {
     const numbers = [...camera.eye, ...camera.target];
     query.set("camera", numbers.map((x) => Number(x.toPrecision(digits))).join(","));
@@ -87,7 +92,7 @@ export function queryOf(front: SharedFront): URLSearchParams {
 /** Returns an address without the state of a front; a model stays. */
 export function withoutFront(address: string): URL {
   const changed = new URL(address);
-  for (const name of ["step", "order", "color", "faces", "elements", "candidate", "camera"])
+  for (const name of ["step", "order", "color", "faces", "elements", "candidate", "beat", "camera"])
     changed.searchParams.delete(name);
   return changed;
 }
@@ -107,6 +112,10 @@ export function integerIn(text: string | null): number | null {
 
 function countIn(text: string | null): number | null {
   return text !== null && /^\d{1,9}$/.test(text) ? Number(text) : null;
+}
+
+function beatIn(text: string | null): number | null {
+  return countIn(text) || null;
 }
 
 function cameraIn(text: string | null): CameraPose | null {

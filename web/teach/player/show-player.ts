@@ -1,13 +1,17 @@
 import type { Trace } from "tetrafront/trace";
 import type { StoreApi } from "zustand/vanilla";
 import type { Position } from "../../document/position";
+import { addScaled, cross, dot, scale, subtract, unit } from "../../document/vectors";
+import { beatAt, isFilled, isFleeting, isUnfinished } from "./beats";
 import { cornersOf } from "./judge";
 import { LensLayer } from "./lens-layer";
-import { lensMarks } from "./lens-marks";
+import { lensMarks, pointedMarks } from "./lens-marks";
 import { lensSceneOf, sceneOf, type LensScene } from "./lens-scene";
+import { neighbourhoodOf } from "./near-faces";
+import { NearLayer, type ShownNear } from "./near-layer";
 import { initialPlayerState, type PlayerState } from "./player";
 import { firstState, surfaceState } from "./phases";
-import { recoveryMarks, recoveryMarksOf } from "./recovery-marks";
+import { recoveryMarks, recoveryMarksOf, type RecoveryMarks } from "./recovery-marks";
 import { ReplayLayer } from "./replay-layer";
 import { SurfaceLayer } from "./surface-layer";
 import { stepMarks } from "./surface-scene";
@@ -46,24 +50,43 @@ export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () =>
 
 function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) {
   const replay = new ReplayLayer(trace);
+  const near = new NearLayer(trace);
   const lens = new LensLayer();
   const sweeps = new SweepLayer(trace);
   const surface = new SurfaceLayer(trace);
   /** What the view has moved to last; null if the last state was about no face or edge, or was shown too briefly. */
   let followed: { readonly step: number; readonly scene: LensScene | null } | null = null;
+  /** Whether the view shows the whole model, as far as following has moved it. */
+  let isWhole = true;
   const follow = (state: PlayerState, scene: LensScene | null): void => {
-    if (followed?.step === state.step && followed.scene === scene) return;
+    // The beats of a film are seen from one place.
+    if (followed?.step === state.step && (state.film || followed.scene === scene)) return;
+    const isMoving = state.isPlaying || state.step !== state.lensStep;
+    if (state.film && !isMoving && (isFilled(state) || state.step === 0)) {
+      if (!isWhole) viewer.framing.fit(null);
+      [isWhole, followed] = [true, { step: state.step, scene }];
+      return;
+    }
     const positions = positionsToFollow(trace, state, scene);
     followed = positions && { step: state.step, scene };
-    if (positions) viewer.framing.fitPositions(positions);
+    if (!positions) return;
+    isWhole = false;
+    viewer.framing.fitPositions(positions, state.film && scene ? emptySide(scene, viewer) : null);
   };
-  const ends = [replay, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
+  const ends = [replay, near, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {
     const recovered = recoveryMarksOf(state);
-    replay.show(state, (scene !== null || recovered !== null) && state.fades, scene?.supposed);
-    surface.show(surfaceState(trace, state.step), state.candidate);
+    const shownNear = nearOf(state, scene, recovered);
+    const isFaded = (scene !== null || recovered !== null) && state.fades && !isFilled(state);
+    replay.show(state, { isFaded, isNear: shownNear !== null, supposed: scene?.supposed ?? null });
+    near.show(shownNear);
+    surface.show(surfaceState(trace, state.step), state.candidate, {
+      beat: isFleeting(state) ? null : beatAt(state),
+      isUnfinished: isUnfinished(state),
+    });
     sweeps.show(state.sweep);
     lens.show(scene, recovered);
+    lens.point(pointedMarks(scene, state.pointed));
     return scene;
   };
   // Not with the scene of `lensSceneOf`: the one that is followed would be made again.
@@ -74,6 +97,10 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
   };
   const warmUp = new AbortController();
   const hidden = statesToWarmUp(trace).map((step) => (): void => drawHidden(step));
+  const stopMoved = viewer.onUserMoved(() => {
+    // The user's own view stays.
+    if (player.getState().follows) player.setState({ follows: false });
+  });
   void viewer.warmUp(hidden, () => void draw(player.getState()), warmUp.signal);
   return {
     show: (state: PlayerState): void => {
@@ -84,6 +111,7 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
     },
     end: (): void => {
       warmUp.abort();
+      stopMoved();
       ends.forEach((end) => end());
     },
   };
@@ -108,12 +136,62 @@ function findStep(from: number, to: number, isFound: (step: number) => boolean):
   return null;
 }
 
+/** No more candidates count as what a step is about: far ones would make all else small. */
+const maxTried = 9;
+
+/** Returns what of the front is drawn in a film instead of all of it; null if all of it is drawn. */
+function nearOf(
+  state: PlayerState,
+  scene: LensScene | null,
+  recovered: RecoveryMarks | null,
+): ShownNear | null {
+  const { step } = state;
+  if (!state.film || isFilled(state)) return null;
+  const about = scene
+    ? aboutScene(scene)
+    : [...(recovered?.left ?? []), ...(recovered?.joined ?? []), ...(recovered?.nodes ?? [])];
+  const neighbourhood = neighbourhoodOf(about);
+  if (!neighbourhood) return null;
+  const supposed = scene?.supposed ?? null;
+  const before = supposed !== null || isUnfinished(state);
+  return { ...neighbourhood, state: before ? step - 1 : step, leftOut: supposed?.left ?? none };
+}
+
+const none: readonly number[] = [];
+
+/** Returns what a step is about, the same in all of its beats. */
+const aboutScene = ({ trace, step }: LensScene): readonly Position[] => [
+  ...cornersOf(trace, step.face),
+  step.idealPoint,
+  ...step.candidates.slice(0, maxTried).map(({ position }) => position),
+];
+
+/** The base face is seen if the direction to the eye is this far from its plane, as a cosine. */
+const seenFromEmpty = 0.35;
+
+/**
+ * Returns a direction from which the empty side of a step's base face is seen, as near as possible to the present one; null if
+ * the present one is good.
+ */
+function emptySide({ trace, step }: LensScene, viewer: Viewer): Position | null {
+  const [a, b, c] = cornersOf(trace, step.face);
+  const { eye, target } = viewer.pose;
+  const normal = unit(cross(subtract(b, a), subtract(c, a)));
+  const toEye = unit(subtract(eye, target));
+  if (!normal || !toEye) return null;
+  const along = dot(normal, toEye);
+  if (along > seenFromEmpty) return null;
+  const beside = unit(addScaled(toEye, normal, -along)) ?? unit(subtract(b, a)) ?? toEye;
+  return addScaled(scale(normal, 0.62), beside, 0.78);
+}
+
 /** Returns what the step of a state is about; null if it is not about a face or an edge, or if steps follow each other too fast. */
 function positionsToFollow(
   trace: Trace,
-  { step: number, isPlaying, speed, lensStep }: PlayerState,
+  { step: number, isPlaying, speed, lensStep, film }: PlayerState,
   scene: LensScene | null,
 ): readonly Position[] | null {
+  if (scene && film) return aboutScene(scene);
   if (scene) {
     const { base, ideal, candidate, culprit } = lensMarks(scene);
     return [...base, ...ideal, ...candidate, ...culprit];

@@ -1,10 +1,12 @@
 /** Labels of what a step of a patch is about, in space: the same names as in the drawing of its plane. */
-import type { EdgeStep, PlanarFront, SurfaceTrace } from "tetrafront/trace";
+import type { EdgeStep, PlanarFront, StationStep, SurfaceTrace } from "tetrafront/trace";
 import { mean } from "../../document/vectors";
+import { filmStrings } from "../strings/film";
 import { playerStrings } from "../strings/player";
+import { isBeforeTest, type Beat } from "./beats";
 import type { LensLabel } from "./lens-marks";
 import { cornersOfPlane } from "./plane-drawing";
-import { examinedCandidate } from "./planar-lens";
+import { candidateInBeat, examinedCandidate } from "./planar-lens";
 import { endsOf } from "./planar-judge";
 import { inSpace } from "./surface-scene";
 
@@ -18,11 +20,22 @@ export function surfaceLabels(
   surface: SurfaceTrace,
   state: number,
   candidate: number | null,
+  beat: Beat | null = null,
 ): readonly LensLabel[] {
+  const step = surface.stepAt(state);
+  if (step?.kind === "station") return beat === null ? [] : stationLabels(step, beat);
   const front = surface.fronts[surface.frontAt(state) ?? -1];
   if (!front || state >= front.lastStep) return [];
-  const step = surface.stepAt(state);
-  return [...cornerLabels(front), ...(step?.kind === "edge" ? edgeLabels(front, step, candidate) : [])];
+  return [...cornerLabels(front), ...(step?.kind === "edge" ? edgeLabels(front, step, candidate, beat) : [])];
+}
+
+/** The size at the station, then the averagings that the next side has needed, then the side. */
+function stationLabels({ from, to, startSize, rounds, length }: StationStep, beat: Beat): LensLabel[] {
+  const { size, averages, side } = filmStrings.station;
+  const labels: LensLabel[] = [{ kind: "base", position: from, text: size(startSize) }];
+  if (beat !== "station") labels.push({ kind: "ideal", position: mean([from, to]), text: averages(rounds) });
+  if (beat === "side") labels.push({ kind: "candidate", position: to, text: side(length) });
+  return labels;
 }
 
 const cornerLabels = (front: PlanarFront): LensLabel[] =>
@@ -33,8 +46,8 @@ const cornerLabels = (front: PlanarFront): LensLabel[] =>
   }));
 
 /** A new node that was refused has no position in space. */
-function edgeLabels(front: PlanarFront, step: EdgeStep, rank: number | null): LensLabel[] {
-  const tried = examinedCandidate(step, rank);
+function edgeLabels(front: PlanarFront, step: EdgeStep, rank: number | null, beat: Beat | null): LensLabel[] {
+  const tried = isBeforeTest(beat) ? null : examinedCandidate(step, candidateInBeat(step, rank, beat));
   const middle = (edge: number) => mean(endsOf(front, edge).map((node) => inSpace(front, node)));
   const labels: LensLabel[] = [{ kind: "base", position: middle(step.edge), text: texts.base(step.edge) }];
   if (!tried) return labels;

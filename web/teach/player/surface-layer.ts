@@ -5,8 +5,17 @@ import type { Layer } from "../../viewer/layers/layer";
 import { createFacetMaterial } from "../../viewer/materials/facet-material";
 import { setColor } from "../../viewer/materials/uniforms";
 import type { SceneChanges } from "../../viewer/scene-state";
+import type { Beat } from "./beats";
 import { Dots, Facets, WideSegments } from "./lens-parts";
 import { finishedPatches, stepMarks, surfaceScene, type PatchTriangles } from "./surface-scene";
+
+/** The beat of a step, and whether it shows what the step found, not what it has made. */
+export interface SurfaceFilm {
+  readonly beat: Beat | null;
+  readonly isUnfinished: boolean;
+}
+
+const noFilm: SurfaceFilm = { beat: null, isUnfinished: false };
 
 /** The lines and patches of a trace after a step, in space, with the base edge, its new triangle, and what refuses a candidate. */
 export class SurfaceLayer implements Layer {
@@ -28,6 +37,7 @@ export class SurfaceLayer implements Layer {
   #madeBefore: readonly number[] = [0];
   #state: number | null = null;
   #candidate: number | null = null;
+  #film: SurfaceFilm = noFilm;
   /** Whether the triangles are there, relative to the present origin. They are made when a state is first shown. */
   #hasTriangles = false;
   #origin: Position = [0, 0, 0];
@@ -64,19 +74,21 @@ export class SurfaceLayer implements Layer {
     if (!changes.has("origin")) return;
     this.#origin = origin;
     this.#hasTriangles = false;
-    this.show(this.#state, this.#candidate);
+    this.show(this.#state, this.#candidate, this.#film);
   }
 
   /**
    * Shows a state of the lines and patches, from 0; null to show nothing. `candidate`: as for `examinedCandidate`.
    */
-  show(state: number | null, candidate: number | null = null): void {
+  show(state: number | null, candidate: number | null = null, film = noFilm): void {
+    this.#film = film;
     this.#state = state;
     this.#candidate = candidate;
     this.root.visible = state !== null;
     if (state === null) return;
     if (!this.#hasTriangles) this.#writeTriangles();
-    const scene = surfaceScene(this.#trace, state, this.#candidate);
+    const shown = film.isUnfinished ? state - 1 : state;
+    const scene = surfaceScene(this.#trace, shown, film.isUnfinished ? null : this.#candidate);
     this.#sides.set(scene.sides, this.#origin);
     this.#walk.set(scene.walk, this.#origin);
     this.#front.set(scene.front, this.#origin);
@@ -93,7 +105,12 @@ export class SurfaceLayer implements Layer {
 
   /** Draws the base edge of a step, the triangle over it, and the edge because of which its candidate was refused. */
   #showStep(state: number): void {
-    const { base, culprit, triangle, supposed } = stepMarks(this.#trace, state, this.#candidate);
+    const { base, culprit, triangle, supposed } = stepMarks(
+      this.#trace,
+      state,
+      this.#candidate,
+      this.#film.beat,
+    );
     this.#base.set(base, this.#origin);
     this.#culprit.set(culprit, this.#origin);
     this.#triangle.set(triangle, this.#origin);

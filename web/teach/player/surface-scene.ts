@@ -1,8 +1,9 @@
 /** What a state of the lines and patches looks like in space. */
 import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace, Trace } from "tetrafront/trace";
 import type { Position } from "../../document/position";
+import { isBeforeTest, type Beat } from "./beats";
 import { edgesAt, endsOf } from "./planar-judge";
-import { examinedCandidate, supposedCandidate } from "./planar-lens";
+import { candidateInBeat, examinedCandidate, supposedCandidate } from "./planar-lens";
 
 /** Segments are lists of ends, two after two. */
 export interface SurfaceScene {
@@ -61,17 +62,25 @@ export interface StepMarks {
   readonly supposed: readonly Position[];
 }
 
-/** Returns the marks of a state, from 0. `candidate`: as for `examinedCandidate`. */
-export function stepMarks({ surface }: Trace, state: number, candidate: number | null): StepMarks {
+/** Returns the marks of a state, from 0, as far as a beat. `candidate`: as for `examinedCandidate`. */
+export function stepMarks(
+  { surface }: Trace,
+  state: number,
+  candidate: number | null,
+  beat: Beat | null = null,
+): StepMarks {
   const step = surface?.stepAt(state);
+  const hasSide = beat !== "station" && beat !== "averages";
   if (surface && step && step.kind !== "edge")
-    return { base: sidesOf(surface, step), culprit: [], triangle: [], supposed: [] };
+    return { base: hasSide ? sidesOf(surface, step) : [], culprit: [], triangle: [], supposed: [] };
   const front = step?.kind === "edge" ? surface?.fronts[step.front] : undefined;
   if (step?.kind !== "edge" || !front) return { base: [], culprit: [], triangle: [], supposed: [] };
   const positions = (nodes: Iterable<number>): Position[] => [...nodes].map((node) => inSpace(front, node));
-  const culprit = examinedCandidate(step, candidate)?.culprit ?? null;
+  if (isBeforeTest(beat))
+    return { base: positions(endsOf(front, step.edge)), culprit: [], triangle: [], supposed: [] };
+  const culprit = examinedCandidate(step, candidateInBeat(step, candidate, beat))?.culprit ?? null;
   const chosen = supposedCandidate(step, candidate);
-  const triangle = chosen ? null : step.triangle;
+  const triangle = chosen || beat === "test" ? null : step.triangle;
   return {
     base: positions(endsOf(front, step.edge)),
     culprit: culprit === null ? [] : positions(endsOf(front, culprit)),

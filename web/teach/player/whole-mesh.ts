@@ -10,7 +10,7 @@ const faces = [
   [0, 3, 2],
 ] as const;
 
-/** Elements in front of a vertical plane through the middle of the model, towards where the camera is at first, are cut away. */
+/** Elements in front of a vertical plane, towards where the camera is at first, are cut away. */
 const towardsEye: Position = [1, -1, 0];
 
 export interface WholeMesh {
@@ -18,6 +18,16 @@ export interface WholeMesh {
   readonly positions: Float32Array;
   /** Number of the element per corner. */
   readonly values: Float32Array;
+  /** Centroid of the element per corner, relative to the origin; empty unless the elements are apart. */
+  readonly centroids: Float32Array;
+}
+
+/** What of the elements is drawn. */
+export interface WholeChoice {
+  /** Share of the model behind the plane that cuts it open, 0 to 1; null for all of it. */
+  readonly cutAt: number | null;
+  /** Whether the elements are pulled apart, so that all of their faces are seen. */
+  readonly isApart: boolean;
 }
 
 /** What all states of a trace have in common, found once: states then only look it up. */
@@ -31,25 +41,43 @@ interface KnownElements {
 
 const known = new WeakMap<Trace, KnownElements>();
 
-/** Returns the outer faces of the elements after a step. `isCut`: without the elements in front of the plane. O(elements). */
-export function wholeMesh(trace: Trace, step: number, isCut: boolean, origin: Position): WholeMesh {
+/** Returns the faces of the elements after a step: the outer ones, or of elements that are apart all. O(elements). */
+export function wholeMesh(trace: Trace, step: number, choice: WholeChoice, origin: Position): WholeMesh {
   const { nodes, elements } = trace;
   const table = known.get(trace) ?? { ...numberedFaces(trace), heights: heightsOf(trace) };
   known.set(trace, table);
   const all = trace.elementsAt(step);
-  const outer = outerFaces(table, isCut ? behind(table, all) : all);
-  const positions = new Float32Array(9 * outer.length);
-  const values = new Float32Array(3 * outer.length);
+  const drawn = choice.cutAt === null ? all : behind(table, all, choice.cutAt);
+  const shown = choice.isApart ? facesOf(drawn) : outerFaces(table, drawn);
+  const positions = new Float32Array(9 * shown.length);
+  const values = new Float32Array(3 * shown.length);
+  const centroids = new Float32Array(choice.isApart ? 9 * shown.length : 0);
+  const along = (node: number, axis: number): number =>
+    (nodes.positions[3 * (elements.nodes[node] ?? 0) + axis] ?? 0) - (origin[axis] ?? 0);
   let at = 0;
-  for (const face of outer) {
+  for (const face of shown) {
+    const first = face & ~3;
     for (const corner of faces[face & 3] ?? faces[0]) {
-      const node = elements.nodes[(face & ~3) + corner] ?? 0;
       values[at / 3] = face >>> 2;
-      for (let axis = 0; axis < 3; axis++)
-        positions[at++] = (nodes.positions[3 * node + axis] ?? 0) - (origin[axis] ?? 0);
+      for (let axis = 0; axis < 3; axis++, at++) {
+        positions[at] = along(first + corner, axis);
+        if (!choice.isApart) continue;
+        const sum =
+          along(first, axis) + along(first + 1, axis) + along(first + 2, axis) + along(first + 3, axis);
+        centroids[at] = sum / 4;
+      }
     }
   }
-  return { positions, values };
+  return { positions, values, centroids };
+}
+
+/** Returns all faces of elements. */
+function facesOf(elements: Uint32Array): Uint32Array {
+  const all = new Uint32Array(4 * elements.length);
+  elements.forEach((element, i) => {
+    for (let face = 0; face < 4; face++) all[4 * i + face] = 4 * element + face;
+  });
+  return all;
 }
 
 /** Numbers the faces of all elements in a hash table of their sorted nodes, with linear probing. */
@@ -116,13 +144,13 @@ function heightsOf({ elements, nodes }: Trace): Float64Array {
   return heights;
 }
 
-/** Returns the elements whose centroid lies behind the plane through the middle of all. */
-function behind({ heights }: KnownElements, all: Uint32Array): Uint32Array {
+/** Returns the elements whose centroid lies behind a plane: at a share of the way from the hindmost to the foremost. */
+function behind({ heights }: KnownElements, all: Uint32Array, cutAt: number): Uint32Array {
   let [low, high] = [Infinity, -Infinity];
   for (const element of all) {
     const height = heights[element] ?? 0;
     [low, high] = [Math.min(low, height), Math.max(high, height)];
   }
-  const middle = (low + high) / 2;
-  return all.filter((element) => (heights[element] ?? 0) <= middle);
+  const plane = cutAt < 1 ? low + cutAt * (high - low) : high;
+  return all.filter((element) => (heights[element] ?? 0) <= plane);
 }

@@ -18,6 +18,8 @@ export const addressStrings = {
     `The front has no step ${step}: its states are ${first} to ${last}${first < 0 ? " (the negative ones belong to lines and patches)" : ""}. State ${shown} is shown.`,
   noCandidate: (candidate: number, step: number) =>
     `Step ${step} has no candidate ${candidate}. The candidate that decides the step is shown.`,
+  noBeat: (beat: number, step: number, beats: number) =>
+    `Step ${step} has ${beats === 0 ? "no beats" : `${beats} beats`}, and no beat ${beat}. The state after the step is shown.`,
   ofFront: {
     order: (value: string) =>
       `No order has the name in ${quoted("order", value)}; the orders are ${FRONT_ORDERS.join(", ")}. The model's own order is used.`,
@@ -29,6 +31,8 @@ export const addressStrings = {
       `The elements are “none”, “last”, “recent”, “all” or “cut”, but the address has ${quoted("elements", value)}. The last 60 are shown.`,
     candidate: (value: string) =>
       `The address should have a candidate from 0, but has ${quoted("candidate", value)}. The candidate that decides the step is shown.`,
+    beat: (value: string) =>
+      `The address should have a beat from 1, but has ${quoted("beat", value)}. The state after the step is shown.`,
     camera: (value: string) =>
       `A camera has six numbers, x, y and z of the eye and of what it looks at, but the address has ${quoted("camera", value)}. The whole model is shown.`,
   },

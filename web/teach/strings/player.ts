@@ -75,7 +75,12 @@ export const playerStrings = {
   end: "Last state of the phase",
   stills: "Reduced motion: one picture per second",
   speed: "Speed",
-  speedOf: (speed: number) => (speed === 1 ? "1 step/s" : `${formatCount(speed)} steps/s`),
+  speedOf: (speed: number) =>
+    speed < 1
+      ? `1 step in ${formatCount(1 / speed)} s`
+      : speed === 1
+        ? "1 step/s"
+        : `${formatCount(speed)} steps/s`,
   scrub: "Step of the front",
   phases: phaseNames,
   phaseSteps: (phase: keyof typeof phaseNames, steps: number) =>
@@ -149,7 +154,7 @@ export const playerStrings = {
   fade: "Fade the rest",
   fadeHint: "While the lens shows a step, the front is faded.",
   follow: "Follow",
-  followHint: "The view moves to the base face of each step.",
+  followHint: "The view moves to the base face of each step, until you move it yourself.",
   moreControls: "Jumps, colours and what is drawn",
 
   lens: frontStrings.lens,

@@ -1,4 +1,4 @@
-import { useFrontPlayer } from "./use-player";
+import { useFrontPlayer, usePlayer } from "./use-player";
 import { useEffect, useRef, type ReactNode } from "react";
 import { playerStrings } from "../../strings/player";
 import tables from "../../../ui/table.module.css";
@@ -53,9 +53,11 @@ export function CandidatesAndFormulas({ children, further, ...props }: Candidate
   );
 }
 
-/** The candidates in the order in which they were tried; a click examines one. A long list scrolls: formulas follow it. */
+/** The candidates in the order in which they were tried. The view highlights the one under the pointer or the focus; a click examines one. A long list scrolls: formulas follow it. */
 function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTableProps) {
   const player = useFrontPlayer();
+  const pointed = usePlayer((state) => state.pointed);
+  const point = (rank: number | null): void => player.state.setState({ pointed: rank });
   const list = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const shown = list.current;
@@ -83,13 +85,21 @@ function CandidateTable({ label, rows, chosen, scoreHint }: CandidateTableProps)
         <tbody>
           {rows.map(({ name, score, verdict }, i) => (
             // Candidates have no identity beside their rank.
-            <tr key={i} data-highlighted={i === chosen || undefined}>
+            <tr
+              key={i}
+              data-highlighted={i === chosen || undefined}
+              data-pointed={i === pointed || undefined}
+              onPointerEnter={() => point(i)}
+              onPointerLeave={() => point(null)}
+            >
               <th scope="row">
                 <button
                   type="button"
                   className={styles["candidate"]}
                   data-testid={`lens-candidate-${i}`}
                   aria-pressed={i === chosen}
+                  onFocus={() => point(i)}
+                  onBlur={() => point(null)}
                   onClick={() => player.state.setState({ candidate: i })}
                 >
                   {texts.candidateName(i + 1, name)}

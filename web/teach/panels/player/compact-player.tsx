@@ -8,6 +8,7 @@ import {
 import { frontSizeAt, phaseAt } from "../../player/phases";
 import { playerStrings } from "../../strings/player";
 import { IconButton } from "../../../ui/icon-button";
+import { StepBars } from "./beat-bar";
 import { JumpControl } from "./jump-control";
 import styles from "./player.module.css";
 import { ScrubBar } from "./scrub-bar";
@@ -27,6 +28,7 @@ export function CompactPlayer() {
   return (
     <>
       <ScrubBar />
+      <StepBars />
       <div className={styles["row"]}>
         <span className={styles["buttons"]}>
           <IconButton label={texts.back} data-testid="player-back" onClick={() => player.move(-1)}>

@@ -7,6 +7,7 @@ import { ScrollPanel } from "../../../ui/frames/scroll-panel";
 import { useApp, useRun, useShell } from "../../../panels/shared/app-context";
 import { IconButton } from "../../../ui/icon-button";
 import { useLayout } from "../../../panels/shared/use-layout";
+import { StepBars } from "./beat-bar";
 import { JumpControl } from "./jump-control";
 import { Lens } from "./lens";
 import { OpenTrace } from "./trace-files";
@@ -173,6 +174,7 @@ function ShortControls() {
         </IconButton>
       </Transport>
       <ScrubBar />
+      <StepBars />
       {isMore && (
         <>
           <div className={styles["row"]}>
@@ -194,6 +196,7 @@ function Controls() {
         <TransportChoices />
       </Transport>
       <ScrubBar />
+      <StepBars />
       <Choices />
       <Failure />
     </section>

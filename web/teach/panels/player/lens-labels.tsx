@@ -1,4 +1,5 @@
 import { useLayoutEffect, useMemo, useRef } from "react";
+import { beatAt, isFleeting } from "../../player/beats";
 import { lensMarks, type LensLabel } from "../../player/lens-marks";
 import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
@@ -96,11 +97,12 @@ const noLabels: readonly LensLabel[] = [];
 function useSurfaceLabels(): readonly LensLabel[] {
   const trace = usePlayer((state) => state.trace);
   const candidate = usePlayer((state) => state.candidate);
-  const step = usePlayer((state) => (state.isPlaying || state.step !== state.lensStep ? null : state.step));
+  const step = usePlayer((state) => (isFleeting(state) ? null : state.step));
+  const beat = usePlayer(beatAt);
   return useMemo(() => {
     const state = trace && step !== null ? surfaceState(trace, step) : null;
-    return trace?.surface && state !== null ? surfaceLabels(trace.surface, state, candidate) : noLabels;
-  }, [trace, step, candidate]);
+    return trace?.surface && state !== null ? surfaceLabels(trace.surface, state, candidate, beat) : noLabels;
+  }, [trace, step, candidate, beat]);
 }
 
 /** A label that is not shown keeps its size. */

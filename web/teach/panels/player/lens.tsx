@@ -1,11 +1,13 @@
 import { Text } from "@mantine/core";
 import { lazy, memo, Suspense, useDeferredValue, useMemo } from "react";
 import type { AdvanceStep } from "tetrafront/trace";
+import { elementsShown, isBeforeTest, playsBeats } from "../../player/beats";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
-import { lensSceneOf, type LensScene } from "../../player/lens-scene";
+import { examinedIn, lensSceneOf, type LensScene } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
 import { recordedScores } from "../../player/recorded-score";
 import { recoveryCounts } from "../../player/recovery-counts";
+import { filmStrings } from "../../strings/film";
 import { playerStrings } from "../../strings/player";
 import { formatShort } from "../../../strings/format";
 import { ScrollPanel } from "../../../ui/frames/scroll-panel";
@@ -24,7 +26,7 @@ const CrossingFormula = lazy(async () => ({ default: (await import("./crossing-f
 
 /** Why a step ended as it did. */
 export function Lens() {
-  const isPlaying = usePlayer((state) => state.isPlaying);
+  const isPlaying = usePlayer((state) => state.isPlaying && !playsBeats(state));
   const sweeps = usePlayer(({ trace, lensStep }) =>
     trace && lensStep === trace.stepCount ? trace.optimization : null,
   );
@@ -80,13 +82,13 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
     <>
       {examined && (
         <p data-testid="lens-sentence">
-          <b>{sentenceOf(step, examined)}</b>
+          <b>{earlySentence(step, scene) ?? sentenceOf(step, examined)}</b>
         </p>
       )}
       <CandidatesAndFormulas
         label={texts.candidates}
         rows={rowsOf(step)}
-        chosen={chosen ?? decisive(step)}
+        chosen={chosen ?? examinedIn(step, scene?.beat ?? null)}
         scoreHint={texts.scoreHint}
         further={
           <Suspense fallback={null}>
@@ -114,6 +116,13 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
   );
 });
 
+/** Returns what a beat before the test is about; null for later ones. */
+function earlySentence({ candidates }: AdvanceStep, scene: LensScene | null): string | null {
+  if (!scene || !isBeforeTest(scene.beat)) return null;
+  const { base, ideal, candidates: tried } = filmStrings.sentences;
+  return scene.beat === "base" ? base : scene.beat === "ideal" ? ideal : tried(candidates.length);
+}
+
 function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
   const scores = recordedScores(candidates);
   return candidates.map(({ node, isNew, verdict, culprit }, i) => ({
@@ -126,12 +135,18 @@ function rowsOf({ candidates }: AdvanceStep): readonly CandidateRow[] {
 /** Says after the last step that the volume is full, if the front was completed. */
 function End() {
   const trace = useTrace();
-  const isRecent = usePlayer(({ elements }) => elements === "last" || elements === "recent");
+  const elements = usePlayer(elementsShown);
+  const hint =
+    elements === "cut" || elements === "all"
+      ? filmStrings.pullApart
+      : elements === "none"
+        ? ""
+        : texts.recentElements;
   if ((trace.steps.frontSizes[trace.stepCount] ?? 0) > 0) return null;
   const count = trace.elementsAt(trace.stepCount).length;
   return (
     <p data-testid="lens-end">
-      {texts.noFaces(count)} {isRecent && texts.recentElements}
+      {texts.noFaces(count)} {hint}
     </p>
   );
 }

@@ -2,8 +2,9 @@ import { SegmentedControl } from "@mantine/core";
 import { useMemo, useState } from "react";
 import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace } from "tetrafront/trace";
 import { labelAt } from "../../player/entity-labels";
+import { beatAt, isBeforeTest, isUnfinished } from "../../player/beats";
 import { ellipseOf, planePaths, windowAround, windowOf, type PlaneWindow } from "../../player/plane-drawing";
-import { decisiveCandidate, supposedCandidate } from "../../player/planar-lens";
+import { candidateInBeat, supposedCandidate } from "../../player/planar-lens";
 import { endsOf, planeOf, targetLength } from "../../player/planar-judge";
 import { surfaceState } from "../../player/phases";
 import { playerStrings } from "../../strings/player";
@@ -84,8 +85,9 @@ interface DrawingProps {
 
 function Drawing({ front, step, state, box }: DrawingProps) {
   const candidate = usePlayer((shown) => shown.candidate);
-  // With a refused candidate that is chosen, the front as it was when it was tried.
-  const shownState = supposedCandidate(step, candidate) ? state - 1 : state;
+  // With a refused candidate that is chosen, and in the beats before the last, the front as it was when it was tried.
+  const isBefore = usePlayer(isUnfinished);
+  const shownState = isBefore || supposedCandidate(step, candidate) ? state - 1 : state;
   const paths = useMemo(() => planePaths(front, shownState), [front, shownState]);
   const viewBox = `${box.left} ${-box.top} ${box.width} ${box.height}`;
   return (
@@ -119,35 +121,47 @@ function Step({
   readonly size: number;
 }) {
   const player = useFrontPlayer();
-  const chosen = usePlayer((state) => state.candidate) ?? decisiveCandidate(step);
+  const beat = usePlayer(beatAt);
+  const pointed = usePlayer((state) => state.pointed);
+  const rank = usePlayer((state) => state.candidate);
+  const isEarly = isBeforeTest(beat);
+  const chosen = isEarly ? rank : candidateInBeat(step, rank, beat);
+  const [hasIdeal, hasCandidates] = [beat !== "edge", beat !== "edge" && beat !== "ideal"];
   const [a, b] = step.nodes.map((node) => planeOf(front, node));
   const candidate = chosen === null ? undefined : step.candidates[chosen];
-  const culprit = candidate?.culprit ?? null;
+  const culprit = isEarly ? null : (candidate?.culprit ?? null);
   const ellipse = ellipseOf(step, 0.55 * targetLength(front, step));
   if (!a || !b) return null;
   return (
     <>
-      <ellipse
-        className={styles["size"]}
-        rx={ellipse.rx}
-        ry={ellipse.ry}
-        transform={`translate(${step.ideal.join(" ")}) rotate(${ellipse.angle})`}
-      />
+      {hasIdeal && (
+        <ellipse
+          className={styles["size"]}
+          rx={ellipse.rx}
+          ry={ellipse.ry}
+          transform={`translate(${step.ideal.join(" ")}) rotate(${ellipse.angle})`}
+        />
+      )}
       {culprit !== null && <Edge front={front} edge={culprit} className={styles["culprit"]} />}
-      {candidate && (
+      {hasCandidates && candidate && (
         <path
           className={styles[candidate.verdict === "accepted" ? "accepted" : "refused"]}
           d={`M${a.join(" ")}L${b.join(" ")}L${candidate.plane.join(" ")}Z`}
         />
       )}
       <path className={styles["base"]} d={`M${a.join(" ")}L${b.join(" ")}`} />
-      <circle className={styles["ideal"]} cx={step.ideal[0]} cy={step.ideal[1]} r={dot * size} />
-      {step.candidates.map(({ plane: [x, y] }, i) => (
+      {hasIdeal && (
+        <circle className={styles["ideal"]} cx={step.ideal[0]} cy={step.ideal[1]} r={dot * size} />
+      )}
+      {(hasCandidates ? step.candidates : []).map(({ plane: [x, y] }, i) => (
         <circle
           // Candidates have no identity beside their rank.
           key={i}
           className={styles["candidate"]}
           data-chosen={i === chosen || undefined}
+          data-pointed={i === pointed || undefined}
+          onPointerEnter={() => player.state.setState({ pointed: i })}
+          onPointerLeave={() => player.state.setState({ pointed: null })}
           cx={x}
           cy={y}
           r={1.3 * dot * size}

@@ -1,9 +1,10 @@
 import { Text } from "@mantine/core";
 import { lazy, Suspense, useMemo } from "react";
 import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront/trace";
+import { beatAt } from "../../player/beats";
 import { labelAt, type EntityLabels } from "../../player/entity-labels";
 import {
-  decisiveCandidate,
+  candidateInBeat,
   examineCandidate,
   supposedCandidate,
   type PlanarLensCandidate,
@@ -76,7 +77,7 @@ function stationSentence({ end, startSize, length, rounds }: StationStep, line: 
 
 function EdgeUnderLens({ front, step }: { readonly front: PlanarFront; readonly step: EdgeStep }) {
   const rank = usePlayer((state) => state.candidate);
-  const chosen = rank ?? decisiveCandidate(step);
+  const chosen = candidateInBeat(step, rank, usePlayer(beatAt));
   const examined = useMemo(() => {
     const candidate = chosen === null ? undefined : step.candidates[chosen];
     return candidate ? examineCandidate(front, step, candidate) : null;

@@ -1,4 +1,5 @@
 import { NativeSelect } from "@mantine/core";
+import { filmStrings } from "../../strings/film";
 import { playerStrings } from "../../strings/player";
 import styles from "./player.module.css";
 import { useFrontPlayer, usePlayer } from "./use-player";
@@ -50,13 +51,23 @@ export function ViewChoices() {
   );
 }
 
-/** Whether the view follows the base face, and whether the front is faded while the lens shows a step. */
+/** Whether steps are films, whether the view follows the base face, and, without films, whether the front is faded around a step. */
 export function ViewChecks() {
   const player = useFrontPlayer();
   const follows = usePlayer((state) => state.follows);
   const fades = usePlayer((state) => state.fades);
+  const film = usePlayer((state) => state.film);
   return (
     <>
+      <label className={styles["check"]} title={filmStrings.filmHint}>
+        <input
+          type="checkbox"
+          data-testid="player-film"
+          checked={film}
+          onChange={(event) => player.setFilm(event.currentTarget.checked)}
+        />
+        {filmStrings.film}
+      </label>
       <label className={styles["check"]} title={texts.followHint}>
         <input
           type="checkbox"
@@ -66,15 +77,17 @@ export function ViewChecks() {
         />
         {texts.follow}
       </label>
-      <label className={styles["check"]} title={texts.fadeHint}>
-        <input
-          type="checkbox"
-          data-testid="player-fade"
-          checked={fades}
-          onChange={(event) => player.state.setState({ fades: event.currentTarget.checked })}
-        />
-        {texts.fade}
-      </label>
+      {!film && (
+        <label className={styles["check"]} title={texts.fadeHint}>
+          <input
+            type="checkbox"
+            data-testid="player-fade"
+            checked={fades}
+            onChange={(event) => player.state.setState({ fades: event.currentTarget.checked })}
+          />
+          {texts.fade}
+        </label>
+      )}
     </>
   );
 }
