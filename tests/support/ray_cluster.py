@@ -30,9 +30,19 @@ def is_meshing(node):
         return False
 
 
+def started():
+    """Returns a cluster and its nodes beside the head. On a very busy machine, the first try may take too long for Ray."""
+    for is_last in (False, True):
+        try:
+            cluster = Cluster(initialize_head=True, head_node_args={**NODE, **WITHOUT, "_system_config": HEALTH})
+            return cluster, [cluster.add_node(**NODE, include_log_monitor=False) for _ in range(2)]
+        except Exception:
+            if is_last:
+                raise
+
+
 def main():
-    cluster = Cluster(initialize_head=True, head_node_args={**NODE, **WITHOUT, "_system_config": HEALTH})
-    nodes = [cluster.add_node(**NODE, include_log_monitor=False) for _ in range(2)]
+    cluster, nodes = started()
     print(cluster.address, flush=True)
     for _ in sys.stdin:
         while (node := next(filter(is_meshing, nodes), None)) is None:

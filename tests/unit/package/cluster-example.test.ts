@@ -179,6 +179,7 @@ describe("the example of many parts", () => {
         const said = createInterface({ input: cluster.stdout })[Symbol.asyncIterator]();
         try {
           const { value: address } = (await said.next()) as { value: string };
+          expect(address, "the cluster starts").toMatch(/:\d+$/);
           const start = () =>
             spawn(python, [...args, "--address", address], { stdio: ["ignore", "pipe", "ignore"] });
           const first = start();
