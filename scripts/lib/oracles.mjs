@@ -1,7 +1,7 @@
 import { spawnSync } from "node:child_process";
 import { pythonProgram } from "./python.mjs";
 
-/** Python packages that check our files, and what they check; without a package, the tests skip these checks. */
+/** Python packages that tests need, and what they check; without a package, the tests skip these checks. */
 const ORACLES = [
   {
     module: "meshio",
@@ -13,6 +13,11 @@ const ORACLES = [
     module: "skfem",
     pip: "scikit-fem",
     judges: "finite elements converge on the meshes (examples/heat, examples/part)",
+  },
+  {
+    module: "ray",
+    pip: "ray",
+    judges: "many parts are meshed by a cluster that loses a machine (examples/cluster)",
   },
 ];
 

@@ -1,5 +1,5 @@
-// Python with the packages that check our files: meshio, Gmsh, scikit-fem. The tests run without missing packages
-// and report it.
+// Python with the packages that check our files: meshio, Gmsh, scikit-fem; and Ray, for the example of a cluster. The
+// tests run without missing packages and report it.
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -14,12 +14,13 @@ const own = path.join(
   ...(process.platform === "win32" ? ["Scripts", "python.exe"] : ["bin", "python"]),
 );
 /**
- * Files of pinned packages with their checksums, installed separately because Gmsh is not built for every machine. `debian` lists the
- * system packages that it may need.
+ * Files of pinned packages with their checksums, installed separately because Gmsh and Ray are not built for every machine. `debian`
+ * lists the system packages that they may need.
  */
 const PARTS = [
   { name: "python-fem", module: "skfem" },
   { name: "python-gmsh", module: "gmsh", debian: ["libglu1-mesa", "libxcursor1", "libxft2", "libxinerama1"] },
+  { name: "python-cluster", module: "ray" },
 ];
 const PIP = [
   "-m",
@@ -33,7 +34,7 @@ const PIP = [
   "--require-hashes",
   "--retries=1",
 ];
-/** Time limit per step; on a fast network all steps take about 15 s. */
+/** Time limit per step; on a fast network all steps take about 30 s. */
 const LIMIT_MS = 120_000;
 
 /** Returns the Python that TETRAFRONT_PYTHON names, otherwise our own if it exists, otherwise the system's. */
@@ -61,7 +62,7 @@ function whatIsMissing() {
 }
 
 async function addParts(works, missing) {
-  say("setup: creating a Python environment with meshio, scikit-fem and Gmsh");
+  say("setup: creating a Python environment with meshio, scikit-fem, Gmsh and Ray");
   if (!works) rmSync(folder, { recursive: true, force: true });
   if (!(await makeEnvironment())) {
     rmSync(folder, { recursive: true, force: true });

@@ -2,6 +2,7 @@ import { expect, test } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import type { MeshReport } from "tetrafront";
 import { readProject } from "tetrafront/project";
+import { cubeProject } from "../support/projects";
 import { AppPage, nextFrame } from "./app-page";
 import { tab, toggle, undoButton } from "./controls";
 
@@ -45,6 +46,28 @@ test("the quality report shows the statistics of all regions together and of eac
   await page.getByRole("option", { name: /^Region 2/ }).click();
   expect(await counted("radiusRatio")).toBe(second?.tetrahedra);
   expect(await counted("edge")).toBe(sum(second?.edge ?? []));
+});
+
+test("a lattice interior: the statistics have its share, and the cut says what its pattern is", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await expect(page.getByText("Lattice interior")).toBeHidden();
+  const project = { ...cubeProject(0.08), name: "Lattice", meshing: { interior: "lattice" } };
+  await app.openFile("lattice.json", JSON.stringify(project));
+  await expect(page.getByTestId("project-name")).toHaveValue("Lattice");
+  await app.generate();
+  const { interior, tetrahedra } = await reportOf(app);
+  const share = `${Number(((100 * interior.lattice) / tetrahedra).toPrecision(2))} % of the elements`;
+  expect(interior.lattice).toBeGreaterThan(0.1 * tetrahedra);
+  await expect(page.getByRole("term").filter({ hasText: "Lattice interior" })).toBeVisible();
+  await expect(page.getByRole("definition").filter({ hasText: share })).toBeVisible();
+  await tab(page, "Display").click();
+  const note = page.getByText(`The even pattern inside is the lattice, ${share}`);
+  await expect(note).toBeHidden();
+  await toggle(page, "Cut mesh").check({ force: true });
+  await expect(note).toBeVisible();
 });
 
 test("radius ratios say what they are at the pointer", async ({ page }) => {

@@ -90,11 +90,18 @@ export {
   readMesh,
   readSurface,
   readVolume,
+  streamMesh,
   type WriteFileOptions,
   writeMesh,
 } from "./api/mesh-files.js";
 export type { ByteSource } from "./formats/byte-source.js";
-export type { FileFormat, OpenOther, WrittenFile } from "./formats/file-format.js";
+export type {
+  FileFormat,
+  OpenOther,
+  StreamedFile,
+  StreamedMesh,
+  WrittenFile,
+} from "./formats/file-format.js";
 export { extensionsFor, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
 export type { LengthOptions } from "./formats/units.js";
 export { LENGTH_UNITS, type LengthUnit } from "./mesh/units.js";

@@ -3,8 +3,9 @@
  *
  *     import { readSurfaceFile, writeMeshFile } from "tetrafront/node";
  */
+import { randomUUID } from "node:crypto";
 import { createReadStream } from "node:fs";
-import { readFile, stat, writeFile } from "node:fs/promises";
+import { readFile, realpath, rename, rm, stat, writeFile } from "node:fs/promises";
 import path from "node:path";
 import * as v from "valibot";
 import {
@@ -12,8 +13,8 @@ import {
   readMesh,
   readSurface,
   readVolume,
+  streamedMesh,
   type WriteFileOptions,
-  writeMesh,
 } from "./api/mesh-files.js";
 import { meshFile as meshSource, type MeshedFile, type MeshFileOptions, unopened } from "./api/mesh-file.js";
 import { checkArgument } from "./calls/argument-checks.js";
@@ -22,6 +23,7 @@ import type { ReadResult } from "./diagnostics/read-error.js";
 import type { RunControl } from "./engine/control.js";
 import type { ByteSource } from "./formats/byte-source.js";
 import type { WrittenFile } from "./formats/file-format.js";
+import { fileSpool } from "./formats/file-spool.js";
 import type { Mesh } from "./mesh/mesh.js";
 import { readProject, writeProject } from "./project/project.js";
 import type { Project } from "./project/project-types.js";
@@ -62,17 +64,34 @@ export async function readProjectFile(file: string): Promise<ReadResult<Project>
 
 /**
  * As `writeMesh`, to the file at a path, which is replaced. Formats with several files write the others to the same
- * folder. Resolves to the written files, with their notes. Rejects with the error of Node if writing fails.
+ * folder. Beside the mesh, a few megabytes are in memory. Resolves to the names of the written files, and what they could not
+ * store. Rejects with the error of Node if writing fails.
  */
 export async function writeMeshFile(
   mesh: Mesh,
   file: string,
-  options?: WriteFileOptions,
-): Promise<readonly WrittenFile[]> {
+  options: WriteFileOptions = {},
+): Promise<readonly Omit<WrittenFile, "bytes">[]> {
   checkArgument("file", file, v.string());
-  const files = await writeMesh(mesh, path.basename(file), options);
-  for (const { fileName, bytes } of files) await writeFile(path.join(path.dirname(file), fileName), bytes);
-  return files;
+  const folder = path.dirname(file);
+  const { files, notes } = await streamedMesh(mesh, path.basename(file), options, () => fileSpool(folder));
+  for (const { fileName, pieces } of files) await replaceFile(path.join(folder, fileName), pieces);
+  return files.map(({ fileName }, f) => ({ fileName, notes: f === 0 ? notes : [] }));
+}
+
+/** Writes a file by another name and renames it, so that a failure keeps the file that was there. */
+async function replaceFile(file: string, content: AsyncIterable<Uint8Array>): Promise<void> {
+  const found = await stat(file).catch(() => undefined);
+  // Devices and pipes must not be replaced.
+  if (found !== undefined && !found.isFile()) return writeFile(file, content);
+  const target = found === undefined ? file : await realpath(file);
+  const temporary = path.join(path.dirname(target), `.${randomUUID()}.part`);
+  try {
+    await writeFile(temporary, content, { flag: "wx", ...(found && { mode: found.mode }) });
+    await rename(temporary, target);
+  } finally {
+    await rm(temporary, { force: true });
+  }
 }
 
 /** As `writeProject`, to the file at a path, which is replaced. Rejects with the error of Node if writing fails. */

@@ -48,6 +48,11 @@ export function formatShare(share: number): string {
   return `${(100 * share).toFixed(1)} %`;
 }
 
+/** Returns a share with at most two digits: 62 %, 8.5 %. */
+export function formatShortShare(share: number): string {
+  return `${Number((100 * share).toPrecision(2))} %`;
+}
+
 export function formatAngle(degrees: number): string {
   return `${degrees.toFixed(1)}°`;
 }

@@ -127,6 +127,9 @@ export const panelStrings = {
     min: "min",
     mean: "mean",
     tetrahedra: "Tetrahedra",
+    lattice: "Lattice interior",
+    latticeShare: (share: string) => `${share} of the elements`,
+    latticeHint: "Tetrahedra of one shape that fill the deep inside, where sizes are nearly constant.",
     nodes: "Nodes",
     triangles: "Boundary triangles",
     volume: "Volume",
@@ -260,6 +263,8 @@ export const panelStrings = {
     cutAxis: "Cut axis",
     cutPosition: "Position",
     flip: "Flip side",
+    lattice: (share: string) =>
+      `The even pattern inside is the lattice, ${share} of the elements: tetrahedra of one shape, where sizes are nearly constant.`,
   },
   create: {
     point: "New point",

@@ -1,7 +1,7 @@
 /** Files read and written by path in Node. */
 import { readFileSync, writeFileSync } from "node:fs";
 
-import { MesherError } from "tetrafront";
+import { MesherError, writeMesh } from "tetrafront";
 import {
   readMeshFile,
   readProjectFile,
@@ -35,7 +35,9 @@ test.each([".vtu", ".ele", ".msh"])(
     const file = inFolder(`block${extension}`);
     const block = blockMesh();
     const written = await writeMeshFile(block, file);
-    for (const { fileName, bytes } of written) {
+    const whole = await writeMesh(block, `block${extension}`);
+    expect(written.map(({ fileName }) => fileName)).toEqual(whole.map(({ fileName }) => fileName));
+    for (const { fileName, bytes } of whole) {
       expect(new Uint8Array(readFileSync(inFolder(fileName)))).toEqual(new Uint8Array(bytes));
     }
     for (const read of [readVolumeFile, readMeshFile]) {

@@ -11,13 +11,22 @@ import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { ReadResult } from "../diagnostics/read-error.js";
 import { type ByteSource, checkSource, watcher } from "../formats/byte-source.js";
-import { joined, piecesIn } from "../formats/bytes.js";
-import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "../formats/file-format.js";
+import { joined, type Part, piecesIn } from "../formats/bytes.js";
+import type {
+  Contents,
+  FileFormat,
+  FileParts,
+  OpenOther,
+  StreamedFile,
+  StreamedMesh,
+  WrittenFile,
+} from "../formats/file-format.js";
 import { extensionsFor, FILE_FORMATS, formatOf } from "../formats/file-formats.js";
 import { noteLostRegions } from "../formats/format-limits.js";
 import { FileHead } from "../formats/other-content.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely } from "../formats/read-result.js";
 import { withMidNodes } from "../formats/second-order.js";
+import { memorySpool, type Spool } from "../formats/spool.js";
 import { surfaceOf } from "../formats/surface-file.js";
 import { inUnits, lengthInFile, type LengthOptions } from "../formats/units.js";
 import { volumeOf } from "../formats/volume-file.js";
@@ -108,6 +117,39 @@ export async function writeMesh(
   fileName: string,
   options: WriteFileOptions = {},
 ): Promise<readonly WrittenFile[]> {
+  const { files, notes } = await streamMesh(mesh, fileName, options);
+  const written: Omit<WrittenFile, "notes">[] = [];
+  for (const { fileName: name, pieces } of files) {
+    const all: Uint8Array[] = [];
+    for await (const piece of pieces) all.push(piece);
+    written.push({ fileName: name, bytes: joined(all) });
+  }
+  return written.map((file, f) => ({ ...file, notes: f === 0 ? notes : [] }));
+}
+
+/**
+ * As `writeMesh`, but the files are made while you read them: beside the mesh, only a few pieces are in memory. VTU is kept
+ * compressed until its last array is made, as its head states where each array begins. Writes in slices of a few
+ * milliseconds. `onProgress` and `signal` work while the pieces are read.
+ *
+ *     const { files } = await streamMesh(mesh, "part.msh");
+ *     for (const { pieces } of files) for await (const piece of pieces) await writable.write(piece);
+ */
+export function streamMesh(
+  mesh: Mesh,
+  fileName: string,
+  options: WriteFileOptions = {},
+): Promise<StreamedMesh> {
+  return streamedMesh(mesh, fileName, options, memorySpool);
+}
+
+/** As `streamMesh`; `createSpool` decides where the arrays of VTU are kept. */
+export async function streamedMesh(
+  mesh: Mesh,
+  fileName: string,
+  options: WriteFileOptions,
+  createSpool: () => Spool,
+): Promise<StreamedMesh> {
   checkArgument("options", options, writeOptions);
   const unknown = unknownOption(options, WRITE_OPTIONS);
   if (unknown !== undefined) {
@@ -122,7 +164,7 @@ export async function writeMesh(
     const known = [...extensionsFor("write", "volume"), ...extensionsFor("write", "surface")];
     const remedy = `Use a name that ends in one of ${known.join(", ")}.`;
     refuse([packageDiagnostic("unknown-format", message, remedy)]);
-    return [];
+    return { files: [], notes: [] };
   }
   const { elementOrder = 1 } = options;
   if (elementOrder === 2 && format !== undefined) refuseLinear(format);
@@ -131,10 +173,9 @@ export async function writeMesh(
   const notes: Diagnostic[] = [];
   const note = (message: string) => notes.push(packageDiagnostic("left-out", message, "", "information"));
   if (format?.writable.includes("volume") === false) noteLostRegions(mesh, note);
-  const files = write(written, fileName, note);
   const rows = (written.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
-  const contents = await generated(files, options, (passes * rows) / STEP);
-  return contents.map((content, f) => ({ ...content, notes: f === 0 ? notes : [] }));
+  const files = write(written, fileName, note, createSpool);
+  return { files: streamed(files, options, (passes * rows) / STEP), notes };
 }
 
 /** Rejects a format that stores linear elements only. */
@@ -153,29 +194,35 @@ const DEFAULT_PASSES = 4;
 /** Largest fraction reported before the end, as the estimate may be too low. */
 const MAX_ESTIMATE = 0.99;
 
-/** Generates the bytes of the files, about `expected` pieces, and yields between them. */
-async function generated(
+/** Most bytes of a piece: a program that copies each needs no more memory. */
+const PIECE_BYTES = 1 << 20;
+
+/** Returns files whose bytes are generated while they are read, in about `expected` pieces, with pauses between them. */
+function streamed(
   files: readonly FileParts[],
   { signal, onProgress }: WriteFileOptions,
   expected: number,
-): Promise<Omit<WrittenFile, "notes">[]> {
+): StreamedFile[] {
   const yielder = new Yielder(signal);
-  const contents: Omit<WrittenFile, "notes">[] = [];
   let [steps, bytes] = [0, 0];
-  for (const { fileName, parts } of files) {
-    const pieces: Uint8Array[] = [];
+  const piecesOf = async function* (
+    parts: Iterable<Part>,
+    isLast: boolean,
+  ): AsyncGenerator<Uint8Array, void> {
     for (const piece of piecesIn(parts)) {
       steps++;
       bytes += piece.length;
-      if (piece.length > 0) pieces.push(piece);
+      for (let at = 0; at < piece.length; at += PIECE_BYTES) yield piece.subarray(at, at + PIECE_BYTES);
       if (!yielder.isDue) continue;
       onProgress?.({ fraction: Math.min(MAX_ESTIMATE, steps / expected), bytes });
       await yielder.yield();
     }
-    contents.push({ fileName, bytes: joined(pieces) });
-  }
-  onProgress?.({ fraction: 1, bytes });
-  return contents;
+    if (isLast) onProgress?.({ fraction: 1, bytes });
+  };
+  return files.map(({ fileName, parts }, f) => ({
+    fileName,
+    pieces: piecesOf(parts, f === files.length - 1),
+  }));
 }
 
 async function readAny(

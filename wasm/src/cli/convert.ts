@@ -4,7 +4,7 @@
  */
 import { readingNotes } from "../api/reading-notes.js";
 import path from "node:path";
-import { writeMesh } from "../api/mesh-files.js";
+import { streamedMesh, type WriteFileOptions } from "../api/mesh-files.js";
 import type { RepairOptions } from "../api/option-types.js";
 import { repaired } from "../api/surface-preparation.js";
 import { splitText } from "../api/treatment-texts.js";
@@ -12,8 +12,9 @@ import { plural } from "../base/plural.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { boundaryOf } from "../formats/boundary.js";
-import type { Contents, WrittenFile } from "../formats/file-format.js";
+import type { Contents } from "../formats/file-format.js";
 import { extensionOf, extensionsFor, formatOf } from "../formats/file-formats.js";
+import { fileSpool } from "../formats/file-spool.js";
 import { omittedDataMessage } from "../formats/format-limits.js";
 import { numbered } from "../formats/groups.js";
 import { surfaceOf } from "../formats/surface-file.js";
@@ -24,7 +25,7 @@ import { writeProject } from "../project/project.js";
 import { PROJECT_FORMAT, type Project, type ProjectBody } from "../project/project-types.js";
 import { PROJECT_VERSION } from "../project/versions.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
-import { FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
+import { FileError, refuseFolder, STANDARD_STREAM, temporaryFolderFor, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile } from "./input.js";
 import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js";
@@ -60,7 +61,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     const given = await readMeshFile(input, options);
     const whole = await prepared(given, { input, output, name, repair, isQuiet });
     const mesh = await withSplitPatches(input, whole, options);
-    await writeAll(await writeMesh(mesh, name, { elementOrder }), { input, output, name, isQuiet });
+    await writeMeshTo({ input, output, name, isQuiet }, mesh, { elementOrder });
     if (!isQuiet) {
       const faces = await inSteps(tetFaces(mesh));
       printDiagnostics(input, (await inSteps(findDefects(mesh, faces))).map(asWarning), { isQuiet });
@@ -159,14 +160,18 @@ export interface Destination {
   readonly isQuiet: boolean;
 }
 
-/** Writes the files of one mesh, and prints what its format cannot store. */
-export async function writeAll(
-  files: readonly WrittenFile[],
+/** Writes the files of one mesh while their bytes are made; prints and returns what its format cannot store. */
+export async function writeMeshTo(
   { input, output, name, isQuiet }: Destination,
-): Promise<void> {
+  mesh: Mesh,
+  options: WriteFileOptions = {},
+): Promise<readonly Diagnostic[]> {
+  const folder = await temporaryFolderFor(output);
+  const { files, notes } = await streamedMesh(mesh, name, options, () => fileSpool(folder));
   enterStage(`writing ${output}`);
-  for (const { notes } of files) printDiagnostics(input, notes, { isQuiet });
-  for (const { fileName, bytes } of files) await writeOutput(fileName === name ? output : fileName, bytes);
+  for (const { fileName, pieces } of files) await writeOutput(fileName === name ? output : fileName, pieces);
+  printDiagnostics(input, notes, { isQuiet });
+  return notes;
 }
 
 interface Conversion extends Destination {

@@ -2,8 +2,10 @@
 import { randomUUID } from "node:crypto";
 import { constants, createReadStream, fstatSync, rmSync, writeFileSync, type Stats } from "node:fs";
 import { access, lstat, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
+import { tmpdir } from "node:os";
 import path from "node:path";
 import { isatty } from "node:tty";
+import { MesherError } from "../diagnostics/mesher-error.js";
 import { allBytes } from "../formats/byte-source.js";
 import { type EndingSignal, offEndingSignals, onEndingSignals } from "./signals.js";
 
@@ -156,12 +158,22 @@ function temporaryFor(target: string): string {
   return path.join(path.dirname(target), `.${randomUUID()}.part`);
 }
 
+/** Content of an output: all of it, or pieces that are made while they are written. */
+export type Content = string | Uint8Array | AsyncIterable<Uint8Array>;
+
+/** Returns the folder for temporary files of an output: its own, unless the output is a stream or a device. */
+export async function temporaryFolderFor(file: string): Promise<string> {
+  if (file === STANDARD_STREAM) return tmpdir();
+  const found = await statOf(file);
+  return found === undefined || found.isFile() ? path.dirname(file) : tmpdir();
+}
+
 /**
  * Writes a file so that no program ever sees a part of it: to a temporary file next to it, which is then renamed. A
  * replaced file keeps its permissions. Devices and pipes must not be replaced and are written to directly. Throws a
- * FileError.
+ * FileError; what the making of a piece throws is thrown as it is.
  */
-export async function writeOutput(file: string, content: string | Uint8Array): Promise<void> {
+export async function writeOutput(file: string, content: Content): Promise<void> {
   if (file === STANDARD_STREAM) return writeToStandardOutput(content);
   const found = await statOf(file);
   try {
@@ -174,6 +186,7 @@ export async function writeOutput(file: string, content: string | Uint8Array): P
       await rename(temporary, target);
     });
   } catch (failure) {
+    if (failure instanceof MesherError) throw failure;
     throw new WriteError(
       file,
       `the file cannot be written (${reasonOf(failure)})`,
@@ -219,11 +232,15 @@ function endBySignal(signal: EndingSignal): void {
 export class ClosedPipe extends Error {}
 
 /** Writes all of the content. Throws a ClosedPipe, or a WriteError if writing fails for another reason. */
-export async function writeToStandardOutput(content: string | Uint8Array): Promise<void> {
+export async function writeToStandardOutput(content: Content): Promise<void> {
   try {
-    if (isSynchronous(process.stdout.fd)) writeFileSync(process.stdout.fd, Buffer.from(content));
-    else await written(process.stdout, content);
+    const isAtOnce = isSynchronous(process.stdout.fd);
+    for await (const piece of piecesOf(content)) {
+      if (isAtOnce) writeFileSync(process.stdout.fd, piece);
+      else await written(process.stdout, piece);
+    }
   } catch (failure) {
+    if (failure instanceof MesherError) throw failure;
     if (codeOf(failure) === "EPIPE") throw new ClosedPipe();
     throw new WriteError(
       "standard output",
@@ -242,6 +259,10 @@ function isSynchronous(descriptor: number): boolean {
   return found.isFile() || (found.isCharacterDevice() && !isatty(descriptor));
 }
 
+function piecesOf(content: Content): AsyncIterable<Uint8Array> | readonly (string | Uint8Array)[] {
+  return typeof content === "string" || content instanceof Uint8Array ? [content] : content;
+}
+
 function written(stream: NodeJS.WritableStream, content: string | Uint8Array): Promise<void> {
   return new Promise((resolve, reject) => {
     stream.write(content, (failure) => (failure == null ? resolve() : reject(failure)));
@@ -249,16 +270,11 @@ function written(stream: NodeJS.WritableStream, content: string | Uint8Array): P
 }
 
 /** `mode`: permissions of the new file, if they are not the usual ones. */
-async function writeTo(
-  file: string,
-  content: string | Uint8Array,
-  flags: "w" | "wx",
-  mode?: number,
-): Promise<void> {
+async function writeTo(file: string, content: Content, flags: "w" | "wx", mode?: number): Promise<void> {
   const handle = await open(file, flags);
   try {
     if (mode !== undefined) await handle.chmod(mode);
-    await handle.writeFile(content);
+    for await (const piece of piecesOf(content)) await handle.writeFile(piece);
   } finally {
     await handle.close();
   }

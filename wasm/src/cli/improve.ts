@@ -2,14 +2,13 @@
 import { readingNotes } from "../api/reading-notes.js";
 import type { ImproveOptions } from "../api/option-types.js";
 import { checkImproveOptions } from "../api/mesh-options.js";
-import { writeMesh } from "../api/mesh-files.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { omittedDataMessage } from "../formats/format-limits.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { MeshImprovement, MeshShapes } from "../mesh/improvement.js";
-import { withBoundary, writableName, writeAll } from "./convert.js";
+import { withBoundary, writableName, writeMeshTo } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
 import { numberIn, readMeshFile, refuseOptions, type InputOptions } from "./input.js";
 import type { UnitOptions } from "./units.js";
@@ -72,8 +71,8 @@ async function improveAndWrite(input: string, options: ImproveCommandOptions): P
   const { mesh: better, nodeOrigin: _, diagnostics: found, ...figures } = made;
   const diagnostics = found.map(withRemedy);
   const mesh = made.isImproved ? better : given;
-  const files = await writeMesh(mesh.triangles.length > 0 ? mesh : await withBoundary(mesh), name);
-  await writeAll(files, { input, output, name, isQuiet });
+  const whole = mesh.triangles.length > 0 ? mesh : await withBoundary(mesh);
+  const notes = await writeMeshTo({ input, output, name, isQuiet }, whole);
   printDiagnostics(input, diagnostics, { isQuiet });
   if (made.isPartial) print(`${input}: stopped; the mesh made so far is valid, and was written`);
   if (!isQuiet) {
@@ -81,7 +80,6 @@ async function improveAndWrite(input: string, options: ImproveCommandOptions): P
     if (made.isImproved && left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
     print(`${input}: ${improvementText(made)} -> ${output}`);
   }
-  const notes = files.flatMap((file) => file.notes);
   const exitCode = made.isPartial ? ExitCode.notCompleted : ExitCode.meshed;
   return { output, ...figures, diagnostics: [...notes, ...diagnostics], exitCode };
 }

@@ -1,6 +1,5 @@
 /** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { readingNotes, unmeshedNotes } from "../api/reading-notes.js";
-import { writeMesh } from "../api/mesh-files.js";
 import type { SurfaceMeshOptions, SurfaceTreatment } from "../api/option-types.js";
 import { checkGradation, growthOf } from "../api/mesh-options.js";
 import { emptyReport, emptyResult } from "../api/report.js";
@@ -22,7 +21,7 @@ import type { RepairChange } from "../mesh/inspection.js";
 import type { MeshReport, MeshResult, MeshStatus } from "../mesh/report.js";
 import type { Project } from "../project/project-types.js";
 import { asTypedDiagnostic, inCommandLineWords } from "./command-line-words.js";
-import { writableName, writeAll } from "./convert.js";
+import { writableName, writeMeshTo } from "./convert.js";
 import { elementOrderFor, type ElementOrderOption } from "./element-order.js";
 import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
 import { type Input, isCadInput, numberIn, refuseOptions } from "./input.js";
@@ -404,8 +403,8 @@ async function writeResult(
       print(`note: ${subject}: ${inCommandLineWords(line)}`);
     }
   }
-  const files = await writeMesh(mesh, name, { elementOrder: elementOrderFor(options, name) });
-  return succeeds(() => writeAll(files, { input: subject, output, name, isQuiet }));
+  const elementOrder = elementOrderFor(options, name);
+  return succeeds(() => writeMeshTo({ input: subject, output, name, isQuiet }, mesh, { elementOrder }));
 }
 
 type CommandReport = MeshReport & {
@@ -419,7 +418,7 @@ async function writeReport(file: string, report: CommandReport): Promise<boolean
 }
 
 /** Returns whether writing succeeded; if not, prints the failure. */
-async function succeeds(write: () => Promise<void>): Promise<boolean> {
+async function succeeds(write: () => Promise<unknown>): Promise<boolean> {
   try {
     await write();
     return true;

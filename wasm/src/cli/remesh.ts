@@ -20,10 +20,11 @@ import { formatOf } from "../formats/file-formats.js";
 import type { InnerShells } from "../generated/constants.js";
 import type { SurfaceInput } from "../mesh/mesh.js";
 import type { RepairChange } from "../mesh/inspection.js";
-import { writableName, writeAll } from "./convert.js";
-import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
+import { writableName } from "./convert.js";
+import { refuseFolder, STANDARD_STREAM, writeOutput, writeToStandardOutput } from "./files.js";
 import { readModel, refuseOptions } from "./input.js";
 import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
+import { enterStage } from "./stages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { type RemeshCommandOptions, remeshOptions } from "./remeshing.js";
 import { EXACT_REPAIR, printChanges, type RepairCommandOptions, repairOptions } from "./repair.js";
@@ -133,7 +134,9 @@ async function remeshAndWrite(input: string, options: RemeshFileOptions): Promis
     }
     const files = await writeMesh(made.surface, name);
     const diagnostics = await problemsInFile(mesher, files, made.surface, { name, innerShells });
-    await writeAll(files, { input, output, name, isQuiet });
+    enterStage(`writing ${output}`);
+    for (const { notes } of files) printDiagnostics(input, notes, { isQuiet });
+    for (const { fileName, bytes } of files) await writeOutput(fileName === name ? output : fileName, bytes);
     const { isPartial } = made.remesh;
     if (isPartial) print(`${input}: stopped; the surface made so far is valid, and was written`);
     if (!isQuiet) print(`${input}: ${remeshText(made.remesh, "--json")} -> ${output}`);

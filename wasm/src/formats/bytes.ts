@@ -16,11 +16,6 @@ export function* piecesIn(parts: Iterable<Part>): Generator<Uint8Array, void> {
   }
 }
 
-/** Returns the bytes of all parts in one array. */
-export function joinBytes(parts: Iterable<Part>): Uint8Array<ArrayBuffer> {
-  return joined([...piecesIn(parts)]);
-}
-
 export function joined(pieces: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const all = new Uint8Array(pieces.reduce((sum, { length }) => sum + length, 0));
   let end = 0;

@@ -7,6 +7,7 @@ import type { Mesh } from "../mesh/mesh.js";
 import type { ByteSource } from "./byte-source.js";
 import type { Part } from "./bytes.js";
 import type { WrittenMesh } from "./second-order.js";
+import type { Spool } from "./spool.js";
 
 /** Triangles, or tetrahedra with their boundary. */
 export type Contents = "surface" | "volume";
@@ -22,6 +23,21 @@ export interface WrittenFile {
   readonly fileName: string;
   readonly bytes: Uint8Array<ArrayBuffer>;
   /** One diagnostic per kind of content that the format cannot store; attached to the first file. */
+  readonly notes: readonly Diagnostic[];
+}
+
+/** One of the files of a mesh, whose bytes are made while they are read. */
+export interface StreamedFile {
+  readonly fileName: string;
+  /** The bytes of the file, at most 1 MB at a time. Some pieces are parts of the mesh's arrays: do not change them. */
+  readonly pieces: AsyncIterable<Uint8Array>;
+}
+
+/** A mesh that is written while it is read. */
+export interface StreamedMesh {
+  /** Most formats have one file. Read all pieces of a file before those of the next one. */
+  readonly files: readonly StreamedFile[];
+  /** One diagnostic per kind of content that the format cannot store; complete when all pieces have been read. */
   readonly notes: readonly Diagnostic[];
 }
 
@@ -53,9 +69,14 @@ export interface ReadContext {
 export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<Mesh>;
 /**
  * Returns the files of a mesh; the first has the given name. Throws a MesherError if the format cannot hold the
- * mesh.
+ * mesh. `createSpool`: where a writer keeps bytes that come after others that it does not know yet; by default, in memory.
  */
-export type MeshWriter = (mesh: WrittenMesh, fileName: string, note: Note) => readonly FileParts[];
+export type MeshWriter = (
+  mesh: WrittenMesh,
+  fileName: string,
+  note: Note,
+  createSpool?: () => Spool,
+) => readonly FileParts[];
 
 /** Code of a format, loaded on demand. */
 export interface FormatCode {

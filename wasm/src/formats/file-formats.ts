@@ -83,7 +83,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     hasSecondOrder: true,
     load: async () => ({
       ...(await vtkXml()),
-      write: singleFile((await import("./vtu.js")).writeVtu, { minTag: 0, canHoldData: () => true }),
+      write: await vtuWriter(),
     }),
   },
   {
@@ -322,6 +322,13 @@ const GMSH_LIMITS: FormatLimits = {
   canHoldData: (components) => [1, 3, 9].includes(components),
 };
 
+async function vtuWriter(): Promise<MeshWriter> {
+  const { writeVtu } = await import("./vtu.js");
+  return withLimits({ minTag: 0, canHoldData: () => true }, (mesh, fileName, note, createSpool) => [
+    { fileName, parts: writeVtu(mesh, note, createSpool) },
+  ]);
+}
+
 /** Makes a writer of a single file. */
 function singleFile(
   write: (mesh: WrittenMesh, note: Note, fileName: string) => Iterable<Part>,
@@ -331,5 +338,6 @@ function singleFile(
 }
 
 function withLimits(limits: FormatLimits, write: MeshWriter): MeshWriter {
-  return (mesh, fileName, note) => write(fitToFormat(mesh, limits, note), fileName, note);
+  return (mesh, fileName, note, createSpool) =>
+    write(fitToFormat(mesh, limits, note), fileName, note, createSpool);
 }

@@ -19,7 +19,7 @@ export interface Group {
   readonly tag: number;
   /** Unique among the groups of its kind; without quotes and line ends. */
   readonly name: string;
-  /** Node indices of all its elements. */
+  /** Node indices of all its elements: a part of the mesh's array if they follow each other there, otherwise a copy. */
   readonly nodes: Uint32Array;
 }
 
@@ -101,6 +101,20 @@ interface Elements {
   readonly middles: Uint32Array | undefined;
 }
 
+/** Returns the first element of each owner whose elements follow each other, and how many elements each has. */
+function* runsOf(owners: Uint32Array, count: number) {
+  const [counts, starts] = [new Uint32Array(count), new Uint32Array(count)];
+  const isRun = new Uint8Array(count).fill(1);
+  yield* stepwise(owners.length, (e) => {
+    const owner = owners[e] ?? 0;
+    const before = counts[owner] ?? 0;
+    if (before === 0) starts[owner] = e;
+    else if ((starts[owner] ?? 0) + before !== e) isRun[owner] = 0;
+    counts[owner] = before + 1;
+  });
+  return { counts, startOf: (owner: number) => (isRun[owner] === 1 ? starts[owner] : undefined) };
+}
+
 /** Splits elements by owner; the order is kept. */
 function* groupsOf(
   { kind, corners, middles = new Uint32Array() }: Elements,
@@ -109,21 +123,26 @@ function* groupsOf(
   word: string,
   naming: Naming = {},
 ): Steps<Group[]> {
-  const counts = new Uint32Array(groups.length);
-  const ownerOf = (e: number) => owners[e] ?? 0;
   const cornerCount = kind.dimension + 1;
   const middleCount = kind.nodes - cornerCount;
-  yield* stepwise(owners.length, (e) => (counts[ownerOf(e)] = (counts[ownerOf(e)] ?? 0) + 1));
-  const split = Array.from(counts, (count) => new Uint32Array(kind.nodes * count));
+  const { counts, startOf } = yield* runsOf(owners, groups.length);
+  const runs = Array.from(counts, (count, owner) => {
+    const start = middleCount === 0 ? startOf(owner) : undefined;
+    return start === undefined
+      ? undefined
+      : corners.subarray(cornerCount * start, cornerCount * (start + count));
+  });
+  const split = runs.map((run, owner) => run ?? new Uint32Array(kind.nodes * (counts[owner] ?? 0)));
   const filled = new Uint32Array(groups.length);
-  yield* stepwise(owners.length, (e) => {
-    const own = split[ownerOf(e)];
-    let at = filled[ownerOf(e)] ?? 0;
-    if (own) {
-      for (let i = 0; i < cornerCount; i++) own[at++] = corners[cornerCount * e + i] ?? 0;
-      for (let i = 0; i < middleCount; i++) own[at++] = middles[middleCount * e + i] ?? 0;
-    }
-    filled[ownerOf(e)] = at;
+  const isCopied = runs.some((run) => run === undefined);
+  yield* stepwise(isCopied ? owners.length : 0, (e) => {
+    const owner = owners[e] ?? 0;
+    const own = split[owner];
+    if (own === undefined || runs[owner] !== undefined) return;
+    let at = filled[owner] ?? 0;
+    for (let i = 0; i < cornerCount; i++) own[at++] = corners[cornerCount * e + i] ?? 0;
+    for (let i = 0; i < middleCount; i++) own[at++] = middles[middleCount * e + i] ?? 0;
+    filled[owner] = at;
   });
   const taken = new Set<string>();
   const changed: string[] = [];

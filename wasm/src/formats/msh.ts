@@ -38,23 +38,29 @@ export function* writeMsh(mesh: WrittenMesh, note: Note): Generator<Part, void> 
 /** Returns one section per name with the nodes that have values; the same in both versions of the format. */
 export function* nodeDataSections({ nodeData }: WrittenMesh): Generator<Part, void> {
   for (const [name, { components, values }] of nodeData) {
-    const rows: number[] = [];
-    yield* stepwise(values.length / components, (node) => {
-      const own = values.subarray(components * node, components * (node + 1));
-      if (!own.every(Number.isNaN)) rows.push(node);
-    });
-    const width = 4 + 8 * components;
-    const view = new DataView(new ArrayBuffer(width * rows.length));
-    yield* stepwise(rows.length, (r) => {
-      const node = rows[r] ?? 0;
-      view.setInt32(width * r, node + 1, IS_LITTLE_ENDIAN);
-      for (let i = 0; i < components; i++) {
-        view.setFloat64(width * r + 4 + 8 * i, values[components * node + i] ?? NaN, IS_LITTLE_ENDIAN);
-      }
-    });
+    const hasValues = (node: number) =>
+      !values.subarray(components * node, components * (node + 1)).every(Number.isNaN);
+    const count = values.length / components;
+    let rows = 0;
+    yield* stepwise(count, (node) => (rows += hasValues(node) ? 1 : 0));
     // One name, one time, and three numbers: time step, values per node, nodes.
     const title = `"${name.replace(/["\r\n]/g, "'")}"`;
-    yield [`$NodeData\n1\n${title}\n1\n0\n3\n0\n${components}\n${rows.length}\n`, view, "\n$EndNodeData\n"];
+    yield `$NodeData\n1\n${title}\n1\n0\n3\n0\n${components}\n${rows}\n`;
+    const width = 4 + 8 * components;
+    yield* inPieces(count, (begin, end) => {
+      const view = new DataView(new ArrayBuffer(width * (end - begin)));
+      let at = 0;
+      for (let node = begin; node < end; node++) {
+        if (!hasValues(node)) continue;
+        view.setInt32(at, node + 1, IS_LITTLE_ENDIAN);
+        for (let i = 0; i < components; i++) {
+          view.setFloat64(at + 4 + 8 * i, values[components * node + i] ?? NaN, IS_LITTLE_ENDIAN);
+        }
+        at += width;
+      }
+      return new Uint8Array(view.buffer, 0, at);
+    });
+    yield "\n$EndNodeData\n";
   }
 }
 
@@ -91,16 +97,17 @@ function* boundingBox(nodes: Uint32Array, points: Float64Array): Steps<Float64Ar
 }
 
 /** Puts all nodes into one block of the last entity; tags count from 1 in the order of the mesh. */
-function nodes(points: Float64Array, groups: readonly Group[]): ArrayBufferView[] {
+function nodes(points: Float64Array, groups: readonly Group[]): Part[] {
   const count = points.length / 3;
   const owner = groups.at(-1);
   if (owner === undefined || count === 0) return [widened([0, 0, 0, 0])];
-  const tags = Uint32Array.from({ length: count }, (_, i) => i + 1);
   return [
     widened([1, count, 1, count]),
     Int32Array.of(owner.kind.dimension, owner.tag, 0),
     widened([count]),
-    widened(tags),
+    inPieces(count, (begin, end) =>
+      widened(Uint32Array.from({ length: end - begin }, (_, i) => begin + i + 1)),
+    ),
     points,
   ];
 }

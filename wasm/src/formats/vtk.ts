@@ -3,8 +3,8 @@
  * the tetrahedra and the boundary's triangles, with `region` and `patch` as cell data. Text in the old form, with
  * the number of nodes before each cell, because Gmsh reads no other. The title holds the names, if all fit.
  */
-import { type Steps, stepwise } from "../base/steps.js";
-import type { Mesh } from "../mesh/mesh.js";
+import { inPieces, type Steps, stepwise } from "../base/steps.js";
+import type { Mesh, MeshGroup } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { noteNames } from "./groups.js";
@@ -23,18 +23,19 @@ const VTK_QUADRATIC_TETRA = 24;
 export function* writeVtk(mesh: WrittenMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
   const { tetrahedra, triangles, perTetrahedron, perTriangle } = yield* vtkCellNodes(mesh);
-  const { types, regions, patches } = yield* vtkCellData(mesh);
-  const perCell = (values: Int32Array | Uint8Array) => numberRows(values, 1, ([value]) => String(value));
+  const { count, types, regions, patches } = vtkCellData(mesh);
+  const perCell = (values: CellValues) =>
+    inPieces(count, (begin, end) => `${values(begin, end).join("\n")}\n`);
   yield [
     `# vtk DataFile Version 3.0\n${title(mesh, note)}\nASCII\nDATASET UNSTRUCTURED_GRID\n`,
     `POINTS ${points.length / 3} double\n`,
     numberRows(points, 3, (row) => coordinates(row)),
-    `CELLS ${types.length} ${types.length + tetrahedra.length + triangles.length}\n`,
+    `CELLS ${count} ${count + tetrahedra.length + triangles.length}\n`,
     numberRows(tetrahedra, perTetrahedron, (row) => `${perTetrahedron} ${row.join(" ")}`),
     numberRows(triangles, perTriangle, (row) => `${perTriangle} ${row.join(" ")}`),
-    `CELL_TYPES ${types.length}\n`,
+    `CELL_TYPES ${count}\n`,
     perCell(types),
-    `CELL_DATA ${types.length}\nSCALARS region int 1\nLOOKUP_TABLE default\n`,
+    `CELL_DATA ${count}\nSCALARS region int 1\nLOOKUP_TABLE default\n`,
     perCell(regions),
     "SCALARS patch int 1\nLOOKUP_TABLE default\n",
     perCell(patches),
@@ -71,12 +72,16 @@ function title(mesh: Mesh, note: Note): string {
   return "Tetrafront";
 }
 
-/** Cell data of both VTK formats: the tetrahedra, then the triangles. */
+/** Returns one value for each cell from `begin` to `end` - 1. */
+export type CellValues = (begin: number, end: number) => Int32Array;
+
+/** Cell data of both VTK formats: the tetrahedra, then the triangles. They are made when they are requested. */
 export interface VtkCellData {
-  readonly types: Uint8Array;
+  readonly count: number;
+  readonly types: CellValues;
   /** Per cell: the tag of its region or patch; 0 for cells of the other kind. */
-  readonly regions: Int32Array;
-  readonly patches: Int32Array;
+  readonly regions: CellValues;
+  readonly patches: CellValues;
 }
 
 /** Nodes of the cells, with those at the middles of edges after the corners of each cell. */
@@ -112,18 +117,30 @@ function* interleaved(
   return all;
 }
 
-export function* vtkCellData(mesh: WrittenMesh): Steps<VtkCellData> {
+export function vtkCellData(mesh: WrittenMesh): VtkCellData {
   const { tetrahedronRegion, trianglePatch } = mesh;
-  const [tets, faces] = [tetrahedronRegion.length, trianglePatch.length];
-  const regions = new Int32Array(tets + faces);
-  yield* stepwise(tets, (t) => (regions[t] = mesh.regions[tetrahedronRegion[t] ?? 0]?.tag ?? 0));
-  const patches = new Int32Array(tets + faces);
-  yield* stepwise(faces, (t) => (patches[tets + t] = mesh.patches[trianglePatch[t] ?? 0]?.tag ?? 0));
+  const tets = tetrahedronRegion.length;
   const [tetra, triangle] =
     mesh.midNodes === undefined ? [VTK_TETRA, VTK_TRIANGLE] : [VTK_QUADRATIC_TETRA, VTK_QUADRATIC_TRIANGLE];
+  const perCell = (ofTetrahedron: (t: number) => number, ofTriangle: (t: number) => number): CellValues => {
+    return (begin, end) => {
+      const values = new Int32Array(end - begin);
+      for (let cell = begin; cell < end; cell++) {
+        values[cell - begin] = cell < tets ? ofTetrahedron(cell) : ofTriangle(cell - tets);
+      }
+      return values;
+    };
+  };
+  const tags = (groups: readonly MeshGroup[]) => Int32Array.from(groups, ({ tag }) => tag);
+  const [regionTags, patchTags] = [tags(mesh.regions), tags(mesh.patches)];
+  const none = () => 0;
   return {
-    types: new Uint8Array(tets + faces).fill(tetra, 0, tets).fill(triangle, tets),
-    regions,
-    patches,
+    count: tets + trianglePatch.length,
+    types: perCell(
+      () => tetra,
+      () => triangle,
+    ),
+    regions: perCell((t) => regionTags[tetrahedronRegion[t] ?? 0] ?? 0, none),
+    patches: perCell(none, (t) => patchTags[trianglePatch[t] ?? 0] ?? 0),
   };
 }

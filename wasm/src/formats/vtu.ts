@@ -2,17 +2,19 @@
  * Writes VTU (VTK XML unstructured grid), which ParaView, VTK and meshio read: float64 points, then the tetrahedra and
  * the boundary's triangles as cells. Cell data hold the tags `region` and `patch`, 0 for a cell without one. Names are
  * in comments, for Tetrafront, and in field data, for other programs. The arrays are appended raw and compressed with
- * zlib, as ParaView writes them; coordinates survive a round trip bit for bit.
+ * zlib, as ParaView writes them; coordinates survive a round trip bit for bit. The head of the file states where each array
+ * begins, so the compressed arrays are kept in a spool until all are made.
  */
 import { zlibSync } from "fflate";
-import { PAUSE, type Steps, stepwise } from "../base/steps.js";
+import { PAUSE, type Steps } from "../base/steps.js";
 import type { MeshGroup, Mesh } from "../mesh/mesh.js";
-import { IS_LITTLE_ENDIAN, joinBytes, type Part, widened } from "./bytes.js";
+import { IS_LITTLE_ENDIAN, type Part, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, usedGroups } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
 import { allNameLines } from "./name-lines.js";
-import { vtkCellData, vtkCellNodes } from "./vtk.js";
+import { memorySpool, type Spool } from "./spool.js";
+import { type CellValues, vtkCellData, vtkCellNodes } from "./vtk.js";
 
 /** Blocks are compressed one by one; readers keep one of them in memory at a time. */
 const BLOCK_BYTES = 1 << 16;
@@ -21,32 +23,48 @@ const LEVEL = 4;
 
 interface DataArray {
   readonly attributes: string;
-  readonly values: Float64Array | Int32Array | Uint8Array;
+  readonly count: number;
+  /** Bytes per value. */
+  readonly width: number;
+  /** Returns the values from `begin` to `end` - 1. */
+  readonly values: (begin: number, end: number) => ArrayBufferView;
 }
 
 /** Returns the bytes of a VTU file. */
-export function* writeVtu(mesh: WrittenMesh, note: Note): Generator<Part, void> {
+export function* writeVtu(mesh: WrittenMesh, note: Note, createSpool = memorySpool): Generator<Part, void> {
+  const spool = createSpool();
+  try {
+    yield* fileIn(mesh, note, spool);
+  } finally {
+    spool.close();
+  }
+}
+
+function* fileIn(mesh: WrittenMesh, note: Note, spool: Spool): Generator<Part, void> {
   const { points } = mesh;
+  const { count, types, regions, patches } = vtkCellData(mesh);
   const { connectivity, offsets } = yield* cellNodes(mesh);
-  const { types, regions, patches } = yield* vtkCellData(mesh);
+  const perCell = { count, width: 4 };
   const arrays: readonly DataArray[] = [
-    { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', values: points },
-    { attributes: 'type="Int32" Name="connectivity"', values: connectivity },
-    { attributes: 'type="Int32" Name="offsets"', values: offsets },
-    { attributes: 'type="UInt8" Name="types"', values: types },
-    { attributes: 'type="Int32" Name="region"', values: regions },
-    { attributes: 'type="Int32" Name="patch"', values: patches },
+    { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', ...doubles(points) },
+    { attributes: 'type="Int32" Name="connectivity"', ...connectivity },
+    { attributes: 'type="Int32" Name="offsets"', ...perCell, values: offsets },
+    {
+      attributes: 'type="UInt8" Name="types"',
+      count,
+      width: 1,
+      values: (b, e) => Uint8Array.from(types(b, e)),
+    },
+    { attributes: 'type="Int32" Name="region"', ...perCell, values: regions },
+    { attributes: 'type="Int32" Name="patch"', ...perCell, values: patches },
     ...[...mesh.nodeData].map(([name, { components, values }]) => ({
       attributes: `type="Float64" Name="${inQuotes(name)}"${components === 1 ? "" : ` NumberOfComponents="${components}"`}`,
-      values,
+      ...doubles(values),
     })),
   ];
-  const packed: Uint8Array[] = [];
-  for (const { values } of arrays) packed.push(yield* compressed(values));
-  const [pointTag, connectivityTag, offsetTag, typeTag, regionTag, patchTag, ...dataTags] = arrayTags(
-    arrays,
-    packed,
-  );
+  const packed = new Map<DataArray, PackedArray>();
+  for (const array of arrays.toReversed()) packed.set(array, yield* compressed(array, spool));
+  const [pointTag, connectivityTag, offsetTag, typeTag, regionTag, patchTag, ...dataTags] = arrayTags(packed);
   const order = IS_LITTLE_ENDIAN ? "LittleEndian" : "BigEndian";
   const head = [
     '<?xml version="1.0"?>',
@@ -54,7 +72,7 @@ export function* writeVtu(mesh: WrittenMesh, note: Note): Generator<Part, void> 
     ...allNameLines(mesh, note).map((line) => `<!-- ${escaped(line)} -->`),
     "<UnstructuredGrid>",
     ...fieldData(mesh),
-    `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${types.length}">`,
+    `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${count}">`,
     `<Points>${pointTag}</Points>`,
     `<Cells>${connectivityTag}${offsetTag}${typeTag}</Cells>`,
     `<CellData Scalars="region">${regionTag}${patchTag}</CellData>`,
@@ -64,7 +82,17 @@ export function* writeVtu(mesh: WrittenMesh, note: Note): Generator<Part, void> 
     '<AppendedData encoding="raw">',
     "_",
   ].join("\n");
-  yield* [head, ...packed.reverse(), "\n</AppendedData>\n</VTKFile>\n"];
+  yield head;
+  for (const { header, bytes } of packed.values()) yield [header, spool.take(bytes)];
+  yield "\n</AppendedData>\n</VTKFile>\n";
+}
+
+function doubles(values: Float64Array) {
+  return {
+    count: values.length,
+    width: 8,
+    values: (begin: number, end: number) => values.subarray(begin, end),
+  };
 }
 
 /**
@@ -96,19 +124,30 @@ function fieldData(mesh: Mesh): string[] {
 }
 
 /** Returns the nodes of all cells, and the end of each cell among them. */
-function* cellNodes(
-  mesh: WrittenMesh,
-): Steps<{ readonly connectivity: Int32Array; readonly offsets: Int32Array }> {
+function* cellNodes(mesh: WrittenMesh): Steps<{
+  readonly connectivity: Omit<DataArray, "attributes">;
+  readonly offsets: CellValues;
+}> {
   const { tetrahedra, triangles, perTetrahedron, perTriangle } = yield* vtkCellNodes(mesh);
-  const connectivity = new Int32Array(tetrahedra.length + triangles.length);
-  connectivity.set(tetrahedra);
-  connectivity.set(triangles, tetrahedra.length);
-  const [tets, faces] = [tetrahedra.length / perTetrahedron, triangles.length / perTriangle];
-  const offsets = new Int32Array(tets + faces);
-  yield* stepwise(offsets.length, (c) => {
-    offsets[c] = c < tets ? perTetrahedron * (c + 1) : tetrahedra.length + perTriangle * (c + 1 - tets);
-  });
-  return { connectivity, offsets };
+  const ofTetrahedra = tetrahedra.length;
+  const nodes = (begin: number, end: number) => {
+    if (end <= ofTetrahedra) return tetrahedra.subarray(begin, end);
+    const faces = triangles.subarray(Math.max(begin - ofTetrahedra, 0), end - ofTetrahedra);
+    if (begin >= ofTetrahedra) return faces;
+    const both = new Uint32Array(end - begin);
+    both.set(tetrahedra.subarray(begin));
+    both.set(faces, ofTetrahedra - begin);
+    return both;
+  };
+  const tets = ofTetrahedra / perTetrahedron;
+  return {
+    connectivity: { count: ofTetrahedra + triangles.length, width: 4, values: nodes },
+    offsets: (begin, end) =>
+      Int32Array.from({ length: end - begin }, (_, c) => {
+        const cells = begin + c + 1;
+        return perTetrahedron * Math.min(cells, tets) + perTriangle * Math.max(cells - tets, 0);
+      }),
+  };
 }
 
 function inQuotes(name: string): string {
@@ -122,36 +161,42 @@ function escaped(line: string): string {
   return line.replace(/[&<>]|-(?=-|$)/g, (found) => entities[found] ?? found);
 }
 
-/**
- * Returns the number of blocks, the bytes of a block, the bytes of a shorter last block, the compressed size of
- * each block, and the blocks.
- */
-function* compressed(values: ArrayBufferView): Generator<Part, Uint8Array> {
-  const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
-  const blocks: Uint8Array[] = [];
-  for (let at = 0; at < bytes.length; at += BLOCK_BYTES) {
-    blocks.push(zlibSync(bytes.subarray(at, at + BLOCK_BYTES), { level: LEVEL }));
+/** An array in the spool. */
+interface PackedArray {
+  /** Number of blocks, bytes of a block, bytes of a shorter last block, and the compressed size of each block. */
+  readonly header: Uint32Array;
+  /** Bytes of all compressed blocks. */
+  readonly bytes: number;
+}
+
+function* compressed({ count, width, values }: DataArray, spool: Spool): Generator<Part, PackedArray> {
+  const perBlock = BLOCK_BYTES / width;
+  const sizes: number[] = [];
+  for (let begin = 0; begin < count; begin += perBlock) {
+    const { buffer, byteOffset, byteLength } = values(begin, Math.min(begin + perBlock, count));
+    const block = zlibSync(new Uint8Array(buffer, byteOffset, byteLength), { level: LEVEL });
+    spool.add(block);
+    sizes.push(block.length);
     yield PAUSE;
   }
-  const header = [
-    blocks.length,
-    BLOCK_BYTES,
-    bytes.length % BLOCK_BYTES,
-    ...blocks.map((block) => block.length),
-  ];
-  return joinBytes([widened(header), ...blocks]);
+  return {
+    header: widened([sizes.length, BLOCK_BYTES, (count * width) % BLOCK_BYTES, ...sizes]),
+    bytes: sizes.reduce((sum, size) => sum + size, 0),
+  };
 }
 
 /**
- * Returns one element per array with the offset of its values after the underscore; the values of the last array
- * come first. meshio (5.3) finds arrays by offset while it assigns new offsets from the first values on, and if two
+ * Returns one element per array, in reverse order, with the offset of its values after the underscore; the values of the last
+ * array come first. meshio (5.3) finds arrays by offset while it assigns new offsets from the first values on, and if two
  * arrays have the same offset, it takes the first. In this order no new offset equals the old offset of an array
  * that it has yet to find, so it never takes the wrong one.
  */
-function arrayTags(arrays: readonly DataArray[], packed: readonly Uint8Array[]): readonly string[] {
-  let offset = packed.reduce((sum, { length }) => sum + length, 0);
-  return arrays.map(({ attributes }, a) => {
-    offset -= packed[a]?.length ?? 0;
-    return `<DataArray ${attributes} format="appended" offset="${offset}"/>`;
+function arrayTags(packed: ReadonlyMap<DataArray, PackedArray>): readonly string[] {
+  let offset = 0;
+  const tags = Array.from(packed, ([{ attributes }, { header, bytes }]) => {
+    const tag = `<DataArray ${attributes} format="appended" offset="${offset}"/>`;
+    offset += header.byteLength + bytes;
+    return tag;
   });
+  return tags.reverse();
 }

@@ -3,7 +3,7 @@ import { IconSparkles } from "@tabler/icons-react";
 import type { MeshShapes } from "tetrafront/internal";
 import { runNamed } from "../../commands/registry";
 import { canImprove } from "../../session/run";
-import { formatAngle, formatCount } from "../../strings/format";
+import { formatAngle, formatCount, formatShortShare } from "../../strings/format";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { TableHead } from "../../ui/table-head";
 import { improvementOutcome, strings } from "../../strings";
@@ -40,7 +40,7 @@ export function ImproveButton() {
 
 /** Returns a count and its share of all: the share never grows, but the count may. */
 const countWithShare = (count: number, all: number): string =>
-  count === 0 ? formatCount(0) : `${formatCount(count)} (${Number(((100 * count) / all).toPrecision(2))} %)`;
+  count === 0 ? formatCount(0) : `${formatCount(count)} (${formatShortShare(count / all)})`;
 
 const rows: readonly (readonly [name: string, text: (shapes: MeshShapes) => string])[] = [
   [texts.smallestAngle, ({ dihedral }) => formatAngle(dihedral.min)],

@@ -3,7 +3,13 @@ import type { MeshReport, MeshResult } from "tetrafront";
 import { bestValue, scalePosition, type QualityMeasure } from "../../document/mesh-quality";
 import { cancelledText } from "../../session/run-log";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { formatAngle, formatCount, formatMeasure, formatSeconds } from "../../strings/format";
+import {
+  formatAngle,
+  formatCount,
+  formatMeasure,
+  formatSeconds,
+  formatShortShare,
+} from "../../strings/format";
 import { HistogramChart } from "../../ui/histogram-chart";
 import { measuredIn, measureNames, strings } from "../../strings";
 import { ratioMeanings } from "../../strings/ratio-meanings";
@@ -130,6 +136,12 @@ function ReportFacts({ report, measured }: ReportFactsProps) {
     <Facts>
       <dt>{texts.tetrahedra}</dt>
       <dd>{formatCount(report.tetrahedra)}</dd>
+      {report.interior.lattice > 0 && (
+        <>
+          <dt title={texts.latticeHint}>{texts.lattice}</dt>
+          <dd>{texts.latticeShare(formatShortShare(report.interior.lattice / report.tetrahedra))}</dd>
+        </>
+      )}
       <dt>{texts.nodes}</dt>
       <dd>{ifMeasured(formatCount(report.nodes))}</dd>
       <dt>{texts.triangles}</dt>

@@ -1,9 +1,10 @@
-import { Button, SegmentedControl, Switch } from "@mantine/core";
+import { Button, SegmentedControl, Switch, Text } from "@mantine/core";
 import { IconArrowsExchange } from "@tabler/icons-react";
 import type { Layer, Shading, Smoothness } from "../../document/selection";
 import { FieldRow } from "../../ui/fields/field-row";
 import { measureNames, strings } from "../../strings";
-import { useApp, useRegions, useView } from "../shared/app-context";
+import { formatShortShare } from "../../strings/format";
+import { useApp, useRegions, useRun, useView } from "../shared/app-context";
 import { RegionList } from "../shared/region-list";
 import { CutAxisControl, CutSlider } from "./cut-controls";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
@@ -131,6 +132,18 @@ function MouseChoice() {
   );
 }
 
+/** Says what the regular elements are that the cut shows. */
+function LatticeNote() {
+  const lattice = useRun(({ mesh }) => mesh?.report.interior.lattice ?? 0);
+  const tetrahedra = useRun(({ mesh }) => mesh?.report.tetrahedra ?? 0);
+  if (lattice === 0) return null;
+  return (
+    <Text size="xs" c="dimmed" mt={6}>
+      {strings.display.lattice(formatShortShare(lattice / tetrahedra))}
+    </Text>
+  );
+}
+
 function CutSettings() {
   const app = useApp();
   const cut = useView((state) => state.cut);
@@ -159,6 +172,7 @@ function CutSettings() {
       >
         {strings.display.flip}
       </Button>
+      {cut.enabled && <LatticeNote />}
     </>
   );
 }
