@@ -9,6 +9,7 @@ const ENGINE = [
   ["base"],
   ["geom"],
   ["search", "topology"],
+  ["metric"],
   ["field", "model", "fill"],
   ["quality"],
   ["boundary"],
