@@ -14,7 +14,7 @@ const ENGINE = [
   ["quality"],
   ["boundary"],
   ["sizing", "lattice"],
-  ["surface", "volume", "optimize", "curved", "arrangement", "placement"],
+  ["surface", "volume", "optimize", "curved", "arrangement", "placement", "solution"],
   ["preview"],
   ["repair", "remesh"],
 ];
@@ -44,6 +44,7 @@ const PUBLIC_HEADERS = {
   "second_order.h": "curved",
   "covering_grid.h": "preview",
   "size_samples.h": "preview",
+  "solution.h": "solution",
   "curvature_samples.h": "preview",
   "size_proposals.h": "preview",
   "preview.h": "preview",

@@ -87,7 +87,9 @@ TEST(MetricTest, LogarithmicMeansAreContinuousAndBetweenTheirNumbers) {
   EXPECT_EQ(logarithmicMean(0.0, 1.0), 0.0);
   for (double ratio = 1.0; ratio < 1e6; ratio *= 1.003) {
     const double mean = logarithmicMean(1.0, ratio);
-    if (ratio > 1.0) EXPECT_NEAR(mean / ((ratio - 1.0) / std::log(ratio)), 1.0, 3e-13) << ratio;
+    if (ratio > 1.0) {
+      EXPECT_NEAR(mean / ((ratio - 1.0) / std::log(ratio)), 1.0, 3e-13) << ratio;
+    }
     EXPECT_GE(mean, std::sqrt(ratio) * (1.0 - 1e-15));
     EXPECT_LE(mean, 0.5 * (1.0 + ratio) * (1.0 + 1e-15));
   }

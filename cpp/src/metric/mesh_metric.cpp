@@ -94,9 +94,9 @@ Task<std::vector<double>> impliedMetrics(Work& work, const VolumeMesh& mesh) {
         const std::array<Vec3, 4> corners = cornersOf(mesh, tet);
         const double volume = volumeOf(corners);
         const SymmetricTensor metric = impliedMetric(corners);
-        if (!(volume > 0.0) || !isFinite(metric)) return;
+        if (!(volume > 0.0) || !areFinite(metric)) return;
         const SymmetricTensor logarithm = logarithmOf(metric);
-        if (!isFinite(logarithm)) return;
+        if (!areFinite(logarithm)) return;
         for (const NodeId node : nodesOf(mesh, tet)) {
           SymmetricTensor sum = tensorAt(sums, node.index());
           sum.accumulate(logarithm, volume);

@@ -38,7 +38,7 @@ Vec3 orthogonalTo(const Vec3& unit, const Vec3& vector) {
 }  // namespace
 
 bool isMetric(const SymmetricTensor& tensor) {
-  if (!isFinite(tensor)) return false;
+  if (!areFinite(tensor)) return false;
   const auto values = principalAxes(tensor).values;
   const auto [least, most] = std::ranges::minmax(values);
   return least > 0.0 && most <= kMaxAspect * kMaxAspect * least;

@@ -85,7 +85,7 @@ inline void putTensor(std::span<double> tensors, std::size_t i, const SymmetricT
 }
 
 /// Returns whether all six numbers are finite.
-[[nodiscard]] inline bool isFinite(const SymmetricTensor& t) {
+[[nodiscard]] inline bool areFinite(const SymmetricTensor& t) {
   return std::isfinite(t.xx) && std::isfinite(t.xy) && std::isfinite(t.xz) && std::isfinite(t.yy) &&
          std::isfinite(t.yz) && std::isfinite(t.zz);
 }
