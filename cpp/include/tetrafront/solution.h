@@ -59,4 +59,35 @@ class SolutionSizer : public SlicedTool<SolutionMetric> {
   SolutionSizer(VolumeMesh mesh, SolutionFields fields, SolutionMetricOptions options);
 };
 
+/// Fields on another mesh.
+struct TransferredSolution {
+  std::vector<double>
+      values;  ///< as SolutionFields::values, for the nodes and elements of the other mesh
+  /// Integrals over the meshes, per component of each field: of linear functions between nodes, or of the values of
+  /// elements.
+  std::vector<double> integralsBefore;
+  std::vector<double> integralsAfter;
+  std::uint32_t outside =
+      0;                  ///< nodes or elements of the other mesh that the given one does not reach
+  double farthest = 0.0;  ///< largest distance of these nodes or centroids from the given mesh
+};
+
+/// Transfers fields from one mesh to another. Both need positive volumes; values are finite. A unit of work is about a
+/// step of the front.
+///
+/// By interpolation, a node gets the value of the linear function of the element around it, an element the value of the
+/// element around its centroid; outside the given mesh, the value of the nearest point counts, so a curved boundary may
+/// move by less than a chord.
+///
+/// Conservative transfer intersects the elements of both meshes. An element gets the mean of the values over it. Nodes
+/// get the linear functions nearest to the given ones in the sense of least squares (Farrell et al. 2009, Conservative
+/// interpolation between unstructured meshes via supermesh construction): linear fields are reproduced, and beside jumps
+/// values may leave the range of the given ones. Where both meshes fill the same domain, integrals are kept up to
+/// rounding. Elements that the given mesh covers in part get the mean of the covered part; for nodes,
+/// interpolated values count in the rest.
+class SolutionTransferrer : public SlicedTool<TransferredSolution> {
+ public:
+  SolutionTransferrer(VolumeMesh from, VolumeMesh to, SolutionFields fields, bool isConservative);
+};
+
 }  // namespace tetrafront

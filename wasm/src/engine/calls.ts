@@ -23,6 +23,8 @@ export const CALLS = {
   placeNodes: { module: "tools", hasTriangles: true },
   inspectMesh: { module: "tools" },
   curveEdges: { module: "tools" },
+  sizeFromSolution: { module: "tools" },
+  transferSolution: { module: "tools" },
   improveMesh: { module: "engine" },
   checkRun: { module: "engine" },
 } as const;
