@@ -26,7 +26,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
                 PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples,
                 CurvatureSamples, NodePlacement, SecondOrderMesh, SolutionMetric,
-                TransferredSolution>();
+                TransferredSolution, ReducedMetric>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -53,6 +53,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<MeshGridBuilder, VolumeMesh, Doubles>("BackgroundFromMesh", "backgroundFromMesh");
   registerTool<SolutionSizer, VolumeMesh, SolutionFields, SolutionMetricOptions>(
       "SolutionSizing", "sizeFromSolution");
+  registerTool<MetricReducer, Doubles>("MetricReduction", "reduceMetrics");
   registerTool<SolutionTransferrer, VolumeMesh, VolumeMesh, SolutionFields, bool>(
       "SolutionTransfer", "transferSolution");
   function("memoryBytes", &memoryBytes);

@@ -15,7 +15,7 @@
 #include "metric/metric.h"
 #include "solution/error_metric.h"
 #include "solution/recovered_hessian.h"
-#include "tetrafront/options.h"
+#include "solution/reduced_metric.h"
 #include "tetrafront/solution.h"
 #include "topology/mesh_access.h"
 
@@ -28,9 +28,6 @@ constexpr double kRounding = 1e-11;
 /// Relative difference of the number of elements at which scaling ends, and the number of its steps.
 constexpr double kCountTolerance = 2e-3;
 constexpr int kScalingSteps = 30;
-
-/// Elements of a mesh by the front / complexity of its sizes (sizing/expected_count.h), for a grid with one stretching.
-constexpr double kElementsOfFront = 8.485281374238571;
 
 constexpr std::size_t kNodesPerUnit = 8;
 
@@ -170,20 +167,6 @@ class MetricScaling {
   std::vector<double> limited_;
 };
 
-/// Writes the background grid with one stretching.
-void reduceToOneStretching(SolutionMetric& result) {
-  const std::size_t nodes = result.metrics.size() / kTensorNumbers;
-  const double perEdge = cubeRoot(kElementsOfFront / kElementsPerComplexity);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    const StretchedSize full = stretchedSizeOf(tensorAt(result.metrics, i));
-    const double across = full.size * std::sqrt(full.secondStretching);
-    const double stretching = full.size * full.stretching / across;
-    result.sizes.push_back(perEdge * across);
-    result.stretchings.push_back(std::clamp(stretching, 1.0, kMaxStretching));
-    for (int k = 0; k < 3; ++k) result.directions.push_back(full.direction[k]);
-  }
-}
-
 double magnitudeOf(std::span<const double> values) {
   double magnitude = 0.0;
   for (const double value : values) magnitude = std::max(magnitude, std::fabs(value));
@@ -227,7 +210,7 @@ void describe(const VolumeMesh& mesh, std::span<const FieldMetric> fields, Error
     result.errors.push_back(varies ? expectedError(mesh, field, result.metrics, norm) : 0.0);
     result.hasVariation.push_back(varies ? 1 : 0);
   }
-  reduceToOneStretching(result);
+  result.reduced = reducedMetric(result.metrics);
 }
 
 Task<SolutionMetric> sizeFromSolution(Work& work, const SizingInput& input) {
