@@ -24,6 +24,7 @@ export const CALLS = {
   inspectMesh: { module: "tools" },
   curveEdges: { module: "tools" },
   sizeFromSolution: { module: "tools" },
+  reduceMetrics: { module: "tools" },
   transferSolution: { module: "tools" },
   improveMesh: { module: "engine" },
   checkRun: { module: "engine" },
