@@ -28,6 +28,7 @@
 #include "tetrafront/quality_statistics.h"
 #include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
+#include "tetrafront/solution.h"
 #include "tetrafront/status.h"
 #include "tetrafront/surface_tools.h"
 #include "volume/rules.h"
@@ -224,6 +225,7 @@ void printEnums() {
   printEnum<SourceType>("SourceType", "SOURCE_TYPES", "Shape of a source of size.");
   printEnum<CoverShape>("CoverShape", "COVER_SHAPES",
                         "Shape of a covering grid: five tetrahedra that fill a box, or one.");
+  printEnum<ErrorNorm>("ErrorNorm", "ERROR_NORMS", "Norm of the interpolation error of a field.");
   printEnum<InnerShells>("InnerShells", "INNER_SHELLS",
                          "What a closed shell inside a region bounds.");
   printEnum<FrontOrder>("FrontOrder", "FRONT_ORDERS", "Order in which faces leave the front.");
@@ -305,6 +307,7 @@ void printModule() {
   printDefaults<PlaneOptions>("PLANE_DEFAULTS", "Defaults of the fill of a polygon.");
   printDefaults<ProposalOptions>("PROPOSAL_DEFAULTS",
                                  "Defaults of size proposals; 0 leaves a size to the engine.");
+  printDefaults<SolutionMetricOptions>("SOLUTION_SIZE_DEFAULTS", "Defaults of sizes from fields.");
   printNumber("SOURCE_GROWTH", SizeSource{}.growth, "Default growth of a source.");
   printType<Model>("ModelArrays", "A drawn model.");
   printType<BodySurfaces>("BodySurfaceArrays", "The surfaces of all bodies, in one.");

@@ -11,6 +11,7 @@
 #include "tetrafront/second_order.h"
 #include "tetrafront/size_proposals.h"
 #include "tetrafront/size_samples.h"
+#include "tetrafront/solution.h"
 #include "tetrafront/surface_tools.h"
 
 EMSCRIPTEN_BINDINGS(tools) {
@@ -20,10 +21,12 @@ EMSCRIPTEN_BINDINGS(tools) {
 
   registerTypes<Doubles, Indices, bool, double, Model, VolumeMesh, BackgroundGrid, CoverShape,
                 MeshOptions, InspectionOptions, RepairOptions, RemeshOptions, ProposalOptions,
-                BodySurfaces, GivenRegions, ModelTriangles>();
+                BodySurfaces, GivenRegions, ModelTriangles, SolutionFields,
+                SolutionMetricOptions>();
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
                 PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples,
-                CurvatureSamples, NodePlacement, SecondOrderMesh>();
+                CurvatureSamples, NodePlacement, SecondOrderMesh, SolutionMetric,
+                TransferredSolution, ReducedMetric>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -48,5 +51,10 @@ EMSCRIPTEN_BINDINGS(tools) {
       "SizeSampling", "sampleSizes");
   registerTool<CurvatureSampler, Model>("CurvatureSampling", "sampleCurvature");
   registerTool<MeshGridBuilder, VolumeMesh, Doubles>("BackgroundFromMesh", "backgroundFromMesh");
+  registerTool<SolutionSizer, VolumeMesh, SolutionFields, SolutionMetricOptions>(
+      "SolutionSizing", "sizeFromSolution");
+  registerTool<MetricReducer, Doubles>("MetricReduction", "reduceMetrics");
+  registerTool<SolutionTransferrer, VolumeMesh, VolumeMesh, SolutionFields, bool>(
+      "SolutionTransfer", "transferSolution");
   function("memoryBytes", &memoryBytes);
 }

@@ -27,13 +27,17 @@ export {
   type RefineOptions,
   type RemeshOptions,
   type RepairOptions,
+  type SolutionSizeOptions,
   type SplitOptions,
   SURFACE_TREATMENTS,
   type SurfaceMeshOptions,
   type SurfaceProposalOptions,
   type SurfaceTreatment,
+  type TransferOptions,
 } from "./api/option-types.js";
 export {
+  ERROR_NORMS,
+  type ErrorNorm,
   FRONT_ORDERS,
   type FrontOrder,
   INNER_SHELLS,
@@ -80,6 +84,7 @@ export type { MeshImprovement } from "./mesh/improvement.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { QualityReport } from "./mesh/quality.js";
 export type { CurvedMesh, SecondOrderQuality } from "./mesh/second-order.js";
+export type { FieldIntegral, FieldValues, SolutionSizes, TransferredFields } from "./mesh/solution.js";
 export { measureTriangles } from "./api/triangle-shapes.js";
 export type { TriangleShapes } from "./mesh/triangle-shapes.js";
 

@@ -1,21 +1,11 @@
 #pragma once
 
-/// @file Limits a size tensor by an isotropic size or by another tensor. Eigenvectors come from a
-/// fixed number of Jacobi sweeps, so that all machines compute the same bits.
-
-#include <array>
+/// @file Limits a size tensor by an isotropic size or by another tensor.
 
 #include "field/size_tensor.h"
+#include "metric/principal_axes.h"
 
 namespace tetrafront {
-
-/// The matrix is the sum of values[i] axes[i] axes[i]^T.
-struct PrincipalAxes {
-  std::array<double, 3> values;
-  std::array<Vec3, 3> axes;  ///< orthonormal
-};
-[[nodiscard]] PrincipalAxes principalAxes(const SymmetricTensor& tensor);
-[[nodiscard]] SymmetricTensor composed(const PrincipalAxes& principal);
 
 /// Returns an upper bound of the principal values.
 [[nodiscard]] double largestPossible(const SymmetricTensor& tensor);

@@ -282,7 +282,12 @@ export function checkPositions(positions: Float64Array): Diagnostic[] {
   return checkArrays("positions", positions, schema, "Pass x y z per position in a Float64Array.");
 }
 
-function checkArrays(name: string, value: unknown, schema: v.GenericSchema, remedy: string): Diagnostic[] {
+export function checkArrays(
+  name: string,
+  value: unknown,
+  schema: v.GenericSchema,
+  remedy: string,
+): Diagnostic[] {
   const problem = problemIn(schema, value);
   if (problem === undefined) return [];
   const where = problem.path === "" ? name : `${name}.${problem.path}`;

@@ -13,6 +13,7 @@ import type { MeshImprovement } from "../mesh/improvement.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { CurvedMesh } from "../mesh/second-order.js";
+import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground, ProjectSource } from "../project/project-types.js";
@@ -27,9 +28,11 @@ import type {
   RefineOptions,
   RemeshOptions,
   RepairOptions,
+  SolutionSizeOptions,
   SplitOptions,
   SurfaceMeshOptions,
   SurfaceProposalOptions,
+  TransferOptions,
 } from "./option-types.js";
 import type { RegionLocation } from "./region-location.js";
 import type { MeshedSurface } from "./meshed-surface.js";
@@ -302,6 +305,35 @@ export interface Mesher {
    *     const files = await writeMesh(mesh, "part.vtu", { elementOrder: 2 });
    */
   curveMesh(mesh: Mesh, curvedEdges?: CurvedEdges, control?: RunControl): Promise<CurvedMesh>;
+  /**
+   * Returns a metric for the interpolation error of fields of a solver: elements become small where the fields bend, and thin across
+   * their layers. The second derivatives are recovered at the nodes, exactly for quadratic fields; the metrics of several fields are
+   * intersected. A field that does not vary, or is linear, has no effect, with a warning `constant-field`. Rejects with
+   * `invalid-arrays` about wrong numbers of values and values that are not finite, and with `invalid-mesh` if an element
+   * has no positive volume. O(n log n) for n nodes. Works in slices beside a run.
+   *
+   *     const { mesh: background } = await mesher.sizeFromSolution(mesh, [{ components: 1, values }], { elements: 50_000 });
+   *     await mesher.meshProject(project, { background: await mesher.backgroundFromMesh(background) });
+   */
+  sizeFromSolution(
+    mesh: VolumeInput,
+    fields: readonly FieldValues[],
+    options: SolutionSizeOptions,
+    control?: RunControl,
+  ): Promise<SolutionSizes>;
+  /**
+   * Transfers fields from one mesh to another, by interpolation or, with `conservative`, so that their integrals are kept where both
+   * meshes fill the same domain. Nodes outside the given mesh take the value of its nearest point. Conservative fields at
+   * nodes are projected in the sense of least squares and may leave the range of the given values beside jumps; those at
+   * elements do not. Rejects as `sizeFromSolution`. Works in slices beside a run.
+   */
+  transferSolution(
+    from: VolumeInput,
+    to: VolumeInput,
+    fields: readonly FieldValues[],
+    options?: TransferOptions,
+    control?: RunControl,
+  ): Promise<TransferredFields>;
   /** Terminates the worker; pending calls reject. */
   dispose(): void;
 }

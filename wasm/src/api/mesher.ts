@@ -15,6 +15,7 @@ import type { CurvedEdges, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { CurvedMesh } from "../mesh/second-order.js";
+import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground } from "../project/project-types.js";
@@ -32,6 +33,7 @@ import type {
 import { type RegionLocation, locateRegions } from "./region-location.js";
 import { curveMesh } from "./second-order-mesh.js";
 import { sampleSizes } from "./size-samples.js";
+import { sizeFromSolution, transferSolution } from "./solution.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
   CoverOptions,
@@ -44,9 +46,11 @@ import type {
   RefineOptions,
   RemeshOptions,
   RepairOptions,
+  SolutionSizeOptions,
   SplitOptions,
   SurfaceMeshOptions,
   SurfaceProposalOptions,
+  TransferOptions,
 } from "./option-types.js";
 import { meshedSurface, unmeshed } from "./surface-meshing.js";
 import { SurfaceTools } from "./surface-tools.js";
@@ -241,6 +245,25 @@ class WorkerMesher implements Mesher {
 
   async curveMesh(mesh: Mesh, curvedEdges?: CurvedEdges, control: RunControl = {}): Promise<CurvedMesh> {
     return curveMesh(this.#client, mesh, curvedEdges, control);
+  }
+
+  async sizeFromSolution(
+    mesh: VolumeInput,
+    fields: readonly FieldValues[],
+    options: SolutionSizeOptions,
+    control: RunControl = {},
+  ): Promise<SolutionSizes> {
+    return sizeFromSolution(this.#client, { mesh, fields }, options, control);
+  }
+
+  async transferSolution(
+    from: VolumeInput,
+    to: VolumeInput,
+    fields: readonly FieldValues[],
+    options: TransferOptions = {},
+    control: RunControl = {},
+  ): Promise<TransferredFields> {
+    return transferSolution(this.#client, { from, to, fields }, options, control);
   }
 
   dispose(): void {

@@ -2,6 +2,7 @@
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import { doubles, map } from "../calls/schemas.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidArrays } from "../diagnostics/package-diagnostic.js";
 import type { Mesh, VolumeInput } from "../mesh/mesh.js";
@@ -42,6 +43,28 @@ export function sizesAtNodes({ points, tetrahedra, nodeData = new Map() }: Volum
   };
 }
 
+/** Returns the node values `metric` of a mesh that has no `size`; undefined if there are none. Rejects a wrong number per node. */
+export function metricsAtNodes({ points, nodeData = new Map() }: VolumeInput): Float64Array | undefined {
+  const metric = keyOf({ nodeData }, "metric");
+  if (metric === undefined || keyOf({ nodeData }, "size") !== undefined) return undefined;
+  const values = nodeData.get(metric)?.values;
+  checkArgument('mesh.nodeData "metric"', values, v.optional(doubles()));
+  if (values?.length !== 2 * points.length) {
+    const remedy = "Store xx, xy, xz, yy, yz and zz of the metric at each node.";
+    refuse([invalidArrays("`metric` must have six values per node", remedy)]);
+  }
+  return values;
+}
+
+/** Says that the metric at a node is not one. */
+export function notPositive(node: number): Diagnostic {
+  const message = `the metric at node ${node} (counted from 0) is not positive definite, or its sizes differ by more than a factor of 1e6`;
+  return invalidArrays(
+    message,
+    "Use a metric with three positive eigenvalues, the inverse squares of the sizes.",
+  );
+}
+
 /**
  * Returns the name of the node values that equals `name`, or differs from it in case only and is the only such
  * name.
@@ -60,5 +83,7 @@ export function unusedData(mesh: WithData): string[] {
   checkArgument("mesh", mesh, v.object({ nodeData: map }));
   const stretching = keyOf(mesh, "stretching");
   const used = [keyOf(mesh, "size"), stretching, stretching && keyOf(mesh, "direction")];
+  // A background grid of `sizeFromSolution` has the same sizes once more as a full metric.
+  used.push(keyOf(mesh, "metric"));
   return [...mesh.nodeData.keys()].filter((name) => !used.includes(name));
 }

@@ -1,5 +1,12 @@
 /** Options of the calls of a mesher. */
-import type { CoverShape, FrontOrder, InnerShells, Interior, Optimization } from "../generated/constants.js";
+import type {
+  CoverShape,
+  ErrorNorm,
+  FrontOrder,
+  InnerShells,
+  Interior,
+  Optimization,
+} from "../generated/constants.js";
 import type { ElementOrder } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
@@ -173,6 +180,38 @@ export interface InspectionOptions extends Pick<SizeOptions, "innerShells"> {
    * 0.8 kB of memory and 10 µs.
    */
   readonly maxDiagnostics?: number | undefined;
+}
+
+/**
+ * Options of `sizeFromSolution`: either `elements` or `error`, and limits. Sizes are edge lengths in model units.
+ */
+export interface SolutionSizeOptions {
+  /** Target number of elements, 1 to 1e9; the metric asks for it within 5 % if the limits permit. */
+  readonly elements?: number | undefined;
+  /** Target interpolation error of each field, in the unit of the field and the norm: for `l2`, times the square root of volume. */
+  readonly error?: number | undefined;
+  /** Norm of the interpolation error: `l1`, `l2`, `l4`, or `max` for the largest error. Default `l2`. */
+  readonly norm?: ErrorNorm | undefined;
+  /** One size at each node, the smallest. Default false. */
+  readonly isotropic?: boolean | undefined;
+  /** Smallest size. Default: no limit. */
+  readonly minSize?: number | undefined;
+  /** Largest size. Default: the diagonal of the mesh's bounding box. */
+  readonly maxSize?: number | undefined;
+  /** Largest ratio of two sizes at a node, 1 to 1e6. Default 10000. */
+  readonly maxAspect?: number | undefined;
+  /**
+   * Growth of the sizes per unit of distance, 0 to 10: the metric at a node may grow by one factor in all directions, by which the size
+   * along an edge grows by `growth` times its length, so thin layers stay thin along themselves. Default 0.5; `Infinity` for no
+   * limit.
+   */
+  readonly growth?: number | undefined;
+}
+
+/** Options of `transferSolution`. */
+export interface TransferOptions {
+  /** Keep the integrals of the fields, by the exact intersections of the elements. Default false: interpolate. */
+  readonly conservative?: boolean | undefined;
 }
 
 /** Options of `coverProject`. The size is that of every node; by default 1/20 of the model's diagonal. */

@@ -4,14 +4,14 @@ import { refuse } from "../diagnostics/mesher-error.js";
 import type { EngineClient } from "../engine/engine-client.js";
 import type { MeshInspection } from "../mesh/inspection.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
-import type { VolumeInput } from "../mesh/mesh.js";
+import type { NodeData, VolumeInput } from "../mesh/mesh.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import { backgroundFrom } from "../project/grid-arrays.js";
 import { beginCall } from "./call-checks.js";
 import { checkImproveInput, checkMesh, checkVolume, unreadableMesh } from "./input-checks.js";
 import { describedMesh } from "./inspection.js";
 import { describedImprovement, improvementErrors } from "./improvement.js";
-import { sizesAtNodes } from "./node-sizes.js";
+import { metricsAtNodes, type NodeSizes, notPositive, sizesAtNodes } from "./node-sizes.js";
 import type { ImproveOptions } from "./option-types.js";
 import { checkGridOptions } from "./grid-options.js";
 import { checkImproveOptions, engineImproveOptions } from "./mesh-options.js";
@@ -63,12 +63,28 @@ export class VolumeTools {
     beginCall(this.#client, control);
     refuse(checkGridOptions(options));
     refuse(checkVolume(mesh, options.sizes));
-    const { sizes, ...stretched } = options.sizes === undefined ? sizesAtNodes(mesh) : options;
+    const { sizes, ...stretched } =
+      options.sizes === undefined ? await this.#sizesAtNodes(mesh, control) : options;
     refuse(checkVolume(mesh, sizes));
     const { points, tetrahedra } = mesh;
     const none = new Uint32Array();
     const volume = { points: points.slice(), tetrahedra: tetrahedra.slice(), regions: none, front: none };
     const given = [volume, sizes?.slice() ?? new Float64Array()] as const;
     return { ...backgroundFrom(await this.#client.ask("backgroundFromMesh", given, control)), ...stretched };
+  }
+
+  /** Returns the sizes at the nodes of a mesh; those of its metric if it has no others. */
+  async #sizesAtNodes(mesh: VolumeInput, control: RunControl): Promise<NodeSizes> {
+    const metrics = metricsAtNodes(mesh);
+    if (metrics === undefined) return sizesAtNodes(mesh);
+    const reduced = await this.#client.ask("reduceMetrics", [metrics.slice()], control);
+    const { sizes, stretchings, directions, invalidNode } = reduced;
+    if (invalidNode < metrics.length / 6) refuse([notPositive(invalidNode)]);
+    const nodeData = new Map<string, NodeData>([
+      ["size", { components: 1, values: sizes }],
+      ["stretching", { components: 1, values: stretchings }],
+      ["direction", { components: 3, values: directions }],
+    ]);
+    return sizesAtNodes({ ...mesh, nodeData });
   }
 }

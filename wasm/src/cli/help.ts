@@ -287,6 +287,45 @@ Examples
   tetrafront trace cube.json -o cube.tft --optimize default --summary | jq .optimization.sweeps
 `;
 
+export const sizesHelp = () => `
+Input
+  A volume mesh with the values of a solver at its nodes:
+${formatLines("readable", "volume")}
+
+Output
+  The same mesh as a background grid, for \`tetrafront adapt\`, \`tetrafront mesh --background\` and others. Its values
+  at the nodes are "metric" (xx, xy, xz, yy, yz, zz: an edge e with e M e = 1 has the target length), and the
+  same with one stretching: "size", "stretching" and "direction". There, the shorter two sizes of a node
+  are replaced by their geometric mean, which keeps the number of elements.
+
+Sizes
+  Elements are small where the fields bend, and thin across their layers. --elements sets their number, --error the
+  interpolation error of each field, in the norm. --min-size, --max-size, --max-aspect and --gradation limit
+  the sizes. If they exclude the number of elements, a warning states which number they permit.
+${EXIT_CODES_HELP}
+
+Examples
+  tetrafront sizes solution.vtu --field temperature --elements 50000 -o background.vtu
+  tetrafront sizes flow.vtu --field velocity --field pressure --error 0.01 --norm L4 -o background.vtu
+  tetrafront mesh body.json -o finer.vtu --background background.vtu
+`;
+
+export const transferHelp = () => `
+Input
+  The volume mesh with the fields, and the mesh that is to have them:
+${formatLines("readable", "volume")}
+
+Result
+  The second mesh with the fields at its nodes. By default, they are interpolated; nodes outside the first mesh take
+  the value of its nearest point. --conservative intersects the elements of both meshes, so that the integral of each
+  field is kept where the meshes fill the same domain; beside jumps, values may leave their range.
+${EXIT_CODES_HELP}
+
+Examples
+  tetrafront transfer solution.vtu finer.vtu -o start.vtu
+  tetrafront transfer solution.vtu finer.vtu -o start.vtu --field density --conservative
+`;
+
 export const COVER_HELP = `
 A background grid defines the element size at its nodes. Edit the sizes in the app or in the file, or let
 \`tetrafront propose\` add sources.

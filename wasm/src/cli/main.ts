@@ -10,6 +10,7 @@ import {
   OPTIMIZATIONS,
   PROPOSAL_DEFAULTS,
   REMESH_DEFAULTS,
+  SOLUTION_SIZE_DEFAULTS,
 } from "../generated/constants.js";
 import { SURFACE_TREATMENTS } from "../api/option-types.js";
 import { IMPROVEMENT_LEVELS } from "../api/mesh-options.js";
@@ -29,8 +30,10 @@ import {
   PROGRAM_HELP,
   PROPOSE_HELP,
   remeshHelp,
+  sizesHelp,
   STATS_HELP,
   TRACE_HELP,
+  transferHelp,
 } from "./help.js";
 import { type ImproveCommandOptions, improveFile } from "./improve.js";
 import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
@@ -40,11 +43,18 @@ import { propose, type ProposeOptions } from "./propose.js";
 import { type RemeshFileOptions, remeshFile } from "./remesh.js";
 import { type TraceCommandOptions, traceFile } from "./trace.js";
 import { FRONT_SEARCHES, MAX_TOLERANCE } from "../trace/experiment.js";
+import {
+  sizesOfFile,
+  type SizesCommandOptions,
+  transferFile,
+  type TransferCommandOptions,
+} from "./solution.js";
 import { exitCodeAfterSignals, IN_BATCH } from "./signals.js";
 import { startStageLines } from "./stages.js";
 import { withUnits } from "./units.js";
 import {
   backgroundOption,
+  fieldOption,
   formatOption,
   fromOption,
   innerShellsOption,
@@ -130,6 +140,8 @@ function commandLine(args: readonly string[], { setExitCode, printHelp }: Comman
   addStats(program, setExitCode);
   addCover(program, setExitCode);
   addPropose(program, setExitCode);
+  addSizes(program, setExitCode);
+  addTransfer(program, setExitCode);
   addTrace(program, setExitCode);
   program.addHelpText("after", PROGRAM_HELP);
   return program;
@@ -401,6 +413,54 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
       setExitCode(await propose(input, { ...options, from: options.from ?? format })),
     );
   withUnits(command);
+}
+
+function addSizes(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("sizes")
+    .description("Make a background grid from the fields of a solver: small elements where they bend.")
+    .argument("<solution>", "volume mesh with values at its nodes")
+    .requiredOption("-o, --output <file>", "output file: the mesh with sizes at its nodes")
+    .addOption(fieldOption())
+    .option("-n, --elements <count>", "number of elements; either this or --error")
+    .option("-e, --error <value>", "interpolation error of each field, in its unit and the norm")
+    .option("--norm <norm>", "norm of the error: L1, L2, L4 or max (default L2)")
+    .option("--isotropic", "one size at each node")
+    .option("--min-size <length>", "smallest size (default: no limit)")
+    .option("--max-size <length>", "largest size (default: diagonal of the mesh)")
+    .option(
+      "--max-aspect <ratio>",
+      `largest ratio of two sizes at a node (default ${SOLUTION_SIZE_DEFAULTS.maxAspect})`,
+    )
+    .option(
+      "--gradation <ratio>",
+      `largest size ratio of neighbouring elements; 0 for no limit (default ${1 + SOLUTION_SIZE_DEFAULTS.growth})`,
+    )
+    .addOption(fromOption())
+    .addOption(toOption())
+    .option("-q, --quiet", "print errors only")
+    .addHelpText("after", sizesHelp);
+  withUnits(command).action(async (input: string, options: SizesCommandOptions) =>
+    setExitCode(await sizesOfFile(input, options)),
+  );
+}
+
+function addTransfer(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("transfer")
+    .description("Transfer the fields of a solver from one volume mesh to another.")
+    .argument("<from>", "volume mesh with values at its nodes")
+    .argument("<to>", "volume mesh")
+    .requiredOption("-o, --output <file>", "output file: the second mesh with the fields")
+    .addOption(fieldOption())
+    .option("--conservative", "keep the integrals of the fields (default: interpolate)")
+    .addOption(fromOption())
+    .addOption(toOption())
+    .option("-q, --quiet", "print errors only")
+    .addHelpText("after", transferHelp);
+  withUnits(command).action(async (from: string, to: string, options: TransferCommandOptions) =>
+    setExitCode(await transferFile(from, to, options)),
+  );
 }
 
 function addCheck(program: Command, setExitCode: SetExitCode): void {

@@ -39,6 +39,10 @@ export const sourceOption = (): Option =>
     "--source <x,y,z,size[,distance[,growth]]>",
     "limit the size up to a distance from a position, growing beyond it; repeatable",
   ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]);
+export const fieldOption = (): Option =>
+  new Option("-f, --field <name>", "field to use; repeatable (default: all)").argParser(
+    (name: string, before: string[] | undefined) => [...(before ?? []), name],
+  );
 export const backgroundOption = (): Option =>
   new Option("-b, --background <file>", "take the sizes from this background grid");
 

@@ -35,6 +35,8 @@ export type PackageCode =
   | "replaced-surface"
   /** A mesh does not have the number of elements that was asked for. */
   | "element-count"
+  /** A field of a solution is linear, so no sizes follow from it. */
+  | "constant-field"
   /** A surface was valid, but is not after the rounding of its file format. */
   | "invalid-when-rounded"
   /** Many elements of a mesh have small dihedral angles. */

@@ -23,6 +23,9 @@ export const CALLS = {
   placeNodes: { module: "tools", hasTriangles: true },
   inspectMesh: { module: "tools" },
   curveEdges: { module: "tools" },
+  sizeFromSolution: { module: "tools" },
+  reduceMetrics: { module: "tools" },
+  transferSolution: { module: "tools" },
   improveMesh: { module: "engine" },
   checkRun: { module: "engine" },
 } as const;

@@ -34,6 +34,7 @@ export type EngineOptions = Readonly<Parameters<Engine["meshModel"]>[2]>;
 export type EngineInspectionOptions = Readonly<Parameters<Tools["inspectSurface"]>[2]>;
 export type EngineProposalOptions = Readonly<Parameters<Tools["propose"]>[1]>;
 export type EngineRepairOptions = Readonly<Parameters<Tools["repairSurface"]>[2]>;
+export type EngineSolutionOptions = Readonly<Parameters<Tools["sizeFromSolution"]>[2]>;
 export type EngineRemeshOptions = Readonly<Parameters<Tools["remeshSurface"]>[4]>;
 
 export type { Engine, Tools, TraceEngine };

@@ -1,10 +1,13 @@
 /**
  * Reads Medit `.mesh` files (text): triangles and quadrilaterals with their reference as patch, tetrahedra with
- * their reference as region. Other sections, such as edges, corners and normals, are skipped.
+ * their reference as region. Other sections, such as edges, corners and normals, are skipped. Values at the nodes come from
+ * the `.sol` file of the same name beside it, if there is one.
  */
 import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
+import type { ReadContext } from "./file-format.js";
+import { readSolBeside } from "./medit-sol.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
@@ -31,7 +34,15 @@ const SKIPPED = new Set([
 const OTHERS =
   /^(hexahedra|hexaedra|prisms|pyramids|(triangles|tetrahedra|hexahedra|prisms|pyramids)[pq][2-4]|quadrilaterals[pq][2-4])$/;
 
-export function readMedit(source: ByteSource): Promise<Mesh> {
+export async function readMedit(source: ByteSource, { fileName, openOther }: ReadContext): Promise<Mesh> {
+  const mesh = await readMeditMesh(source);
+  const stem = fileName.replace(/\.[^.]*$/, "");
+  const { nodeData, notes } = await readSolBeside(stem, mesh.points.length / 3, openOther);
+  if (nodeData.size === 0 && notes.length === 0) return mesh;
+  return { ...mesh, nodeData, notes: [...(mesh.notes ?? []), ...notes] };
+}
+
+function readMeditMesh(source: ByteSource): Promise<Mesh> {
   const names = new NameLines();
   const options = { remedy: REMEDY, comment: "#", onComment: names.readComment };
   return ByteReader.over(source, options, async (reader) => {

@@ -66,6 +66,12 @@ export function* inUnits(mesh: Mesh, { scale = 1, units, fileUnits }: LengthOpti
   const nodeData = new Map(mesh.nodeData);
   const sizes = nodeData.get("size");
   if (sizes !== undefined) nodeData.set("size", { ...sizes, values: yield* converted(sizes.values) });
+  const metrics = nodeData.get("metric");
+  if (metrics !== undefined) {
+    // A metric is the inverse of a squared length.
+    const square = convert(1) ** 2;
+    nodeData.set("metric", { ...metrics, values: metrics.values.map((value) => value / square) });
+  }
   const { regionPoints, trueFaces } = mesh;
   const moved = <Point extends { readonly position: readonly [number, number, number] }>(
     point: Point,
