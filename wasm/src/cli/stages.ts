@@ -9,7 +9,7 @@ const EVERY_MS = 10_000;
 /** Set for the processes of a batch, whose messages appear at their end. */
 export const SILENT = "TETRAFRONT_NO_PROGRESS";
 
-const WORDS: Readonly<Record<ProgressPhase | "improve" | "curve", string>> = {
+const WORDS: Readonly<Record<ProgressPhase | "improve" | "curve" | "adapt", string>> = {
   bodies: "preparing the bodies",
   check: "checking the surface",
   sides: "dividing the lines",
@@ -20,6 +20,7 @@ const WORDS: Readonly<Record<ProgressPhase | "improve" | "curve", string>> = {
   remesh: "remeshing the surface",
   improve: "improving the elements",
   curve: "curving the edges",
+  adapt: "adapting the mesh",
 };
 
 interface Stage {

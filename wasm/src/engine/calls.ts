@@ -26,6 +26,7 @@ export const CALLS = {
   sizeFromSolution: { module: "tools" },
   transferSolution: { module: "tools" },
   improveMesh: { module: "engine" },
+  adaptMesh: { module: "tools" },
   checkRun: { module: "engine" },
 } as const;
 
