@@ -22,6 +22,7 @@
 #include "surface/rules.h"
 #include "tetrafront/covering_grid.h"
 #include "tetrafront/diagnostic_values.h"
+#include "tetrafront/mesh_adaptation.h"
 #include "tetrafront/mesh_improvement.h"
 #include "tetrafront/options.h"
 #include "tetrafront/plane_fill.h"
@@ -304,6 +305,7 @@ void printModule() {
                                "Defaults of a remeshing; 0, or a negative number of layers, leaves "
                                "the choice to the engine.");
   printDefaults<ImproveOptions>("IMPROVE_DEFAULTS", "Defaults of an improvement.");
+  printDefaults<AdaptOptions>("ADAPT_DEFAULTS", "Defaults of an adaptation.");
   printDefaults<PlaneOptions>("PLANE_DEFAULTS", "Defaults of the fill of a polygon.");
   printDefaults<ProposalOptions>("PROPOSAL_DEFAULTS",
                                  "Defaults of size proposals; 0 leaves a size to the engine.");

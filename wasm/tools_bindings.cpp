@@ -4,6 +4,7 @@
 #include "tetrafront/covering_grid.h"
 #include "tetrafront/curvature_samples.h"
 #include "tetrafront/grid_from_mesh.h"
+#include "tetrafront/mesh_adaptation.h"
 #include "tetrafront/mesh_inspection.h"
 #include "tetrafront/node_placement.h"
 #include "tetrafront/region_location.h"
@@ -45,6 +46,8 @@ EMSCRIPTEN_BINDINGS(tools) {
       "Placement", "placeNodes");
   registerTool<SecondOrderBuilder, Doubles, Indices, Indices, Indices, Doubles>("SecondOrder",
                                                                                 "curveEdges");
+  registerTypes<AdaptInput, MetricMesh, AdaptOptions, MeshAdaptation>();
+  registerTool<MeshAdapter, AdaptInput, MetricMesh, AdaptOptions>("Adaptation", "adaptMesh");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

@@ -17,6 +17,7 @@ const ENGINE = [
   ["surface", "volume", "optimize", "curved", "arrangement", "placement", "solution"],
   ["preview"],
   ["repair", "remesh"],
+  ["adapt"],
 ];
 
 /**
@@ -40,6 +41,7 @@ const PUBLIC_HEADERS = {
   "quality_statistics.h": "quality",
   "mesh_inspection.h": "quality",
   "plane_fill.h": "surface",
+  "mesh_adaptation.h": "adapt",
   "mesh_improvement.h": "optimize",
   "second_order.h": "curved",
   "covering_grid.h": "preview",

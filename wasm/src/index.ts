@@ -18,6 +18,7 @@ export type {
 } from "./api/mesher-interface.js";
 export {
   type CoverOptions,
+  type AdaptOptions,
   type ImproveOptions,
   type InspectionOptions,
   type MeshOptions,
@@ -80,6 +81,7 @@ export type {
   SurfaceRemesh,
   SurfaceRepair,
 } from "./mesh/inspection.js";
+export type { MeshAdaptation, MetricStatistics } from "./mesh/adaptation.js";
 export type { MeshImprovement } from "./mesh/improvement.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { QualityReport } from "./mesh/quality.js";

@@ -8,6 +8,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import type { EngineOptions, EngineImproveOptions } from "../engine/loader.js";
 import {
+  ADAPT_DEFAULTS,
   FRONT_ORDERS,
   IMPROVE_DEFAULTS,
   INTERIORS,
@@ -32,6 +33,7 @@ import {
   INNER_SHELL_NUMBERS,
 } from "./option-schema.js";
 import type {
+  AdaptOptions,
   ImproveOptions,
   MeshOptions,
   OrderOptions,
@@ -133,6 +135,20 @@ const improveSchema = objectWith({
     IMPROVE_DEFAULTS.maxGrowth,
   ),
 } satisfies EntriesOf<ImproveOptions>);
+
+const adaptSchema = objectWith({
+  leastQuality: option("least quality", "a number from 0 to 1", within(0, 1), ADAPT_DEFAULTS.leastQuality),
+  sweeps: option(
+    "number of sweeps",
+    "a whole number from 0 to 100",
+    wholeWithin(0, 100),
+    ADAPT_DEFAULTS.sweeps,
+  ),
+} satisfies EntriesOf<AdaptOptions>);
+
+export function checkAdaptOptions(options: AdaptOptions): Diagnostic[] {
+  return checkAgainst(options, adaptSchema);
+}
 
 /** Checks the options of a mesh. `others`: names of further options, which the caller has checked. */
 export function checkOptions(options: MeshOptions, others: readonly string[] = []): Diagnostic[] {

@@ -1,4 +1,5 @@
 /** Implements the mesher: each call in the file of its subject. */
+import { adaptMesh } from "./adaptation.js";
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
 import { refuse } from "../diagnostics/mesher-error.js";
@@ -10,6 +11,7 @@ import type {
   SurfaceRemesh,
   SurfaceRepair,
 } from "../mesh/inspection.js";
+import type { MeshAdaptation } from "../mesh/adaptation.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
 import type { CurvedEdges, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
@@ -37,6 +39,7 @@ import { sizeFromSolution, transferSolution } from "./solution.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
   CoverOptions,
+  AdaptOptions,
   ImproveOptions,
   InspectionOptions,
   MeshOptions,
@@ -241,6 +244,15 @@ class WorkerMesher implements Mesher {
     control: PartialControl = {},
   ): Promise<MeshImprovement> {
     return this.#volumes.improve(mesh, options, control);
+  }
+
+  async adaptMesh(
+    mesh: VolumeInput,
+    background: VolumeInput,
+    options: AdaptOptions = {},
+    control: PartialControl = {},
+  ): Promise<MeshAdaptation> {
+    return adaptMesh(this.#client, { mesh, background }, options, control);
   }
 
   async curveMesh(mesh: Mesh, curvedEdges?: CurvedEdges, control: RunControl = {}): Promise<CurvedMesh> {

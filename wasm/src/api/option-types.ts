@@ -150,6 +150,14 @@ export interface ImproveOptions {
   readonly maxGrowth?: number | undefined;
 }
 
+/** Options of `adaptMesh`. */
+export interface AdaptOptions {
+  /** Quality in the metric that every element should reach, 0 to 1. Default 0.5; few meshes reach more than 0.6. */
+  readonly leastQuality?: number | undefined;
+  /** Number of sweeps over all edges and elements at most, 0 to 100. Default 12; 4 are faster and nearly as good. */
+  readonly sweeps?: number | undefined;
+}
+
 /** Options of `splitPatches`. */
 export interface SplitOptions {
   /**

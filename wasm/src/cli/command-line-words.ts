@@ -32,6 +32,7 @@ const CALLS: ReadonlyMap<string, string> = new Map([
   ["remeshSurface", "--surface remesh"],
   ["inspectSurface", "tetrafront check"],
   ["improveMesh", "tetrafront improve"],
+  ["adaptMesh", "tetrafront adapt"],
 ]);
 
 const OPTION_OR_CALL = /`([a-zA-Z]+(?:: (?:"[^"`]*"|[^"`]+))?)`,? or `[a-zA-Z]+\(\)`/g;

@@ -173,6 +173,29 @@ Examples
   tetrafront remesh 'parts/*.stl' -o 'remeshed/{name}.ply' --jobs 4
 `;
 
+export const adaptHelp = () => `
+Input
+  A volume mesh, or what \`tetrafront mesh\` reads: a CAD file, a surface or a project, which is meshed first. The
+  boundary follows the triangles of this mesh; those of CAD files are fine where faces are curved.
+
+Background
+  A volume mesh with the metric at its nodes: "metric" with xx, xy, xz, yy, yz and zz, or "size" and optionally
+  "stretching" and "direction". An edge e has the target length if e M e = 1. The file must cover the model.
+
+Output
+${formatLines("writable", "volume")}
+
+Result
+  Nearly all edges have a length from 0.71 to 1.41 in the metric. Patches, regions, sharp edges and corners stay;
+  interfaces between regions stay triangle for triangle. Ctrl-C ends the work early; the mesh made so far is valid and
+  is written.
+${EXIT_CODES_HELP}
+
+Examples
+  tetrafront adapt mesh.vtu --background metric.vtu -o adapted.vtu
+  tetrafront adapt part.step --background metric.vtu -o adapted.vtu --quality 0.4
+`;
+
 export const improveHelp = () => `
 Input
 ${formatLines("readable", "volume")}

@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { Command, CommanderError, Option } from "commander";
 import {
   FRONT_ORDERS,
+  ADAPT_DEFAULTS,
   IMPROVE_DEFAULTS,
   INSPECTION_DEFAULTS,
   MESH_DEFAULTS,
@@ -24,6 +25,7 @@ import {
   checkHelp,
   convertHelp,
   COVER_HELP,
+  adaptHelp,
   improveHelp,
   INFO_HELP,
   meshHelp,
@@ -35,6 +37,7 @@ import {
   TRACE_HELP,
   transferHelp,
 } from "./help.js";
+import { type AdaptCommandOptions, adaptFile } from "./adapt.js";
 import { type ImproveCommandOptions, improveFile } from "./improve.js";
 import { type InfoCommandOptions, infoOnFile, statsOfFile } from "./info.js";
 import { type MeshCommandOptions, meshFile } from "./mesh.js";
@@ -134,6 +137,7 @@ function commandLine(args: readonly string[], { setExitCode, printHelp }: Comman
   addMesh(program, setExitCode);
   addRemesh(program, setExitCode);
   addImprove(program, setExitCode);
+  addAdapt(program, setExitCode);
   addCheck(program, setExitCode);
   addConvert(program, setExitCode);
   addInfo(program, setExitCode);
@@ -282,6 +286,29 @@ function addRemesh(program: Command, setExitCode: SetExitCode): void {
     .addHelpText("after", remeshHelp)
     .action(async (inputs: string[]) =>
       setExitCode(await forEachInput<RemeshFileOptions>(inputs, command, remeshFile)),
+    );
+}
+
+function addAdapt(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("adapt")
+    .description("Adapt a mesh, or the mesh of a model, to the metric of a background mesh.")
+    .argument("<model>", "volume mesh, CAD file, surface or project")
+    .requiredOption("-b, --background <file>", "volume mesh with the metric at its nodes")
+    .requiredOption("-o, --output <file>", "output file")
+    .option(
+      "--quality <q>",
+      `quality that every element should reach (default ${ADAPT_DEFAULTS.leastQuality})`,
+    )
+    .option("--sweeps <count>", `sweeps of improvement at most (default ${ADAPT_DEFAULTS.sweeps})`)
+    .addOption(fromOption())
+    .addOption(toOption());
+  withUnits(command)
+    .option("--json", "print lengths and qualities before and after as JSON")
+    .option("-q, --quiet", "print errors only")
+    .addHelpText("after", adaptHelp)
+    .action(async (input: string, options: AdaptCommandOptions) =>
+      setExitCode(await adaptFile(input, options)),
     );
 }
 

@@ -9,7 +9,7 @@ const EVERY_MS = 10_000;
 /** Set for the processes of a batch, whose messages appear at their end. */
 export const SILENT = "TETRAFRONT_NO_PROGRESS";
 
-const WORDS: Readonly<Record<ProgressPhase | "improve" | "curve" | "solution", string>> = {
+const WORDS: Readonly<Record<ProgressPhase | "improve" | "curve" | "solution" | "adapt", string>> = {
   bodies: "preparing the bodies",
   check: "checking the surface",
   sides: "dividing the lines",
@@ -21,6 +21,7 @@ const WORDS: Readonly<Record<ProgressPhase | "improve" | "curve" | "solution", s
   improve: "improving the elements",
   curve: "curving the edges",
   solution: "using the solution",
+  adapt: "adapting the mesh",
 };
 
 interface Stage {

@@ -27,6 +27,7 @@ export const CALLS = {
   reduceMetrics: { module: "tools" },
   transferSolution: { module: "tools" },
   improveMesh: { module: "engine" },
+  adaptMesh: { module: "tools" },
   checkRun: { module: "engine" },
 } as const;
 

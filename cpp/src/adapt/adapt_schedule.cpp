@@ -1,0 +1,312 @@
+#include "adapt/adapt_schedule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/sort.h"
+
+namespace tetrafront {
+namespace {
+
+// Passes: edges longer than the first are split, shorter than the second collapsed.
+constexpr double kLongEdge = 1.41;
+constexpr double kShortEdge = 0.68;
+
+/// Passes at most, with a least size that is still too large and with the asked one.
+constexpr int kEarlyPasses = 3;
+constexpr int kLastPasses = 14;
+
+/// The asked size is approached when fewer than this part of the edges are split or collapsed.
+constexpr double kFewChanges = 0.02;
+
+/// Elements below these qualities are swapped after the splits and after the collapses.
+constexpr double kPoorAfterSplits = 0.3;
+constexpr double kPoorAfterCollapses = 0.5;
+
+/// Edges of this cost or more are out of bounds.
+constexpr double kOutOfBounds = 0.5;
+
+/// Work of a change, in units of an element.
+constexpr std::size_t kUnitsPerChange = 8;
+
+}  // namespace
+
+std::vector<AdaptEdge> listEdges(const AdaptMesh& mesh) {
+  struct Item {
+    NodeId high;
+    TetId element;
+  };
+  std::vector<std::uint32_t> begins(mesh.nodes.size() + 1, 0);
+  const auto forEach = [&mesh](auto visit) {
+    for (const TetId id : IdRange<TetId>(mesh.elements.size())) {
+      const AdaptElement& element = mesh.element(id);
+      if (!element.isAlive()) continue;
+      for (const TetEdge& e : kTetEdges) {
+        const NodeId a = element.nodes[e.from];
+        const NodeId b = element.nodes[e.to];
+        visit(std::min(a, b), std::max(a, b), id);
+      }
+    }
+  };
+  forEach([&](NodeId low, NodeId /*high*/, TetId /*id*/) { ++begins[low.index() + 1]; });
+  for (std::size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
+  std::vector<Item> items(begins.back());
+  std::vector<std::uint32_t> next(begins.begin(), begins.end() - 1);
+  forEach([&](NodeId low, NodeId high, TetId id) { items[next[low.index()]++] = {high, id}; });
+  std::vector<AdaptEdge> edges;
+  edges.reserve(items.size() / 4);
+  for (const NodeId low : IdRange<NodeId>(mesh.nodes.size())) {
+    const std::span<Item> own(items.data() + begins[low.index()],
+                              items.data() + begins[low.index() + 1]);
+    sortFew(own, [](const Item& a, const Item& b) { return a.high < b.high; });
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (i > 0 && own[i].high == own[i - 1].high) continue;
+      edges.push_back({mesh.lengthOf(low, own[i].high), low, own[i].high, own[i].element});
+    }
+  }
+  return edges;
+}
+
+AdaptSchedule::AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide,
+                             MetricBackground& background, const Badness& badness,
+                             std::uint32_t sweeps, const bool& isStopped)
+    : mesh_(mesh),
+      background_(background),
+      badness_(badness),
+      sweeps_(sweeps),
+      isStopped_(isStopped),
+      context_{mesh, guide, background, badness},
+      operations_(context_),
+      mover_(context_) {}
+
+Task<> AdaptSchedule::run(Work& work) {
+  work.beginPart(0.4);
+  co_await approach(work);
+  work.beginPart(1.0);
+  co_await improve(work);
+}
+
+Task<> AdaptSchedule::measureAll(Work& work) {
+  work.beginPart(0.5);
+  co_await work.forEachId<NodeId>(mesh_.nodes.size(),
+                                  [this](NodeId id) { context_.measure(mesh_.node(id)); });
+  work.beginPart(1.0);
+  co_await work.forEachId<TetId>(mesh_.elements.size(), [this](TetId id) {
+    AdaptElement& element = mesh_.element(id);
+    if (element.isAlive()) element.quality = mesh_.qualityOf(element.nodes);
+  });
+}
+
+/// Returns the index of the smallest of the descending sizes that the mesh can begin with: nearly all edges are short.
+Task<std::size_t> AdaptSchedule::firstStage(Work& work, const std::vector<double>& sizes) {
+  constexpr double kFarTooLong = 4.0;
+  constexpr double kFewLong = 0.01;
+  for (std::size_t stage = sizes.size() - 1; stage > 0; --stage) {
+    background_.limitSizes(sizes[stage]);
+    co_await measureAll(work);
+    const std::vector<AdaptEdge> edges = listEdges(mesh_);
+    const auto isLong = [](const AdaptEdge& edge) { return edge.length > kFarTooLong; };
+    const auto count = static_cast<double>(std::ranges::count_if(edges, isLong));
+    if (count <= kFewLong * static_cast<double>(edges.size())) co_return stage;
+  }
+  co_return 0;
+}
+
+/// Elements that are coarse in the metric have such a poor quality there that changes would be refused, so the least size falls
+/// step by step.
+Task<> AdaptSchedule::approach(Work& work) {
+  std::vector<double> sizes;
+  for (double size = background_.maxSize(); size > 1.2 * background_.minSize(); size *= 0.5)
+    sizes.push_back(size);
+  sizes.push_back(background_.minSize());
+  work.beginPart(0.05);
+  const std::size_t first = co_await firstStage(work, sizes);
+  for (std::size_t stage = first; stage < sizes.size(); ++stage) {
+    const bool isLast = stage + 1 == sizes.size();
+    work.beginPart(static_cast<double>(stage + 1) / static_cast<double>(sizes.size()));
+    background_.limitSizes(isLast ? 0.0 : sizes[stage]);
+    co_await measureAll(work);
+    co_await adaptStage(work, isLast ? kLastPasses : kEarlyPasses);
+  }
+}
+
+Task<> AdaptSchedule::adaptStage(Work& work, int passes) {
+  for (int pass = 0; pass < passes && !isStopped_; ++pass) {
+    std::size_t edgeCount = 0;
+    double limit = kLongEdge;
+    {
+      const std::vector<AdaptEdge> edges = listEdges(mesh_);
+      edgeCount = edges.size();
+      for (const AdaptEdge& edge : edges) limit = std::max(limit, 0.5 * edge.length);
+    }
+    std::size_t changes = co_await splitLong(work, limit);
+    co_await swapPoor(work, kPoorAfterSplits);
+    const std::size_t collapses = co_await collapseShort(work);
+    changes += collapses;
+    co_await swapPoor(work, kPoorAfterCollapses);
+    co_await moveAll(work, MoveEffort::kTargets);
+    if (limit < 1.5 && static_cast<double>(changes) < kFewChanges * static_cast<double>(edgeCount))
+      break;
+  }
+}
+
+Task<std::size_t> AdaptSchedule::splitLong(Work& work, double limit) {
+  std::vector<AdaptEdge> edges = listEdges(mesh_);
+  std::erase_if(edges, [limit](const AdaptEdge& edge) { return edge.length < limit; });
+  stableSort(edges, [](const AdaptEdge& a, const AdaptEdge& b) { return a.length > b.length; });
+  std::size_t count = 0;
+  for (const AdaptEdge& edge : edges) {
+    if (isStopped_) break;
+    const TetId element = mesh_.findEdge(edge.a, edge.b, edge.element);
+    if (element.isNone()) continue;
+    if (operations_.split(edge.a, edge.b, element, Acceptance::kLengths)) ++count;
+    co_await work.spend(kUnitsPerChange);
+  }
+  co_return count;
+}
+
+Task<std::size_t> AdaptSchedule::collapseShort(Work& work) {
+  std::vector<AdaptEdge> edges = listEdges(mesh_);
+  std::erase_if(edges, [](const AdaptEdge& edge) { return edge.length > kShortEdge; });
+  stableSort(edges, [](const AdaptEdge& a, const AdaptEdge& b) { return a.length < b.length; });
+  std::size_t count = 0;
+  for (const AdaptEdge& edge : edges) {
+    if (isStopped_) break;
+    const TetId element = mesh_.findEdge(edge.a, edge.b, edge.element);
+    if (element.isNone()) continue;
+    if (operations_.collapse(edge.a, edge.b, element, Acceptance::kLengths)) ++count;
+    co_await work.spend(kUnitsPerChange);
+  }
+  co_return count;
+}
+
+std::vector<AdaptSchedule::Poor> AdaptSchedule::poorElements(double limit) const {
+  std::vector<Poor> poor;
+  for (const TetId id : IdRange<TetId>(mesh_.elements.size())) {
+    const AdaptElement& element = mesh_.element(id);
+    if (element.isAlive() && element.quality < limit) poor.push_back({element.quality, id});
+  }
+  stableSort(poor, [](const Poor& a, const Poor& b) { return a.quality < b.quality; });
+  return poor;
+}
+
+Task<std::size_t> AdaptSchedule::swapPoor(Work& work, double limit) {
+  std::size_t count = 0;
+  for (const Poor& poor : poorElements(limit)) {
+    if (isStopped_) break;
+    const AdaptElement& element = mesh_.element(poor.element);
+    if (!element.isAlive() || element.quality != poor.quality) continue;
+    const NodeQuad nodes = element.nodes;
+    bool isSwapped = false;
+    for (const TetEdge& e : kTetEdges) {
+      isSwapped = isSwapped || operations_.removeEdge(nodes[e.from], nodes[e.to], poor.element,
+                                                      Acceptance::kLengths, random_);
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+      isSwapped = isSwapped || operations_.swapFace(poor.element, k, Acceptance::kLengths);
+    count += isSwapped ? 1 : 0;
+    co_await work.spend(kUnitsPerChange);
+  }
+  co_return count;
+}
+
+Task<> AdaptSchedule::moveAll(Work& work, MoveEffort effort) {
+  for (const NodeId id : IdRange<NodeId>(mesh_.nodes.size())) {
+    if (isStopped_) break;
+    const AdaptNode& node = mesh_.node(id);
+    if (node.element.isNone()) continue;
+    if (effort != MoveEffort::kTargets && node.changed <= node.tried) continue;
+    mover_.move(id, effort, random_);
+    co_await work.spend(kUnitsPerChange);
+  }
+}
+
+Task<> AdaptSchedule::improve(Work& work) {
+  constexpr double kAboveFloor = 0.1;
+  constexpr std::uint32_t kStrictSweeps = 2;
+  // The sweeps end when the number of edges out of bounds and of poor elements hardly falls any more.
+  constexpr std::uint32_t kLeastSweeps = 4;
+  constexpr double kSlowFall = 0.9;
+  std::size_t before = 0;
+  for (std::uint32_t sweep = 0; sweep < sweeps_ && !isStopped_; ++sweep) {
+    work.beginPart(static_cast<double>(sweep + 1) / sweeps_);
+    std::size_t count = co_await improveEdges(work);
+    count += poorElements(badness_.floor()).size();
+    if (sweep >= kLeastSweeps &&
+        static_cast<double>(count) > kSlowFall * static_cast<double>(before))
+      break;
+    before = count;
+    co_await improveElements(work, badness_.floor() + (sweep < kStrictSweeps ? 0.0 : kAboveFloor));
+    co_await moveAll(work, MoveEffort::kSearch);
+  }
+}
+
+/// Returns the number of edges that were out of bounds.
+Task<std::size_t> AdaptSchedule::improveEdges(Work& work) {
+  std::vector<AdaptEdge> edges = listEdges(mesh_);
+  std::erase_if(
+      edges, [this](const AdaptEdge& edge) { return badness_.ofEdge(edge.length) < kOutOfBounds; });
+  const auto ratio = [](const AdaptEdge& edge) { return std::max(edge.length, 1.0 / edge.length); };
+  stableSort(edges, [&](const AdaptEdge& a, const AdaptEdge& b) { return ratio(a) > ratio(b); });
+  for (const AdaptEdge& edge : edges) {
+    if (isStopped_) break;
+    improveEdge(edge);
+    co_await work.spend(kUnitsPerChange);
+  }
+  co_return edges.size();
+}
+
+bool AdaptSchedule::improveEdge(const AdaptEdge& edge) {
+  const TetId element = mesh_.findEdge(edge.a, edge.b, edge.element);
+  if (element.isNone()) return false;
+  const double length = mesh_.lengthOf(edge.a, edge.b);
+  if (badness_.ofEdge(length) < kOutOfBounds) return false;
+  if (operations_.removeEdge(edge.a, edge.b, element, Acceptance::kBadness, random_)) return true;
+  const bool isDivided = length > 1.0
+                             ? operations_.split(edge.a, edge.b, element, Acceptance::kBadness)
+                             : operations_.collapse(edge.a, edge.b, element, Acceptance::kBadness);
+  if (isDivided) return true;
+  mover_.move(edge.a, MoveEffort::kLong, random_);
+  mover_.move(edge.b, MoveEffort::kLong, random_);
+  return false;
+}
+
+/// Returns whether anything around the element changed since it was last tried.
+bool AdaptSchedule::isWorthTrying(const AdaptElement& element) const {
+  return std::ranges::any_of(element.nodes,
+                             [&](NodeId node) { return mesh_.node(node).changed > element.tried; });
+}
+
+Task<> AdaptSchedule::improveElements(Work& work, double limit) {
+  for (const Poor& poor : poorElements(limit)) {
+    if (isStopped_) break;
+    const AdaptElement& element = mesh_.element(poor.element);
+    if (!element.isAlive() || element.quality > limit || !isWorthTrying(element)) continue;
+    improveElement(poor.element);
+    co_await work.spend(4 * kUnitsPerChange);
+  }
+}
+
+bool AdaptSchedule::improveElement(TetId id) {
+  const NodeQuad nodes = mesh_.element(id).nodes;
+  constexpr Acceptance kFalls = Acceptance::kBadness;
+  for (const TetEdge& e : kTetEdges) {
+    if (operations_.removeEdge(nodes[e.from], nodes[e.to], id, kFalls, random_)) return true;
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (operations_.swapFace(id, k, kFalls)) return true;
+  }
+  if (operations_.peel(id)) return true;
+  for (const TetEdge& e : kTetEdges) {
+    if (operations_.collapse(nodes[e.from], nodes[e.to], id, kFalls)) return true;
+    if (operations_.split(nodes[e.from], nodes[e.to], id, kFalls)) return true;
+  }
+  if (mesh_.element(id).quality < badness_.floor() && operations_.insert(id)) return true;
+  bool isMoved = false;
+  for (const NodeId node : nodes)
+    isMoved = mover_.move(node, MoveEffort::kLong, random_) || isMoved;
+  if (!isMoved) mesh_.element(id).tried = mesh_.now;
+  return isMoved;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,72 @@
+#pragma once
+
+/// @file The order of an adaptation: passes that bring the lengths near 1, through metrics of falling least size, and then
+/// sweeps that lower the badness.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "adapt/adapt_operations.h"
+#include "adapt/node_mover.h"
+#include "base/task.h"
+
+namespace tetrafront {
+
+/// An edge in use and its length.
+struct AdaptEdge {
+  double length;
+  NodeId a;
+  NodeId b;
+  TetId element;  ///< one that had it when the edges were listed
+  std::uint32_t unused = 0;
+};
+
+/// Lists all edges, by their lower nodes.
+[[nodiscard]] std::vector<AdaptEdge> listEdges(const AdaptMesh& mesh);
+
+class AdaptSchedule {
+ public:
+  /// All must outlive this. `sweeps`: number of sweeps at most. When `isStopped` becomes true, the work ends soon.
+  AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide, MetricBackground& background,
+                const Badness& badness, std::uint32_t sweeps, const bool& isStopped);
+
+  /// Computes the metrics of all nodes and the qualities of all elements.
+  Task<> measureAll(Work& work);
+  Task<> run(Work& work);
+
+ private:
+  /// Elements from the poorest on.
+  struct Poor {
+    double quality;
+    TetId element;
+    std::uint32_t unused = 0;
+  };
+
+  Task<> approach(Work& work);
+  Task<> improve(Work& work);
+  Task<std::size_t> firstStage(Work& work, const std::vector<double>& sizes);
+  Task<> adaptStage(Work& work, int passes);
+  Task<std::size_t> splitLong(Work& work, double limit);
+  Task<std::size_t> collapseShort(Work& work);
+  Task<std::size_t> swapPoor(Work& work, double limit);
+  Task<> moveAll(Work& work, MoveEffort effort);
+  Task<std::size_t> improveEdges(Work& work);
+  Task<> improveElements(Work& work, double limit);
+  bool improveEdge(const AdaptEdge& edge);
+  bool improveElement(TetId id);
+  [[nodiscard]] bool isWorthTrying(const AdaptElement& element) const;
+  [[nodiscard]] std::vector<Poor> poorElements(double limit) const;
+
+  AdaptMesh& mesh_;
+  MetricBackground& background_;
+  const Badness& badness_;
+  std::uint32_t sweeps_;
+  const bool& isStopped_;
+  AdaptContext context_;
+  AdaptOperations operations_;
+  NodeMover mover_;
+  AdaptRandom random_;
+};
+
+}  // namespace tetrafront

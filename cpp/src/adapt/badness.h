@@ -1,0 +1,82 @@
+#pragma once
+
+/// @file The cost of edges and elements that an adaptation lowers. Edges with a unit length and elements of good shape cost
+/// nothing, so their number does not count.
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/exponential.h"
+
+namespace tetrafront {
+
+/// Bounds of a unit edge: 1 / sqrt(2) and sqrt(2).
+inline constexpr double kLeastUnitLength = 0.70710678118654752;
+inline constexpr double kLargestUnitLength = 1.4142135623730951;
+
+/// Cost of an element that is not positively oriented: more than any change can gain.
+inline constexpr double kForbidden = 1e9;
+
+class Badness {
+ public:
+  /// `floor`: quality below which an element costs much. `aim`: reciprocal of the length that edges are drawn to.
+  explicit Badness(double floor, double aim = 1.0)
+      : floor_(floor), soft_(std::max(kSoft, floor + 0.05)), aim_(aim) {}
+
+  [[nodiscard]] double floor() const { return floor_; }
+
+  /// Cost of an edge by its metric length > 0. Up to 0.35 doublings from 1 it is free; at the bounds it jumps to about 1.
+  [[nodiscard]] double ofEdge(double length) const {
+    const double relative = length * aim_;
+    if (relative > kFreeLow && relative < kFreeHigh) return 0.0;
+    const double s = doublings(relative);
+    if (s < 1.0) return kBelowBound * (s - kFree) / (1.0 - kFree);
+    return 1.0 + 0.5 * std::min(s - 1.0, 2.0) + 0.1 * s;
+  }
+
+  /// Cost of an element by its quality.
+  [[nodiscard]] double ofElement(double quality) const {
+    if (quality <= 0.0) return kForbidden;
+    double cost = 0.0;
+    if (quality < soft_) {
+      const double lack = (soft_ - quality) / soft_;
+      cost += lack * lack;
+    }
+    if (quality < floor_) cost += kBelowFloor * (0.1 + (floor_ - quality) / floor_);
+    return cost;
+  }
+
+  /// Small additional costs that draw a moved node to unit edges and regular elements.
+  [[nodiscard]] double pullOfEdge(double length) const {
+    const double t = (length - 1.0) / (length + 1.0);
+    // 2 log2(l) = (2 / ln 2) 2 artanh(t), whose first terms suffice.
+    const double s = kDoublingsPerTanh * t * (1.0 + t * t * (1.0 / 3.0 + 0.2 * t * t));
+    return kEdgePull * s * s;
+  }
+  [[nodiscard]] static double pullOfElement(double quality) {
+    return kElementPull * (1.0 / quality - 1.0);
+  }
+
+ private:
+  /// 2 |log2 l|: 1 at the bounds of unit edges.
+  static double doublings(double length) {
+    constexpr double kTwoPerLn2 = 2.8853900817779268;
+    return kTwoPerLn2 * std::fabs(logarithm(length));
+  }
+
+  static constexpr double kSoft = 0.75;
+  static constexpr double kFree = 0.7;
+  static constexpr double kFreeLow = 0.78458409789675077;  ///< 2^-0.35
+  static constexpr double kFreeHigh = 1.2745606273192622;  ///< 2^0.35
+  static constexpr double kBelowBound = 0.15;
+  static constexpr double kBelowFloor = 30.0;
+  static constexpr double kDoublingsPerTanh = 5.7707801635558536;
+  static constexpr double kEdgePull = 0.03;
+  static constexpr double kElementPull = 0.02;
+
+  double floor_;
+  double soft_;
+  double aim_;
+};
+
+}  // namespace tetrafront

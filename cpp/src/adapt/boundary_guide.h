@@ -1,0 +1,71 @@
+#pragma once
+
+/// @file The boundary that an adaptation follows: the smooth patches, feature lines and corners of a reference surface.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "adapt/adapt_mesh.h"
+#include "remesh/reference_surface.h"
+
+namespace tetrafront {
+
+class BoundaryGuide {
+ public:
+  /// `reference` must be prepared and outlive this. `isFixed`: per node of its mesh, 1 if it stays; or empty.
+  BoundaryGuide(const ReferenceSurface& reference, std::span<const std::uint8_t> isFixed);
+
+  /// Returns the place of a node of the reference mesh.
+  [[nodiscard]] const Place& placeOf(NodeId node) const { return places_[node.index()]; }
+
+  [[nodiscard]] bool isOnPatch(const Place& place, SmoothPatchId patch) const;
+  [[nodiscard]] bool isOnLine(const Place& place, FeatureLineId line) const;
+  /// Returns the line of both places that bounds both patches, the one nearest to `middle` if there are several; none if
+  /// there is none.
+  [[nodiscard]] FeatureLineId commonLine(const Place& a, const Place& b, SmoothPatchId one,
+                                         SmoothPatchId other, const Vec3& middle) const;
+
+  /// Returns the place on the line between two others, at a part of the way; sets its position.
+  [[nodiscard]] Place onLine(FeatureLineId line, const Place& a, const Place& b, double part,
+                             Vec3& position) const;
+  /// Returns the place of the patch nearest to a position, and moves the position there. `hint`: a place on the boundary.
+  [[nodiscard]] Place onPatch(SmoothPatchId patch, const Place& hint, Vec3& position) const;
+  /// Moves a place and a position to the nearest ones of its patch or line. Returns false if the node would leave it.
+  [[nodiscard]] bool follow(Place& place, Vec3& position) const;
+
+  /// Returns whether the triangle, counter-clockwise as seen from outside, faces as its patch does. `hint`: a triangle of the patch
+  /// near it, or none.
+  [[nodiscard]] bool isFacing(const std::array<Vec3, 3>& corners, SmoothPatchId patch,
+                              TriangleId hint) const;
+
+  [[nodiscard]] const ReferenceSurface& reference() const { return reference_; }
+
+ private:
+  void findFixed(std::span<const std::uint8_t> isFixed);
+  void findLineNodes();
+  void findNormals();
+  [[nodiscard]] std::span<const std::uint32_t> patchesOf(std::uint32_t fixed) const {
+    return std::span(fixedPatches_)
+        .subspan(patchBegins_[fixed], patchBegins_[fixed + 1] - patchBegins_[fixed]);
+  }
+  [[nodiscard]] double arcOn(FeatureLineId line, const Place& place, double near) const;
+  [[nodiscard]] double nearestArc(const FeatureLine& line, const Vec3& position,
+                                  double start) const;
+
+  const ReferenceSurface& reference_;
+  std::vector<Place> places_;
+  // Patches and lines of the fixed nodes.
+  std::vector<std::uint32_t> patchBegins_;
+  std::vector<std::uint32_t> fixedPatches_;
+  struct LineEnd {
+    std::uint32_t fixed;
+    FeatureLineId line;
+    double arc;
+  };
+  std::vector<LineEnd> lineEnds_;  ///< by fixed node and line
+  std::vector<std::uint32_t> endBegins_;
+  std::vector<Vec3> normals_;  ///< per corner of the reference triangles: mean over its patch
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,189 @@
+#include "tetrafront/mesh_adaptation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "adapt/adapt_result.h"
+#include "adapt/adapt_schedule.h"
+#include "adapt/adapt_start.h"
+#include "adapt/metric_background.h"
+#include "base/diagnostics.h"
+#include "base/tool_job.h"
+#include "field/check_background_grid.h"
+#include "geom/coordinates.h"
+#include "metric/metric.h"
+#include "optimize/given_mesh.h"
+#include "quality/verify_mesh.h"
+#include "topology/mesh_access.h"
+
+namespace tetrafront {
+namespace {
+
+/// What MeshAdapter was given.
+struct AdapterInput {
+  AdaptInput mesh;
+  MetricMesh background;
+  AdaptOptions options;
+  bool isStopped = false;
+};
+
+bool areCoordinates(std::span<const double> points) {
+  return points.size() % 3 == 0 &&
+         std::ranges::all_of(points, [](double x) { return std::fabs(x) <= kLargestCoordinate; });
+}
+
+bool areIndices(std::span<const std::uint32_t> nodes, std::size_t perItem, std::size_t points) {
+  return nodes.size() % perItem == 0 &&
+         std::ranges::all_of(nodes, [points](std::uint32_t node) { return node < points; });
+}
+
+bool areMetrics(std::span<const double> metrics, std::size_t nodes) {
+  if (metrics.size() != kTensorNumbers * nodes) return false;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    if (!isMetric(tensorAt(metrics, i))) return false;
+  }
+  return true;
+}
+
+bool isUsable(const AdapterInput& input) {
+  const AdaptInput& mesh = input.mesh;
+  const MetricMesh& background = input.background;
+  const std::size_t nodes = mesh.points.size() / 3;
+  const std::size_t gridNodes = background.points.size() / 3;
+  return areCoordinates(mesh.points) && areCoordinates(background.points) &&
+         areIndices(mesh.tetrahedra, 4, nodes) && areIndices(mesh.triangles, 3, nodes) &&
+         areIndices(background.tetrahedra, 4, gridNodes) && !mesh.tetrahedra.empty() &&
+         !background.tetrahedra.empty() &&
+         (mesh.regions.empty() || 4 * mesh.regions.size() == mesh.tetrahedra.size()) &&
+         (mesh.trianglePatch.empty() || 3 * mesh.trianglePatch.size() == mesh.triangles.size()) &&
+         areMetrics(background.metrics, gridNodes) && input.options.leastQuality >= 0.0 &&
+         input.options.leastQuality <= 1.0;
+}
+
+/// Returns the background as a grid that only locates positions.
+BackgroundGrid gridOf(const MetricMesh& mesh) {
+  BackgroundGrid grid;
+  grid.nodes.resize(mesh.points.size() / 3);
+  for (std::size_t i = 0; i < grid.nodes.size(); ++i) {
+    const double* const at = &mesh.points[3 * i];
+    grid.nodes[i] = {.position = Vec3(at[0], at[1], at[2]), .size = 1.0};
+  }
+  grid.tetrahedra.resize(mesh.tetrahedra.size() / 4);
+  for (std::size_t t = 0; t < grid.tetrahedra.size(); ++t) {
+    for (std::size_t k = 0; k < 4; ++k) grid.tetrahedra[t][k] = mesh.tetrahedra[4 * t + k];
+  }
+  return grid;
+}
+
+/// Makes and improves the mesh of one job.
+class Adaptation {
+ public:
+  explicit Adaptation(AdapterInput& input) : input_(input) {}
+
+  Task<MeshAdaptation> run(Work& work) {
+    out_.isReadable = isUsable(input_);
+    if (!out_.isReadable) co_return std::move(out_);
+    VolumeMesh mesh;
+    mesh.points = input_.mesh.points;
+    mesh.tetrahedra = input_.mesh.tetrahedra;
+    mesh.regions = input_.mesh.regions;
+    mesh.regions.resize(countTetrahedra(mesh), 0);
+    work.beginPart(0.02);
+    const GivenMesh given = co_await prepareGivenMesh(work, mesh, input_.mesh.triangles);
+    out_.diagnostics = given.diagnostics;
+    if (anyError(out_.diagnostics)) co_return std::move(out_);
+    const BackgroundGrid grid = gridOf(input_.background);
+    work.beginPart(0.025);
+    out_.diagnostics = co_await checkBackgroundGrid(work, grid);
+    if (anyError(out_.diagnostics)) co_return std::move(out_);
+    work.beginPart(0.03);
+    MetricBackground background =
+        co_await MetricBackground::build(work, grid, input_.background.metrics);
+    work.beginPart(0.04);
+    StartFaces faces =
+        co_await findStartFaces(work, given, input_.mesh.triangles, input_.mesh.trianglePatch);
+    const std::vector<std::uint8_t> isRepeated = nodesInSeveralSets(given, faces);
+    for (std::size_t i = 0; i < isRepeated.size(); ++i) faces.isFixed[i] |= isRepeated[i];
+    ReferenceSurface reference(faces.boundary, {});
+    work.beginPart(0.05);
+    co_await reference.prepare(work);
+    const BoundaryGuide guide(reference, faces.isFixed);
+    AdaptStart start = makeStart(given, faces, guide);
+    work.beginPart(0.98);
+    co_await adapt(work, start.mesh, guide, background);
+    work.beginPart(1.0);
+    co_await finishWith(work, start, given, guide);
+    co_return std::move(out_);
+  }
+
+ private:
+  Task<> adapt(Work& work, AdaptMesh& mesh, const BoundaryGuide& guide,
+               MetricBackground& background) {
+    const Badness badness(input_.options.leastQuality);
+    AdaptSchedule schedule(mesh, guide, background, badness, input_.options.sweeps,
+                           input_.isStopped);
+    work.beginPart(0.01);
+    co_await schedule.measureAll(work);
+    out_.before = measureInMetric(mesh);
+    work.beginPart(1.0);
+    co_await schedule.run(work);
+    out_.isPartial = input_.isStopped;
+    out_.after = measureInMetric(mesh);
+  }
+
+  /// Returns the patches of the kept triangles, in the order of the surface of the given mesh.
+  [[nodiscard]] std::vector<std::uint32_t> patchesOfKept(const GivenMesh& given) const;
+
+  Task<> finishWith(Work& work, const AdaptStart& start, const GivenMesh& given,
+                    const BoundaryGuide& guide) {
+    AdaptedMesh made = takeAdapted(start, given, guide, patchesOfKept(given));
+    MeshVerifier verifier(made.mesh, made.surface);
+    co_await work.finish(verifier);
+    const MeshDefects& defects = verifier.defects();
+    const std::uint64_t count = defects.count() - defects.coincidentNodes;
+    if (count > 0) {
+      out_.diagnostics.push_back(
+          diagnose<DiagnosticCode::kVerificationFailed>(count).about(defects.examples));
+      co_return;
+    }
+    out_.points = std::move(made.mesh.points);
+    out_.tetrahedra = std::move(made.mesh.tetrahedra);
+    for (const std::uint32_t part : made.mesh.regions)
+      out_.regions.push_back(given.regionOfPart[part]);
+    out_.triangles = std::move(made.surface.triangles);
+    out_.trianglePatch = std::move(made.surface.trianglePatch);
+    out_.metrics = std::move(made.metrics);
+  }
+
+  AdapterInput& input_;
+  MeshAdaptation out_;
+};
+
+std::vector<std::uint32_t> Adaptation::patchesOfKept(const GivenMesh& given) const {
+  const PatchTable patches(input_.mesh.triangles, input_.mesh.trianglePatch);
+  std::vector<std::uint32_t> kept;
+  for (std::size_t t = 0; 3 * t < given.surface.triangles.size(); ++t) {
+    if (given.surface.triangleRegions[2 * t + 1] == SurfaceMesh::kNoRegion) continue;
+    std::array<std::uint32_t, 3> nodes{};
+    for (std::size_t k = 0; k < 3; ++k)
+      nodes[k] = given.nodeOrigin[given.surface.triangles[3 * t + k]];
+    kept.push_back(patches.patchOf(nodes));
+  }
+  return kept;
+}
+
+Task<MeshAdaptation> runAdaptation(Work& work, AdapterInput& input) {
+  Adaptation adaptation(input);
+  MeshAdaptation made = co_await adaptation.run(work);
+  co_return made;
+}
+
+}  // namespace
+
+MeshAdapter::MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options)
+    : SlicedTool(makeToolJob<MeshAdaptation>(
+          AdapterInput{std::move(input), std::move(background), options, false}, runAdaptation)) {}
+
+}  // namespace tetrafront

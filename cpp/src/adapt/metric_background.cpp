@@ -1,0 +1,63 @@
+#include "adapt/metric_background.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "field/grid_access.h"
+#include "field/grid_locator_builder.h"
+#include "geom/exponential.h"
+#include "metric/metric.h"
+#include "metric/principal_axes.h"
+
+namespace tetrafront {
+
+Task<MetricBackground> MetricBackground::build(Work& work, const BackgroundGrid& grid,
+                                               std::span<const double> metrics) {
+  work.beginPart(0.8);
+  GridLocator locator = co_await buildGridLocator(work, grid);
+  MetricBackground made(std::move(locator));
+  made.given_.resize(grid.nodes.size());
+  double low = 0.0;
+  double high = 0.0;
+  work.beginPart(1.0);
+  co_await work.forEachBlock(grid.nodes.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      PrincipalAxes axes = principalAxes(tensorAt(metrics, i));
+      for (double& value : axes.values) {
+        if (high == 0.0) low = value;
+        low = std::min(low, value);
+        high = std::max(high, value);
+        value = logarithm(value);
+      }
+      made.given_[i] = composed(axes);
+    }
+  });
+  made.minSize_ = 1.0 / std::sqrt(high);
+  made.maxSize_ = 1.0 / std::sqrt(low);
+  made.logarithms_ = made.given_;
+  co_return made;
+}
+
+SymmetricTensor MetricBackground::at(const Vec3& position, GridTetId& at) const {
+  const GridLocator::Location found = locator_.locate(position, at);
+  at = found.tetrahedron;
+  const GridNodeQuad nodes = nodesOf(locator_.grid(), at);
+  SymmetricTensor sum = SymmetricTensor::isotropic(0.0);
+  for (std::size_t k = 0; k < 4; ++k)
+    sum.accumulate(logarithms_[nodes[k].index()], found.weights[k]);
+  return exponentialOf(sum);
+}
+
+void MetricBackground::limitSizes(double size) {
+  logarithms_ = given_;
+  if (size <= minSize_) return;
+  const double largest = -2.0 * logarithm(size);
+  for (SymmetricTensor& tensor : logarithms_) {
+    PrincipalAxes axes = principalAxes(tensor);
+    for (double& value : axes.values) value = std::min(value, largest);
+    tensor = composed(axes);
+  }
+}
+
+}  // namespace tetrafront

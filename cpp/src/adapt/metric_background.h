@@ -1,0 +1,43 @@
+#pragma once
+
+/// @file The metric that an adaptation follows: given at the nodes of a background mesh, and interpolated between them by the
+/// logarithms.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/task.h"
+#include "field/grid_locator.h"
+#include "metric/symmetric_tensor.h"
+#include "tetrafront/background_grid.h"
+
+namespace tetrafront {
+
+class MetricBackground {
+ public:
+  /// `grid` must have passed checkBackgroundGrid(); its sizes are ignored. `metrics`: six numbers per node
+  /// (symmetric_tensor.h), positive definite.
+  static Task<MetricBackground> build(Work& work, const BackgroundGrid& grid,
+                                      std::span<const double> metrics);
+
+  /// Returns the metric at a position. `at`: the element to start from; becomes the one that holds the position, or the nearest.
+  [[nodiscard]] SymmetricTensor at(const Vec3& position, GridTetId& at) const;
+
+  /// Makes all sizes at least `size`; 0 for the given ones.
+  void limitSizes(double size);
+
+  [[nodiscard]] double minSize() const { return minSize_; }
+  [[nodiscard]] double maxSize() const { return maxSize_; }
+
+ private:
+  explicit MetricBackground(GridLocator locator) : locator_(std::move(locator)) {}
+
+  GridLocator locator_;
+  std::vector<SymmetricTensor> given_;       ///< logarithms per node
+  std::vector<SymmetricTensor> logarithms_;  ///< with limited sizes
+  double minSize_ = 0.0;
+  double maxSize_ = 0.0;
+};
+
+}  // namespace tetrafront

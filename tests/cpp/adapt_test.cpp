@@ -1,0 +1,198 @@
+/// A mesh adapted to a metric is valid, keeps its boundary, and has unit edges.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "support/mesh_validator.h"
+#include "support/slices.h"
+#include "support/tet_grids.h"
+#include "tetrafront/mesh_adaptation.h"
+
+namespace tetrafront::testing {
+namespace {
+
+/// The side of the unit cube on which all three positions lie, 0 to 5.
+std::uint32_t sideOf(const std::vector<double>& points, const std::uint32_t* nodes) {
+  for (std::uint32_t side = 0; side < 6; ++side) {
+    const auto isOn = [&](std::uint32_t node) { return points[3 * node + side / 2] == side % 2; };
+    if (isOn(nodes[0]) && isOn(nodes[1]) && isOn(nodes[2])) return side;
+  }
+  return 6;
+}
+
+/// The unit cube with its sides as patches.
+AdaptInput cubeInput(int n) {
+  const VolumeMesh mesh = cubeOfTetrahedra(n);
+  AdaptInput input;
+  input.points = mesh.points;
+  input.tetrahedra = mesh.tetrahedra;
+  input.triangles = surfaceOf(mesh, surfaceNodeCount(n)).triangles;
+  for (std::size_t t = 0; t < input.triangles.size(); t += 3)
+    input.trianglePatch.push_back(10 + sideOf(input.points, &input.triangles[t]));
+  return input;
+}
+
+/// Sizes of a layer across the middle of the cube, thin along x.
+MetricMesh layer(double thin, double wide) {
+  const VolumeMesh grid = cubeOfTetrahedra(8);
+  MetricMesh background{grid.points, grid.tetrahedra, {}};
+  for (std::size_t i = 0; i < grid.points.size(); i += 3) {
+    const double across = thin + 0.25 * std::fabs(grid.points[i] - 0.5);
+    const double along = 1.0 / (wide * wide);
+    background.metrics.insert(background.metrics.end(),
+                              {1.0 / (across * across), 0.0, 0.0, along, 0.0, along});
+  }
+  return background;
+}
+
+MeshAdaptation adapted(const AdaptInput& input, const MetricMesh& background,
+                       std::uint32_t budget = 1U << 20) {
+  MeshAdapter adapter(input, background, {});
+  slicesOf(adapter, budget);
+  return adapter.result();
+}
+
+/// Checks a result with arithmetic of its own.
+void expectValid(const MeshAdaptation& made) {
+  ASSERT_TRUE(made.diagnostics.empty());
+  ASSERT_FALSE(made.tetrahedra.empty());
+  VolumeMesh mesh;
+  mesh.points = made.points;
+  mesh.tetrahedra = made.tetrahedra;
+  mesh.regions = made.regions;
+  SurfaceMesh surface;
+  surface.triangles = made.triangles;
+  std::uint32_t nodes = 0;
+  for (const std::uint32_t node : made.triangles) nodes = std::max(nodes, node + 1);
+  surface.points.assign(made.points.begin(), made.points.begin() + 3 * std::ptrdiff_t{nodes});
+  EXPECT_EQ(complaintAbout(mesh, surface), "");
+}
+
+double areaOf(const MeshAdaptation& made, std::size_t triangle) {
+  std::array<std::array<double, 3>, 3> p{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i)
+      p[k][i] = made.points[3 * made.triangles[3 * triangle + k] + i];
+  }
+  double squared = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const double c =
+        (p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]);
+    squared += c * c;
+  }
+  return 0.5 * std::sqrt(squared);
+}
+
+TEST(MeshAdaptation, FollowsALayerAcrossACube) {
+  const MeshAdaptation made = adapted(cubeInput(3), layer(0.03, 0.2));
+  expectValid(made);
+  EXPECT_GT(made.after.unitEdges, 0.99);
+  EXPECT_GT(made.after.leastQuality, 0.4);
+  EXPECT_GT(made.after.meanQuality, 0.75);
+  EXPECT_LT(made.before.unitEdges, 0.5);
+  EXPECT_EQ(made.after.tetrahedra, made.regions.size());
+  std::uint32_t counted = 0;
+  for (const std::uint32_t count : made.after.lengths) counted += count;
+  EXPECT_EQ(counted, made.after.edges);
+}
+
+TEST(MeshAdaptation, KeepsThePatchesOfACube) {
+  const MeshAdaptation made = adapted(cubeInput(2), layer(0.1, 0.3));
+  expectValid(made);
+  std::map<std::uint32_t, double> areas;
+  for (std::size_t t = 0; t < made.trianglePatch.size(); ++t) {
+    const std::uint32_t side = sideOf(made.points, &made.triangles[3 * t]);
+    EXPECT_EQ(made.trianglePatch[t], 10 + side);
+    areas[side] += areaOf(made, t);
+  }
+  ASSERT_EQ(areas.size(), 6U);
+  for (const auto& [side, area] : areas) EXPECT_NEAR(area, 1.0, 1e-12) << side;
+}
+
+TEST(MeshAdaptation, CoarsensAFineMesh) {
+  const MeshAdaptation made = adapted(cubeInput(8), layer(0.4, 0.5));
+  expectValid(made);
+  EXPECT_LT(made.after.tetrahedra, made.before.tetrahedra / 4);
+  EXPECT_GT(made.after.unitEdges, 0.9);
+}
+
+TEST(MeshAdaptation, DoesNotDependOnTheSlices) {
+  const MeshAdaptation one = adapted(cubeInput(2), layer(0.1, 0.3));
+  const MeshAdaptation other = adapted(cubeInput(2), layer(0.1, 0.3), 7);
+  EXPECT_EQ(one.points, other.points);
+  EXPECT_EQ(one.tetrahedra, other.tetrahedra);
+}
+
+TEST(MeshAdaptation, IsValidWhereverItIsStopped) {
+  std::size_t partial = 0;
+  for (const int calls : {1, 20, 60, 150, 400}) {
+    MeshAdapter adapter(cubeInput(2), layer(0.1, 0.3), {});
+    for (int i = 0; i < calls; ++i) adapter.advance(100);
+    adapter.stop();
+    while (!adapter.advance(100)) {
+    }
+    partial += adapter.result().isPartial ? 1 : 0;
+    expectValid(adapter.result());
+  }
+  EXPECT_GE(partial, 3U);
+}
+
+TEST(MeshAdaptation, KeepsTheInterfaceOfTwoRegions) {
+  AdaptInput input = cubeInput(4);
+  for (std::size_t t = 0; t < input.tetrahedra.size(); t += 4) {
+    double x = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) x += 0.25 * input.points[3 * input.tetrahedra[t + k]];
+    input.regions.push_back(x < 0.5 ? 7 : 9);
+  }
+  const MeshAdaptation made = adapted(input, layer(0.15, 0.3));
+  ASSERT_TRUE(made.diagnostics.empty());
+  std::map<std::uint32_t, double> volumes;
+  for (std::size_t t = 0; t < made.regions.size(); ++t) {
+    std::array<std::array<double, 3>, 4> p{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t i = 0; i < 3; ++i) p[k][i] = made.points[3 * made.tetrahedra[4 * t + k] + i];
+    }
+    double volume = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      volume += (p[3][k] - p[0][k]) * ((p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) -
+                                       (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]));
+    }
+    EXPECT_GT(volume, 0.0);
+    volumes[made.regions[t]] += volume / 6.0;
+  }
+  ASSERT_EQ(volumes.size(), 2U);
+  EXPECT_NEAR(volumes.at(7), 0.5, 1e-12);
+  EXPECT_NEAR(volumes.at(9), 0.5, 1e-12);
+}
+
+TEST(MeshAdaptation, RefusesWhatIsNoMetric) {
+  MetricMesh background = layer(0.1, 0.3);
+  background.metrics[6 * 5] = -1.0;
+  const MeshAdaptation made = adapted(cubeInput(2), background);
+  EXPECT_FALSE(made.isReadable);
+  EXPECT_TRUE(made.tetrahedra.empty());
+}
+
+TEST(MeshAdaptation, NamesABackgroundElementWithoutVolume) {
+  MetricMesh background = layer(0.1, 0.3);
+  background.tetrahedra[4 * 7 + 1] = background.tetrahedra[4 * 7];
+  const MeshAdaptation made = adapted(cubeInput(2), background);
+  ASSERT_FALSE(made.diagnostics.empty());
+  ASSERT_FALSE(made.diagnostics[0].entities.empty());
+  EXPECT_EQ(made.diagnostics[0].entities[0].kind, EntityKind::kBackgroundTetrahedron);
+  EXPECT_EQ(made.diagnostics[0].entities[0].index, 7U);
+  EXPECT_TRUE(made.tetrahedra.empty());
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

@@ -1,0 +1,76 @@
+/** Adapts a mesh to the metric of a background mesh. */
+import { describeAll } from "../diagnostics/describe.js";
+import { nameByIndex } from "../diagnostics/entity-names.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import type { PartialControl } from "../engine/control.js";
+import type { EngineClient } from "../engine/engine-client.js";
+import type { AnswerOf } from "../engine/calls.js";
+import { countOf, numbered } from "../formats/groups.js";
+import { ADAPT_DEFAULTS } from "../generated/constants.js";
+import type { MeshAdaptation, MetricStatistics } from "../mesh/adaptation.js";
+import type { Mesh, VolumeInput } from "../mesh/mesh.js";
+import { beginCall } from "./call-checks.js";
+import { patchesIn } from "./carried-mesh.js";
+import { checkImproveInput, checkMesh, unreadableMesh } from "./input-checks.js";
+import { checkAdaptOptions } from "./mesh-options.js";
+import { metricsOf, wrongMetrics } from "./node-metrics.js";
+import type { AdaptOptions } from "./option-types.js";
+
+type EngineAdaptation = AnswerOf<"adaptMesh">;
+
+export async function adaptMesh(
+  client: EngineClient,
+  { mesh, background }: { readonly mesh: VolumeInput; readonly background: VolumeInput },
+  options: AdaptOptions,
+  control: PartialControl,
+): Promise<MeshAdaptation> {
+  beginCall(client, control);
+  refuse([...checkImproveInput(mesh), ...checkMesh(background), ...checkAdaptOptions(options)]);
+  const metrics = metricsOf(background);
+  refuse(wrongMetrics(metrics));
+  const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
+  const given = [
+    {
+      points: mesh.points.slice(),
+      tetrahedra: mesh.tetrahedra.slice(),
+      regions: mesh.tetrahedronRegion?.slice() ?? new Uint32Array(),
+      triangles: mesh.triangles?.slice() ?? new Uint32Array(),
+      trianglePatch: mesh.trianglePatch?.slice() ?? new Uint32Array(),
+    },
+    { points: background.points.slice(), tetrahedra: background.tetrahedra.slice(), metrics },
+    { leastQuality, sweeps },
+  ] as const;
+  const found = await client.ask("adaptMesh", given, control);
+  if (!found.isReadable) refuse([unreadableMesh()]);
+  refuse(describeAll(found.diagnostics, nameByIndex));
+  return described(found, mesh);
+}
+
+function described(found: EngineAdaptation, given: VolumeInput): MeshAdaptation {
+  const { isPartial, before, after } = found;
+  return {
+    mesh: adaptedMesh(found, given),
+    isPartial,
+    before: plain(before),
+    after: plain(after),
+    diagnostics: [],
+  };
+}
+
+function plain({ lengths, ...rest }: EngineAdaptation["after"]): MetricStatistics {
+  return { ...rest, lengths: [...lengths] };
+}
+
+function adaptedMesh(found: EngineAdaptation, given: VolumeInput): Mesh {
+  const { points, tetrahedra, triangles, trianglePatch, regions: tetrahedronRegion, metrics } = found;
+  const { regions = [], patches = [] } = given;
+  return {
+    points,
+    triangles,
+    ...patchesIn({ triangles, trianglePatch, patches }),
+    tetrahedra,
+    tetrahedronRegion,
+    regions: regions.length > 0 ? regions : numbered("region", countOf(tetrahedronRegion)),
+    nodeData: new Map([["metric", { components: 6, values: metrics }]]),
+  };
+}

@@ -1,0 +1,131 @@
+/** `tetrafront adapt`: adapts a mesh, or the mesh of a model, to the metric of a background mesh. */
+import { checkAdaptOptions } from "../api/mesh-options.js";
+import { writeMesh } from "../api/mesh-files.js";
+import { plural } from "../base/plural.js";
+import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { MeshAdaptation, MetricStatistics } from "../mesh/adaptation.js";
+import type { Mesh } from "../mesh/mesh.js";
+import { withBoundary, writableName, writeAll } from "./convert.js";
+import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
+import { isCadInput, isProject, numberIn, readMeshFile, refuseOptions } from "./input.js";
+import { meshInput } from "./mesh.js";
+import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
+import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
+import { withRun } from "./run.js";
+import type { UnitOptions } from "./units.js";
+
+/** Options as commander passes them. */
+export interface AdaptCommandOptions extends UnitOptions {
+  readonly background: string;
+  readonly output: string;
+  readonly quality?: string;
+  readonly sweeps?: string;
+  readonly from?: string;
+  readonly to?: string;
+  readonly json?: boolean;
+  readonly quiet?: boolean;
+}
+
+/** Result of the command, as printed by `--json`. */
+interface Outcome extends Partial<Pick<MeshAdaptation, "isPartial" | "before" | "after">> {
+  /** The written file, if any. */
+  readonly output: string | null;
+  readonly diagnostics: readonly Diagnostic[];
+  readonly exitCode: number;
+}
+
+/** Largest angle that an edge of the boundary spans on the curved faces of a CAD file: its area and volume are then good to 0.1 %. */
+const ANGLE_PER_EDGE = "6";
+
+/** Runs the command; resolves with the exit code. */
+export async function adaptFile(input: string, options: AdaptCommandOptions): Promise<number> {
+  const outcome = await adaptAndWrite(input, options).catch((failure: unknown) =>
+    failedOutcome(failure, input),
+  );
+  const { exitCode, ...report } = outcome;
+  if (options.json === true) {
+    for (const piece of jsonPieces({ input, ...report })) await writeToStandardOutput(piece);
+  }
+  return exitCode;
+}
+
+async function adaptAndWrite(input: string, options: AdaptCommandOptions): Promise<Outcome> {
+  const { output } = options;
+  const isQuiet = options.quiet === true || options.json === true;
+  const chosen = { leastQuality: numberIn(options.quality), sweeps: numberIn(options.sweeps) };
+  refuseOptions(checkAdaptOptions(chosen));
+  const name = await checkPaths(input, options);
+  const background = await readMeshFile(options.background);
+  requireTetrahedra(options.background, background);
+  const given = await readOrMesh(input, options, isQuiet);
+  const made = await withRun(isQuiet, (mesher, controlOf) =>
+    mesher.adaptMesh(given, background, chosen, { ...controlOf("adapt"), partial: true }),
+  );
+  const { mesh, isPartial, before, after, diagnostics } = made;
+  const files = await writeMesh(mesh, name);
+  await writeAll(files, { input, output, name, isQuiet });
+  printDiagnostics(input, diagnostics, { isQuiet });
+  if (isPartial) print(`${input}: stopped; the mesh made so far is valid, and was written`);
+  if (!isQuiet) print(`${input}: ${adaptationText(before, after)} -> ${output}`);
+  const notes = files.flatMap((file) => file.notes);
+  const exitCode = isPartial ? ExitCode.notCompleted : ExitCode.meshed;
+  return { output, isPartial, before, after, diagnostics: [...notes, ...diagnostics], exitCode };
+}
+
+/** Checks the output before any work; returns a name whose extension selects its format. */
+async function checkPaths(input: string, options: AdaptCommandOptions): Promise<string> {
+  const { background, output, from, to, json } = options;
+  if (json === true && output === STANDARD_STREAM) {
+    const message = "--json and the mesh cannot both be written to standard output";
+    refuseOptions([invalidOption("--json", message, "Use -o with the name of a file.")]);
+  }
+  await refuseFolder(output);
+  const name = writableName(output, to, ["volume"]);
+  const written = outputFiles(output, to);
+  await checkNoOverwrite(
+    [...inputFiles(input, from), ...inputFiles(background, undefined, "the background mesh")],
+    written,
+  );
+  await checkWritable(written);
+  return name;
+}
+
+function requireTetrahedra(file: string, mesh: Mesh): void {
+  if (mesh.tetrahedra.length > 0) return;
+  const remedy = "Use a volume mesh with the metric at its nodes.";
+  throw new InvalidInput(file, [
+    packageDiagnostic("no-tetrahedra", "the file contains no tetrahedra", remedy),
+  ]);
+}
+
+/** Returns the volume mesh of the file, or meshes the model in it. */
+async function readOrMesh(input: string, options: AdaptCommandOptions, isQuiet: boolean): Promise<Mesh> {
+  const { background: _b, output: _o, to: _t, quality: _q, sweeps: _s, json: _j, ...reading } = options;
+  const isCad = isCadInput(input, options.from);
+  if (!isCad && !isProject(input, options.from)) {
+    const mesh = await readMeshFile(input, reading);
+    if (mesh.tetrahedra.length > 0) return mesh.triangles.length > 0 ? mesh : withBoundary(mesh);
+  }
+  const fine = isCad ? ({ surface: "remesh", anglePerEdge: ANGLE_PER_EDGE } as const) : {};
+  const { result } = await meshInput(
+    input,
+    { ...reading, ...fine, filters: true, optimize: "fast", quiet: true },
+    () => Promise.resolve(),
+  );
+  const { report, mesh } = result;
+  if (report.status !== "done") throw new InvalidInput(input, report.diagnostics);
+  if (!isQuiet) print(`${input}: ${plural(mesh.tetrahedra.length / 4, "tetrahedron")} to begin with`);
+  return mesh;
+}
+
+function adaptationText(before: MetricStatistics, after: MetricStatistics): string {
+  const percent = (share: number) => `${(100 * share).toFixed(2)} %`;
+  return [
+    `adapted: ${plural(before.tetrahedra, "tetrahedron")} before, ${after.tetrahedra} after`,
+    `${plural(after.nodes, "node")}`,
+    `unit edges ${percent(before.unitEdges)} before, ${percent(after.unitEdges)} after`,
+    `lengths ${after.shortest.toFixed(3)} to ${after.longest.toFixed(3)}`,
+    `least quality in the metric ${after.leastQuality.toFixed(3)}, mean ${after.meanQuality.toFixed(3)}`,
+  ].join("; ");
+}
