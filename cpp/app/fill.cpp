@@ -197,10 +197,11 @@ void remesh(Surface& surface, double size) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr,
-                 "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]\n"
-                 "       [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]\n"
-                 "       [--max-volume=VOLUME] [--interior=auto|front|lattice] [--threads=COUNT]\n");
+    std::fprintf(
+        stderr,
+        "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]\n"
+        "       [--order=layered|smallest-first] [--filters=on|off] [--remesh=on|off]\n"
+        "       [--max-volume=VOLUME] [--interior=auto|front|lattice] [--threads=COUNT]\n");
     return 2;
   }
   std::optional<Surface> surface = readOff(argv[1]);

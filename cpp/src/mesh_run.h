@@ -222,9 +222,9 @@ class MeshRun::Impl {
   std::optional<RegionMesher> front_;        ///< while it fills
   std::unique_ptr<SweepObserver> observer_;  ///< of the optimizer, if the run is recorded
   std::unique_ptr<TileRunner> tileRunner_ = std::make_unique<TilesInTurn>();
-  std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes a region
-  std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements of a region
-  std::size_t region_ = 0;                   ///< region that the optimizer or the limiter works on
+  std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes a region
+  std::optional<VolumeLimiter> limiter_;    ///< while it splits large elements of a region
+  std::size_t region_ = 0;                  ///< region that the optimizer or the limiter works on
   bool hasFoundNothingBetter_ = false;
   RegionMeshes meshes_;          ///< after the front
   VolumeMesh result_;            ///< after the last stage

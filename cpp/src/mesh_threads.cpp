@@ -95,7 +95,7 @@ class TileThreads {
   std::vector<TetMesh> results_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::size_t done_ = 0;        ///< guarded by the mutex, as failure_ is
+  std::size_t done_ = 0;  ///< guarded by the mutex, as failure_ is
   std::exception_ptr failure_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> isStopped_ = false;

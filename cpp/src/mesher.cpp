@@ -335,8 +335,8 @@ Task<> MeshRun::Impl::optimize(Work& work) {
       optimizer_.emplace(std::move(mesh), *field_, options_.optimization);
       optimizer_->observe(*observer_);
     } else {
-      optimizer_.emplace(MeshOptimizer::inTiles(std::move(mesh), *field_, options_.optimization,
-                                                *tileRunner_));
+      optimizer_.emplace(
+          MeshOptimizer::inTiles(std::move(mesh), *field_, options_.optimization, *tileRunner_));
     }
     co_await optimizer_->run(work);
     isAnyBetter = isAnyBetter || !optimizer_->hasFoundNothingBetter();

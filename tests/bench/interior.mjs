@@ -8,7 +8,10 @@ import { createMesher } from "../../wasm/dist/index.js";
 import { readSurfaceFile } from "../../wasm/dist/node.js";
 
 /** Subdivisions of the icosahedron's edges. */
-const SPHERES = (process.env.TETRAFRONT_SPHERES ?? "6,8,9,11,14,19,27,41").split(",").filter(Boolean).map(Number);
+const SPHERES = (process.env.TETRAFRONT_SPHERES ?? "6,8,9,11,14,19,27,41")
+  .split(",")
+  .filter(Boolean)
+  .map(Number);
 const given = process.env.TETRAFRONT_PARTS;
 
 const mesher = await createMesher();
@@ -44,7 +47,8 @@ for (const divisions of SPHERES) {
 const parts = Object.entries(NEEDLE_PARTS).map(([name, make]) => ({ name, read: make }));
 if (given) {
   for (const name of readdirSync(given)) {
-    if (/\.stl$/i.test(name)) parts.push({ name, read: async () => (await readSurfaceFile(path.join(given, name))).value });
+    if (/\.stl$/i.test(name))
+      parts.push({ name, read: async () => (await readSurfaceFile(path.join(given, name))).value });
   }
 }
 for (const { name, read } of parts) {

@@ -63,7 +63,9 @@ function runOurs({ thousands, file }) {
   });
   const native = measured(fillNatively);
   const wasm = measured(fillAsWebAssembly);
-  const isSame = ["front", "optimized", "lattice"].every((kind) => native[kind].fingerprint === wasm[kind].fingerprint);
+  const isSame = ["front", "optimized", "lattice"].every(
+    (kind) => native[kind].fingerprint === wasm[kind].fingerprint,
+  );
   return { thousands, native, wasm, isSame };
 }
 

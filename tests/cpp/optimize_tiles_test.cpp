@@ -126,8 +126,8 @@ TEST(TiledMesh, FreesTheSeamsInTheSecondCut) {
     for (const Tile& tile : cut.tiles()) {
       for (std::size_t node = 0; node < tile.mesh.points.size(); ++node) {
         const Vec3& p = tile.mesh.points[node];
-        const bool isInside = glm::min(glm::min(p.x, p.y), p.z) > 0.0 &&
-                              glm::max(glm::max(p.x, p.y), p.z) < 22.0;
+        const bool isInside =
+            glm::min(glm::min(p.x, p.y), p.z) > 0.0 && glm::max(glm::max(p.x, p.y), p.z) < 22.0;
         if (isInside && tile.mesh.isFixed[node] != 0) places.insert({p.x, p.y, p.z});
       }
     }
@@ -136,8 +136,8 @@ TEST(TiledMesh, FreesTheSeamsInTheSecondCut) {
   const std::set<Place> first = sharedOf(tiled);
   const std::set<Place> second = sharedOf(seamsOf(tiled));
   ASSERT_FALSE(first.empty());
-  const auto stillShared = std::ranges::count_if(
-      first, [&](const Place& place) { return second.contains(place); });
+  const auto stillShared =
+      std::ranges::count_if(first, [&](const Place& place) { return second.contains(place); });
   EXPECT_LT(static_cast<double>(stillShared), 0.2 * static_cast<double>(first.size()));
 }
 

@@ -47,7 +47,8 @@ enum class Interior : std::uint8_t {
   kFront = 0,  ///< the front, as everywhere
   kLattice =
       1,  ///< lattices, where sizes are nearly constant over some elements and not stretched; only the rest is left to the front
-  kAuto = 2,  ///< lattices in regions that are expected to have some thousands of elements, else the front
+  kAuto =
+      2,  ///< lattices in regions that are expected to have some thousands of elements, else the front
 };
 
 struct MeshOptions {

@@ -74,8 +74,7 @@ Task<std::vector<std::uint32_t>> tilesOf(Work& work, std::vector<Middle> middles
 }
 
 /// Returns per node the tile that all its elements are in, if it can move; else kRest.
-std::vector<std::uint32_t> ownersOf(const TetMesh& mesh,
-                                    const std::vector<std::uint32_t>& tileOf) {
+std::vector<std::uint32_t> ownersOf(const TetMesh& mesh, const std::vector<std::uint32_t>& tileOf) {
   std::vector<std::uint32_t> owners(mesh.points.size(), kUnseen);
   for (const TetId tet : IdRange<TetId>(mesh.tetrahedra.size())) {
     for (const NodeId node : mesh.tetrahedra[tet.index()]) {
