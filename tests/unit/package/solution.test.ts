@@ -21,12 +21,14 @@ afterAll(() => mesher.dispose());
 type Position = readonly [number, number, number];
 type Field = (position: Position) => number;
 
-/** The unit cube, in n × n × n cubes of six tetrahedra. */
+/** The unit cube, in n × n × n cubes of six tetrahedra: the block with other positions. */
 function unitCube(n: number): Mesh {
   const block = blockMesh(n);
-  const low = Math.min(...block.points);
-  const extent = Math.max(...block.points) - low;
-  return { ...block, points: block.points.map((x) => (x - low) / extent) };
+  const step = (x: number, axis: number) => {
+    if (axis === 0) return Math.round(3 * x);
+    return axis === 1 ? Math.round((x - 0.2) / 0.1) : n + Math.round(x / 1e-3);
+  };
+  return { ...block, points: block.points.map((x, i) => step(x, i % 3) / n) };
 }
 
 function atNodes({ points }: Pick<Mesh, "points">, field: Field): Float64Array {
