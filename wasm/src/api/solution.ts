@@ -45,7 +45,7 @@ export async function sizeFromSolution(
     mesh: { ...completeVolume(mesh), nodeData },
     metrics,
     elements,
-    errors: [...found.errors],
+    expectedErrors: [...found.errors],
     diagnostics: [...constantFields(fields, found.hasVariation), ...missedCount(options.elements, elements)],
   };
 }
@@ -59,7 +59,7 @@ export async function transferSolution(
 ): Promise<TransferredFields> {
   const { from, to, fields } = given;
   beginCall(client, control);
-  refuse([...checkElements(from), ...checkElements(to), ...checkTransferOptions(options)]);
+  refuse([...checkElements(from, "from"), ...checkElements(to, "to"), ...checkTransferOptions(options)]);
   refuse(checkFields(from, fields));
   const { conservative = false } = options;
   const asked = [volumeOf(from), volumeOf(to), packed(fields), conservative] as const;
@@ -108,8 +108,8 @@ function packed(fields: readonly FieldValues[]) {
 }
 
 /** Checks the arrays of a mesh, and that its elements have positive volume. */
-function checkElements(mesh: VolumeInput): Diagnostic[] {
-  const wrong = checkMesh(mesh);
+function checkElements(mesh: VolumeInput, name = "mesh"): Diagnostic[] {
+  const wrong = checkMesh(mesh, name);
   if (wrong.length > 0) return wrong;
   const { points, tetrahedra } = mesh;
   const at = (node: number): Vector => [

@@ -1,12 +1,11 @@
 /** `tetrafront adapt`: adapts a mesh, or the mesh of a model, to the metric of a background mesh. */
 import { checkAdaptOptions } from "../api/mesh-options.js";
-import { writeMesh } from "../api/mesh-files.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { MeshAdaptation, MetricStatistics } from "../mesh/adaptation.js";
 import type { Mesh } from "../mesh/mesh.js";
-import { withBoundary, writableName, writeAll } from "./convert.js";
+import { withBoundary, writableName, writeMeshTo } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
 import { isCadInput, isProject, numberIn, readMeshFile, refuseOptions } from "./input.js";
 import { meshInput } from "./mesh.js";
@@ -63,12 +62,10 @@ async function adaptAndWrite(input: string, options: AdaptCommandOptions): Promi
     mesher.adaptMesh(given, background, chosen, { ...controlOf("adapt"), partial: true }),
   );
   const { mesh, isPartial, before, after, diagnostics } = made;
-  const files = await writeMesh(mesh, name);
-  await writeAll(files, { input, output, name, isQuiet });
+  const notes = await writeMeshTo({ input, output, name, isQuiet }, mesh);
   printDiagnostics(input, diagnostics, { isQuiet });
   if (isPartial) print(`${input}: stopped; the mesh made so far is valid, and was written`);
   if (!isQuiet) print(`${input}: ${adaptationText(before, after)} -> ${output}`);
-  const notes = files.flatMap((file) => file.notes);
   const exitCode = isPartial ? ExitCode.notCompleted : ExitCode.meshed;
   return { output, isPartial, before, after, diagnostics: [...notes, ...diagnostics], exitCode };
 }

@@ -1,6 +1,5 @@
 /** `tetrafront sizes` and `tetrafront transfer`: a background grid from a solution, and a solution on another mesh. */
 import { checkGradation, growthOf } from "../api/mesh-options.js";
-import { writeMesh } from "../api/mesh-files.js";
 import type { SolutionSizeOptions } from "../api/option-types.js";
 import { checkSolutionSizeOptions } from "../api/solution-options.js";
 import { plural } from "../base/plural.js";
@@ -10,7 +9,7 @@ import { listed } from "../formats/groups.js";
 import { ERROR_NORMS, type ErrorNorm } from "../generated/constants.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
-import { writableName, writeAll } from "./convert.js";
+import { writableName, writeMeshTo } from "./convert.js";
 import { refuseFolder } from "./files.js";
 import { type InputOptions, numberIn, readMeshFile, refuseOptions } from "./input.js";
 import { ExitCode, InvalidInput, print, printDiagnostics, reportFailure } from "./messages.js";
@@ -52,7 +51,7 @@ export async function sizesOfFile(input: string, options: SizesCommandOptions): 
       mesher.sizeFromSolution(mesh, fields, chosen, controlOf("solution")),
     );
     const { output } = options;
-    await writeAll(await writeMesh(made.mesh, name), { input, output, name, isQuiet });
+    await writeMeshTo({ input, output, name, isQuiet }, made.mesh);
     printDiagnostics(input, made.diagnostics, { isQuiet });
     if (!isQuiet) print(`${input}: ${sizesText(made, fields)} -> ${output}`);
     return ExitCode.meshed;
@@ -80,7 +79,7 @@ export async function transferFile(
       ...to.nodeData,
       ...made.fields.map(({ name: key = "", components, values }) => [key, { components, values }] as const),
     ]);
-    await writeAll(await writeMesh({ ...to, nodeData }, name), { input, output, name, isQuiet });
+    await writeMeshTo({ input, output, name, isQuiet }, { ...to, nodeData });
     if (!isQuiet) {
       for (const line of transferLines(made, conservative === true)) print(`${input}: ${line}`);
       print(`${input}: ${plural(fields.length, "field")} on ${target} -> ${output}`);
@@ -159,8 +158,11 @@ function fieldsOf(input: string, { nodeData }: Mesh, names: readonly string[] | 
   });
 }
 
-function sizesText({ elements, errors, metrics }: SolutionSizes, fields: readonly FieldValues[]): string {
-  const parts = errors.map((error, f) => `"${fields[f]?.name ?? ""}" ${short(error, 3)}`);
+function sizesText(
+  { elements, expectedErrors, metrics }: SolutionSizes,
+  fields: readonly FieldValues[],
+): string {
+  const parts = expectedErrors.map((error, f) => `"${fields[f]?.name ?? ""}" ${short(error, 3)}`);
   return `a metric at ${plural(metrics.length / 6, "node")} for about ${short(elements, 4)} elements; expected error of ${parts.join(", ")}`;
 }
 
