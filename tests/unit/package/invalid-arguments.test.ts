@@ -179,6 +179,7 @@ const functions: Readonly<Record<string, Arguments>> = {
   isInterface: { mesh: { triangleRegions }, triangle: 0 },
 };
 
+const field = { components: 1, values: new Float64Array(block.points.length / 3).fill(1) };
 const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
   meshProject: {
     project: { ...project, bodies: [body] },
@@ -233,6 +234,14 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
     mesh: block,
     options: { optimization: "fast" },
     control: { ...control, partial: true },
+  },
+  sizeFromSolution: { mesh: block, fields: [field], options: { elements: 100, norm: "l4" }, control },
+  transferSolution: {
+    from: block,
+    to: block,
+    fields: [field],
+    options: { conservative: true },
+    control,
   },
   curveMesh: {
     mesh: block,

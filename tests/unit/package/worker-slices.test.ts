@@ -3,6 +3,7 @@ import { afterEach, describe, expect, test, vi } from "vitest";
 
 import { emptyGrid } from "../../../wasm/dist/project/grid-arrays.js";
 import { engineProposalOptions } from "../../../wasm/dist/api/grid-options.js";
+import { engineSolutionOptions } from "../../../wasm/dist/api/solution-options.js";
 import { engineOptions, engineImproveOptions } from "../../../wasm/dist/api/mesh-options.js";
 import {
   engineInspectionOptions,
@@ -104,6 +105,12 @@ const noTriangles = {
 };
 const remeshing = engineRemeshOptions({ size: 0.2 });
 
+const atNodes = {
+  values: Float64Array.from(points, (x) => x * x).filter((_, i) => i % 3 === 0),
+  components: Uint32Array.of(1),
+  isPerElement: Uint8Array.of(0),
+};
+
 /** What each call is given; the arrays belong to it. */
 const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   previewModel: () => [model, grid, options, false],
@@ -124,6 +131,11 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   improveMesh: () => [points, tetrahedra, none, none, engineImproveOptions({})],
   curveEdges: () => [points, tetrahedra, none, none, new Float64Array()],
   checkRun: () => [model, noBodies, grid, options],
+  sizeFromSolution: () => [mesh, atNodes, engineSolutionOptions({ elements: 1000 })],
+  transferSolution: () => [mesh, mesh, atNodes, true],
+  reduceMetrics: () => [
+    Float64Array.from({ length: 6 * 40_000 }, (_, i) => ([0, 3, 5].includes(i % 6) ? 1 : 0)),
+  ],
 };
 
 describe.each(Object.entries(queries))("%s", (call, given) => {

@@ -200,8 +200,9 @@ export function checkVolume(mesh: VolumeInput, sizes: Float64Array | undefined):
   return mesh.tetrahedra.length === 0 ? [noTetrahedra()] : checkNodeSizes(sizes, mesh.points.length / 3);
 }
 
-export function checkMesh(mesh: VolumeInput): Diagnostic[] {
-  const problems = checkArrays("mesh", mesh, meshSchema, TETRAHEDRA_REMEDY);
+/** `name`: the argument, for messages. */
+export function checkMesh(mesh: VolumeInput, name = "mesh"): Diagnostic[] {
+  const problems = checkArrays(name, mesh, meshSchema, TETRAHEDRA_REMEDY);
   if (problems.length > 0) return problems;
   return mesh.tetrahedra.length === 0 ? [noTetrahedra()] : [];
 }

@@ -13,7 +13,7 @@ import type { Mesh, NodeData, VolumeInput } from "../mesh/mesh.js";
 import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
 import { beginCall } from "./call-checks.js";
 import { patchesIn } from "./carried-mesh.js";
-import { checkArrays, checkMesh } from "./input-checks.js";
+import { checkArrays, checkImproveInput, checkMesh } from "./input-checks.js";
 import type { SolutionSizeOptions, TransferOptions } from "./option-types.js";
 import { checkSolutionSizeOptions, checkTransferOptions, engineSolutionOptions } from "./solution-options.js";
 
@@ -29,7 +29,9 @@ export async function sizeFromSolution(
 ): Promise<SolutionSizes> {
   const { mesh, fields } = given;
   beginCall(client, control);
-  refuse([...checkElements(mesh), ...checkSolutionSizeOptions(options)]);
+  // The result has the triangles and patches of the mesh, so these are checked too.
+  refuse(checkImproveInput(mesh));
+  refuse([...checkElements(mesh, "mesh"), ...checkSolutionSizeOptions(options)]);
   refuse(checkFields(mesh, fields));
   const asked = [volumeOf(mesh), packed(fields), engineSolutionOptions(options)] as const;
   const found = await client.ask("sizeFromSolution", asked, control);
@@ -45,7 +47,7 @@ export async function sizeFromSolution(
     mesh: { ...completeVolume(mesh), nodeData },
     metrics,
     elements,
-    errors: [...found.errors],
+    expectedErrors: [...found.errors],
     diagnostics: [...constantFields(fields, found.hasVariation), ...missedCount(options.elements, elements)],
   };
 }
@@ -59,7 +61,7 @@ export async function transferSolution(
 ): Promise<TransferredFields> {
   const { from, to, fields } = given;
   beginCall(client, control);
-  refuse([...checkElements(from), ...checkElements(to), ...checkTransferOptions(options)]);
+  refuse([...checkElements(from, "from"), ...checkElements(to, "to"), ...checkTransferOptions(options)]);
   refuse(checkFields(from, fields));
   const { conservative = false } = options;
   const asked = [volumeOf(from), volumeOf(to), packed(fields), conservative] as const;
@@ -108,8 +110,8 @@ function packed(fields: readonly FieldValues[]) {
 }
 
 /** Checks the arrays of a mesh, and that its elements have positive volume. */
-function checkElements(mesh: VolumeInput): Diagnostic[] {
-  const wrong = checkMesh(mesh);
+function checkElements(mesh: VolumeInput, name: string): Diagnostic[] {
+  const wrong = checkMesh(mesh, name);
   if (wrong.length > 0) return wrong;
   const { points, tetrahedra } = mesh;
   const at = (node: number): Vector => [

@@ -159,8 +159,11 @@ function fieldsOf(input: string, { nodeData }: Mesh, names: readonly string[] | 
   });
 }
 
-function sizesText({ elements, errors, metrics }: SolutionSizes, fields: readonly FieldValues[]): string {
-  const parts = errors.map((error, f) => `"${fields[f]?.name ?? ""}" ${short(error, 3)}`);
+function sizesText(
+  { elements, expectedErrors, metrics }: SolutionSizes,
+  fields: readonly FieldValues[],
+): string {
+  const parts = expectedErrors.map((error, f) => `"${fields[f]?.name ?? ""}" ${short(error, 3)}`);
   return `a metric at ${plural(metrics.length / 6, "node")} for about ${short(elements, 4)} elements; expected error of ${parts.join(", ")}`;
 }
 

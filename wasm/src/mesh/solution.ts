@@ -22,7 +22,7 @@ export interface SolutionSizes {
   /** About how many elements a mesh that follows the metric has. */
   readonly elements: number;
   /** Per field: its interpolation error on regular elements that follow the metric, in the norm that was asked for. */
-  readonly errors: readonly number[];
+  readonly expectedErrors: readonly number[];
   /** Warnings: fields that do not vary, limits that exclude the number of elements. */
   readonly diagnostics: readonly Diagnostic[];
 }
