@@ -236,6 +236,12 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
     control: { ...control, partial: true },
   },
   sizeFromSolution: { mesh: block, fields: [field], options: { elements: 100, norm: "l4" }, control },
+  adaptMesh: {
+    mesh: block,
+    background: { ...block, nodeData: new Map([["size", field]]) },
+    options: { sweeps: 1 },
+    control: { ...control, partial: true },
+  },
   transferSolution: {
     from: block,
     to: block,

@@ -111,6 +111,9 @@ const atNodes = {
   isPerElement: Uint8Array.of(0),
 };
 
+const unitMetrics = (nodes: number) =>
+  Float64Array.from({ length: 6 * nodes }, (_, i) => ([0, 3, 5].includes(i % 6) ? 1 : 0));
+
 /** What each call is given; the arrays belong to it. */
 const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   previewModel: () => [model, grid, options, false],
@@ -130,12 +133,15 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   inspectMesh: () => [points, tetrahedra, none],
   improveMesh: () => [points, tetrahedra, none, none, engineImproveOptions({})],
   curveEdges: () => [points, tetrahedra, none, none, new Float64Array()],
+  adaptMesh: () => [
+    { points, tetrahedra, regions: none, triangles: none, trianglePatch: none },
+    { points, tetrahedra, metrics: unitMetrics(points.length / 3) },
+    { leastQuality: 0.5, sweeps: 1 },
+  ],
   checkRun: () => [model, noBodies, grid, options],
   sizeFromSolution: () => [mesh, atNodes, engineSolutionOptions({ elements: 1000 })],
   transferSolution: () => [mesh, mesh, atNodes, true],
-  reduceMetrics: () => [
-    Float64Array.from({ length: 6 * 40_000 }, (_, i) => ([0, 3, 5].includes(i % 6) ? 1 : 0)),
-  ],
+  reduceMetrics: () => [unitMetrics(40_000)],
 };
 
 describe.each(Object.entries(queries))("%s", (call, given) => {

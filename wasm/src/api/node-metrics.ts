@@ -1,4 +1,7 @@
 /** Metrics at the nodes of a background mesh, from its node values `metric`, or `size`, `stretching` and `direction`. */
+import * as v from "valibot";
+import { checkArgument } from "../calls/argument-checks.js";
+import { doubles, map } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidArrays } from "../diagnostics/package-diagnostic.js";
@@ -8,6 +11,7 @@ const SIX = 6;
 
 /** Returns six numbers per node: xx xy xz yy yz zz. Rejects a mesh without sizes and arrays of a wrong length. */
 export function metricsOf(mesh: VolumeInput): Float64Array {
+  checkArgument("background", mesh, v.object({ nodeData: v.optional(map) }));
   const { points, nodeData = new Map() } = mesh;
   const count = points.length / 3;
   const metric = nodeData.get("metric")?.values;

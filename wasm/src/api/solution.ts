@@ -13,7 +13,7 @@ import type { Mesh, NodeData, VolumeInput } from "../mesh/mesh.js";
 import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
 import { beginCall } from "./call-checks.js";
 import { patchesIn } from "./carried-mesh.js";
-import { checkArrays, checkMesh } from "./input-checks.js";
+import { checkArrays, checkImproveInput, checkMesh } from "./input-checks.js";
 import type { SolutionSizeOptions, TransferOptions } from "./option-types.js";
 import { checkSolutionSizeOptions, checkTransferOptions, engineSolutionOptions } from "./solution-options.js";
 
@@ -29,7 +29,9 @@ export async function sizeFromSolution(
 ): Promise<SolutionSizes> {
   const { mesh, fields } = given;
   beginCall(client, control);
-  refuse([...checkElements(mesh), ...checkSolutionSizeOptions(options)]);
+  // The result has the triangles and patches of the mesh, so these are checked too.
+  refuse(checkImproveInput(mesh));
+  refuse([...checkElements(mesh, "mesh"), ...checkSolutionSizeOptions(options)]);
   refuse(checkFields(mesh, fields));
   const asked = [volumeOf(mesh), packed(fields), engineSolutionOptions(options)] as const;
   const found = await client.ask("sizeFromSolution", asked, control);
@@ -108,7 +110,7 @@ function packed(fields: readonly FieldValues[]) {
 }
 
 /** Checks the arrays of a mesh, and that its elements have positive volume. */
-function checkElements(mesh: VolumeInput, name = "mesh"): Diagnostic[] {
+function checkElements(mesh: VolumeInput, name: string): Diagnostic[] {
   const wrong = checkMesh(mesh, name);
   if (wrong.length > 0) return wrong;
   const { points, tetrahedra } = mesh;
