@@ -120,6 +120,7 @@ const functions: Readonly<Record<string, Arguments>> = {
     },
   },
   writeMesh: { mesh: block, fileName: "a.vtu" },
+  streamMesh: { mesh: block, fileName: "a.vtu" },
   meshFile: {
     file: offFile(box),
     options: {
