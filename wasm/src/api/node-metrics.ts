@@ -1,7 +1,7 @@
 /** Metrics at the nodes of a background mesh, from its node values `metric`, or `size`, `stretching` and `direction`. */
 import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
-import { doubles, map } from "../calls/schemas.js";
+import { map } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidArrays } from "../diagnostics/package-diagnostic.js";
