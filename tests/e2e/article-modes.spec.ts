@@ -91,7 +91,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
 /** Opens a course page that has one figure of a lesson in a frame, by the one line of the documentation. */
 async function openCourse(page: Page, address: string): Promise<void> {
   const html = `<!doctype html><title>Course</title><body style="margin:0"><div style="height:300px">Text</div>
-    <iframe src="${address}" title="Figure" style="width:100%;height:820px;border:0"></iframe><div style="height:1500px"></div>
+    <iframe src="${address}" title="Figure" style="width:100%;height:900px;border:0"></iframe><div style="height:1500px"></div>
     <script>window.heard = []; addEventListener("message", ({ data }) => window.heard.push(data));</script>`;
   await page.route("**/course.html", (route) => route.fulfill({ contentType: "text/html", body: html }));
   await page.goto("./course.html");
@@ -144,10 +144,10 @@ test("the keys of a clicker turn the slides", async ({ page }) => {
   await keyboard.press("PageDown");
   await expect(page.locator(".stop:visible")).toHaveCount(1);
   await expect(lesson.figure("A")).toHaveAttribute("data-ready", "true");
-  for (let i = 0; i < 6; i++) await keyboard.press("PageDown");
-  await expect(count).toHaveText(/^8 \//);
+  for (let i = 0; i < 7; i++) await keyboard.press("PageDown");
+  await expect(count).toHaveText(/^9 \//);
   await keyboard.press("PageUp");
-  await expect(count).toHaveText(/^7 \//);
+  await expect(count).toHaveText(/^8 \//);
   await expect.poll(() => lesson.value("A", "atrefusal")).toBe(1);
   const size = await page
     .locator(".stop:visible p")
