@@ -55,6 +55,7 @@ const PUBLIC_HEADERS = {
   "remesh.h": "remesh",
   "mesher.h": undefined,
   "run_check.h": undefined,
+  "threads.h": undefined,
   "trace.h": undefined,
 };
 

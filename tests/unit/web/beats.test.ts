@@ -1,14 +1,8 @@
 /** The film of a step: its beats, how they are played, and what is drawn in each. */
 import { readTrace, type AdvanceStep, type RecoveryStep, type Trace } from "tetrafront/trace";
 import { beforeAll, describe, expect, it } from "vitest";
-import {
-  beatAt,
-  beatsOf,
-  elementsShown,
-  isFilled,
-  knownBeat,
-  playsBeats,
-} from "../../../web/teach/player/beats";
+import { beatsOf, knownBeat, playsBeats } from "../../../web/teach/player/beats";
+import { beatAt, elementsShown, isFilled } from "../../../web/teach/player/film-state";
 import { lensMarks, pointedMarks } from "../../../web/teach/player/lens-marks";
 import { sceneOf } from "../../../web/teach/player/lens-scene";
 import { nearFaces, neighbourhoodOf } from "../../../web/teach/player/near-faces";

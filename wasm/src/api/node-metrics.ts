@@ -5,14 +5,16 @@ import { map } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidArrays } from "../diagnostics/package-diagnostic.js";
-import type { VolumeInput } from "../mesh/mesh.js";
+import type { NodeData, VolumeInput } from "../mesh/mesh.js";
 
 const SIX = 6;
 
 /** Returns six numbers per node: xx xy xz yy yz zz. Rejects a mesh without sizes and arrays of a wrong length. */
 export function metricsOf(mesh: VolumeInput): Float64Array {
-  checkArgument("background", mesh, v.object({ nodeData: v.optional(map) }));
-  const { points, nodeData = new Map() } = mesh;
+  const given: unknown = mesh;
+  checkArgument("background", given, v.object({ nodeData: v.optional(map) }));
+  const nodeData: ReadonlyMap<string, NodeData> = mesh.nodeData ?? new Map<string, NodeData>();
+  const { points } = mesh;
   const count = points.length / 3;
   const metric = nodeData.get("metric")?.values;
   if (metric !== undefined) {
@@ -26,8 +28,8 @@ export function metricsOf(mesh: VolumeInput): Float64Array {
     }
     return Float64Array.from(metric);
   }
-  const sizes = nodeData.get("size")?.values;
-  if (sizes === undefined) {
+  const sizes = nodeData.get("size")?.values ?? new Float64Array();
+  if (!nodeData.has("size")) {
     refuse([
       invalidArrays(
         "the background has no metric and no sizes at its nodes",

@@ -1,6 +1,8 @@
 /** What the lens examines in a state of the player: for the view, the panel and drawings. */
 import type { AdvanceStep, Trace, TracedCandidate } from "tetrafront/trace";
-import { beatAt, isBeforeTest, isFleeting, type Beat } from "./beats";
+import { isBeforeTest } from "./beats";
+import { beatAt, isFleeting } from "./film-state";
+import type { Beat } from "../strings/film";
 import type { FrontChange } from "./judge";
 import { decisive, examine, type LensCandidate } from "./lens";
 import type { PlayerState } from "./player";

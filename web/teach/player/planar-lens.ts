@@ -1,5 +1,5 @@
 import type { EdgeCandidate, EdgeStep, PlanarFront, SurfaceStep } from "tetrafront/trace";
-import type { Beat } from "./beats";
+import type { Beat } from "../strings/film";
 import {
   clearance,
   crossedEdges,

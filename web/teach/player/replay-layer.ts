@@ -23,7 +23,7 @@ import { FrontBuffers } from "./front-buffers";
 import { wholeMesh, type WholeChoice } from "./whole-mesh";
 import { createFrontMaterial } from "./front-material";
 import { type FrontColoring, frontValues, type FrontValues } from "./front-values";
-import { elementsShown, isUnfinished, showsWhole } from "./beats";
+import { elementsShown, isUnfinished, showsWhole } from "./film-state";
 import type { FrontChange } from "./judge";
 import type { PlayerState } from "./player";
 

@@ -2,7 +2,7 @@ import type { Trace } from "tetrafront/trace";
 import type { StoreApi } from "zustand/vanilla";
 import type { Position } from "../../document/position";
 import { addScaled, cross, dot, scale, subtract, unit } from "../../document/vectors";
-import { beatAt, isFilled, isFleeting, isUnfinished } from "./beats";
+import { beatAt, isFilled, isFleeting, isUnfinished } from "./film-state";
 import { cornersOf } from "./judge";
 import { LensLayer } from "./lens-layer";
 import { lensMarks, pointedMarks } from "./lens-marks";

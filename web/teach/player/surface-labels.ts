@@ -3,7 +3,8 @@ import type { EdgeStep, PlanarFront, StationStep, SurfaceTrace } from "tetrafron
 import { mean } from "../../document/vectors";
 import { filmStrings } from "../strings/film";
 import { playerStrings } from "../strings/player";
-import { isBeforeTest, type Beat } from "./beats";
+import { isBeforeTest } from "./beats";
+import type { Beat } from "../strings/film";
 import type { LensLabel } from "./lens-marks";
 import { cornersOfPlane } from "./plane-drawing";
 import { candidateInBeat, examinedCandidate } from "./planar-lens";

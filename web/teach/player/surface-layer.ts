@@ -5,7 +5,7 @@ import type { Layer } from "../../viewer/layers/layer";
 import { createFacetMaterial } from "../../viewer/materials/facet-material";
 import { setColor } from "../../viewer/materials/uniforms";
 import type { SceneChanges } from "../../viewer/scene-state";
-import type { Beat } from "./beats";
+import type { Beat } from "../strings/film";
 import { Dots, Facets, WideSegments } from "./lens-parts";
 import { finishedPatches, stepMarks, surfaceScene, type PatchTriangles } from "./surface-scene";
 

@@ -1,7 +1,8 @@
 /** What a state of the lines and patches looks like in space. */
 import type { EdgeStep, PlanarFront, SurfaceStep, SurfaceTrace, Trace } from "tetrafront/trace";
 import type { Position } from "../../document/position";
-import { isBeforeTest, type Beat } from "./beats";
+import { isBeforeTest } from "./beats";
+import type { Beat } from "../strings/film";
 import { edgesAt, endsOf } from "./planar-judge";
 import { candidateInBeat, examinedCandidate, supposedCandidate } from "./planar-lens";
 

@@ -1,6 +1,5 @@
 /** Texts about the film of a step, and about the filled volume at its end. */
 import { formatCounted } from "../../strings/format";
-import type { Beat } from "../player/beats";
 
 const short = (value: number): string => Number(value.toPrecision(3)).toString();
 
@@ -31,7 +30,7 @@ export const filmStrings = {
     station: "station",
     averages: "averages",
     side: "next side",
-  } satisfies Readonly<Record<Beat, string>>,
+  },
   /** What an early beat shows, where the lens says later why the step ended as it did. */
   sentences: {
     base: "The front takes its active face: an element is to be made over it.",
@@ -57,3 +56,6 @@ export const filmStrings = {
   candidate: (rank: number, name: string, verdict: string) => `Candidate ${rank}, ${name}: ${verdict}`,
   candidates: "Candidates in the view",
 } as const;
+
+/** What a part of a film shows. */
+export type Beat = keyof typeof filmStrings.beats;

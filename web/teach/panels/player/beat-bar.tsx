@@ -1,5 +1,6 @@
 import type { CSSProperties } from "react";
-import { beatAt, beatsOf } from "../../player/beats";
+import { beatsOf } from "../../player/beats";
+import { beatAt } from "../../player/film-state";
 import { filmStrings as texts } from "../../strings/film";
 import { FilledBar } from "./filled-bar";
 import styles from "./film.module.css";

@@ -1,5 +1,5 @@
 import { useId } from "react";
-import { elementsShown, showsWhole } from "../../player/beats";
+import { elementsShown, showsWhole } from "../../player/film-state";
 import { filmStrings as texts } from "../../strings/film";
 import styles from "./film.module.css";
 import { useFrontPlayer, usePlayer } from "./use-player";

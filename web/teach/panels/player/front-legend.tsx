@@ -4,7 +4,7 @@ import { frontValues } from "../../player/front-values";
 import { poorAngle } from "../../player/poor-angle";
 import { playerStrings } from "../../strings/player";
 import { usePlayer } from "./use-player";
-import { showsData } from "../../player/beats";
+import { showsData } from "../../player/film-state";
 
 /** The colour scale of the faces of a recorded front; lines and patches have none. */
 export function FrontLegend() {

@@ -1,5 +1,5 @@
 import { useLayoutEffect, useMemo, useRef } from "react";
-import { beatAt, isFleeting } from "../../player/beats";
+import { beatAt, isFleeting } from "../../player/film-state";
 import { lensMarks, type LensLabel } from "../../player/lens-marks";
 import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";

@@ -1,7 +1,8 @@
 import { Text } from "@mantine/core";
 import { lazy, memo, Suspense, useDeferredValue, useMemo } from "react";
 import type { AdvanceStep } from "tetrafront/trace";
-import { elementsShown, isBeforeTest, playsBeats } from "../../player/beats";
+import { isBeforeTest, playsBeats } from "../../player/beats";
+import { elementsShown } from "../../player/film-state";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { examinedIn, lensSceneOf, type LensScene } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";

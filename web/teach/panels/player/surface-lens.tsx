@@ -1,7 +1,7 @@
 import { Text } from "@mantine/core";
 import { lazy, Suspense, useMemo } from "react";
 import type { EdgeStep, PlanarFront, StationStep, SurfaceStep, SurfaceTrace } from "tetrafront/trace";
-import { beatAt } from "../../player/beats";
+import { beatAt } from "../../player/film-state";
 import { labelAt, type EntityLabels } from "../../player/entity-labels";
 import {
   candidateInBeat,
