@@ -67,7 +67,7 @@ class AdaptOperations {
   /// Replaces a face by an edge.
   bool swapFace(TetId element, std::size_t corner, Acceptance acceptance);
   /// Takes off a flat element with two faces and all nodes on one curved patch.
-  bool peel(TetId element);
+  bool peel(TetId id);
   /// Inserts a node at the centroid of an element.
   bool insert(TetId element);
 

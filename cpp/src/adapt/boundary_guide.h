@@ -27,7 +27,7 @@ class BoundaryGuide {
                                          SmoothPatchId other, const Vec3& middle) const;
 
   /// Returns the place on the line between two others, at a part of the way; sets its position.
-  [[nodiscard]] Place onLine(FeatureLineId line, const Place& a, const Place& b, double part,
+  [[nodiscard]] Place onLine(FeatureLineId id, const Place& a, const Place& b, double part,
                              Vec3& position) const;
   /// Returns the place of the patch nearest to a position, and moves the position there. `hint`: a place on the boundary.
   [[nodiscard]] Place onPatch(SmoothPatchId patch, const Place& hint, Vec3& position) const;

@@ -16,7 +16,7 @@
 namespace tetrafront {
 
 /// Returns the metric in which all six edges of a tetrahedron have length 1; the zero tensor if it is degenerate.
-[[nodiscard]] SymmetricTensor impliedMetric(const std::array<Vec3, 4>& corners);
+[[nodiscard]] SymmetricTensor impliedMetric(const std::array<Vec3, 4>& p);
 
 /// Returns at each node the log-Euclidean mean of the implied metrics of its elements, weighted by their volumes. Nodes
 /// without an element of positive volume get the zero tensor.

@@ -41,7 +41,7 @@ inline constexpr double kMaxAspect = 1e6;
 /// Returns the logarithm of a metric; means of metrics are the exponentials of means of their logarithms.
 [[nodiscard]] SymmetricTensor logarithmOf(const SymmetricTensor& metric);
 /// Returns the exponential of any symmetric tensor, which is a metric.
-[[nodiscard]] SymmetricTensor exponentialOf(const SymmetricTensor& logarithm);
+[[nodiscard]] SymmetricTensor exponentialOf(const SymmetricTensor& tensor);
 /// Returns the log-Euclidean mean; one weight per metric, sum 1.
 [[nodiscard]] SymmetricTensor meanOf(std::span<const SymmetricTensor> metrics,
                                      std::span<const double> weights);
