@@ -39,6 +39,6 @@ class TetrahedronClipper {
 };
 
 /// Returns the volume, whatever the orientation.
-[[nodiscard]] double volumeWithin(const Corners& tetrahedron);
+[[nodiscard]] double volumeWithin(const Corners& p);
 
 }  // namespace tetrafront

@@ -41,7 +41,7 @@ class MeshLocator {
 /// The barycentric coordinates of a tetrahedron, as linear functions.
 class BarycentricFrame {
  public:
-  explicit BarycentricFrame(const std::array<Vec3, 4>& corners);
+  explicit BarycentricFrame(const std::array<Vec3, 4>& p);
   [[nodiscard]] std::array<double, 4> at(const Vec3& position) const;
 
  private:
