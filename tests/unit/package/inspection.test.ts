@@ -434,7 +434,7 @@ test("repairSurface and inspectMesh report progress while a run beside them cont
   let reports = 0;
   const run = mesher.fillSurface(
     sphereSurface(30),
-    { size: 0.03 },
+    { size: 0.03, interior: "front" },
     { signal: stop.signal, onProgress: () => reports++ },
   );
   const fractions: number[] = [];
