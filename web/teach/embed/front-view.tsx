@@ -1,3 +1,4 @@
+import { VisuallyHidden } from "@mantine/core";
 import { useRef } from "react";
 import { shareStrings } from "../strings/share";
 import { usePlayer } from "../panels/player/use-player";
@@ -24,6 +25,7 @@ export function FrontView() {
   const isReplaying = usePlayer(({ trace }) => trace !== null);
   return (
     <main className={styles["view"]}>
+      <VisuallyHidden component="h1">{document.title}</VisuallyHidden>
       <ViewState container={container} />
       <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
