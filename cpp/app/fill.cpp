@@ -124,7 +124,7 @@ constexpr std::array<std::pair<std::string_view, Interior>, 3> kInteriors{
     {{"front", Interior::kFront}, {"lattice", Interior::kLattice}, {"auto", Interior::kAuto}}};
 constexpr std::array<std::pair<std::string_view, bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
 
-constexpr double kMostThreads = 256.0;
+constexpr double kMaxThreads = 256.0;
 
 struct Options {
   tetrafront::MeshOptions mesh;
@@ -147,7 +147,7 @@ bool readArgument(std::string_view argument, Options& all) {
     if (choose(all.remesh, *remesh, kSwitch)) return true;
   } else if (const auto threads = valueOf(argument, "--threads")) {
     const double count = numberIn(*threads).value_or(0.0);
-    all.threads = count >= 1.0 && count <= kMostThreads ? static_cast<unsigned>(count) : 0;
+    all.threads = count >= 1.0 && count <= kMaxThreads ? static_cast<unsigned>(count) : 0;
     if (all.threads == count) return true;
   } else if (const auto volume = valueOf(argument, "--max-volume")) {
     options.maxVolume = numberIn(*volume).value_or(0.0);

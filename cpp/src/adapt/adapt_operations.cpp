@@ -10,7 +10,7 @@ namespace tetrafront {
 namespace {
 
 /// Least fall of the badness that counts.
-constexpr double kLeastGain = 1e-3;
+constexpr double kMinGain = 1e-3;
 
 /// Where lengths lead, elements may become as poor as this, or a tenth poorer than before.
 constexpr double kKeptQuality = 0.02;
@@ -22,13 +22,13 @@ constexpr double kLongestCollapsed = 1.45;
 constexpr double kSwapGain = 1.02;
 
 /// Least quality after a disturbance.
-constexpr double kLeastDisturbed = 1e-3;
+constexpr double kMinDisturbed = 1e-3;
 
 /// Edges with more elements are not removed.
 constexpr std::size_t kLargestShell = 9;
 
 /// A node that splits an edge is not nearer to an end than this part.
-constexpr double kLeastPart = 0.15;
+constexpr double kMinPart = 0.15;
 
 }  // namespace
 
@@ -41,9 +41,9 @@ void AdaptContext::measure(AdaptNode& node) const {
 bool AdaptOperations::isAccepted(Acceptance acceptance) const {
   switch (acceptance) {
     case Acceptance::kBadness:
-      return cavity_.gain() > kLeastGain;
+      return cavity_.gain() > kMinGain;
     case Acceptance::kAny:
-      return cavity_.worstAfter() > kLeastDisturbed;
+      return cavity_.worstAfter() > kMinDisturbed;
     case Acceptance::kLengths:
       return cavity_.worstAfter() > std::min(kKeptQuality, 0.9 * cavity_.worstBefore());
   }
@@ -65,7 +65,7 @@ double AdaptOperations::middleOf(NodeId a, NodeId b) const {
   const Vec3 edge = mesh.point(b) - mesh.point(a);
   const double atA = metricLength(mesh.node(a).metric, edge);
   const double atB = metricLength(mesh.node(b).metric, edge);
-  return std::clamp(1.0 / (1.0 + std::sqrt(atA / atB)), kLeastPart, 1.0 - kLeastPart);
+  return std::clamp(1.0 / (1.0 + std::sqrt(atA / atB)), kMinPart, 1.0 - kMinPart);
 }
 
 /// Places a node on the edge whose shell is known. Returns false if the edge is kept.
@@ -195,7 +195,7 @@ bool AdaptOperations::removeEdge(NodeId a, NodeId b, TetId element, Acceptance a
   findRing(a, b);
   plan.allowance =
       allowanceFor(acceptance, shell_.elements, context_.badness.ofEdge(mesh.lengthOf(a, b)));
-  double best = acceptance == Acceptance::kBadness ? kLeastGain : 1e-9;
+  double best = acceptance == Acceptance::kBadness ? kMinGain : 1e-9;
   NodeId chosen{};
   for (const NodeId node : ring_) {
     if (!shell_.isInside &&
@@ -208,7 +208,7 @@ bool AdaptOperations::removeEdge(NodeId a, NodeId b, TetId element, Acceptance a
     if (acceptance != Acceptance::kLengths) cavity_.evaluate();
     if (acceptance == Acceptance::kBadness) gain = cavity_.gain();
     if (acceptance == Acceptance::kAny)
-      gain = cavity_.worstAfter() > kLeastDisturbed ? 1.0 + random.next() : 0.0;
+      gain = cavity_.worstAfter() > kMinDisturbed ? 1.0 + random.next() : 0.0;
     if (gain <= best) continue;
     best = gain;
     chosen = node;
@@ -230,7 +230,7 @@ bool AdaptOperations::swapFace(TetId element, std::size_t corner, Acceptance acc
     return false;
   cavity_.evaluate();
   const bool isGood = acceptance == Acceptance::kBadness
-                          ? cavity_.gain() > kLeastGain
+                          ? cavity_.gain() > kMinGain
                           : cavity_.worstAfter() >= kSwapGain * cavity_.worstBefore();
   return isGood && cavity_.commit();
 }
@@ -289,7 +289,7 @@ bool AdaptOperations::peel(TetId id) {
   mesh.findShell(element.nodes[on[0]], element.nodes[on[1]], id, shell_);
   if (!shell_.isInside || !isPeelGood(element)) return false;
   const double removed = mesh.lengthOf(element.nodes[off[0]], element.nodes[off[1]]);
-  if (context_.badness.ofElement(element.quality) + context_.badness.ofEdge(removed) < kLeastGain)
+  if (context_.badness.ofElement(element.quality) + context_.badness.ofEdge(removed) < kMinGain)
     return false;
   for (const std::size_t k : {off[0], off[1]}) {
     const TetId beside = element.beyond[k].element();

@@ -6,6 +6,7 @@ import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidArrays } from "../diagnostics/package-diagnostic.js";
 import type { NodeData, VolumeInput } from "../mesh/mesh.js";
+import { notPositive } from "./node-sizes.js";
 
 const SIX = 6;
 
@@ -82,13 +83,7 @@ export function wrongMetrics(metrics: Float64Array): Diagnostic[] {
     const determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
     // Comparisons with NaN are false.
     if (xx > 0 && second > 0 && determinant > 0 && Number.isFinite(determinant)) continue;
-    const message = `the metric at node ${node} (counted from 0) is not positive definite`;
-    return [
-      invalidArrays(
-        message,
-        "Use a metric with three positive eigenvalues, the inverse squares of the sizes.",
-      ),
-    ];
+    return [notPositive(node)];
   }
   return [];
 }
