@@ -12,7 +12,7 @@ const LONGEST_ERROR = 300;
 const crashed = (what) => ({
   passed: 0,
   failed: 1,
-  failures: [`${what} wrote no report: it crashed or could not start`],
+  failures: [`${what} wrote no report: it crashed, could not start, or reached the time limit`],
 });
 
 function read(file) {

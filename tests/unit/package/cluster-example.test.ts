@@ -176,6 +176,7 @@ describe("the example of many parts", () => {
         const cluster = spawn(python, [inTests("support/ray_cluster.py")], {
           stdio: ["pipe", "pipe", "ignore"],
         });
+        const isOver = once(cluster, "exit");
         const said = createInterface({ input: cluster.stdout })[Symbol.asyncIterator]();
         try {
           const { value: address } = (await said.next()) as { value: string };
@@ -210,7 +211,7 @@ describe("the example of many parts", () => {
           }
         } finally {
           cluster.stdin.end();
-          await once(cluster, "exit");
+          await isOver;
         }
       },
     );
@@ -219,7 +220,7 @@ describe("the example of many parts", () => {
   /** Waits until a run has reported so many parts; returns the files of the reports of those that are done. */
   async function reportsAfter(process: ChildProcess, count: number) {
     const reports = () => (existsSync(inOut("")) ? readdirSync(inOut("")) : []).filter(isReport);
-    while (reports().length < count && process.exitCode === null) await setTimeout(50);
+    while (reports().length < count && !hasEnded(process)) await setTimeout(50);
     return reports()
       .filter(
         (name) => (JSON.parse(readFileSync(inOut(name), "utf8")) as { row: Row }).row["status"] === "done",
@@ -239,10 +240,12 @@ async function printed(
   let text = "";
   process.stdout.on("data", (piece: Buffer) => (text += piece.toString()));
   while (!pattern.test(text)) {
-    if (process.exitCode !== null) throw new Error(`ended with ${process.exitCode}: ${text}`);
+    if (hasEnded(process)) throw new Error(`ended with ${process.exitCode ?? "a signal"}: ${text}`);
     await setTimeout(20);
   }
 }
+
+const hasEnded = (process: ChildProcess) => process.exitCode !== null || process.signalCode !== null;
 
 function isAlive(id: number): boolean {
   try {
