@@ -1,7 +1,7 @@
 /** Draws the front in space, the cells and nodes that a search has looked at, and the ball that asks. */
 import type { Position } from "../../../../document/position";
 import { addScaled, mean } from "../../../../document/vectors";
-import { colours, mix } from "../../kit/colours";
+import { colours, css, mix, type Colour } from "../../kit/colours";
 import { lit, looksTo, paint, softShadow, type Facet } from "../../kit/matte";
 import { clamp } from "../../kit/motion";
 import type { Pen } from "../../kit/pen";
@@ -84,7 +84,7 @@ export class SpaceSearchDrawing {
     const wide = (radius: number, [x, y]: readonly [number, number]): readonly Position[] =>
       circle((cosine, sine) => [x + radius * cosine, y + radius * sine, ground]);
     const reach = front.nodes.reduce((most, [x, y]) => Math.max(most, Math.hypot(x, y)), 0);
-    softShadow(pen, camera, [wide(0.92 * reach, [0, 0])], ground);
+    softShadow(pen, camera, [wide(0.85 * reach, [0, 0])], ground, 0.55);
     // Where the ball stands: a line down to the ground, and its outline there.
     const c = colours();
     const [x, y] = query.at;
@@ -111,26 +111,20 @@ export class SpaceSearchDrawing {
       const depth = clamp((mean(corners)[1] + 0.45) / 0.9, 0, 1);
       walls.push({
         corners,
-        colour: lit(mix(c.void, c.rim, 0.25 + 0.75 * depth), corners, eye),
+        colour: lit(mix(c.void, c.rim, 0.08 + 0.3 * depth), corners, eye),
         edge: { colour: c.ink, width: isLit ? 1.5 : 1, alpha: isLit ? 0.8 : 0.28 },
       });
     }
     paint(this.pen, this.camera, walls);
-    for (const corners of outlines)
-      this.pen.polygon(corners.map(this.#pixel), null, 1, {
-        colour: c.ink,
-        width: isLit ? 1.25 : 0.75,
-        alpha: isLit ? 0.5 : 0.1,
-      });
+    // All outlines at once, which is much faster than one by one.
+    outlines.forEach((corners, i) => this.pen.path(corners.map(this.#pixel), i === 0));
+    const { context } = this.pen;
+    context.strokeStyle = css(c.ink, isLit ? 0.5 : 0.1);
+    context.lineWidth = isLit ? 1.25 : 0.75;
+    context.stroke();
   }
 
-  #drawCell(
-    cell: Cell<Position>,
-    colour: ReturnType<typeof colours>["ink"],
-    width: number,
-    alpha: number,
-    fill: number,
-  ): void {
+  #drawCell(cell: Cell<Position>, colour: Colour, width: number, alpha: number, fill: number): void {
     const { pen } = this;
     const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((bits) =>
       this.#pixel([
@@ -141,7 +135,15 @@ export class SpaceSearchDrawing {
     );
     const at = (corner: number): Pixel => corners[corner] ?? [0, 0];
     if (fill > 0) for (const face of cubeFaces) pen.polygon(face.map(at), colour, fill);
-    for (const [a, b] of cubeEdges) pen.line(at(a), at(b), colour, width, { alpha });
+    const { context } = pen;
+    context.beginPath();
+    for (const [a, b] of cubeEdges) {
+      context.moveTo(...at(a));
+      context.lineTo(...at(b));
+    }
+    context.strokeStyle = css(colour, alpha);
+    context.lineWidth = width;
+    context.stroke();
   }
 
   #drawBall({ query: { at, radius } }: DrawnSearch): void {
@@ -165,10 +167,21 @@ export class SpaceSearchDrawing {
     const { pen, camera } = this;
     const dot = front.nodes.length > 700 ? 1.3 : front.nodes.length > 300 ? 1.7 : 2.2;
     const pixels = front.nodes.map(this.#pixel);
-    front.nodes.forEach((node, i) => {
-      const alpha = clamp(0.75 - 0.6 * (camera.depth(node) - camera.depth([0, 0, 0])), 0.25, 0.9);
-      pen.circle(pixels[i] ?? [0, 0], dot, c.ink, { alpha });
-    });
+    // Dots that are far from the eye are pale. Those of one shade are drawn at once.
+    const middle = camera.depth([0, 0, 0]);
+    const shadeOf = (node: Position): number =>
+      clamp(Math.floor(2 - 4 * (camera.depth(node) - middle)), 0, 3);
+    for (let shade = 0; shade < 4; shade++) {
+      pen.context.beginPath();
+      front.nodes.forEach((node, i) => {
+        const [x, y] = pixels[i] ?? [0, 0];
+        if (shadeOf(node) !== shade) return;
+        pen.context.moveTo(x + dot, y);
+        pen.context.arc(x, y, dot, 0, 2 * Math.PI);
+      });
+      pen.context.fillStyle = css(c.ink, 0.35 + 0.18 * shade);
+      pen.context.fill();
+    }
     for (const visit of visits)
       if ("node" in visit && !found.has(visit.node))
         pen.circle(pixels[visit.node] ?? [0, 0], dot + (part === "visited" ? 3 : 1.1), c.active);

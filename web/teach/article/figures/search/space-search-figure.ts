@@ -48,7 +48,12 @@ interface Choice {
 
 export class SpaceSearchFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
-  readonly #camera = new Camera(this.#stage, { target: [0, 0, -0.04], distance: 2.5, yaw: 0.5, pitch: 0.34 });
+  readonly #camera = new Camera(this.#stage, {
+    target: [0, 0, -0.03],
+    distance: 2.85,
+    yaw: 0.5,
+    pitch: 0.34,
+  });
   readonly #drawing = new SpaceSearchDrawing(this.#camera, new Pen(this.#stage.context));
   readonly #choices: Readonly<Record<SpaceStructureName, Choice>>;
   readonly #play = new VisitPlayer(
