@@ -116,12 +116,8 @@ export class SpaceSearchDrawing {
       });
     }
     paint(this.pen, this.camera, walls);
-    // All outlines at once, which is much faster than one by one.
-    outlines.forEach((corners, i) => this.pen.path(corners.map(this.#pixel), i === 0));
-    const { context } = this.pen;
-    context.strokeStyle = css(c.ink, isLit ? 0.5 : 0.1);
-    context.lineWidth = isLit ? 1.25 : 0.75;
-    context.stroke();
+    const closed = outlines.map((corners) => [...corners, ...corners.slice(0, 1)].map(this.#pixel));
+    this.pen.polylines(closed, c.ink, isLit ? 1.25 : 0.75, isLit ? 0.5 : 0.1);
   }
 
   #drawCell(cell: Cell<Position>, colour: Colour, width: number, alpha: number, fill: number): void {
@@ -135,15 +131,8 @@ export class SpaceSearchDrawing {
     );
     const at = (corner: number): Pixel => corners[corner] ?? [0, 0];
     if (fill > 0) for (const face of cubeFaces) pen.polygon(face.map(at), colour, fill);
-    const { context } = pen;
-    context.beginPath();
-    for (const [a, b] of cubeEdges) {
-      context.moveTo(...at(a));
-      context.lineTo(...at(b));
-    }
-    context.strokeStyle = css(colour, alpha);
-    context.lineWidth = width;
-    context.stroke();
+    const edges = cubeEdges.map(([a, b]) => [at(a), at(b)]);
+    pen.polylines(edges, colour, width, alpha);
   }
 
   #drawBall({ query: { at, radius } }: DrawnSearch): void {

@@ -192,8 +192,12 @@ export class SpaceSearchFigure implements Figure {
       grid: structures.grid.find(query),
     };
     this.#answers = answers;
-    const [list, octree, grid] = spaceStructureNames.map((name) => answers[name].visits.length);
-    const share = (100 * (octree ?? 0)) / (list ?? 1);
+    const [list, octree, grid] = [
+      answers.list.visits.length,
+      answers.octree.visits.length,
+      answers.grid.visits.length,
+    ];
+    const share = (100 * octree) / list;
     const found = answers.list.found.length;
     const opened = answers.grid.visits.filter((visit) => "cell" in visit).length;
     const nodes = front.nodes.length;
