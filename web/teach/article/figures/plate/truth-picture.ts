@@ -61,7 +61,12 @@ function quarterOf(
     for (let i = 0; i < width; i++) {
       const at: PlanePoint = [((i + 0.5) / width) * size[0], ((j + 0.5) / height) * size[1]];
       const [stress] = exactStress(centred, at);
-      image.data.set([...colour(stress), 255], 4 * (j * width + i));
+      const [red, green, blue] = colour(stress);
+      const pixel = 4 * (j * width + i);
+      image.data[pixel] = red;
+      image.data[pixel + 1] = green;
+      image.data[pixel + 2] = blue;
+      image.data[pixel + 3] = 255;
     }
   context.putImageData(image, 0, 0);
   return { picture, size };
