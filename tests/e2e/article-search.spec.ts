@@ -7,7 +7,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
   test.describe(name, () => {
     test.use({ viewport, colorScheme, hasTouch, contextOptions: { reducedMotion } });
 
-    test("lesson 8: its four tasks, three searches, and the heap", async ({ page }) => {
+    test("lesson 8: its five tasks, three searches in plane and space, and the heap", async ({ page }) => {
       const lesson = new ArticlePage(page, hasTouch);
       await lesson.open(8);
       await lesson.see("A");
@@ -52,21 +52,44 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       for (let i = 0; i < 4 && !(await isDone(lesson, 2)); i++) await page.keyboard.press("ArrowRight");
       await lesson.done(2);
 
+      // In space: the ball goes into the hollow of the front and grows there.
+      await lesson.see("B");
+      const wall = await lesson.values("B");
+      await page.getByRole("button", { name: "the hollow" }).click();
+      await expect.poll(() => lesson.value("B", "found")).toBe(0);
+      await lesson.see("B");
+      await expect(lesson.figure("B").locator('[data-structure="grid"]')).toHaveAttribute(
+        "aria-pressed",
+        "true",
+      );
+      await expect(lesson.task(3)).not.toHaveAttribute("data-done");
+      const ball = await lesson.middle(lesson.handle("B", "ball"));
+      await lesson.drag(ball, [ball[0] + 3, ball[1] - 2]);
+      expect(await lesson.value("B", "x")).not.toBe(wall["x"]);
+      const ballRadius = await lesson.middle(lesson.handle("B", "radius"));
+      await lesson.drag(ballRadius, [ballRadius[0] + 6, ballRadius[1]]);
+      expect(await lesson.value("B", "radius")).toBeGreaterThan(0.12);
+      await lesson.handle("B", "radius").focus();
+      for (let i = 0; i < 24 && !(await isDone(lesson, 3)); i++) await page.keyboard.press("ArrowRight");
+      await lesson.done(3);
+      await lesson.figure("B").locator('[data-structure="list"]').click();
+      await expect(lesson.figure("B").locator('[data-structure="list"] b')).toHaveText("642");
+
       // A large circle and a short front: the list has less to do.
       await radius.focus();
       await page.keyboard.press("End");
       await nodes.focus();
       await page.keyboard.press("Home");
-      await lesson.done(3);
-
-      await lesson.see("B");
-      await lesson.figure("B").getByRole("button", { name: "new sides rise" }).click();
-      await expect.poll(() => lesson.value("B", "step")).toBe(6);
-      await lesson.figure("B").getByRole("slider", { name: "Step" }).focus();
-      await page.keyboard.press("End");
-      expect(await lesson.value("B", "sides")).toBe(0);
-      for (let i = 0; i < 12 && !(await isDone(lesson, 4)); i++) await page.keyboard.press("ArrowLeft");
       await lesson.done(4);
+
+      await lesson.see("C");
+      await lesson.figure("C").getByRole("button", { name: "new sides rise" }).click();
+      await expect.poll(() => lesson.value("C", "step")).toBe(6);
+      await lesson.figure("C").getByRole("slider", { name: "Step" }).focus();
+      await page.keyboard.press("End");
+      expect(await lesson.value("C", "sides")).toBe(0);
+      for (let i = 0; i < 12 && !(await isDone(lesson, 5)); i++) await page.keyboard.press("ArrowLeft");
+      await lesson.done(5);
       await isSound(lesson);
     });
   });

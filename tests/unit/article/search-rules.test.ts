@@ -5,15 +5,23 @@ import { describe, expect, test } from "vitest";
 import { Heap, heapFilm } from "../../../web/teach/article/figures/search/heap-rules";
 import { heapShape, heapSize } from "../../../web/teach/article/figures/search/heap-shape";
 import {
+  CellTree,
   HashGrid,
   ListSearch,
   makeFront,
-  Quadtree,
   structureNames,
   structuresOf,
-  type Circle,
+  type Query,
   whole,
 } from "../../../web/teach/article/figures/search/search-rules";
+
+import {
+  makeSpaceFront,
+  spaceStructureNames,
+  spaceStructuresOf,
+  wholeCube,
+  type SpaceFront,
+} from "../../../web/teach/article/figures/search/space-front";
 
 /** The same random numbers every time. */
 function randomNumbers(seed: number): () => number {
@@ -26,7 +34,7 @@ describe("the structures", () => {
     const structures = structuresOf(makeFront(count));
     const random = randomNumbers(count);
     for (let i = 0; i < 60; i++) {
-      const circle: Circle = {
+      const circle: Query = {
         at: [random() * 1.2 - 0.1, random() * 1.2 - 0.1],
         radius: 0.005 + 0.4 * random(),
       };
@@ -79,7 +87,7 @@ describe("the structures", () => {
         const [u, v] = nodes[(i + 1) % count] ?? [x, y];
         return sum + Math.hypot(u - x, v - y);
       }, 0) / count;
-    const structures = [new Quadtree(nodes, whole), new HashGrid(nodes, 3 * side)];
+    const structures = [new CellTree(nodes, whole), new HashGrid(nodes, 3 * side)];
     const found = structures.map((structure) =>
       Math.round(
         nodes.reduce((sum, at) => sum + structure.find({ at, radius: 2 * side }).visits.length, 0) / count,
@@ -100,7 +108,7 @@ describe("the structures", () => {
           const [u, v] = nodes[(i + 1) % count] ?? [x, y];
           return sum + Math.hypot(u - x, v - y);
         }, 0) / count;
-      const tree = new Quadtree(nodes, whole);
+      const tree = new CellTree(nodes, whole);
       return nodes.reduce((sum, at) => sum + tree.find({ at, radius: 2 * side }).visits.length, 0) / count;
     };
     const [few = 0, fewVisits = 0, more = 0, moreVisits = 0] = (written ?? []).slice(1).map(Number);
@@ -111,7 +119,7 @@ describe("the structures", () => {
   });
 
   test("differ in what they visit, as the tasks of the lesson ask", () => {
-    const visits = (count: number, circle: Circle): readonly number[] => {
+    const visits = (count: number, circle: Query): readonly number[] => {
       const structures = structuresOf(makeFront(count));
       return structureNames.map((name) => structures[name].find(circle).visits.length);
     };
@@ -119,6 +127,103 @@ describe("the structures", () => {
     expect(quadtree).toBeLessThan(0.05 * list);
     const [, tree = 0, grid = 0] = visits(960, { at: [0.3, 0.64], radius: 0.005 });
     expect(grid).toBeGreaterThan(3 * tree);
+  });
+});
+
+describe("in space", () => {
+  /** Mean length of the edges of a front; each edge is in two faces. */
+  const meanSide = ({ nodes, faces }: SpaceFront): number =>
+    faces
+      .flatMap(([a, b, c]) => [a, b, c].map((node, i) => [node, [b, c, a][i] ?? a] as const))
+      .reduce(
+        (sum, [a, b]) => sum + Math.hypot(...(nodes[a] ?? []).map((x, i) => x - (nodes[b]?.[i] ?? 0))),
+        0,
+      ) /
+    (3 * faces.length);
+
+  test.each([1, 4, 12])("the front of %d parts is closed, outward, and within its cube", (parts) => {
+    const { nodes, faces } = makeSpaceFront(parts);
+    expect(nodes).toHaveLength(10 * parts * parts + 2);
+    expect(faces).toHaveLength(20 * parts * parts);
+    const edges = new Set(faces.flatMap(([a, b, c]) => [`${a} ${b}`, `${b} ${c}`, `${c} ${a}`]));
+    expect(edges.size).toBe(3 * faces.length);
+    expect([...edges].filter((edge) => !edges.has(edge.split(" ").reverse().join(" ")))).toEqual([]);
+    let sixVolumes = 0;
+    for (const face of faces) {
+      const [[a, b, c] = [0, 0, 0], [d, e, f] = [0, 0, 0], [g, h, i] = [0, 0, 0]] = face.map(
+        (node) => nodes[node],
+      );
+      sixVolumes += a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
+    }
+    expect(sixVolumes).toBeGreaterThan(0);
+    for (const node of nodes) for (const x of node) expect(Math.abs(x)).toBeLessThan(0.5);
+  });
+
+  test.each([2, 8, 12])("octree and grid find what the list finds, front of %d parts", (parts) => {
+    const { nodes } = makeSpaceFront(parts);
+    const structures = spaceStructuresOf(nodes);
+    const random = randomNumbers(parts);
+    for (let i = 0; i < 60; i++) {
+      const query = {
+        at: [random() - 0.5, random() - 0.5, random() - 0.5] as const,
+        radius: 0.01 + 0.4 * random(),
+      };
+      const found = [...nodes.keys()].filter(
+        (node) => Math.hypot(...query.at.map((x, axis) => x - (nodes[node]?.[axis] ?? 0))) <= query.radius,
+      );
+      for (const name of spaceStructureNames) {
+        const answer = structures[name].find(query);
+        expect(answer.found).toEqual(found);
+        const compared = answer.visits.flatMap((visit) => ("node" in visit ? [visit.node] : []));
+        expect(new Set(compared).size).toBe(compared.length);
+      }
+    }
+  });
+
+  test("the lesson says how many nodes a ball holds, and how many visits find them", () => {
+    const text = readFileSync("web/lessons/8.md", "utf8");
+    const [, ball, circle] =
+      /two sides holds about (\d+) nodes, where the circle held (\d+)/.exec(text) ?? [];
+    const fronts = [4, 8, 16].map((parts) => {
+      const front = makeSpaceFront(parts);
+      const [tree, radius] = [new CellTree(front.nodes, wholeCube), 2 * meanSide(front)];
+      const answers = front.nodes.map((at) => tree.find({ at, radius }));
+      const mean = (of: (answer: (typeof answers)[number]) => number): number =>
+        Math.round(answers.reduce((sum, answer) => sum + of(answer), 0) / answers.length);
+      return {
+        nodes: front.nodes.length,
+        visits: mean(({ visits }) => visits.length),
+        found: mean(({ found }) => found.length),
+      };
+    });
+    expect(fronts[1]?.found).toBe(Number(ball));
+    const sentence = fronts.map(({ nodes, visits }) => [visits, nodes]);
+    const written =
+      /makes (\d+) visits among ([\d,]+) nodes, (\d+) among ([\d,]+), and (\d+) among ([\d,]+)\./
+        .exec(text)
+        ?.slice(1)
+        .map((number) => Number(number.replace(",", "")));
+    expect(written).toEqual(sentence.flat());
+    const nodes = makeFront(240);
+    const side =
+      nodes.reduce((sum, [x, y], i) => {
+        const [u, v] = nodes[(i + 1) % nodes.length] ?? [x, y];
+        return sum + Math.hypot(u - x, v - y);
+      }, 0) / nodes.length;
+    const list = new ListSearch(nodes);
+    const held = nodes.reduce((sum, at) => sum + list.find({ at, radius: 2 * side }).found.length, 0);
+    expect(Math.round(held / nodes.length)).toBe(Number(circle));
+  });
+
+  test("a hollow without nodes costs the grid more than four times the visits of the octree", () => {
+    const structures = spaceStructuresOf(makeSpaceFront(8).nodes);
+    const query = { at: [0.06, 0, -0.04] as const, radius: 0.2 };
+    const [list, octree, grid] = spaceStructureNames.map((name) => structures[name].find(query));
+    expect(list?.found).toEqual([]);
+    const text = readFileSync("web/lessons/8.md", "utf8");
+    expect(text).toContain(`[${grid?.visits.length}](show:B.grid) visits, most of them`);
+    expect(text).toContain(`against [${octree?.visits.length}](show:B.octree). The tree`);
+    expect(grid?.visits.length).toBeGreaterThan(4 * (octree?.visits.length ?? Infinity));
   });
 });
 

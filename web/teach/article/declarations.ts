@@ -13,7 +13,7 @@ import {
 import { mesherDeclaration } from "./figures/mesher/declaration.ts";
 import { pocketDeclaration } from "./figures/pocket/declaration.ts";
 import { raceDeclaration } from "./figures/race/declaration.ts";
-import { heapDeclaration, searchDeclaration } from "./figures/search/declaration.ts";
+import { heapDeclaration, searchDeclaration, searchSpaceDeclaration } from "./figures/search/declaration.ts";
 import { sidesDeclaration } from "./figures/sides/declaration.ts";
 import { sliverDeclaration } from "./figures/sliver/declaration.ts";
 import { stallDeclaration } from "./figures/stall/declaration.ts";
@@ -42,6 +42,7 @@ export const declarations: Readonly<Record<string, FigureDeclaration>> = {
   race: raceDeclaration,
   surface: surfaceDeclaration,
   search: searchDeclaration,
+  "search-space": searchSpaceDeclaration,
   heap: heapDeclaration,
   stretching: stretchingDeclaration,
   "stretching-field": stretchingFieldDeclaration,

@@ -22,6 +22,7 @@ export const figureLoaders: Readonly<Record<string, () => Promise<Figure>>> = {
   race: async () => new (await import("./race/race-figure")).RaceFigure(),
   surface: async () => new (await import("./surface/surface-figure")).SurfaceFigure(),
   search: async () => new (await import("./search/search-figure")).SearchFigure(),
+  "search-space": async () => new (await import("./search/space-search-figure")).SpaceSearchFigure(),
   heap: async () => new (await import("./search/heap-figure")).HeapFigure(),
   stretching: async () => new (await import("./stretching/stretching-figure")).StretchingFigure(false),
   "stretching-field": async () => new (await import("./stretching/stretching-figure")).StretchingFigure(true),

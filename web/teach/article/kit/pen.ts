@@ -51,6 +51,34 @@ export class Pen {
     }
   }
 
+  /** Draws polygons that do not overlap, all in one colour; much faster than one by one. */
+  polygons(
+    all: readonly (readonly Pixel[])[],
+    fill: Colour,
+    stroke: { colour: Colour; width: number },
+    alpha = 1,
+  ): void {
+    const { context } = this;
+    context.beginPath();
+    for (const points of all) this.path(points, false);
+    context.fillStyle = css(fill, alpha);
+    context.fill();
+    context.strokeStyle = css(stroke.colour);
+    context.lineWidth = stroke.width;
+    context.stroke();
+  }
+
+  /** Draws open lines, all in one colour. */
+  polylines(all: readonly (readonly Pixel[])[], colour: Colour, width: number, alpha = 1): void {
+    const { context } = this;
+    context.beginPath();
+    for (const points of all)
+      points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+    context.strokeStyle = css(colour, alpha);
+    context.lineWidth = width;
+    context.stroke();
+  }
+
   /** Begins a closed path, or goes on with another loop of it. */
   path(points: readonly Pixel[], isFirst = true): void {
     if (isFirst) this.context.beginPath();

@@ -178,8 +178,11 @@ function stiffnessOf(mesh: TriangleMesh): Stiffness {
   return { starts, columns, blocks };
 }
 
-const product = (a: Float64Array, b: Float64Array): number =>
-  a.reduce((sum, x, i) => sum + x * (b[i] ?? 0), 0);
+function product(a: Float64Array, b: Float64Array): number {
+  let sum = 0;
+  for (let i = 0; i < a.length; i++) sum += (a[i] ?? 0) * (b[i] ?? 0);
+  return sum;
+}
 
 function addTo(to: Float64Array, what: Float64Array, by: number): void {
   for (let i = 0; i < to.length; i++) to[i] = (to[i] ?? 0) + by * (what[i] ?? 0);

@@ -12,8 +12,8 @@ interface Quarter {
 
 /** A coarse picture of everything, and a fine one of the surroundings of the hole. */
 const pictures: readonly { readonly size: PlanePoint; readonly pixels: readonly [number, number] }[] = [
-  { size: [2 * plate[0], 2 * plate[1]], pixels: [108, 60] },
-  { size: [0.42, 0.42], pixels: [84, 84] },
+  { size: [2 * plate[0], 2 * plate[1]], pixels: [80, 44] },
+  { size: [0.42, 0.42], pixels: [68, 68] },
 ];
 
 export class TruthPicture {
@@ -61,7 +61,12 @@ function quarterOf(
     for (let i = 0; i < width; i++) {
       const at: PlanePoint = [((i + 0.5) / width) * size[0], ((j + 0.5) / height) * size[1]];
       const [stress] = exactStress(centred, at);
-      image.data.set([...colour(stress), 255], 4 * (j * width + i));
+      const [red, green, blue] = colour(stress);
+      const pixel = 4 * (j * width + i);
+      image.data[pixel] = red;
+      image.data[pixel + 1] = green;
+      image.data[pixel + 2] = blue;
+      image.data[pixel + 3] = 255;
     }
   context.putImageData(image, 0, 0);
   return { picture, size };
@@ -72,7 +77,9 @@ function quarterOf(
  * the stress is high.
  */
 export function forceLines(hole: Hole, count: number): readonly (readonly PlanePoint[])[] {
-  const steps = 150;
+  const steps = 60;
+  // Steps grow with the distance from the hole, near which the lines are most curved.
+  const stepShares = Array.from({ length: steps }, (_none, i) => (0.3 + (1.4 * (i + 0.5)) / steps) / steps);
   const lines: PlanePoint[][] = [];
   // From the line through the middle of the hole outwards: between two lines is the same force.
   for (const side of [1, -1]) {
@@ -92,8 +99,8 @@ export function forceLines(hole: Hole, count: number): readonly (readonly PlaneP
       const halves = [-1, 1].map((direction) => {
         const half: PlanePoint[] = [];
         let at: PlanePoint = [hole.at[0], y];
-        const length = (direction * plate[0] - hole.at[0]) / steps;
-        for (let i = 0; i < steps; i++) {
+        for (const share of stepShares) {
+          const length = (direction * plate[0] - hole.at[0]) * share;
           const [xx, , xy] = exactStress(hole, at);
           const middle: PlanePoint = [at[0] + length / 2, at[1] + (length / 2) * (xy / Math.max(0.05, xx))];
           const [mxx, , mxy] = exactStress(hole, middle);

@@ -27,6 +27,35 @@ export const searchDeclaration: FigureDeclaration = {
   marks: { visited: "active", cells: "active", found: "new", front: "plain", chart: "plain" },
 };
 
+/** The nodes of a front in space, in a list, an octree and a hash grid. */
+export const searchSpaceDeclaration: FigureDeclaration = {
+  label: "One question in space, to a list, an octree and a hash grid",
+  options: {
+    parts: { type: "number", label: "parts of a side" },
+    radius: { type: "number", label: "radius of the ball" },
+  },
+  values: {
+    list: "number",
+    octree: "number",
+    grid: "number",
+    share: "number",
+    found: "number",
+    opened: "number",
+    nodes: "number",
+    x: "number",
+    y: "number",
+    z: "number",
+    handled: "number",
+  },
+  states: {
+    at: { words: ["wall", "bay", "hollow"], takesNumber: false },
+    show: { words: ["list", "octree", "grid"], takesNumber: false },
+    parts: { words: [], takesNumber: true },
+    radius: { words: [], takesNumber: true },
+  },
+  marks: { visited: "active", cells: "active", found: "new", front: "plain" },
+};
+
 /** A front that takes its shortest side, and the heap that tells which. */
 export const heapDeclaration: FigureDeclaration = {
   label: "A front and the heap of its sides",

@@ -1,24 +1,26 @@
 /** One question, three structures: the reader drags the circle, and all of them answer, each with what it has looked at. */
 import { effect, untracked } from "@preact/signals-core";
 import { colours, css, onTheme } from "../../kit/colours";
-import { button, element } from "../../kit/dom";
+import { element } from "../../kit/dom";
 import type { Figure } from "../../kit/figure";
-import { clamp, isCalm, Motion } from "../../kit/motion";
+import { clamp, Motion } from "../../kit/motion";
 import { Pen } from "../../kit/pen";
 import { PlaneView, type PlanePoint } from "../../kit/plane-view";
 import { Stage, type HandleOptions, type Pixel } from "../../kit/stage";
 import type { Values } from "../../kit/values";
 import { drawCostChart } from "./cost-chart";
 import {
+  CellTree,
   makeFront,
   structureNames,
   structuresOf,
   type Answer,
   type Cell,
-  type Circle,
+  type Query,
   type Structure,
   type StructureName,
 } from "./search-rules";
+import { VisitPlayer } from "./visit-player";
 
 const titles: Readonly<Record<StructureName, string>> = {
   list: "List",
@@ -32,8 +34,6 @@ const places: Readonly<Record<string, PlanePoint>> = {
 };
 /** Numbers of nodes for which the chart counts. */
 export const chartCounts = [60, 120, 240, 480, 960] as const;
-/** Seconds in which the list is searched. */
-const playTime = 4;
 
 type Structures = Readonly<Record<StructureName, Structure>>;
 interface Panel {
@@ -46,7 +46,10 @@ interface Panel {
 export class SearchFigure implements Figure {
   readonly #panels: Readonly<Record<StructureName, Panel>>;
   readonly #chart = element("canvas", { "aria-hidden": "true" });
-  readonly #play = button({ class: "round play", "aria-label": "Search" }, "", () => this.#search());
+  readonly #play = new VisitPlayer(
+    () => Math.max(...structureNames.map((name) => this.#answers?.[name].visits.length ?? 0)),
+    () => this.#show(),
+  );
   readonly #status = element("p", { class: "status" });
   readonly #motion = new Motion();
   readonly #known = new Map<
@@ -55,8 +58,6 @@ export class SearchFigure implements Figure {
   >();
   #at: PlanePoint = places["bow"] ?? [0.5, 0.5];
   #answers: Readonly<Record<StructureName, Answer>> | null = null;
-  /** Visits that are shown: all, or those so far. */
-  #shown = Infinity;
   #values: Values | null = null;
   #isHandled = false;
   #isLed = false;
@@ -85,18 +86,12 @@ export class SearchFigure implements Figure {
         stage.element,
       );
     });
-    const icon = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    icon.setAttribute("viewBox", "0 0 24 24");
-    icon.setAttribute("aria-hidden", "true");
-    icon.append(document.createElementNS("http://www.w3.org/2000/svg", "path"));
-    icon.firstElementChild?.setAttribute("d", "M8 5l11 7-11 7z");
-    this.#play.append(icon);
     host.append(
       element("div", { class: "searches" }, ...panels),
       element(
         "div",
         { class: "player cost" },
-        this.#play,
+        this.#play.button,
         element("div", { class: "cost-chart" }, this.#chart),
       ),
       this.#status,
@@ -132,7 +127,7 @@ export class SearchFigure implements Figure {
     this.#drawChart();
   }
 
-  get #circle(): Circle {
+  get #circle(): Query {
     return { at: this.#at, radius: this.#values?.number("radius") ?? 0.1 };
   }
 
@@ -196,7 +191,7 @@ export class SearchFigure implements Figure {
   #ask(): void {
     const values = this.#values;
     if (!values) return;
-    this.#shown = Infinity;
+    this.#play.stop();
     const count = values.number("nodes");
     const { structures } = this.#knownFor(count);
     const answers = {
@@ -213,7 +208,7 @@ export class SearchFigure implements Figure {
       share: (100 * answers.quadtree.visits.length) / count,
       found: answers.list.found.length,
       cells: quadtree.cells.length,
-      depth: "depth" in quadtree ? Number(quadtree.depth) : 0,
+      depth: quadtree instanceof CellTree ? quadtree.depth : 0,
       x: this.#at[0],
       y: this.#at[1],
       handled: this.#isHandled,
@@ -229,38 +224,20 @@ export class SearchFigure implements Figure {
     this.#drawChart();
   }
 
-  /** Shows the visits in their order, as many at once in all three structures. */
-  #search(): void {
-    const longest = Math.max(...structureNames.map((name) => this.#answers?.[name].visits.length ?? 0));
-    if (isCalm()) return;
-    this.#shown = 0;
-    this.#motion.frames(
-      (seconds) => {
-        this.#shown += (seconds * longest) / playTime;
-        this.#show();
-        return this.#shown < longest;
-      },
-      () => {
-        this.#shown = Infinity;
-        this.#show();
-      },
-    );
-  }
-
   #show(): void {
     const answers = this.#answers;
     if (!answers) return;
     const longest = Math.max(...structureNames.map((name) => answers[name].visits.length));
     for (const name of structureNames) {
       const total = answers[name].visits.length;
-      const visits = Math.min(total, Math.floor(this.#shown));
+      const visits = this.#play.of(total);
       const { count, bar } = this.#panels[name];
       count.replaceChildren(
         element("b", { class: "active" }, String(visits)),
         visits === 1 ? " visit" : " visits",
       );
       bar.style.width = `${((100 * visits) / longest).toFixed(2)}%`;
-      bar.classList.toggle("done", visits === total && this.#shown !== Infinity);
+      bar.classList.toggle("done", visits === total && this.#play.isPlaying);
     }
     this.#requestDraw();
   }
@@ -277,7 +254,7 @@ export class SearchFigure implements Figure {
     const pen = new Pen(stage.context);
     const { nodes, structures } = this.#knownFor(this.#values?.number("nodes") ?? 0);
     const at = (point: PlanePoint): Pixel => view.pixel(point);
-    const visits = answer.visits.slice(0, Math.min(answer.visits.length, Math.floor(this.#shown)));
+    const visits = answer.visits.slice(0, this.#play.of(answer.visits.length));
     const square = ({ at: [x, y], side }: Cell): readonly Pixel[] =>
       [
         [x, y],
@@ -299,7 +276,8 @@ export class SearchFigure implements Figure {
         pen.polygon(square(visit.cell), c.active, areLit ? 0.2 : 0.11, { colour: c.active, width: 1.25 });
     const isFrontLit = this.#lit === "front";
     pen.polygon(nodes.map(at), null, 1, { colour: c.ink, width: isFrontLit ? 4 : isDense ? 1 : 1.5 });
-    const dot = isDense ? 1.3 : nodes.length > 160 ? 1.9 : 2.6;
+    // In a small picture, the dots of neighbours would become one thick line.
+    const dot = (isDense ? 1.3 : nodes.length > 160 ? 1.9 : 2.6) * clamp(view.scale / 280, 0.55, 1);
     for (const node of nodes) pen.circle(at(node), dot, c.ink);
     const found = new Set(answer.found);
     const isVisitedLit = this.#lit === "visited";
@@ -313,7 +291,7 @@ export class SearchFigure implements Figure {
           stroke: c.ink,
           width: 1,
         });
-    if (last && "node" in last && this.#shown !== Infinity)
+    if (last && "node" in last && this.#play.isPlaying)
       pen.circle(at(nodes[last.node] ?? [0, 0]), 9, null, { stroke: c.active, width: 2.5 });
     const { radius } = this.#circle;
     const middle = at(this.#at);

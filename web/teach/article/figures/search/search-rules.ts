@@ -1,109 +1,132 @@
 /**
- * Three structures that answer one question: which nodes are within a circle? A list, a quadtree (Löhner & Parikh 1988, second
- * section 6), and a grid of equal cells (as in cpp/src/search/face_grid.h). Each tells what it has looked at, in order.
+ * Three structures that answer one question: which nodes are within a circle, or in space within a ball? A list, a tree of cells
+ * (quadtree and octree: Löhner & Parikh 1988, second section 6), and a grid of equal cells (as in cpp/src/search/face_grid.h).
+ * Each tells what it has looked at, in order.
  */
 import type { PlanePoint } from "../../kit/plane-view";
 
-export interface Circle {
-  readonly at: PlanePoint;
+/** A position in the plane or in space: its coordinates. */
+export type Point = readonly number[];
+
+/** A circle, or a ball. */
+export interface Query<P extends Point = PlanePoint> {
+  readonly at: P;
   readonly radius: number;
 }
 
-/** An axis-parallel square: its lower left corner and its side. */
-export interface Cell {
-  readonly at: PlanePoint;
+/** An axis-parallel square or cube: its lowest corner and its side. */
+export interface Cell<P extends Point = PlanePoint> {
+  readonly at: P;
   readonly side: number;
 }
 
 /** Something that a search has looked at: a cell, or a node that it has compared. */
-export type Visit = { readonly cell: Cell } | { readonly node: number };
+export type Visit<P extends Point = PlanePoint> = { readonly cell: Cell<P> } | { readonly node: number };
 
-export interface Answer {
-  /** Nodes within the circle, in ascending order. */
+export interface Answer<P extends Point = PlanePoint> {
+  /** Nodes within the query, in ascending order. */
   readonly found: readonly number[];
-  readonly visits: readonly Visit[];
+  readonly visits: readonly Visit<P>[];
 }
 
-export interface Structure {
+export interface Structure<P extends Point = PlanePoint> {
   /** Its cells, for display. */
-  readonly cells: readonly Cell[];
-  find(circle: Circle): Answer;
+  readonly cells: readonly Cell<P>[];
+  find(query: Query<P>): Answer<P>;
 }
 
-const isWithin = ([x, y]: PlanePoint, { at, radius }: Circle): boolean =>
-  (x - at[0]) ** 2 + (y - at[1]) ** 2 <= radius * radius;
+interface Notes<P extends Point> {
+  readonly found: number[];
+  readonly visits: Visit<P>[];
+}
 
-/** Whether a cell has a point in common with a circle. */
-function touches({ at: [x, y], side }: Cell, { at, radius }: Circle): boolean {
-  const away = (low: number, value: number): number => Math.max(low - value, 0, value - low - side);
-  return away(x, at[0]) ** 2 + away(y, at[1]) ** 2 <= radius * radius;
+/** Returns a point whose coordinates are computed from those of another one. */
+const mapped = <P extends Point>(point: P, act: (x: number, axis: number) => number): P =>
+  point.map(act) as unknown as P;
+
+function isWithin(point: Point, { at, radius }: Query<Point>): boolean {
+  let square = 0;
+  for (let i = 0; i < at.length; i++) square += ((point[i] ?? NaN) - (at[i] ?? NaN)) ** 2;
+  return square <= radius * radius;
+}
+
+/** Whether a cell has a point in common with a query. */
+function touches({ at: low, side }: Cell<Point>, { at, radius }: Query<Point>): boolean {
+  let square = 0;
+  for (let i = 0; i < at.length; i++) {
+    const [from, x] = [low[i] ?? NaN, at[i] ?? NaN];
+    square += Math.max(from - x, 0, x - from - side) ** 2;
+  }
+  return square <= radius * radius;
 }
 
 /** Compares nodes, and notes what it has compared. */
-function compare(
-  nodes: readonly PlanePoint[],
-  among: readonly number[],
-  circle: Circle,
-  into: { found: number[]; visits: Visit[] },
+function compare<P extends Point>(
+  nodes: readonly P[],
+  among: Iterable<number>,
+  query: Query<P>,
+  into: Notes<P>,
 ): void {
   for (const node of among) {
     into.visits.push({ node });
-    if (isWithin(nodes[node] ?? [NaN, NaN], circle)) into.found.push(node);
+    const at = nodes[node];
+    if (at && isWithin(at, query)) into.found.push(node);
   }
 }
 
-const answer = ({ found, visits }: { found: number[]; visits: Visit[] }): Answer => ({
+const answer = <P extends Point>({ found, visits }: Notes<P>): Answer<P> => ({
   found: found.sort((a, b) => a - b),
   visits,
 });
 
-export class ListSearch implements Structure {
-  readonly cells: readonly Cell[] = [];
+export class ListSearch<P extends Point> implements Structure<P> {
+  readonly cells: readonly Cell<P>[] = [];
 
-  constructor(readonly nodes: readonly PlanePoint[]) {}
+  constructor(readonly nodes: readonly P[]) {}
 
-  find(circle: Circle): Answer {
-    const into = { found: [], visits: [] };
-    compare(this.nodes, [...this.nodes.keys()], circle, into);
+  find(query: Query<P>): Answer<P> {
+    const into: Notes<P> = { found: [], visits: [] };
+    compare(this.nodes, this.nodes.keys(), query, into);
     return answer(into);
   }
 }
 
-/** A cell with more nodes is cut into four. */
+/** A cell with more nodes is cut into four, in space into eight. */
 const leafNodes = 4;
 /** Nodes in one position would be cut forever. */
 const maxDepth = 14;
 
-interface Branch extends Cell {
+interface Branch<P extends Point> extends Cell<P> {
   readonly nodes: readonly number[];
-  readonly children: readonly Branch[];
+  readonly children: readonly Branch<P>[];
 }
 
-export class Quadtree implements Structure {
-  readonly cells: readonly Cell[];
+/** A quadtree of nodes in the plane, an octree of nodes in space. */
+export class CellTree<P extends Point> implements Structure<P> {
+  readonly cells: readonly Cell<P>[];
   /** Cells above each other, at most. */
   readonly depth: number;
-  readonly #root: Branch;
+  readonly #root: Branch<P>;
 
   constructor(
-    readonly nodes: readonly PlanePoint[],
-    whole: Cell,
+    readonly nodes: readonly P[],
+    whole: Cell<P>,
   ) {
-    const cells: Cell[] = [];
+    const cells: Cell<P>[] = [];
     let depth = 0;
-    const branch = (cell: Cell, own: readonly number[], level: number): Branch => {
+    const branch = (cell: Cell<P>, own: readonly number[], level: number): Branch<P> => {
       cells.push(cell);
       depth = Math.max(depth, level);
       if (own.length <= leafNodes || level >= maxDepth) return { ...cell, nodes: own, children: [] };
       const half = cell.side / 2;
-      const [left, low] = cell.at;
-      const children = [0, 1, 2, 3].map((quarter) => {
-        const [right, up] = [quarter % 2 === 1, quarter >= 2];
-        const inside = own.filter((node) => {
-          const [x, y] = nodes[node] ?? [NaN, NaN];
-          return x >= left + half === right && y >= low + half === up;
-        });
-        const at: PlanePoint = [left + (right ? half : 0), low + (up ? half : 0)];
+      // A bit per axis: whether a node lies in the upper half.
+      const parts: number[][] = Array.from({ length: 2 ** cell.at.length }, () => []);
+      for (const node of own)
+        parts[
+          cell.at.reduce((bits, low, i) => bits + ((nodes[node]?.[i] ?? NaN) >= low + half ? 2 ** i : 0), 0)
+        ]?.push(node);
+      const children = parts.map((inside, bits) => {
+        const at = mapped(cell.at, (low, i) => low + ((bits >> i) % 2 === 1 ? half : 0));
         return branch({ at, side: half }, inside, level + 1);
       });
       return { ...cell, nodes: [], children };
@@ -113,66 +136,72 @@ export class Quadtree implements Structure {
     this.depth = depth;
   }
 
-  find(circle: Circle): Answer {
-    const into: { found: number[]; visits: Visit[] } = { found: [], visits: [] };
-    const open = (branch: Branch): void => {
+  find(query: Query<P>): Answer<P> {
+    const into: Notes<P> = { found: [], visits: [] };
+    const open = (branch: Branch<P>): void => {
       into.visits.push({ cell: branch });
-      compare(this.nodes, branch.nodes, circle, into);
+      compare(this.nodes, branch.nodes, query, into);
       // What does not touch the circle is left out, with all that is in it; so is what is empty.
       for (const child of branch.children)
-        if ((child.nodes.length > 0 || child.children.length > 0) && touches(child, circle)) open(child);
+        if ((child.nodes.length > 0 || child.children.length > 0) && touches(child, query)) open(child);
     };
     open(this.#root);
     return answer(into);
   }
 }
 
-export class HashGrid implements Structure {
-  readonly cells: readonly Cell[];
+export class HashGrid<P extends Point> implements Structure<P> {
+  readonly cells: readonly Cell<P>[];
   readonly #nodesOf = new Map<string, number[]>();
 
   /** @param side Side of the cells. */
   constructor(
-    readonly nodes: readonly PlanePoint[],
+    readonly nodes: readonly P[],
     readonly side: number,
   ) {
+    const cells: Cell<P>[] = [];
     nodes.forEach((at, node) => {
-      const key = this.#keyOf(this.#indexOf(at));
+      const index = this.#indexOf(at);
+      const key = index.join(" ");
       const own = this.#nodesOf.get(key);
       if (own) own.push(node);
-      else this.#nodesOf.set(key, [node]);
+      else {
+        this.#nodesOf.set(key, [node]);
+        cells.push(this.#cellOf(index));
+      }
     });
-    this.cells = [...this.#nodesOf.keys()].map((key) =>
-      this.#cellOf(key.split(" ").map(Number) as [number, number]),
-    );
+    this.cells = cells;
   }
 
-  find(circle: Circle): Answer {
-    const into: { found: number[]; visits: Visit[] } = { found: [], visits: [] };
-    const { at, radius } = circle;
-    const low = this.#indexOf([at[0] - radius, at[1] - radius]);
-    const high = this.#indexOf([at[0] + radius, at[1] + radius]);
-    for (let j = low[1]; j <= high[1]; j++)
-      for (let i = low[0]; i <= high[0]; i++) {
-        const cell = this.#cellOf([i, j]);
-        if (!touches(cell, circle)) continue;
-        into.visits.push({ cell });
-        compare(this.nodes, this.#nodesOf.get(this.#keyOf([i, j])) ?? [], circle, into);
-      }
+  find(query: Query<P>): Answer<P> {
+    const into: Notes<P> = { found: [], visits: [] };
+    const { at, radius } = query;
+    const low = this.#indexOf(mapped(at, (x) => x - radius));
+    const high = this.#indexOf(mapped(at, (x) => x + radius));
+    const counts = low.map((from, i) => (high[i] ?? from) - from + 1);
+    const total = counts.reduce((product, count) => product * count, 1);
+    for (let n = 0; n < total; n++) {
+      let rest = n;
+      const index = mapped(low, (from, i) => {
+        const along = rest % (counts[i] ?? 1);
+        rest = (rest - along) / (counts[i] ?? 1);
+        return from + along;
+      });
+      const cell = this.#cellOf(index);
+      if (!touches(cell, query)) continue;
+      into.visits.push({ cell });
+      compare(this.nodes, this.#nodesOf.get(index.join(" ")) ?? [], query, into);
+    }
     return answer(into);
   }
 
   /** The formula that leads from a position to its cell. */
-  #indexOf([x, y]: PlanePoint): PlanePoint {
-    return [Math.floor(x / this.side), Math.floor(y / this.side)];
+  #indexOf(at: P): P {
+    return mapped(at, (x) => Math.floor(x / this.side));
   }
 
-  #keyOf([i, j]: PlanePoint): string {
-    return `${i} ${j}`;
-  }
-
-  #cellOf([i, j]: PlanePoint): Cell {
-    return { at: [i * this.side, j * this.side], side: this.side };
+  #cellOf(index: P): Cell<P> {
+    return { at: mapped(index, (i) => i * this.side), side: this.side };
   }
 }
 
@@ -220,6 +249,6 @@ const gridSide = 0.05;
 
 export const structuresOf = (nodes: readonly PlanePoint[]): Readonly<Record<StructureName, Structure>> => ({
   list: new ListSearch(nodes),
-  quadtree: new Quadtree(nodes, whole),
+  quadtree: new CellTree(nodes, whole),
   grid: new HashGrid(nodes, gridSide),
 });

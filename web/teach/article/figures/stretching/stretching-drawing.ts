@@ -54,12 +54,13 @@ export function drawField(stage: Stage, at: (point: PlanePoint) => Pixel, field:
   const c = colours();
   const pen = new Pen(stage.context);
   const [width, height] = field.extent;
+  const ellipses: (readonly Pixel[])[] = [];
   for (let i = 0; i < columns; i++)
     for (let j = 0; j < rows; j++) {
       const point: PlanePoint = [((i + 0.5) * width) / columns, ((j + 0.5) * height) / rows];
-      const ellipse = ellipseAround(point, field.tensorAt(point), 0.4).map(at);
-      pen.polygon(ellipse, c.active, 0.1, { colour: c.active, width: 1.25 });
+      ellipses.push(ellipseAround(point, field.tensorAt(point), 0.4).map(at));
     }
+  pen.polygons(ellipses, c.active, { colour: c.active, width: 1.25 }, 0.1);
 }
 
 /** Draws the background grid: its corners, and its middle. */

@@ -46,10 +46,7 @@ export function drawWind(pen: Pen, at: (point: PlanePoint) => Pixel, field: Tens
       line.push([last[0] + turn * dx, last[1] + turn * dy]);
     }
     const pixels = line.map(at);
-    pixels.forEach((pixel, i) => {
-      const next = pixels[i + 1];
-      if (next) pen.line(pixel, next, c.active, 1.5, { alpha: 0.4 });
-    });
+    pen.polylines([pixels], c.active, 1.5, 0.4);
     const [tip, before] = [pixels.at(-1), pixels.at(-2)];
     if (!tip || !before) continue;
     const [dx, dy] = [tip[0] - before[0], tip[1] - before[1]];
