@@ -13,7 +13,7 @@ import { beginCall } from "./call-checks.js";
 import { patchesIn } from "./carried-mesh.js";
 import { checkImproveInput, checkMesh, unreadableMesh } from "./input-checks.js";
 import { checkAdaptOptions } from "./mesh-options.js";
-import { metricsOf, wrongMetrics } from "./node-metrics.js";
+import { backgroundMetrics, wrongMetrics } from "./node-sizes.js";
 import type { AdaptOptions } from "./option-types.js";
 
 type EngineAdaptation = AnswerOf<"adaptMesh">;
@@ -26,7 +26,7 @@ export async function adaptMesh(
 ): Promise<MeshAdaptation> {
   beginCall(client, control);
   refuse([...checkImproveInput(mesh), ...checkMesh(background), ...checkAdaptOptions(options)]);
-  const metrics = metricsOf(background);
+  const metrics = backgroundMetrics(background);
   refuse(wrongMetrics(metrics));
   const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
   const given = [
