@@ -257,7 +257,7 @@ describe("the command line", () => {
     await withField("solution.vtu", mesh, [scalar(mesh, layer, "T")]);
     const { code, stderr } = await run("sizes", "solution.vtu", "-f", "p", "-n", "100", "-o", "grid.vtu");
     expect(code).toBe(2);
-    expect(stderr).toMatch(/no field "p" at the nodes.*The file has "T"/s);
+    expect(stderr).toMatch(/no field "p"\. The file has "T"/s);
   });
 
   test("reads sizes and metrics from the .sol file beside a Medit mesh", async () => {
