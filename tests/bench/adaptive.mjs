@@ -3,7 +3,7 @@
 //   npm run bench -- adaptive
 // TETRAFRONT_CASES      names of the metrics and functions, separated by commas; default: all
 // TETRAFRONT_ADAPT      folder with cube-cylinder.step, which then is the model; default: a cylinder of chords
-// TETRAFRONT_ELEMENTS   numbers of elements for the functions; default 2000,4000,8000,16000
+// TETRAFRONT_ELEMENTS   numbers of elements for the functions; default 4000,8000,16000,32000
 // TETRAFRONT_CYCLES     cycles for each number; default 3
 // MMG3D                 the program mmg3d; default: the one in PATH
 import { spawnSync } from "node:child_process";
@@ -44,14 +44,19 @@ async function startMesh(mesher, model) {
     return made.mesh;
   }
   const surface = caseSurface(model);
-  const { mesh, report } = await mesher.meshSurface(surface, { surface: "remesh", anglePerEdge: 6, optimization: "fast" });
+  const { mesh, report } = await mesher.meshSurface(surface, {
+    surface: "remesh",
+    anglePerEdge: 6,
+    optimization: "fast",
+  });
   if (report.status !== "done") throw new Error(report.diagnostics[0]?.message);
   return mesh;
 }
 
 async function adapted(mesher, start, metricAt) {
   let mesh = start;
-  for (let pass = 0; pass < PASSES; ++pass) ({ mesh } = await mesher.adaptMesh(start, withMetric(mesh, metricAt)));
+  for (let pass = 0; pass < PASSES; ++pass)
+    ({ mesh } = await mesher.adaptMesh(start, withMetric(mesh, metricAt)));
   return mesh;
 }
 
@@ -95,28 +100,38 @@ async function compareMetrics(mesher) {
     const beside = other === undefined ? "| | | " : statisticsText(other.mesh, metricAt, other.seconds);
     console.log(`| ${name} | ${statisticsText(result, metricAt, time)} | ${beside} | ${published} |`);
   }
-  if (!hasMmg) console.log("\nThere is no mmg3d: pip install mmgpy into a virtual environment, and set MMG3D to its bin/mmg3d.");
+  if (!hasMmg)
+    console.log(
+      "\nThere is no mmg3d: pip install mmgpy into a virtual environment, and set MMG3D to its bin/mmg3d.",
+    );
 }
 
 async function compareOrders(mesher) {
-  const counts = (env.TETRAFRONT_ELEMENTS ?? "2000,4000,8000,16000").split(",").map(Number);
+  const counts = (env.TETRAFRONT_ELEMENTS ?? "4000,8000,16000,32000").split(",").map(Number);
   const cycles = Number(env.TETRAFRONT_CYCLES ?? 3);
-  console.log("\n| function | elements | L2 error | error N^(2/3) | order |\n| --- | ---: | ---: | ---: | ---: |");
+  console.log(
+    "\n| function | elements | L2 error | error N^(2/3) | order |\n| --- | ---: | ---: | ---: | ---: |",
+  );
   for (const [name, valueAt] of Object.entries(FUNCTIONS).filter(isChosen)) {
     let mesh = await startMesh(mesher, "cube");
     const rows = [];
     for (const elements of counts) {
       const solve = ({ points }) => {
-        const values = Float64Array.from({ length: points.length / 3 }, (_, n) => valueAt(points.subarray(3 * n, 3 * n + 3)));
+        const values = Float64Array.from({ length: points.length / 3 }, (_, n) =>
+          valueAt(points.subarray(3 * n, 3 * n + 3)),
+        );
         return [{ name, components: 1, values }];
       };
-      for await (const { next } of mesher.adapt(mesh, solve, { cycles, elements, growth: Infinity })) mesh = next.mesh;
+      for await (const { next } of mesher.adapt(mesh, solve, { cycles, elements, growth: Infinity }))
+        mesh = next.mesh;
       const row = { count: mesh.tetrahedra.length / 4, error: interpolationError(mesh, valueAt) };
       const before = rows.at(-1);
       rows.push(row);
       const order = before === undefined ? "" : (-Math.log(row.error / before.error) / Math.log(row.count / before.count)).toFixed(3); // prettier-ignore
       const scaled = row.error * row.count ** (2 / 3);
-      console.log(`| ${name} | ${row.count} | ${row.error.toExponential(3)} | ${scaled.toFixed(3)} | ${order} |`);
+      console.log(
+        `| ${name} | ${row.count} | ${row.error.toExponential(3)} | ${scaled.toFixed(3)} | ${order} |`,
+      );
     }
     console.log(`| ${name} | all | | | ${slope(rows).toFixed(3)} (2/3 = 0.667) |`);
   }

@@ -7,8 +7,7 @@ function sinfun3([x, y, z]) {
   return (isMiddle ? 1 : 0.1) * Math.sin(50 * product);
 }
 
-const sinatan3 = ([x, y, z]) =>
-  0.1 * Math.sin(50 * x * z) + Math.atan2(0.1, Math.sin(5 * y) - 2 * x * z);
+const sinatan3 = ([x, y, z]) => 0.1 * Math.sin(50 * x * z) + Math.atan2(0.1, Math.sin(5 * y) - 2 * x * z);
 
 const tanh3 = ([x, y, z]) => Math.tanh((x + 1.3) ** 20 * (y - 0.3) ** 9 * z);
 
@@ -45,14 +44,21 @@ export function interpolationError({ points, tetrahedra }, valueAt) {
   const rule = quadrature();
   let sum = 0;
   for (let t = 0; t < tetrahedra.length; t += 4) {
-    const corners = [...tetrahedra.subarray(t, t + 4)].map((node) => [...points.subarray(3 * node, 3 * node + 3)]);
+    const corners = [...tetrahedra.subarray(t, t + 4)].map((node) => [
+      ...points.subarray(3 * node, 3 * node + 3),
+    ]);
     const values = corners.map(valueAt);
     const [u, v, w] = corners.slice(1).map((corner) => corner.map((x, k) => x - corners[0][k]));
     const volume =
-      ((u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2]) / 6;
+      ((u[1] * v[2] - u[2] * v[1]) * w[0] +
+        (u[2] * v[0] - u[0] * v[2]) * w[1] +
+        (u[0] * v[1] - u[1] * v[0]) * w[2]) /
+      6;
     let local = 0;
     for (const { at, weight } of rule) {
-      const position = [0, 1, 2].map((k) => at.reduce((total, l, corner) => total + l * corners[corner][k], 0));
+      const position = [0, 1, 2].map((k) =>
+        at.reduce((total, l, corner) => total + l * corners[corner][k], 0),
+      );
       const interpolated = at.reduce((total, l, corner) => total + l * values[corner], 0);
       local += weight * (valueAt(position) - interpolated) ** 2;
     }

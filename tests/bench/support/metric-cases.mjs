@@ -76,7 +76,10 @@ export function metricStatistics({ points, tetrahedra }, metricAt) {
     });
     const [u, v, w] = vectors;
     const volume = Math.abs(
-      ((u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2]) / 6,
+      ((u[1] * v[2] - u[2] * v[1]) * w[0] +
+        (u[2] * v[0] - u[0] * v[2]) * w[1] +
+        (u[0] * v[1] - u[1] * v[0]) * w[2]) /
+        6,
     );
     const determinants = nodes.map((node) => determinant(metric(node)));
     const largest = Math.max(...determinants);
@@ -97,7 +100,10 @@ const CHORDS = 60;
 
 /** Returns the unit cube, or the unit cube less the cylinder of radius 0.5 about the z axis, as triangles with a patch per face. */
 export function caseSurface(model) {
-  const round = (k) => [0.5 * Math.cos((Math.PI / 2) * (k / CHORDS)), 0.5 * Math.sin((Math.PI / 2) * (k / CHORDS))];
+  const round = (k) => [
+    0.5 * Math.cos((Math.PI / 2) * (k / CHORDS)),
+    0.5 * Math.sin((Math.PI / 2) * (k / CHORDS)),
+  ];
   const arc = Array.from({ length: CHORDS + 1 }, (_, k) => (k === CHORDS ? [0, 0.5] : round(k)));
   const outer = [[1, 0], [1, 1], [0, 1]]; // prettier-ignore
   const ring = model === "cube" ? [[0, 0], ...outer] : [...outer, ...arc.toReversed()];
@@ -121,7 +127,11 @@ export function caseSurface(model) {
     add(k, next, count + next, of);
     add(k, count + next, count + k, of);
   }
-  return { points: Float64Array.from(points), triangles: Uint32Array.from(triangles), trianglePatch: Uint32Array.from(patch) };
+  return {
+    points: Float64Array.from(points),
+    triangles: Uint32Array.from(triangles),
+    trianglePatch: Uint32Array.from(patch),
+  };
 }
 
 /** Triangles of the ring (1, 0), (1, 1), (0, 1), arc from (0, .5) to (.5, 0): fans from the three corners. */

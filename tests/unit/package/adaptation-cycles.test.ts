@@ -318,7 +318,7 @@ describe("the example of a solver of one's own", () => {
         "--cycles",
         "2",
         "--elements",
-        "1500",
+        "4000",
         "-o",
         "a.vtu",
       ];

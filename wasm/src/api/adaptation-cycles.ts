@@ -14,7 +14,7 @@ import type { Mesh, NodeData, SurfaceInput, VolumeInput } from "../mesh/mesh.js"
 import type { MeshResult } from "../mesh/report.js";
 import type { FieldValues } from "../mesh/solution.js";
 import type { Project } from "../project/project-types.js";
-import { checkControl } from "./input-checks.js";
+import { checkControl, checkImproveInput } from "./input-checks.js";
 import { checkAdaptOptions } from "./mesh-options.js";
 import type { Mesher } from "./mesher-interface.js";
 import type { CycleOptions } from "./option-types.js";
@@ -56,6 +56,7 @@ const SHARES = { sizes: 0.2, adapt: 0.9, transfer: 1 } as const;
 
 /** Returns the problems of the options of `adapt`. */
 export function checkCycleOptions(options: CycleOptions): Diagnostic[] {
+  if (typeof options !== "object" || (options as unknown) === null) return checkAgainst(options, cycleSchema);
   const { cycles, fields, resume, leastQuality, sweeps, conservative: _, ...sizes } = options;
   return [
     ...checkAgainst({ cycles, fields, resume }, cycleSchema),
@@ -77,9 +78,10 @@ export async function* adaptationCycles(
   refuse(checkCycleOptions(options));
   const { cycles = DEFAULT_CYCLES, resume } = options;
   const whole = new WholeProgress(control);
+  if (resume !== undefined) refuse(checkImproveInput(resume.mesh));
   const first = await firstMesh(mesher, model, whole.next(FIRST_SHARE / cycles));
-  let mesh = resume?.mesh ?? first;
-  let start = resume === undefined ? [] : fieldsIn(resume.mesh);
+  let mesh = resume === undefined ? first : completeVolume(resume.mesh);
+  let start = resume === undefined ? [] : fieldsIn(mesh);
   for (let cycle = (resume?.cycle ?? 0) + 1; cycle <= cycles; cycle++) {
     throwIfCancelled(control.signal);
     const { signal } = control;
@@ -100,11 +102,12 @@ const FIRST_SHARE = 0.5;
 async function firstMesh(mesher: Mesher, model: AdaptedModel, control: RunControl): Promise<Mesh> {
   if ("lines" in model) return meshOf(await mesher.meshProject(model, {}, control), control);
   const { tetrahedra, triangles } = model;
-  if (tetrahedra === undefined || tetrahedra.length === 0) {
+  if (tetrahedra === undefined || !(tetrahedra.length > 0)) {
     const surface: SurfaceInput = { ...model, triangles: triangles ?? new Uint32Array() };
     return meshOf(await mesher.meshSurface(surface, { surface: "remesh" }, control), control);
   }
   const volume = { ...model, tetrahedra };
+  refuse(checkImproveInput(volume));
   if (triangles !== undefined && triangles.length > 0) return completeVolume(volume);
   const { boundary } = await mesher.inspectMesh(volume, control);
   const { triangles: faces, region: trianglePatch } = boundary;
