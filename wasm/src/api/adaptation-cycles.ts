@@ -102,7 +102,7 @@ const FIRST_SHARE = 0.5;
 async function firstMesh(mesher: Mesher, model: AdaptedModel, control: RunControl): Promise<Mesh> {
   if ("lines" in model) return meshOf(await mesher.meshProject(model, {}, control), control);
   const { tetrahedra, triangles } = model;
-  if (tetrahedra === undefined || !(tetrahedra.length > 0)) {
+  if (tetrahedra == null || !(tetrahedra.length > 0)) {
     const surface: SurfaceInput = { ...model, triangles: triangles ?? new Uint32Array() };
     return meshOf(await mesher.meshSurface(surface, { surface: "remesh" }, control), control);
   }

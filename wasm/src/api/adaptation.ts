@@ -25,7 +25,7 @@ export async function adaptMesh(
   control: PartialControl,
 ): Promise<MeshAdaptation> {
   beginCall(client, control);
-  refuse([...checkImproveInput(mesh), ...checkMesh(background), ...checkAdaptOptions(options)]);
+  refuse([...checkImproveInput(mesh), ...checkMesh(background, "background"), ...checkAdaptOptions(options)]);
   const metrics = backgroundMetrics(background);
   refuse(wrongMetrics(metrics));
   const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
