@@ -18,6 +18,7 @@ export type {
 } from "./api/mesher-interface.js";
 export {
   type CoverOptions,
+  type CycleOptions,
   type AdaptOptions,
   type ImproveOptions,
   type InspectionOptions,
@@ -82,6 +83,13 @@ export type {
   SurfaceRepair,
 } from "./mesh/inspection.js";
 export type { MeshAdaptation, MetricStatistics } from "./mesh/adaptation.js";
+export type {
+  AdaptationCycle,
+  Solution,
+  Solve,
+  SolveContext,
+  SolvedFields,
+} from "./mesh/adaptation-cycle.js";
 export type { MeshImprovement } from "./mesh/improvement.js";
 export type { PreparedBody } from "./mesh/prepared-body.js";
 export type { QualityReport } from "./mesh/quality.js";

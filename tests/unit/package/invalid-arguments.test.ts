@@ -237,6 +237,12 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
     control: { ...control, partial: true },
   },
   sizeFromSolution: { mesh: block, fields: [field], options: { elements: 100, norm: "l4" }, control },
+  adapt: {
+    model: block,
+    solve: () => [field],
+    options: { cycles: 1, elements: 50, norm: "l2", fields: ["field 1"], sweeps: 1, conservative: false },
+    control,
+  },
   adaptMesh: {
     mesh: block,
     background: { ...block, nodeData: new Map([["size", field]]) },
@@ -331,10 +337,20 @@ interface Answer {
   readonly result?: { readonly report: MeshReport };
 }
 
+const isIterable = (value: unknown): value is AsyncIterable<unknown> =>
+  typeof value === "object" && value !== null && Symbol.asyncIterator in value;
+
+async function lastOf(values: AsyncIterable<unknown>): Promise<unknown> {
+  let last: unknown;
+  for await (const value of values) last = value;
+  return last;
+}
+
 /** Returns the errors of a call; undefined if it succeeded. */
 async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] | undefined> {
   try {
-    const made = (await call()) as Answer | undefined;
+    const answer = await call();
+    const made = (isIterable(answer) ? await lastOf(answer) : answer) as Answer | undefined;
     const diagnostics = (made?.report ?? made?.result?.report)?.diagnostics ?? made?.diagnostics;
     const found = made?.errors ?? diagnostics?.filter(({ severity }) => severity === "error");
     return found?.length === 0 ? undefined : found;

@@ -6,6 +6,8 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
 import { cubeProject } from "../../support/projects.js";
+import { offFile } from "../../support/surface-files.js";
+import { boxSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 import { writeProject } from "tetrafront/project";
 
@@ -257,7 +259,7 @@ describe("the command line", () => {
     await withField("solution.vtu", mesh, [scalar(mesh, layer, "T")]);
     const { code, stderr } = await run("sizes", "solution.vtu", "-f", "p", "-n", "100", "-o", "grid.vtu");
     expect(code).toBe(2);
-    expect(stderr).toMatch(/no field "p" at the nodes.*The file has "T"/s);
+    expect(stderr).toMatch(/no field "p"\. The file has "T"/s);
   });
 
   test("reads sizes and metrics from the .sol file beside a Medit mesh", async () => {
@@ -274,5 +276,31 @@ describe("the command line", () => {
     save("cube.sol", sol(nodes - 1));
     const { code, stderr } = await run("convert", "cube.mesh", "-o", "cube.vtu");
     expect([code, stderr]).toEqual([0, expect.stringMatching(/values for 26 nodes, but the mesh has 27/)]);
+  });
+
+  test("mesh remeshes a surface after the metric of a .sol file, and its elements follow it too", async () => {
+    const cube = unitCube(2);
+    const metric = (_: number, i: number) => [100, 0, 0, 100, 0, 9][i % 6] ?? 0;
+    const values = Float64Array.from({ length: 2 * cube.points.length }, metric);
+    await withField("metric.mesh", cube, [{ name: "metric", components: 6, values }]);
+    save("box.off", offFile(boxSurface(1)));
+    const args = ["--surface", "remesh", "--background", "metric.mesh"];
+    const { code, stderr } = await run("mesh", "box.off", "-o", "made.vtu", ...args);
+    expect(code, stderr).toBe(0);
+    const { points, triangles, tetrahedra } = await meshIn("made.vtu");
+    // Sizes are 0.1 along x and y, and 0.33 along z.
+    for (const [corners, width] of [[triangles, 3] as const, [tetrahedra, 4] as const]) {
+      const squares = [0, 0, 0];
+      corners.forEach((node, i) => {
+        const next = corners[i % width === width - 1 ? i - width + 1 : i + 1] ?? 0;
+        for (const axis of [0, 1, 2]) {
+          const along = (points[3 * next + axis] ?? 0) - (points[3 * node + axis] ?? 0);
+          squares[axis] = (squares[axis] ?? 0) + along * along;
+        }
+      });
+      const [x = 0, y = 0, z = 0] = squares.map(Math.sqrt);
+      expect(z / x).toBeGreaterThan(1.8);
+      expect(z / y).toBeGreaterThan(1.8);
+    }
   });
 });

@@ -13,7 +13,7 @@ import { beginCall } from "./call-checks.js";
 import { patchesIn } from "./carried-mesh.js";
 import { checkImproveInput, checkMesh, unreadableMesh } from "./input-checks.js";
 import { checkAdaptOptions } from "./mesh-options.js";
-import { metricsOf, wrongMetrics } from "./node-metrics.js";
+import { backgroundMetrics, wrongMetrics } from "./node-sizes.js";
 import type { AdaptOptions } from "./option-types.js";
 
 type EngineAdaptation = AnswerOf<"adaptMesh">;
@@ -25,8 +25,8 @@ export async function adaptMesh(
   control: PartialControl,
 ): Promise<MeshAdaptation> {
   beginCall(client, control);
-  refuse([...checkImproveInput(mesh), ...checkMesh(background), ...checkAdaptOptions(options)]);
-  const metrics = metricsOf(background);
+  refuse([...checkImproveInput(mesh), ...checkMesh(background, "background"), ...checkAdaptOptions(options)]);
+  const metrics = backgroundMetrics(background);
   refuse(wrongMetrics(metrics));
   const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
   const given = [

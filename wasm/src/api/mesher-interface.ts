@@ -10,6 +10,7 @@ import type {
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { MeshAdaptation } from "../mesh/adaptation.js";
+import type { AdaptationCycle, Solve } from "../mesh/adaptation-cycle.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { MeshResult } from "../mesh/report.js";
@@ -20,6 +21,7 @@ import type { ProjectPreview } from "../project/preview.js";
 import type { BodyId, Project, ProjectBackground, ProjectSource } from "../project/project-types.js";
 import type {
   CoverOptions,
+  CycleOptions,
   AdaptOptions,
   ImproveOptions,
   InspectionOptions,
@@ -352,6 +354,22 @@ export interface Mesher {
     options?: TransferOptions,
     control?: RunControl,
   ): Promise<TransferredFields>;
+  /**
+   * Adapts the mesh of a model to the solution of a solver, cycle by cycle: a mesh is solved, and the next mesh follows the
+   * sizes of the solution, which is transferred to it. The model is a project, a surface, whose triangles
+   * are replaced, or a mesh. The boundary of all meshes follows that of the first one. Yields after each cycle; leave the loop to end early. The
+   * iterator rejects as the calls that it makes do, with what the solver throws, and with `cancelled`.
+   *
+   *     for await (const { cycle, next, estimatedErrors } of mesher.adapt(surface, solve, { cycles: 5, elements: 20_000 })) {
+   *       show(cycle, next.mesh, estimatedErrors);
+   *     }
+   */
+  adapt(
+    model: Project | SurfaceInput | VolumeInput,
+    solve: Solve,
+    options: CycleOptions,
+    control?: RunControl,
+  ): AsyncGenerator<AdaptationCycle, void>;
   /** Terminates the worker; pending calls reject. */
   dispose(): void;
 }

@@ -1,5 +1,6 @@
 /** Implements the mesher: each call in the file of its subject. */
 import { adaptMesh } from "./adaptation.js";
+import { adaptationCycles } from "./adaptation-cycles.js";
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
 import { refuse } from "../diagnostics/mesher-error.js";
@@ -12,6 +13,7 @@ import type {
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { MeshAdaptation } from "../mesh/adaptation.js";
+import type { AdaptationCycle, Solve } from "../mesh/adaptation-cycle.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
 import type { CurvedEdges, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
@@ -39,6 +41,7 @@ import { sizeFromSolution, transferSolution } from "./solution.js";
 import { proposeSurfaceSizes } from "./surface-sizes.js";
 import type {
   CoverOptions,
+  CycleOptions,
   AdaptOptions,
   ImproveOptions,
   InspectionOptions,
@@ -276,6 +279,15 @@ class WorkerMesher implements Mesher {
     control: RunControl = {},
   ): Promise<TransferredFields> {
     return transferSolution(this.#client, { from, to, fields }, options, control);
+  }
+
+  adapt(
+    model: Project | SurfaceInput | VolumeInput,
+    solve: Solve,
+    options: CycleOptions,
+    control: RunControl = {},
+  ): AsyncGenerator<AdaptationCycle, void> {
+    return adaptationCycles(this, { model, solve }, options, control);
   }
 
   dispose(): void {

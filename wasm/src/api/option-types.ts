@@ -7,7 +7,7 @@ import type {
   Interior,
   Optimization,
 } from "../generated/constants.js";
-import type { ElementOrder } from "../mesh/mesh.js";
+import type { ElementOrder, Mesh } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 
@@ -220,6 +220,19 @@ export interface SolutionSizeOptions {
 export interface TransferOptions {
   /** Keep the integrals of the fields, by the exact intersections of the elements. Default false: interpolate. */
   readonly conservative?: boolean | undefined;
+}
+
+/** Options of `adapt`: those of the sizes, of the adaptation and of the transfer, and what the cycles do. */
+export interface CycleOptions extends SolutionSizeOptions, AdaptOptions, TransferOptions {
+  /** Number of cycles, 1 to 1000. Default 3. */
+  readonly cycles?: number | undefined;
+  /** Names of the fields that decide the sizes. Default: all fields of the solution. */
+  readonly fields?: readonly string[] | undefined;
+  /**
+   * Last cycle that is done, and the mesh that it made, with fields as `nodeData`: the next cycle begins with it. The model is then
+   * the mesh of the first cycle, whose boundary all others follow.
+   */
+  readonly resume?: { readonly cycle: number; readonly mesh: Mesh } | undefined;
 }
 
 /** Options of `coverProject`. The size is that of every node; by default 1/20 of the model's diagonal. */

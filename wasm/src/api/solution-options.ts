@@ -19,8 +19,9 @@ import {
 import type { SolutionSizeOptions, TransferOptions } from "./option-types.js";
 
 const NORM_NUMBERS = numbersOf(ERROR_NORMS);
-const DEFAULT_NORM: ErrorNorm = "l2";
-const MAX_ASPECT = 1e6;
+export const DEFAULT_NORM: ErrorNorm = "l2";
+/** Largest ratio of two sizes at a node that the options permit. */
+export const MAX_ASPECT = 1e6;
 const MAX_ELEMENTS = 1e9;
 /** The engine's word for no limit is 0, so a growth of 0 is a tiny one. */
 const LEAST_GROWTH = 1e-9;

@@ -9,6 +9,7 @@ import { invalidArrays, packageDiagnostic } from "../diagnostics/package-diagnos
 import type { RunControl } from "../engine/control.js";
 import type { EngineClient } from "../engine/engine-client.js";
 import { countOf, numbered } from "../formats/groups.js";
+import { sixfoldVolume } from "../formats/sixfold-volume.js";
 import type { Mesh, NodeData, VolumeInput } from "../mesh/mesh.js";
 import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
 import { beginCall } from "./call-checks.js";
@@ -114,30 +115,13 @@ function checkElements(mesh: VolumeInput, name: string): Diagnostic[] {
   const wrong = checkMesh(mesh, name);
   if (wrong.length > 0) return wrong;
   const { points, tetrahedra } = mesh;
-  const at = (node: number): Vector => [
-    points[3 * node] ?? 0,
-    points[3 * node + 1] ?? 0,
-    points[3 * node + 2] ?? 0,
-  ];
   for (let t = 0; t < tetrahedra.length; t += 4) {
     const [a = 0, b = 0, c = 0, d = 0] = tetrahedra.subarray(t, t + 4);
-    if (sixVolumes(at(a), at(b), at(c), at(d)) > 0) continue;
+    if (sixfoldVolume(points, a, b, c, d).volume > 0) continue;
     const message = `tetrahedron ${t / 4} (counted from 0) has no positive volume`;
     return [packageDiagnostic("invalid-mesh", message, "Run `tetrafront improve` or `improveMesh()` first.")];
   }
   return [];
-}
-
-type Vector = readonly [number, number, number];
-
-function sixVolumes(a: Vector, b: Vector, c: Vector, d: Vector): number {
-  const from = (p: Vector): Vector => [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-  const [u, w, q] = [from(b), from(c), from(d)];
-  return (
-    (u[1] * w[2] - u[2] * w[1]) * q[0] +
-    (u[2] * w[0] - u[0] * w[2]) * q[1] +
-    (u[0] * w[1] - u[1] * w[0]) * q[2]
-  );
 }
 
 const fieldSchema = v.array(
@@ -191,7 +175,7 @@ function missedCount(target: number | undefined, elements: number): Diagnostic[]
 }
 
 /** Returns the mesh with all its parts. */
-function completeVolume(mesh: VolumeInput): Mesh {
+export function completeVolume(mesh: VolumeInput): Mesh {
   const { triangles = new Uint32Array(), tetrahedronRegion: given, regions = [] } = mesh;
   const tetrahedronRegion = given ?? new Uint32Array(mesh.tetrahedra.length / 4);
   return {

@@ -2,6 +2,7 @@
 import { checkAdaptOptions } from "../api/mesh-options.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { MeshAdaptation, MetricStatistics } from "../mesh/adaptation.js";
 import type { Mesh } from "../mesh/mesh.js";
@@ -12,14 +13,13 @@ import { meshInput } from "./mesh.js";
 import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnostics } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { withRun } from "./run.js";
+import type { CycleReport } from "./cycle-folder.js";
+import { type CycleCommandOptions, cycleOptions, refuseCycleOptions, runCycles } from "./cycles.js";
 import type { UnitOptions } from "./units.js";
 
 /** Options as commander passes them. */
-export interface AdaptCommandOptions extends UnitOptions {
-  readonly background: string;
-  readonly output: string;
-  readonly quality?: string;
-  readonly sweeps?: string;
+export interface AdaptCommandOptions extends UnitOptions, CycleCommandOptions {
+  readonly background?: string;
   readonly from?: string;
   readonly to?: string;
   readonly json?: boolean;
@@ -28,6 +28,9 @@ export interface AdaptCommandOptions extends UnitOptions {
 
 /** Result of the command, as printed by `--json`. */
 interface Outcome extends Partial<Pick<MeshAdaptation, "isPartial" | "before" | "after">> {
+  /** What each cycle made, and the folder of its files. */
+  readonly cycles?: readonly CycleReport[];
+  readonly folder?: string;
   /** The written file, if any. */
   readonly output: string | null;
   readonly diagnostics: readonly Diagnostic[];
@@ -50,6 +53,47 @@ export async function adaptFile(input: string, options: AdaptCommandOptions): Pr
 }
 
 async function adaptAndWrite(input: string, options: AdaptCommandOptions): Promise<Outcome> {
+  const { background, solver } = options;
+  if (background !== undefined) {
+    if (solver !== undefined) {
+      const message = "--background and --solver exclude each other";
+      refuseOptions([invalidOption("--solver", message, "Use one of them.")]);
+    }
+    refuseCycleOptions(options);
+    return adaptOnce(input, { ...options, background });
+  }
+  if (solver === undefined) {
+    const message = "neither --background nor --solver is given";
+    const remedy =
+      "Add --background with a metric, or --solver with the command of a solver and --elements or --error.";
+    refuseOptions([invalidOption("--background", message, remedy)]);
+  }
+  return adaptInCycles(input, { ...options, solver: solver ?? "" });
+}
+
+/** Adapts the mesh of a model to the solution of a solver, cycle by cycle. */
+async function adaptInCycles(
+  input: string,
+  options: AdaptCommandOptions & { readonly solver: string },
+): Promise<Outcome> {
+  const { output } = options;
+  const isQuiet = options.quiet === true || options.json === true;
+  const chosen = cycleOptions(options);
+  const name = await checkPaths(input, options);
+  const { mesh, cycles, folder } = await runCycles({ input, options, chosen, isQuiet }, () =>
+    readOrMesh(input, options, { isQuiet, isRemeshed: true }),
+  );
+  const notes = await writeMeshTo({ input, output, name, isQuiet }, mesh);
+  const text = `${plural(cycles.length, "cycle")}; ${plural(mesh.tetrahedra.length / 4, "tetrahedron")}`;
+  if (!isQuiet) print(`${input}: ${text} -> ${output}; all files of the cycles are in ${folder}`);
+  return { output, cycles, folder, diagnostics: notes, exitCode: ExitCode.meshed };
+}
+
+/** Adapts the mesh of a model to the metric of a background mesh. */
+async function adaptOnce(
+  input: string,
+  options: AdaptCommandOptions & { readonly background: string },
+): Promise<Outcome> {
   const { output } = options;
   const isQuiet = options.quiet === true || options.json === true;
   const chosen = { leastQuality: numberIn(options.quality), sweeps: numberIn(options.sweeps) };
@@ -57,7 +101,7 @@ async function adaptAndWrite(input: string, options: AdaptCommandOptions): Promi
   const name = await checkPaths(input, options);
   const background = await readMeshFile(options.background);
   requireTetrahedra(options.background, background);
-  const given = await readOrMesh(input, options, isQuiet);
+  const given = await readOrMesh(input, options, { isQuiet, isRemeshed: false });
   const made = await withRun(isQuiet, (mesher, controlOf) =>
     mesher.adaptMesh(given, background, chosen, { ...controlOf("adapt"), partial: true }),
   );
@@ -81,7 +125,10 @@ async function checkPaths(input: string, options: AdaptCommandOptions): Promise<
   const name = writableName(output, to, ["volume"]);
   const written = outputFiles(output, to);
   await checkNoOverwrite(
-    [...inputFiles(input, from), ...inputFiles(background, undefined, "the background mesh")],
+    [
+      ...inputFiles(input, from),
+      ...(background === undefined ? [] : inputFiles(background, undefined, "the background mesh")),
+    ],
     written,
   );
   await checkWritable(written);
@@ -96,21 +143,42 @@ function requireTetrahedra(file: string, mesh: Mesh): void {
   ]);
 }
 
+interface FirstMeshing {
+  readonly isQuiet: boolean;
+  /** Whether the triangles of a surface are replaced, so that a solver gets elements inside large faces. */
+  readonly isRemeshed: boolean;
+}
+
 /** Returns the volume mesh of the file, or meshes the model in it. */
-async function readOrMesh(input: string, options: AdaptCommandOptions, isQuiet: boolean): Promise<Mesh> {
-  const { background: _b, output: _o, to: _t, quality: _q, sweeps: _s, json: _j, ...reading } = options;
+async function readOrMesh(
+  input: string,
+  options: AdaptCommandOptions,
+  { isQuiet, isRemeshed }: FirstMeshing,
+): Promise<Mesh> {
+  const { from, units, fileUnits, scale } = options;
+  const reading = {
+    ...(from !== undefined && { from }),
+    ...(units !== undefined && { units }),
+    ...(fileUnits !== undefined && { fileUnits }),
+    ...(scale !== undefined && { scale }),
+  };
   const isCad = isCadInput(input, options.from);
-  if (!isCad && !isProject(input, options.from)) {
+  const isDrawn = isProject(input, options.from);
+  if (!isCad && !isDrawn) {
     const mesh = await readMeshFile(input, reading);
     if (mesh.tetrahedra.length > 0) return mesh.triangles.length > 0 ? mesh : withBoundary(mesh);
   }
-  const fine = isCad ? ({ surface: "remesh", anglePerEdge: ANGLE_PER_EDGE } as const) : {};
+  const remesh = isCad || (isRemeshed && !isDrawn) ? ({ surface: "remesh" } as const) : {};
+  const fine = isCad ? { ...remesh, anglePerEdge: ANGLE_PER_EDGE } : remesh;
   const { result } = await meshInput(
     input,
     { ...reading, ...fine, filters: true, optimize: "fast", quiet: true },
     () => Promise.resolve(),
   );
   const { report, mesh } = result;
+  if (report.status === "cancelled") {
+    throw new MesherError("cancelled", "The call was cancelled.", { reason: undefined });
+  }
   if (report.status !== "done") throw new InvalidInput(input, report.diagnostics);
   if (!isQuiet) print(`${input}: ${plural(mesh.tetrahedra.length / 4, "tetrahedron")} to begin with`);
   return mesh;

@@ -11,6 +11,7 @@ import { splitText } from "../api/treatment-texts.js";
 import { plural } from "../base/plural.js";
 import { inSteps } from "../calls/yielder.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { boundaryOf } from "../formats/boundary.js";
 import type { Contents } from "../formats/file-format.js";
 import { extensionOf, extensionsFor, formatOf } from "../formats/file-formats.js";
@@ -167,11 +168,23 @@ export async function writeMeshTo(
   options: WriteFileOptions = {},
 ): Promise<readonly Diagnostic[]> {
   const folder = await temporaryFolderFor(output);
-  const { files, notes } = await streamedMesh(mesh, name, options, () => fileSpool(folder));
+  const { written, omitted } = forOutput(mesh, output, name);
+  const { files, notes: found } = await streamedMesh(written, name, options, () => fileSpool(folder));
   enterStage(`writing ${output}`);
   for (const { fileName, pieces } of files) await writeOutput(fileName === name ? output : fileName, pieces);
+  const notes = [...omitted, ...found];
   printDiagnostics(input, notes, { isQuiet });
   return notes;
+}
+
+/** Returns the mesh without values that the format keeps in a second file if there is only a stream, and says so. */
+function forOutput(mesh: Mesh, output: string, name: string) {
+  const isOneFile = output === STANDARD_STREAM && formatOf(name)?.valuesExtension !== undefined;
+  if (!isOneFile || mesh.nodeData.size === 0) return { written: mesh, omitted: [] };
+  const message = omittedDataMessage([...mesh.nodeData.keys()]);
+  const remedy = "Write to a file, beside which there is room for them.";
+  const omitted = [packageDiagnostic("left-out", message, remedy, "information")];
+  return { written: { ...mesh, nodeData: new Map() }, omitted };
 }
 
 interface Conversion extends Destination {

@@ -182,18 +182,35 @@ Background
   A volume mesh with the metric at its nodes: "metric" with xx, xy, xz, yy, yz and zz, or "size" and optionally
   "stretching" and "direction". An edge e has the target length if e M e = 1. The file must cover the model.
 
+Solver
+  --solver runs cycles: the solver computes fields on a mesh, the sizes follow from them as in \`tetrafront sizes\`, the
+  mesh is adapted, and the fields are transferred to the next mesh, as start values. In the command, {mesh} is the file
+  that the solver reads, {solution} the one that it writes, and {cycle} the number of the cycle; without {mesh} and
+  {solution}, both names follow the command. A shell runs it in the current folder.
+
+  The solution is a volume mesh with values at its nodes, or, with --solution-format sol or solb, values alone in the order of
+  the nodes. --mesh-format is that of both by default: vtu; with mesh or meshb, the values are in a .sol or .solb
+  file beside. The last mesh is the output, with the last fields at its nodes.
+
+  The folder, by default OUTPUT-cycles, has the files of every cycle, the solver's output in solver-N.log, and
+  cycles.json with the table that is printed: elements and estimated error of the solved mesh, elements, unit
+  edges and least quality of the next one. Each cycle is a checkpoint: --resume continues after the last one, after an
+  interrupt or a failure too, and adds cycles if --cycles is larger.
+
 Output
 ${formatLines("writable", "volume")}
 
 Result
   Nearly all edges have a length from 0.71 to 1.41 in the metric. Patches, regions, sharp edges and corners stay;
-  interfaces between regions stay triangle for triangle. Ctrl-C ends the work early; the mesh made so far is valid and
-  is written.
+  interfaces between regions stay triangle for triangle. With --background, Ctrl-C ends the work early; the mesh made so
+  far is valid and is written. With --solver, it ends the solver too, and the cycles that are done are kept.
 ${EXIT_CODES_HELP}
 
 Examples
   tetrafront adapt mesh.vtu --background metric.vtu -o adapted.vtu
   tetrafront adapt part.step --background metric.vtu -o adapted.vtu --quality 0.4
+  tetrafront adapt part.step --solver 'python solve.py {mesh} {solution}' --cycles 5 --elements 20000 -o adapted.vtu
+  tetrafront adapt part.step --solver ./solve --mesh-format mesh --field p --error 0.01 -o adapted.vtu --resume
 `;
 
 export const improveHelp = () => `

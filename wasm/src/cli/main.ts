@@ -11,8 +11,8 @@ import {
   OPTIMIZATIONS,
   PROPOSAL_DEFAULTS,
   REMESH_DEFAULTS,
-  SOLUTION_SIZE_DEFAULTS,
 } from "../generated/constants.js";
+import { DEFAULT_CYCLES } from "../api/adaptation-cycles.js";
 import { SURFACE_TREATMENTS } from "../api/option-types.js";
 import { IMPROVEMENT_LEVELS } from "../api/mesh-options.js";
 import { type CheckCommandOptions, checkFile } from "./check.js";
@@ -69,6 +69,7 @@ import {
   withJobs,
   withRemeshing,
   withRepair,
+  withSolutionSizes,
 } from "./shared-options.js";
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
@@ -292,10 +293,27 @@ function addRemesh(program: Command, setExitCode: SetExitCode): void {
 function addAdapt(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("adapt")
-    .description("Adapt a mesh, or the mesh of a model, to the metric of a background mesh.")
+    .description(
+      "Adapt a mesh, or the mesh of a model, to the metric of a background mesh, or in cycles to the solution of a solver.",
+    )
     .argument("<model>", "volume mesh, CAD file, surface or project")
-    .requiredOption("-b, --background <file>", "volume mesh with the metric at its nodes")
     .requiredOption("-o, --output <file>", "output file")
+    .option("-b, --background <file>", "volume mesh with the metric at its nodes; either this or --solver")
+    .option(
+      "--solver <command>",
+      "command that reads {mesh} and writes {solution}; run once per cycle, with --elements or --error",
+    )
+    .option("--cycles <count>", `number of cycles with the solver (default ${DEFAULT_CYCLES})`)
+    .option("--resume", "continue an earlier run with its folder")
+    .option("--folder <folder>", "folder for the files of the cycles (default: named after the output)")
+    .option("--mesh-format <format>", "format of the meshes for the solver (default vtu)")
+    .option(
+      "--solution-format <format>",
+      "format of the solver's solutions, or sol for values alone (default: that of the meshes)",
+    )
+    .addOption(fieldOption());
+  withSolutionSizes(command)
+    .option("--conservative", "keep the integrals of the fields from mesh to mesh (default: interpolate)")
     .option(
       "--quality <q>",
       `quality that every element should reach (default ${ADAPT_DEFAULTS.leastQuality})`,
@@ -304,7 +322,7 @@ function addAdapt(program: Command, setExitCode: SetExitCode): void {
     .addOption(fromOption())
     .addOption(toOption());
   withUnits(command)
-    .option("--json", "print lengths and qualities before and after as JSON")
+    .option("--json", "print lengths and qualities, or what each cycle made, as JSON")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", adaptHelp)
     .action(async (input: string, options: AdaptCommandOptions) =>
@@ -448,28 +466,15 @@ function addSizes(program: Command, setExitCode: SetExitCode): void {
     .description("Make a background grid from the fields of a solver: small elements where they bend.")
     .argument("<solution>", "volume mesh with values at its nodes")
     .requiredOption("-o, --output <file>", "output file: the mesh with sizes at its nodes")
-    .addOption(fieldOption())
-    .option("-n, --elements <count>", "number of elements; either this or --error")
-    .option("-e, --error <value>", "interpolation error of each field, in its unit and the norm")
-    .option("--norm <norm>", "norm of the error: L1, L2, L4 or max (default L2)")
-    .option("--isotropic", "one size at each node")
-    .option("--min-size <length>", "smallest size (default: no limit)")
-    .option("--max-size <length>", "largest size (default: diagonal of the mesh)")
-    .option(
-      "--max-aspect <ratio>",
-      `largest ratio of two sizes at a node (default ${SOLUTION_SIZE_DEFAULTS.maxAspect})`,
-    )
-    .option(
-      "--gradation <ratio>",
-      `largest size ratio of neighbouring elements; 0 for no limit (default ${1 + SOLUTION_SIZE_DEFAULTS.growth})`,
-    )
+    .addOption(fieldOption());
+  withUnits(withSolutionSizes(command))
     .addOption(fromOption())
     .addOption(toOption())
     .option("-q, --quiet", "print errors only")
-    .addHelpText("after", sizesHelp);
-  withUnits(command).action(async (input: string, options: SizesCommandOptions) =>
-    setExitCode(await sizesOfFile(input, options)),
-  );
+    .addHelpText("after", sizesHelp)
+    .action(async (input: string, options: SizesCommandOptions) =>
+      setExitCode(await sizesOfFile(input, options)),
+    );
 }
 
 function addTransfer(program: Command, setExitCode: SetExitCode): void {

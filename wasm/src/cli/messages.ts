@@ -21,6 +21,13 @@ export class InvalidInput extends Error {
   }
 }
 
+/** Thrown if the solver of an adaptation fails; the command then ends without a result. */
+export class SolverFailure extends InvalidInput {
+  constructor(diagnostics: readonly Diagnostic[]) {
+    super("solver", diagnostics);
+  }
+}
+
 /** Returns a failure caused by the input, with its diagnostics and subject; undefined for other failures. */
 export function asInvalidInput(failure: unknown, input: string): InvalidInput | undefined {
   if (failure instanceof InvalidInput) return failure;
@@ -71,7 +78,8 @@ export function failedOutcome(
   const invalid = asInvalidInput(failure, input);
   if (invalid === undefined) throw failure;
   printInvalid(invalid.subject, invalid.diagnostics);
-  const exitCode = failure instanceof WriteError ? ExitCode.notCompleted : ExitCode.invalidInput;
+  const isIncomplete = failure instanceof WriteError || failure instanceof SolverFailure;
+  const exitCode = isIncomplete ? ExitCode.notCompleted : ExitCode.invalidInput;
   return { output: null, diagnostics: invalid.diagnostics, exitCode };
 }
 

@@ -11,13 +11,16 @@ import { enterPhase, setBarShown } from "./stages.js";
 /** Returns the control of the next call of a step, by default of a run; `share` as in `WholeProgress`. */
 export type ControlOf = (step?: Step, share?: number) => RunControl & { readonly signal: AbortSignal };
 
+/** Waits for work that ends if the signal is aborted. */
+export type During = <T>(work: () => Promise<T>) => Promise<T>;
+
 /**
  * Calls `use` with a mesher. SIGINT, SIGTERM and SIGHUP cancel its calls that have a control of `controlOf`. If stderr is a
- * terminal, a progress bar shows how far they are.
+ * terminal, a progress bar shows how far they are. Other work is cancelled in the same way within `during`.
  */
 export async function withRun<T>(
   isQuiet: boolean,
-  use: (mesher: Mesher, controlOf: ControlOf) => Promise<T>,
+  use: (mesher: Mesher, controlOf: ControlOf, during: During) => Promise<T>,
 ): Promise<T> {
   const interruption = new Interruption();
   // Load before the progress bar appears: a failure must not leave a bar or a hidden cursor behind.
@@ -42,7 +45,8 @@ export async function withRun<T>(
     return { signal, onProgress: ofStep };
   };
   try {
-    return await use(interruptible(mesher, interruption), controlOf);
+    const during: During = (work) => interruption.during(work);
+    return await use(interruptible(mesher, interruption), controlOf, during);
   } finally {
     bar?.stop();
     setBarShown(false);

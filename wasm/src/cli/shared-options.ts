@@ -1,7 +1,13 @@
 /** Options that several commands have. */
 import { type Command, Option } from "commander";
 import { DEFAULT_COVER_SHAPE } from "../api/grid-options.js";
-import { COVER_SHAPES, INNER_SHELLS, MESH_DEFAULTS, REMESH_DEFAULTS } from "../generated/constants.js";
+import {
+  COVER_SHAPES,
+  INNER_SHELLS,
+  MESH_DEFAULTS,
+  REMESH_DEFAULTS,
+  SOLUTION_SIZE_DEFAULTS,
+} from "../generated/constants.js";
 
 export const withJobs = (command: Command): Command =>
   command.option(
@@ -43,6 +49,24 @@ export const fieldOption = (): Option =>
   new Option("-f, --field <name>", "field to use; repeatable (default: all)").argParser(
     (name: string, before: string[] | undefined) => [...(before ?? []), name],
   );
+/** Adds the options of sizes that follow from a solution. */
+export const withSolutionSizes = (command: Command): Command =>
+  command
+    .option("-n, --elements <count>", "number of elements; either this or --error")
+    .option("-e, --error <value>", "interpolation error of each field, in its unit and the norm")
+    .option("--norm <norm>", "norm of the error: L1, L2, L4 or max (default L2)")
+    .option("--isotropic", "one size at each node")
+    .option("--min-size <length>", "smallest size (default: no limit)")
+    .option("--max-size <length>", "largest size (default: diagonal of the mesh)")
+    .option(
+      "--max-aspect <ratio>",
+      `largest ratio of two sizes at a node (default ${SOLUTION_SIZE_DEFAULTS.maxAspect})`,
+    )
+    .option(
+      "--gradation <ratio>",
+      `largest size ratio of neighbouring elements; 0 for no limit (default ${1 + SOLUTION_SIZE_DEFAULTS.growth})`,
+    );
+
 export const backgroundOption = (): Option =>
   new Option("-b, --background <file>", "take the sizes from this background grid");
 

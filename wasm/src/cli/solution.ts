@@ -1,4 +1,5 @@
 /** `tetrafront sizes` and `tetrafront transfer`: a background grid from a solution, and a solution on another mesh. */
+import path from "node:path";
 import { checkGradation, growthOf } from "../api/mesh-options.js";
 import type { SolutionSizeOptions } from "../api/option-types.js";
 import { checkSolutionSizeOptions } from "../api/solution-options.js";
@@ -6,13 +7,15 @@ import { plural } from "../base/plural.js";
 import { short } from "../base/short.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { listed } from "../formats/groups.js";
+import { readSol } from "../formats/medit-sol.js";
+import { ReadFailure } from "../formats/read-result.js";
 import { ERROR_NORMS, type ErrorNorm } from "../generated/constants.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
 import { writableName, writeMeshTo } from "./convert.js";
-import { refuseFolder } from "./files.js";
+import { piecesOfInput, refuseFolder } from "./files.js";
 import { type InputOptions, numberIn, readMeshFile, refuseOptions } from "./input.js";
-import { ExitCode, InvalidInput, print, printDiagnostics, reportFailure } from "./messages.js";
+import { ExitCode, InvalidInput, print, printDiagnostics, reportFailure, unreadable } from "./messages.js";
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { withRun } from "./run.js";
 
@@ -24,7 +27,8 @@ interface FieldCommandOptions extends InputOptions {
   readonly quiet?: boolean;
 }
 
-export interface SizesCommandOptions extends FieldCommandOptions {
+/** Options of the sizes that follow from a solution. */
+export interface SolutionSizeCommandOptions {
   readonly elements?: string;
   readonly error?: string;
   readonly norm?: string;
@@ -34,6 +38,8 @@ export interface SizesCommandOptions extends FieldCommandOptions {
   readonly maxAspect?: string;
   readonly gradation?: string;
 }
+
+export interface SizesCommandOptions extends FieldCommandOptions, SolutionSizeCommandOptions {}
 
 export interface TransferCommandOptions extends FieldCommandOptions {
   readonly conservative?: boolean;
@@ -71,7 +77,7 @@ export async function transferFile(
     const name = await checkedOutput([input, target], options);
     const from = await readElements(input, options);
     const to = await readElements(target, options);
-    const fields = fieldsOf(input, from, options.field);
+    const fields = fieldsAtNodes(input, from, options.field);
     const made = await withRun(isQuiet, (mesher, controlOf) =>
       mesher.transferSolution(from, to, fields, { conservative }, controlOf("solution")),
     );
@@ -91,7 +97,7 @@ export async function transferFile(
 }
 
 /** Returns the options of `sizeFromSolution`. Throws an InvalidInput. */
-function sizeOptions(options: SizesCommandOptions): SolutionSizeOptions {
+export function sizeOptions(options: SolutionSizeCommandOptions): SolutionSizeOptions {
   const { elements, error, norm, isotropic, minSize, maxSize, maxAspect, gradation } = options;
   const ratio = numberIn(gradation);
   if (ratio !== undefined) refuseOptions(checkGradation(ratio));
@@ -130,7 +136,8 @@ async function checkedOutput(
   return name;
 }
 
-async function readElements(input: string, options: InputOptions): Promise<Mesh> {
+/** Reads a volume mesh. Throws an InvalidInput if it has no tetrahedra. */
+export async function readElements(input: string, options: InputOptions): Promise<Mesh> {
   const mesh = await readMeshFile(input, options);
   if (mesh.tetrahedra.length > 0) return mesh;
   const remedy = "Use the volume mesh on which the solution was computed.";
@@ -139,23 +146,66 @@ async function readElements(input: string, options: InputOptions): Promise<Mesh>
   ]);
 }
 
-/** Returns the fields with the given names, by default all. Throws an InvalidInput about a name that the file does not have. */
-function fieldsOf(input: string, { nodeData }: Mesh, names: readonly string[] | undefined): FieldValues[] {
-  const known = [...nodeData.keys()];
-  const has =
-    known.length === 0
-      ? "The file has no values at nodes."
-      : `The file has ${listed(known.map((name) => `"${name}"`))}.`;
-  if (known.length === 0) {
-    const remedy = "Write the fields of the solver as values at the nodes (VTU: PointData).";
+/** Names of a single field of a Medit file that states none. */
+const UNNAMED = ["size", "vector", "metric"];
+
+/** Reads the values at nodes of a file without a mesh, by name. */
+export async function readSolFile(file: string, nodes: number): Promise<Mesh["nodeData"]> {
+  const name = path.basename(file);
+  const read = await readSol(piecesOfInput(file), { fileName: name, nodes }).catch((failure: unknown) => {
+    throw failure instanceof ReadFailure
+      ? new InvalidInput(file, [unreadable(failure.error, name)])
+      : failure;
+  });
+  const [note] = read.notes;
+  if (note === undefined) {
+    const [only] = read.nodeData;
+    const isUnnamed = read.nodeData.size === 1 && only !== undefined && UNNAMED.includes(only[0]);
+    return isUnnamed ? new Map([["solution", only[1]]]) : read.nodeData;
+  }
+  const remedy = "Write the values of all nodes of the mesh, in their order.";
+  throw new InvalidInput(file, [packageDiagnostic("unreadable-input", note, remedy)]);
+}
+
+/**
+ * Returns the fields with the given names, by default all at the nodes, and those of elements if there are none. Throws an
+ * InvalidInput about a name that the file does not have.
+ */
+export function fieldsOf(
+  input: string,
+  { nodeData, elementData = new Map() }: Pick<Mesh, "nodeData" | "elementData">,
+  names: readonly string[] | undefined,
+): FieldValues[] {
+  const atNodes = Array.from(nodeData, ([name, data]): FieldValues => ({ ...data, name }));
+  const ofElements = Array.from(elementData, ([name, data]) => ({ ...data, name, isPerElement: true }));
+  const all = [...atNodes, ...ofElements];
+  if (all.length === 0) {
+    const remedy =
+      "Write the fields of the solver as values at the nodes (VTU: PointData) or of the elements.";
     throw new InvalidInput(input, [packageDiagnostic("unreadable-input", "no field in the file", remedy)]);
   }
-  return (names ?? known).map((name) => {
-    const data = nodeData.get(name);
-    if (data !== undefined) return { ...data, name };
-    const message = `there is no field "${name}" at the nodes`;
-    throw new InvalidInput(input, [packageDiagnostic("unreadable-input", message, has)]);
+  if (names === undefined) return atNodes.length > 0 ? atNodes : ofElements;
+  const known = [...new Set(all.map(({ name = "" }) => `"${name}"`))];
+  return names.map((name) => {
+    const field = all.find((one) => one.name === name);
+    if (field !== undefined) return field;
+    const message = `there is no field "${name}"`;
+    const remedy = `The file has ${listed(known)}.`;
+    throw new InvalidInput(input, [packageDiagnostic("unreadable-input", message, remedy)]);
   });
+}
+
+/** The same for fields that are written: files get values at nodes only. */
+function fieldsAtNodes(
+  input: string,
+  { nodeData, elementData }: Mesh,
+  names: readonly string[] | undefined,
+): FieldValues[] {
+  const other = names?.find((name) => !nodeData.has(name) && elementData?.has(name) === true);
+  if (other === undefined) return fieldsOf(input, { nodeData }, names);
+  const message = `"${other}" has values of the elements, but only values at the nodes are transferred`;
+  const remedy = "Write it as values at the nodes, or call transferSolution() of the package.";
+  throw new InvalidInput(input, [packageDiagnostic("unreadable-input", message, remedy)]);
 }
 
 function sizesText(

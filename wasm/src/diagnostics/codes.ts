@@ -55,6 +55,8 @@ export type PackageCode =
   | "region-point"
   /** The points that mark the regions and holes of a surface have not been located. */
   | "unlocated-regions"
+  /** The solver of an adaptation failed, or wrote no solution. */
+  | "solver-failed"
   /** A file could not be opened or written, or has no content that a command can use. */
   | "unreadable-input"
   /** The engine ran out of memory. */

@@ -101,6 +101,8 @@ export interface FileFormat {
   readonly extensions: readonly [string, ...string[]];
   /** Extensions of all files of a mesh, for formats that use several files. */
   readonly companions?: readonly string[];
+  /** Extension of the file beside a mesh that holds the values at its nodes; written if there are any. */
+  readonly valuesExtension?: string;
   /**
    * Whether the file describes shapes, which are triangulated when they are read. The triangles are near the shapes, but
    * poor, so they are replaced before meshing unless others are asked for.

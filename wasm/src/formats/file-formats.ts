@@ -6,6 +6,7 @@ import * as v from "valibot";
 import { checkArgument } from "../calls/argument-checks.js";
 import type { Part } from "./bytes.js";
 import type { Contents, FileFormat, FormatCode, MeshReader, MeshWriter, Note } from "./file-format.js";
+import type { Mesh } from "../mesh/mesh.js";
 import { fitToFormat, type FormatLimits } from "./format-limits.js";
 import type { WrittenMesh } from "./second-order.js";
 
@@ -138,13 +139,37 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "medit",
     name: "Medit",
     extensions: [".mesh"],
+    valuesExtension: ".sol",
     readable: ["surface", "volume"],
     writable: ["volume"],
-    load: async () => ({
-      read: (await import("./medit-reader.js")).readMedit,
-      write: singleFile((await import("./medit.js")).writeMedit, { minTag: 0 }),
-      passes: 2,
-    }),
+    load: async () => {
+      const { isSolField, writeSol } = await import("./medit-sol.js");
+      const { writeMedit } = await import("./medit.js");
+      const limits = { minTag: 0, canHoldData: isSolField } as const;
+      return {
+        read: (await import("./medit-reader.js")).readMedit,
+        write: withValues(singleFile(writeMedit, limits), isSolField, writeSol),
+        passes: 2,
+      };
+    },
+  },
+  {
+    id: "medit-binary",
+    name: "Medit binary",
+    extensions: [".meshb"],
+    valuesExtension: ".solb",
+    readable: ["surface", "volume"],
+    writable: ["volume"],
+    load: async () => {
+      const { isSolField, writeSolBinary } = await import("./medit-sol.js");
+      const { readMeditBinary, writeMeditBinary } = await import("./medit-binary.js");
+      const limits = { minTag: 0, canHoldData: isSolField } as const;
+      return {
+        read: readMeditBinary,
+        write: withValues(singleFile(writeMeditBinary, limits), isSolField, writeSolBinary),
+        passes: 2,
+      };
+    },
   },
   {
     id: "su2",
@@ -335,6 +360,22 @@ function singleFile(
   limits: FormatLimits = {},
 ): MeshWriter {
   return withLimits(limits, (mesh, fileName, note) => [{ fileName, parts: write(mesh, note, fileName) }]);
+}
+
+/** Makes a writer that writes the values at the nodes to a second file, if the format can hold any of them. */
+function withValues(
+  write: MeshWriter,
+  canHold: (components: number) => boolean,
+  writeValues: (nodeData: Mesh["nodeData"], nodes: number) => Iterable<Part>,
+): MeshWriter {
+  return (mesh, fileName, note, createSpool) => {
+    const files = write(mesh, fileName, note, createSpool);
+    const kept = new Map([...mesh.nodeData].filter(([, { components }]) => canHold(components)));
+    const { valuesExtension = "" } = formatOf(fileName) ?? {};
+    const stem = fileName.slice(0, fileName.length - extensionOf(fileName).length);
+    if (kept.size === 0) return files;
+    return [...files, { fileName: stem + valuesExtension, parts: writeValues(kept, mesh.points.length / 3) }];
+  };
 }
 
 function withLimits(limits: FormatLimits, write: MeshWriter): MeshWriter {

@@ -1,7 +1,7 @@
 /**
  * Reads Medit `.mesh` files (text): triangles and quadrilaterals with their reference as patch, tetrahedra with
  * their reference as region. Other sections, such as edges, corners and normals, are skipped. Values at the nodes come from
- * the `.sol` file of the same name beside it, if there is one.
+ * the `.sol` or `.solb` file of the same name beside it, if there is one.
  */
 import type { Mesh } from "../mesh/mesh.js";
 import { ByteReader } from "./byte-reader.js";

@@ -1,6 +1,6 @@
 /**
  * Writes Medit `.mesh` files (text): the tetrahedra with their region as reference, and the triangles of the
- * boundary with their patch as reference. Comments hold the names.
+ * boundary with their patch as reference. Comments hold the names. Values at the nodes are in a `.sol` file beside it.
  */
 import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";

@@ -91,6 +91,7 @@ export class MeshBuilder {
   readonly patches = new GroupList("patch");
   readonly regions = new GroupList("region");
   readonly nodeData = new Map<string, NodeData>();
+  readonly elementData = new Map<string, NodeData>();
   readonly #points = new Column(Float64Array);
   readonly #triangles = new Column(Uint32Array);
   readonly #trianglePatch = new Column(Uint32Array);
@@ -110,6 +111,10 @@ export class MeshBuilder {
 
   get pointCount(): number {
     return this.#welder?.count ?? this.#points.length / 3;
+  }
+
+  get tetrahedronCount(): number {
+    return this.#tetrahedronRegion.length;
   }
 
   get triangleCount(): number {
@@ -201,6 +206,7 @@ export class MeshBuilder {
       invertedTetrahedra: this.#orientations.inverted(),
       regions: this.regions.groups(names.regions),
       nodeData: this.nodeData,
+      ...(this.elementData.size > 0 && { elementData: this.elementData }),
     });
   }
 }

@@ -1,6 +1,7 @@
 /** VTK's cells: adds triangles, polygons and tetrahedra; skips vertices and lines. */
 import { plural } from "../base/plural.js";
-import { PAUSE, STEP, type Steps } from "../base/steps.js";
+import { PAUSE, STEP, type Steps, stepwise } from "../base/steps.js";
+import { Column } from "./column.js";
 import type { MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
 
@@ -32,6 +33,25 @@ export interface Cells {
   /** Patch of a cell that is a triangle; region of a cell that is a tetrahedron. */
   readonly patchOf: (cell: number) => number;
   readonly regionOf: (cell: number) => number;
+  /** Cells that are tetrahedra, in the order of the mesh. */
+  readonly tetrahedra: Column<Uint32Array>;
+}
+
+/** Returns whether an array with one number per cell defines groups. */
+export const isGroupArray = (name: string): boolean => [...PATCH_ARRAYS, ...REGION_ARRAYS].includes(name);
+
+/** Returns the rows of the cells that are tetrahedra, of an array with a row per cell. */
+export function* rowsOfTetrahedra(
+  values: Float64Array,
+  components: number,
+  cells: Uint32Array,
+): Steps<Float64Array> {
+  const rows = new Float64Array(components * cells.length);
+  yield* stepwise(cells.length, (t) => {
+    const begin = components * (cells[t] ?? 0);
+    rows.set(values.subarray(begin, begin + components), components * t);
+  });
+  return rows;
 }
 
 export function cellsOf(builder: MeshBuilder, data: CellNumbers, fail: Fail): Cells {
@@ -48,6 +68,7 @@ export function cellsOf(builder: MeshBuilder, data: CellNumbers, fail: Fail): Ce
   return {
     builder,
     fail,
+    tetrahedra: new Column(Uint32Array),
     patchOf: (cell) =>
       patch === undefined
         ? builder.patches.of("surface", () => ({ name: "surface", tag: 1 }))
@@ -88,6 +109,7 @@ export function addCell(cells: Cells, type: number, nodes: readonly number[], ce
       if (nodes.length !== 4)
         fail(`cell ${cell} (counted from 0) is a tetrahedron with ${plural(nodes.length, "corner")}`);
       builder.addTetrahedron(a, b, c, d, cells.regionOf(cell));
+      cells.tetrahedra.push(cell);
       break;
     case VTK_STRIP:
       addStrip(cells, nodes, cell);

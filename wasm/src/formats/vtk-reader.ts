@@ -5,7 +5,7 @@
 import { plural } from "../base/plural.js";
 import { type Steps, stepwise } from "../base/steps.js";
 import { inSteps } from "../calls/yielder.js";
-import type { Mesh } from "../mesh/mesh.js";
+import type { Mesh, NodeData } from "../mesh/mesh.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";
@@ -14,7 +14,7 @@ import { MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, NameLines } from "./name-lines.js";
 import type { FileLocation } from "./read-result.js";
 import { textOf } from "./text-bytes.js";
-import { addCell, cellsOf, cellwise } from "./vtk-cells.js";
+import { addCell, cellsOf, cellwise, isGroupArray, rowsOfTetrahedra } from "./vtk-cells.js";
 
 const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetrahedra, or as .vtu.";
 const VTK_VERTEX = 1;
@@ -67,7 +67,7 @@ class VtkReader {
   readonly #reader: ByteReader;
   readonly #builder = new MeshBuilder();
   readonly #names = new NameLines();
-  readonly #cellData = new Map<string, Float64Array>();
+  readonly #cellData = new Map<string, NodeData>();
   readonly #lists: {
     readonly list: CellList;
     readonly section: string;
@@ -284,7 +284,7 @@ class VtkReader {
       textOf(Uint8Array.from(codes.slice(1).split("%"), (code) => parseInt(code, 16))),
     );
     if (this.#attributesOf === "points") this.#builder.nodeData.set(plain, { components, values });
-    else if (this.#attributesOf === "cells" && components === 1) this.#cellData.set(plain, values);
+    else if (this.#attributesOf === "cells") this.#cellData.set(plain, { components, values });
   }
 
   async #readScalars(): Promise<void> {
@@ -338,6 +338,21 @@ class VtkReader {
     while (!this.#reader.isAtEnd && this.#reader.line() !== "");
   }
 
+  #tagsNamed(name: string): Float64Array | undefined {
+    const data = this.#cellData.get(name);
+    return data?.components === 1 ? data.values : undefined;
+  }
+
+  /** Keeps the values of the cells that are tetrahedra; only one list of cells has any. */
+  *#addElementData(tetrahedra: Uint32Array): Steps<void> {
+    if (tetrahedra.length === 0) return;
+    for (const [name, { components, values }] of this.#cellData) {
+      if (components === 1 && isGroupArray(name)) continue;
+      const rows = yield* rowsOfTetrahedra(values, components, tetrahedra);
+      this.#builder.elementData.set(name, { components, values: rows });
+    }
+  }
+
   *#addCells(): Steps<void> {
     let first = 0;
     const order = [...POLYGON_SECTIONS.keys()];
@@ -345,7 +360,7 @@ class VtkReader {
     for (const { list, type } of this.#lists) {
       const { location, offsets, nodes } = list;
       const fail = (message: string): never => this.#reader.fail(message, location);
-      const cells = cellsOf(this.#builder, (name) => this.#cellData.get(name), fail);
+      const cells = cellsOf(this.#builder, (name) => this.#tagsNamed(name), fail);
       const count = Math.max(0, offsets.length - 1);
       if (type === undefined && this.#types.length !== count) {
         fail(`the file has ${plural(count, "cell")}, but ${plural(this.#types.length, "cell type")}`);
@@ -356,6 +371,7 @@ class VtkReader {
           fail(`cell ${cell} (counted from 0) has an invalid list of corners`);
         addCell(cells, type ?? this.#types[cell] ?? 0, [...nodes.subarray(begin, end)], first + cell);
       });
+      yield* this.#addElementData(cells.tetrahedra.taken());
       first += count;
     }
   }

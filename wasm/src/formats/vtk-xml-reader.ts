@@ -21,6 +21,8 @@ import {
   type Fail,
   PATCH_ARRAYS,
   REGION_ARRAYS,
+  isGroupArray,
+  rowsOfTetrahedra,
 } from "./vtk-cells.js";
 import { failIn, type FoundArray, type Head, type Piece, readHead } from "./vtk-xml-head.js";
 import { xmlInUtf8 } from "./xml-encoding.js";
@@ -124,18 +126,22 @@ export async function readVtkXml(source: ByteSource, { signal, onWork }: ReadCon
 function* meshIn(bytes: Uint8Array, onWork: ReadContext["onWork"]): Steps<Mesh> {
   const file = new XmlFile(bytes, onWork);
   const builder = new MeshBuilder();
-  const held: PieceReading[] = [];
+  const held: ReadPiece[] = [];
   for (const piece of file.head.pieces) {
     const firstNode = builder.pointCount;
     yield* addPoints(piece, file, builder);
     // A piece may be empty even if others are not.
     if (builder.pointCount === firstNode) continue;
     const reading = { piece, file, builder, firstNode, pointCount: builder.pointCount - firstNode };
-    held.push(reading);
-    if (file.head.file.get("type") === "PolyData") yield* addPolygons(reading);
-    else yield* addCells(reading);
+    if (file.head.file.get("type") === "PolyData") {
+      yield* addPolygons(reading);
+      held.push({ ...reading, tetrahedra: new Uint32Array(), cellCount: 0 });
+    } else {
+      held.push({ ...reading, ...(yield* addCells(reading)) });
+    }
   }
   yield* addPointData(held, file, builder);
+  yield* addElementData(held, file, builder);
   const names = file.names();
   yield* addFieldNames(file, names);
   return names.applyTo(builder.mesh());
@@ -166,6 +172,14 @@ interface PieceReading {
   readonly pointCount: number;
 }
 
+/** Cells of a piece: their number, and those that are tetrahedra. */
+interface PieceCells {
+  readonly cellCount: number;
+  readonly tetrahedra: Uint32Array;
+}
+
+type ReadPiece = PieceReading & PieceCells;
+
 function* addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): Steps<void> {
   for (const [name, value] of piece.attributes)
     if (name.startsWith("NumberOf")) checkCount(piece, file, name, value);
@@ -193,8 +207,8 @@ function checkCount(piece: Piece, file: XmlFile, name: string, value: string): v
 }
 
 /** Reads the values at nodes by name, piece by piece; NaN at nodes of a piece that lacks them. */
-function* addPointData(held: readonly PieceReading[], file: XmlFile, builder: MeshBuilder): Steps<void> {
-  const arraysOfPieces = held.map(({ piece }) => pointArrays(piece));
+function* addPointData(held: readonly ReadPiece[], file: XmlFile, builder: MeshBuilder): Steps<void> {
+  const arraysOfPieces = held.map(({ piece }) => namedArrays(piece, "PointData"));
   for (const [name, first] of arraysOfPieces.flatMap((arrays) => [...arrays])) {
     if (builder.nodeData.has(name)) continue;
     const components = componentsOf(first, file);
@@ -205,7 +219,7 @@ function* addPointData(held: readonly PieceReading[], file: XmlFile, builder: Me
       parts.push(
         found === undefined
           ? new Float64Array(components * pointCount).fill(NaN)
-          : yield* pointNumbers(found, { file, components, pointCount }),
+          : yield* numbersOf(found, { file, components, count: pointCount, word: "points" }),
       );
     }
     builder.nodeData.set(name, { components, values: joinedNumbers(parts) });
@@ -222,29 +236,28 @@ function componentsOf({ attributes, at }: FoundArray, file: XmlFile): number {
   );
 }
 
-interface PointNumbers {
+interface Rows {
   readonly file: XmlFile;
   readonly components: number;
-  readonly pointCount: number;
+  readonly count: number;
+  /** What has a row each, in messages. */
+  readonly word: "points" | "cells";
 }
 
-function* pointNumbers(
-  found: FoundArray,
-  { file, components, pointCount }: PointNumbers,
-): Steps<Float64Array> {
+function* numbersOf(found: FoundArray, { file, components, count, word }: Rows): Steps<Float64Array> {
   const values = yield* file.numbers(found);
-  if (values.length === components * pointCount) return values;
+  if (values.length === components * count) return values;
   const name = found.attributes.get("Name") ?? "";
   return file.fail(
-    `"${name}" has ${values.length} values, but ${pointCount} points need ${components} each`,
+    `"${name}" has ${values.length} values, but ${count} ${word} need ${components} each`,
     file.offsetOf(found),
   );
 }
 
-function pointArrays({ arrays }: Piece): Map<string, FoundArray> {
+function namedArrays({ arrays }: Piece, section: "PointData" | "CellData"): Map<string, FoundArray> {
   const named = new Map<string, FoundArray>();
   for (const array of arrays) {
-    if (array.section !== "PointData" || !isReadable(array.attributes.get("type") ?? "")) continue;
+    if (array.section !== section || !isReadable(array.attributes.get("type") ?? "")) continue;
     named.set(array.attributes.get("Name") ?? "", array);
   }
   return named;
@@ -277,7 +290,7 @@ function* cellData({ piece, file }: PieceReading): Steps<CellNumbers> {
   return (name) => read.get(name);
 }
 
-function* addCells(reading: PieceReading): Steps<void> {
+function* addCells(reading: PieceReading): Steps<PieceCells> {
   const { piece, file, builder } = reading;
   const types = file.arrayOf(piece, "Cells", "types");
   const typeOf = yield* file.numbers(types);
@@ -288,6 +301,32 @@ function* addCells(reading: PieceReading): Steps<void> {
   }
   const cells = cellsOf(builder, yield* cellData(reading), section.fail);
   yield* eachCell(reading, section, (nodes, cell) => addCell(cells, typeOf[cell] ?? 0, nodes, cell));
+  return { cellCount: typeOf.length, tetrahedra: cells.tetrahedra.taken() };
+}
+
+/** Reads the values of tetrahedra by name, piece by piece; NaN in a piece that lacks them. */
+function* addElementData(held: readonly ReadPiece[], file: XmlFile, builder: MeshBuilder): Steps<void> {
+  if (builder.tetrahedronCount === 0) return;
+  const arraysOfPieces = held.map(({ piece }) => namedArrays(piece, "CellData"));
+  for (const [name, first] of arraysOfPieces.flatMap((arrays) => [...arrays])) {
+    const components = componentsOf(first, file);
+    if (builder.elementData.has(name) || (components === 1 && isGroupArray(name))) continue;
+    const parts: Float64Array[] = [];
+    for (const [p, { cellCount, tetrahedra }] of held.entries()) {
+      const found = arraysOfPieces[p]?.get(name);
+      if (found === undefined) file.spend(8 * components * tetrahedra.length, first);
+      parts.push(
+        found === undefined
+          ? new Float64Array(components * tetrahedra.length).fill(NaN)
+          : yield* rowsOfTetrahedra(
+              yield* numbersOf(found, { file, components, count: cellCount, word: "cells" }),
+              components,
+              tetrahedra,
+            ),
+      );
+    }
+    builder.elementData.set(name, { components, values: joinedNumbers(parts) });
+  }
 }
 
 /** In polygon files, cells are numbered through vertices, lines, strips and polygons in VTK's order. */

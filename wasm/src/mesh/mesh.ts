@@ -25,9 +25,9 @@ export function isColorName(name: string): boolean {
   return /^(#[0-9a-f]{6}|color \d+|attribute \d+)$/.test(name);
 }
 
-/** Values at the nodes, such as sizes. */
+/** Values at the nodes, such as sizes, or of the tetrahedra. */
 export interface NodeData {
-  /** Number of values per node. */
+  /** Number of values per node or tetrahedron. */
   readonly components: number;
   readonly values: Float64Array;
 }
@@ -118,6 +118,8 @@ export interface Mesh {
   readonly regions: readonly MeshGroup[];
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;
+  /** Values of the tetrahedra by name, as in the file (VTU, VTK), without the tags of regions. They are not written. */
+  readonly elementData?: ReadonlyMap<string, NodeData> | undefined;
   /**
    * In the result of a run, two per triangle: index in `regions` of the region from which its nodes are seen clockwise, and of
    * that from which they are seen counter-clockwise (`NO_REGION` except for interfaces). Empty until the boundary is known to be
