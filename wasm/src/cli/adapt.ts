@@ -20,6 +20,7 @@ export interface AdaptCommandOptions extends UnitOptions {
   readonly output: string;
   readonly quality?: string;
   readonly sweeps?: string;
+  readonly threads?: string;
   readonly from?: string;
   readonly to?: string;
   readonly json?: boolean;
