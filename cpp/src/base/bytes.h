@@ -55,7 +55,7 @@ class ByteWriter {
       if (value) write(*value);
     } else if constexpr (detail::kIsVariant<T>) {
       write(static_cast<std::uint32_t>(value.index()));
-      std::visit([this](const auto& held) { write(held); }, value);
+      std::visit([this](const auto& held) { this->write(held); }, value);
     } else if constexpr (detail::kIsPlainVector<T>) {
       write(value.size());
       append(value.data(), value.size() * sizeof(typename T::value_type));

@@ -26,27 +26,33 @@ interface Started {
 type StartWorker = TileHost["start"];
 
 const host = vi.hoisted(() => ({
-  started: [] as unknown[],
-  start: undefined as unknown,
+  started: [] as Started[],
+  /** Starts workers in place of the real host. */
+  start: undefined as StartWorker | undefined,
+  startReal: undefined as StartWorker | undefined,
   isAvailable: true,
 }));
-const started = host.started as Started[];
-let realStart: StartWorker;
+const { started } = host;
 
 vi.mock("../../../wasm/dist/engine/tile-host-node.js", async (importOriginal) => {
   const { tileHost } = await importOriginal<{ readonly tileHost: TileHost }>();
-  realStart = tileHost.start;
+  host.startReal = (events) => tileHost.start(events);
   return {
     tileHost: {
       get isAvailable() {
         return host.isAvailable;
       },
       cores: () => 12,
-      start: (events: TileWorkerEvents) =>
-        recorded(events, (host.start as StartWorker | undefined) ?? realStart),
+      start: (events: TileWorkerEvents) => recorded(events, host.start ?? startReal),
     },
   };
 });
+
+/** Starts a worker as the package does. */
+function startReal(events: TileWorkerEvents): TileWorker {
+  if (host.startReal === undefined) throw new Error("the host is not loaded");
+  return host.startReal(events);
+}
 
 /** Returns a generator of numbers from 0 to 1. */
 function fractions(seed: number): () => number {
@@ -151,7 +157,7 @@ describe("a mesh in tiles", () => {
       victim.events.onCrash("the worker ended with code 1");
     };
     host.start = (events: TileWorkerEvents): TileWorker => {
-      const worker = realStart(events);
+      const worker = startReal(events);
       // The second worker gets a tile before the engine.
       if (started.length === 1) worker.post({ kind: "tile", id: 1, mesh: noTile() }, []);
       return worker;
