@@ -178,6 +178,7 @@ describe("a mesh in tiles", () => {
 
   test("is cancelled while workers hold tiles, and valid then", async () => {
     for (const slices of [1, 4]) {
+      started.splice(0);
       let shared = 0;
       const isCancelled = () => shared >= slices;
       const { status, tetrahedra, quality } = await meshed(3, { onShared: () => ++shared, isCancelled });
@@ -186,6 +187,7 @@ describe("a mesh in tiles", () => {
       expect(quality.volume).toBeGreaterThan(4);
       expect(quality.minDihedral).toBeGreaterThan(0);
       expect(shared).toBeLessThan(slices + 3);
+      expect(started.every(({ isTerminated }) => isTerminated)).toBe(true);
     }
   });
 });
