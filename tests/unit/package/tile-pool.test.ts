@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import { afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 
 import { engineOptions } from "../../../wasm/dist/api/mesh-options.js";
-import { type Engine, loadEngine, type TiledRun } from "../../../wasm/dist/engine/loader.js";
+import { type Engine, loadEngine } from "../../../wasm/dist/engine/loader.js";
 import { RunClock } from "../../../wasm/dist/engine/run-clock.js";
 import { runInSlices } from "../../../wasm/dist/engine/slices.js";
 import { TilePool, usableThreads } from "../../../wasm/dist/engine/tile-pool.js";
@@ -274,7 +274,7 @@ describe("a pool of unreliable workers", () => {
       host.start = unreliable(random);
       const run = new FakeRun();
       const threads = 2 + Math.floor(4 * random());
-      const pool = new TilePool(run as unknown as TiledRun, threads, {});
+      const pool = new TilePool(run, threads, {});
       let turns = Math.floor(40 * random());
       const status = await runInSlices(run as unknown as Parameters<typeof runInSlices>[0], new RunClock(), {
         isCancelled: () => turns-- <= 0,

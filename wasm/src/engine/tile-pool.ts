@@ -89,17 +89,15 @@ export class TilePool {
 
   /** Returns a worker that has just been started; undefined if there can be none. */
   #started(): Helper | undefined {
-    let helper: Helper | undefined;
-    const events: TileWorkerEvents = {
-      onReply: (reply) => helper && this.#receive(helper, reply),
-      onCrash: () => helper && this.#remove(helper),
-    };
-    const worker = startedWorker(events);
+    const worker = startedWorker({
+      onReply: (reply) => this.#receive(helper, reply),
+      onCrash: () => this.#remove(helper),
+    });
     if (worker === undefined) {
       this.#spare = 0;
       return undefined;
     }
-    helper = { worker, tile: undefined, isProven: false };
+    const helper: Helper = { worker, tile: undefined, isProven: false };
     this.#helpers.add(helper);
     this.#steps ??= this.#run.tileSteps();
     worker.post({ kind: "begin", module: this.#module, steps: this.#steps }, []);
