@@ -16,6 +16,7 @@
 #include "field/size_field.h"
 #include "optimize/optimizer.h"
 #include "optimize/sweep_observer.h"
+#include "optimize/tile_lender.h"
 #include "optimize/tile_runner.h"
 #include "optimize/volume_limiter.h"
 #include "quality/metrics.h"
@@ -116,6 +117,8 @@ class MeshRun::Impl {
     records_ = true;
   }
   void runTilesBy(std::unique_ptr<TileRunner> runner) { tileRunner_ = std::move(runner); }
+  [[nodiscard]] TileLender& lender() { return lender_; }
+  [[nodiscard]] const TileLender& lender() const { return lender_; }
   [[nodiscard]] std::vector<std::uint8_t> takeTrace() { return recorder_.takeEvents(); }
   [[nodiscard]] StepRecorder& recorder() { return recorder_; }
   [[nodiscard]] std::uint64_t recordedSteps() const { return recorder_.counts().steps; }
@@ -172,6 +175,7 @@ class MeshRun::Impl {
   [[nodiscard]] double maxVolumeOf(std::size_t region) const;
   [[nodiscard]] double neededElements(std::size_t region) const;
   void reportLimits(std::size_t before, double others);
+  [[nodiscard]] TileRunner& tileRunner() { return tileRunner_ ? *tileRunner_ : lender_; }
   [[nodiscard]] RegionMesh& region() { return meshes_.regions[region_]; }
   [[nodiscard]] RegionMeshes withRegion(TetMesh mesh) const {
     RegionMeshes all = meshes_;
@@ -221,7 +225,8 @@ class MeshRun::Impl {
   std::uint64_t frontFingerprint_ = 0;
   std::optional<RegionMesher> front_;        ///< while it fills
   std::unique_ptr<SweepObserver> observer_;  ///< of the optimizer, if the run is recorded
-  std::unique_ptr<TileRunner> tileRunner_ = std::make_unique<TilesInTurn>();
+  TileLender lender_;                       ///< optimizes tiles unless there is a runner
+  std::unique_ptr<TileRunner> tileRunner_;  ///< none by default
   std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes a region
   std::optional<VolumeLimiter> limiter_;    ///< while it splits large elements of a region
   std::size_t region_ = 0;                  ///< region that the optimizer or the limiter works on

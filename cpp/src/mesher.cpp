@@ -336,7 +336,7 @@ Task<> MeshRun::Impl::optimize(Work& work) {
       optimizer_->observe(*observer_);
     } else {
       optimizer_.emplace(
-          MeshOptimizer::inTiles(std::move(mesh), *field_, options_.optimization, *tileRunner_));
+          MeshOptimizer::inTiles(std::move(mesh), *field_, options_.optimization, tileRunner()));
     }
     co_await optimizer_->run(work);
     isAnyBetter = isAnyBetter || !optimizer_->hasFoundNothingBetter();

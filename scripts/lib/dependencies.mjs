@@ -56,6 +56,7 @@ const PUBLIC_HEADERS = {
   "mesher.h": undefined,
   "run_check.h": undefined,
   "threads.h": undefined,
+  "tile_host.h": undefined,
   "trace.h": undefined,
 };
 

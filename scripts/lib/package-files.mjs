@@ -106,6 +106,7 @@ export async function bundlePages() {
     entryPoints: {
       tetrafront: `${dist}/page.js`,
       worker: `${dist}/engine/worker.js`,
+      "tile-worker": `${dist}/engine/tile-worker.js`,
       "cad-worker": `${dist}/cad/cad-worker.js`,
     },
     outdir,

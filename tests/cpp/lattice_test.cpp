@@ -68,7 +68,7 @@ TEST(LatticeNodes, HaveTwelveTetrahedraPerCube) {
     }
   }
   EXPECT_EQ(nodes.count(), 5U * 4U * 3U + 4U * 3U * 2U);
-  nodes.sort();
+  Job<>([&](Work& work) { return nodes.sort(work); }).finish();
   Job<std::vector<NodeQuad>> job([&](Work& work) { return nodes.tetrahedra(work); });
   while (!job.advance(3)) {
   }

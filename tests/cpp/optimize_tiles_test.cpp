@@ -1,20 +1,24 @@
-/// Meshes in tiles: taken apart, joined, and optimized on threads.
+/// Meshes in tiles: taken apart, joined, and optimized on threads and by other engines.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "base/task.h"
 #include "optimize/rules.h"
 #include "optimize/tiles.h"
 #include "support/mesh_validator.h"
+#include "support/random.h"
 #include "support/shapes.h"
 #include "tetrafront/mesher.h"
 #include "tetrafront/threads.h"
+#include "tetrafront/tile_host.h"
 #include "topology/tet_mesh.h"
 
 namespace tetrafront {
@@ -151,7 +155,56 @@ MeshRun sphereRun(unsigned threads) {
   return run;
 }
 
-TEST(Tiles, GiveTheSameMeshOnAnyNumberOfThreads) {
+/// Engines that borrow tiles of a run and give them back late, in another order, damaged or never.
+class Borrowers {
+ public:
+  explicit Borrowers(MeshRun& run) : host_(run) {}
+
+  /// Does what engines may have done between two slices of the run.
+  void act() {
+    if (host_.waitingCount() > 0 && random_.integer(0, 2) > 0) {
+      if (!optimizer_) optimizer_.emplace(host_.steps());
+      lent_.push_back(host_.lend());
+      ++borrowed_;
+    }
+    if (lent_.empty() || (!host_.isWaiting() && random_.integer(0, 40) > 0)) return;
+    std::swap(lent_.back(), lent_[lent_.size() / 2]);
+    const LentTile tile = std::move(lent_.back());
+    lent_.pop_back();
+    const int fate = random_.integer(0, 5);
+    if (fate == 0) {
+      host_.withdraw(tile.id);
+    } else if (fate == 1) {
+      TileMesh damaged = tile.mesh;
+      damaged.isFixed.pop_back();
+      EXPECT_FALSE(host_.giveBack(tile.id, damaged));
+    } else {
+      EXPECT_TRUE(host_.giveBack(tile.id, optimized(tile.mesh)));
+      ++returned_;
+    }
+    host_.withdraw(tile.id);  // too late
+  }
+
+  [[nodiscard]] std::size_t borrowed() const { return borrowed_; }
+  [[nodiscard]] std::size_t returned() const { return returned_; }
+
+ private:
+  TileMesh optimized(const TileMesh& tile) {
+    optimizer_->begin(tile);
+    while (!optimizer_->advance(5000)) {
+    }
+    return optimizer_->result();
+  }
+
+  TileHost host_;
+  testing::Random random_{17};
+  std::optional<TileOptimizer> optimizer_;
+  std::vector<LentTile> lent_;
+  std::size_t borrowed_ = 0;
+  std::size_t returned_ = 0;
+};
+
+TEST(Tiles, GiveTheSameMeshOnAnyNumberOfThreadsAndBorrowed) {
   std::set<std::uint64_t> fingerprints;
   for (const unsigned threads : {1U, 2U, 5U}) {
     MeshRun run = sphereRun(threads);
@@ -165,7 +218,32 @@ TEST(Tiles, GiveTheSameMeshOnAnyNumberOfThreads) {
       EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
     }
   }
+  MeshRun run = sphereRun(1);
+  Borrowers borrowers(run);
+  while (run.advance(2000) == MeshStatus::kRunning) borrowers.act();
+  EXPECT_GT(borrowers.returned(), 2U);
+  EXPECT_GT(borrowers.borrowed(), borrowers.returned());
+  fingerprints.insert(run.fingerprint());
   EXPECT_EQ(fingerprints.size(), 1U);
+}
+
+TEST(Tiles, ThatAreLentEndWithTheRun) {
+  MeshRun run = sphereRun(1);
+  TileHost host(run);
+  EXPECT_TRUE(host.steps().empty());
+  EXPECT_EQ(host.lend().id, 0U);
+  while (host.waitingCount() == 0) ASSERT_EQ(run.advance(20'000), MeshStatus::kRunning);
+  const LentTile first = host.lend();
+  const LentTile second = host.lend();
+  ASSERT_GT(first.id, 0U);
+  EXPECT_NE(first.id, second.id);
+  EXPECT_TRUE(host.giveBack(second.id, second.mesh));
+  EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
+  run.cancel();
+  EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
+  EXPECT_TRUE(host.giveBack(first.id, first.mesh));
+  EXPECT_EQ(host.waitingCount(), 0U);
+  EXPECT_FALSE(host.isWaiting());
 }
 
 TEST(Tiles, AreCancelledWhileThreadsWork) {

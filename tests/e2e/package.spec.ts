@@ -3,7 +3,15 @@
  * three.js.
  */
 import { execFileSync } from "node:child_process";
-import { copyFileSync, createReadStream, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync,
+  createReadStream,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import path from "node:path";
@@ -15,6 +23,7 @@ import webpack, { type Configuration, type StatsCompilation } from "webpack";
 import { freshInstall, type FreshInstall } from "../support/fresh-install.js";
 import { storedPlanes } from "../support/planes.js";
 import { boxSolid, stepFile } from "../support/step-files.js";
+import { sphereSurface } from "../support/surfaces.js";
 
 const bin = (name: string) => fileURLToPath(new URL(`../../node_modules/.bin/${name}`, import.meta.url));
 const STRICT =
@@ -34,6 +43,9 @@ test.beforeAll(() => {
 test.afterAll(() => fresh.dispose());
 test.afterEach(() => server?.close());
 
+/** Names of the files that pages asked for. */
+const requested: string[] = [];
+
 /**
  * Serves a folder, except the files `missing`, with this Content-Security-Policy; resolves with the address of the
  * page.
@@ -46,6 +58,7 @@ async function served(
   const started = createServer((request, response) => {
     const name = new URL(request.url ?? "/", "http://localhost").pathname;
     const file = path.join(folder, name === "/" ? "index.html" : name);
+    requested.push(path.basename(file));
     const isThere = existsSync(file) && statSync(file).isFile() && !missing.has(path.basename(file));
     if (!isThere) return void response.writeHead(404).end();
     const type = TYPES[path.extname(file)] ?? "application/octet-stream";
@@ -271,6 +284,68 @@ test("Vite bundles the package", async ({ page }) => {
   await expectBoxMeshed(page, await served(path.join(folder, "dist"), STRICT));
 });
 
+/** Fills a large sphere by one thread and by two, and states the fingerprints. */
+const fillBySeveral = (module: string) => `import { createMesher } from "${module}";
+const { points, triangles } = await (await fetch("sphere.json")).json();
+const surface = { points: Float64Array.from(points), triangles: Uint32Array.from(triangles) };
+const mesher = await createMesher();
+const made = [];
+for (const threads of [1, 2]) {
+  const options = { optimization: "fast", interior: "front", threads };
+  const { report } = await mesher.fillSurface(surface, options);
+  made.push(report.status + report.threads + (report.tetrahedra > 60000 ? " large " : " small ") + report.fingerprint);
+}
+document.title = made.join(" ");`;
+
+/** Saves the page that fills a sphere by several threads. `files`: folder of the sphere. */
+function saveFilling(
+  folder: string,
+  name: string,
+  { module, files = folder }: { readonly module: string; readonly files?: string },
+): void {
+  const { points, triangles } = sphereSurface(22);
+  const sphere = JSON.stringify({ points: [...points], triangles: [...triangles] });
+  writeFileSync(path.join(files, "sphere.json"), sphere);
+  writeFileSync(path.join(folder, "many-threads.js"), fillBySeveral(module));
+  writeFileSync(path.join(folder, name), '<script type="module" src="many-threads.js"></script>');
+}
+
+const SAME_MESH = /^done1 large ([0-9a-f]{16}) done2 large \1$/;
+
+test("on a plain page, a second worker optimizes tiles of the same mesh; without its script, the first does all", async ({
+  page,
+}) => {
+  test.slow();
+  const folder = path.join(fresh.folder, "page");
+  if (!existsSync(folder)) fresh.example("page");
+  const module = "./node_modules/tetrafront/dist/page/tetrafront.js";
+  saveFilling(folder, "many-threads.html", { module });
+  const missing = new Set<string>();
+  requested.splice(0);
+  const address = `${await served(folder, STRICT, missing)}many-threads.html`;
+  await page.goto(address);
+  await expect(page).toHaveTitle(SAME_MESH, { timeout: 60_000 });
+  expect(requested.filter((name) => name === "tile-worker.js")).toHaveLength(1);
+  const title = await page.title();
+  missing.add("tile-worker.js");
+  await page.reload();
+  await expect(page).toHaveTitle(title, { timeout: 60_000 });
+});
+
+test("in a bundle of Vite, a second worker optimizes tiles of the same mesh", async ({ page }) => {
+  test.slow();
+  const folder = path.join(fresh.folder, "vite-threads");
+  mkdirSync(path.join(folder, "public"), { recursive: true });
+  const config = fileURLToPath(new URL("../../examples/vite/vite.config.js", import.meta.url));
+  copyFileSync(config, path.join(folder, "vite.config.js"));
+  saveFilling(folder, "index.html", { module: "tetrafront", files: path.join(folder, "public") });
+  execFileSync(process.execPath, [bin("vite"), "build", "--logLevel", "warn"], { cwd: folder });
+  requested.splice(0);
+  await page.goto(await served(path.join(folder, "dist"), STRICT));
+  await expect(page).toHaveTitle(SAME_MESH, { timeout: 60_000 });
+  expect(requested.filter((name) => name.startsWith("tile-worker"))).toHaveLength(1);
+});
+
 test("webpack bundles the package", async ({ page }) => {
   test.slow();
   const folder = fresh.example("webpack");
@@ -293,7 +368,8 @@ test("esbuild bundles the package, with the worker as a separate entry and the m
   const target = path.join(fresh.folder, "bundled");
   if (!existsSync(folder)) fresh.example("vite");
   const dist = path.join(fresh.folder, "node_modules", "tetrafront", "dist");
-  const entries = [path.join(folder, "main.js"), path.join(dist, "engine", "worker.js")];
+  const workers = ["worker.js", "tile-worker.js"].map((name) => path.join(dist, "engine", name));
+  const entries = [path.join(folder, "main.js"), ...workers];
   const options = ["--bundle", "--format=esm", "--splitting", "--entry-names=[name]", `--outdir=${target}`];
   execFileSync(bin("esbuild"), [...entries, ...options, "--log-level=warning"], { cwd: fresh.folder });
   for (const name of ["engine.wasm", "tools.wasm"]) {

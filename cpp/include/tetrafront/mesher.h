@@ -110,6 +110,7 @@ class MeshRun {
   class Impl;
   friend void recordFront(MeshRun& run, const FrontExperiment& experiment);
   friend void useThreads(MeshRun& run, unsigned count);
+  friend class TileHost;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -16,6 +16,8 @@
 
 namespace tetrafront {
 
+class ByteReader;
+
 class GridLocator {
  public:
   struct Location {
@@ -45,6 +47,12 @@ class GridLocator {
 
   [[nodiscard]] const BackgroundGrid& grid() const { return grid_; }
 
+  template <class Self, class Visit>
+  static void visitMembers(Self& self, Visit& visit) {
+    visit(self.grid_.nodes, self.grid_.tetrahedra, self.grid_.coverageMargin, self.tensors_,
+          self.frames_, self.sizes_, self.tree_, self.maxSteps_, self.slack_);
+  }
+
  private:
   /// The data of a tetrahedron that a walk needs, contiguous in memory: the linear functions that
   /// are the weights of nodes 1, 2 and 3 and vanish at node 0, and the neighbour across the face
@@ -56,6 +64,7 @@ class GridLocator {
   };
 
   friend class GridLocatorBuilder;
+  friend class ByteReader;
   GridLocator() = default;
 
   [[nodiscard]] std::array<double, 4> weightsAt(GridTetId tet, const Vec3& position) const;

@@ -83,6 +83,11 @@ class SizeField {
   /// margin; always true without a background grid.
   [[nodiscard]] bool covers(const Vec3& position, FieldHint& hint) const;
 
+  template <class Self, class Visit>
+  static void visitMembers(Self& self, Visit& visit) {
+    visit(self.base_, self.sources_, self.ceiling_, self.floor_, self.cap_, self.regionCaps_);
+  }
+
  private:
   using Base = std::variant<double, GridLocator, SizeOctree>;
   template <class Kind>

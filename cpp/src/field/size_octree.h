@@ -13,6 +13,8 @@
 
 namespace tetrafront {
 
+class ByteReader;
+
 class SizeOctree {
  public:
   /// h(x) = min(cap, min_i h_i + growth |x - x_i|), where h_i is the mean edge length at node i,
@@ -32,8 +34,15 @@ class SizeOctree {
 
   [[nodiscard]] std::size_t leafCount() const { return leaves_.size(); }
 
+  template <class Self, class Visit>
+  static void visitMembers(Self& self, Visit& visit) {
+    visit(self.origin_, self.latticePerLength_, self.cap_, self.nodes_, self.leaves_,
+          self.directory_);
+  }
+
  private:
   friend class SizeOctreeBuilder;
+  friend class ByteReader;
 
   SizeOctree() = default;
 

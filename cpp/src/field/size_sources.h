@@ -26,6 +26,11 @@ class SizeSources {
 
   [[nodiscard]] std::span<const SizeSource> all() const { return sources_; }
 
+  template <class Self, class Visit>
+  static void visitMembers(Self& self, Visit& visit) {
+    visit(self.sources_, self.branches_, self.firstLeaf_);
+  }
+
   /// Returns the smaller of `size` and the size of the sources at `position`. O(log n) if few sources
   /// reach the position.
   [[nodiscard]] double cappedSize(const Vec3& position, double size) const;

@@ -44,7 +44,7 @@ Task<> IslandTrimmer::run(Work& work) {
     removeSpikes();
     co_await work.yield();
   } while (removeContacts());
-  removeSmallIslands();
+  co_await removeSmallIslands(work);
 }
 
 Task<> IslandTrimmer::findNeighbours(Work& work) {
@@ -173,21 +173,31 @@ bool IslandTrimmer::removeContacts() {
   return isAny;
 }
 
-void IslandTrimmer::removeSmallIslands() {
-  DisjointSets islands(tetrahedra_.size());
-  for (const TetId tet : IdRange<TetId>(tetrahedra_.size())) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const ElementFace other = neighbours_[ElementFace(tet, k).index()];
-      if (!other.isNone()) islands.join(tet.value, other.tet().value);
-    }
-  }
-  std::vector<std::uint32_t> sizes(tetrahedra_.size(), 0);
-  for (const TetId tet : IdRange<TetId>(tetrahedra_.size())) {
-    if (isLive(tet)) ++sizes[islands.find(tet.value)];
-  }
-  for (const TetId tet : IdRange<TetId>(tetrahedra_.size())) {
-    if (sizes[islands.find(tet.value)] < kMinTetrahedra) isRemoved_[tet.index()] = 1;
-  }
+Task<> IslandTrimmer::removeSmallIslands(Work& work) {
+  const std::size_t count = tetrahedra_.size();
+  DisjointSets islands(count);
+  co_await work.forEachId<TetId>(
+      count,
+      [&](TetId tet) {
+        for (std::size_t k = 0; k < 4; ++k) {
+          const ElementFace other = neighbours_[ElementFace(tet, k).index()];
+          if (!other.isNone()) islands.join(tet.value, other.tet().value);
+        }
+      },
+      kTetrahedraPerUnit);
+  std::vector<std::uint32_t> sizes(count, 0);
+  co_await work.forEachId<TetId>(
+      count,
+      [&](TetId tet) {
+        if (isLive(tet)) ++sizes[islands.find(tet.value)];
+      },
+      kTetrahedraPerUnit);
+  co_await work.forEachId<TetId>(
+      count,
+      [&](TetId tet) {
+        if (sizes[islands.find(tet.value)] < kMinTetrahedra) isRemoved_[tet.index()] = 1;
+      },
+      kTetrahedraPerUnit);
 }
 
 std::vector<NodeTriple> IslandTrimmer::hull() const {

@@ -33,7 +33,7 @@ class IslandTrimmer {
   void remove(TetId tet);
   void removeSpikes();
   bool removeContacts();
-  void removeSmallIslands();
+  Task<> removeSmallIslands(Work& work);
   [[nodiscard]] bool isLive(TetId tet) const { return isRemoved_[tet.index()] == 0; }
   [[nodiscard]] NodeTriple nodesOf(ElementFace face) const;
   [[nodiscard]] std::vector<ElementFace> hullFaces() const;

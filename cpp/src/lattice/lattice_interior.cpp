@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/free_memory.h"
 #include "lattice/free_space.h"
 #include "lattice/island_trimmer.h"
 #include "lattice/lattice_nodes.h"
@@ -55,10 +56,7 @@ class NodeFinder {
     }
   }
 
-  [[nodiscard]] LatticeNodes take() {
-    nodes_.sort();
-    return std::move(nodes_);
-  }
+  [[nodiscard]] LatticeNodes take() { return std::move(nodes_); }
 
  private:
   [[nodiscard]] LatticePlace placeFrom(const Vec3& corner) const {
@@ -102,7 +100,9 @@ Task<Islands> makeIslands(Work& work, const SizeSurvey& survey, const FreeSpace&
     finder.visit(cube);
     co_await work.spend(4);
   }
-  const LatticeNodes nodes = finder.take();
+  LatticeNodes nodes = finder.take();
+  work.beginPart(0.5);
+  co_await nodes.sort(work);
   work.beginPart(0.6);
   std::vector<NodeQuad> tetrahedra = co_await nodes.tetrahedra(work);
   work.beginPart(1.0);
@@ -120,6 +120,10 @@ Task<Islands> makeIslands(Work& work, const SizeSurvey& survey, const FreeSpace&
 
 /// Appends islands; their nodes get ids after those that are there.
 void append(Islands& all, Islands more) {
+  if (all.points.empty()) {
+    all = std::move(more);
+    return;
+  }
   const std::size_t first = all.points.size();
   const auto shifted = [&](auto nodes) {
     for (NodeId& node : nodes) node = NodeId(node.index() + first);
@@ -144,54 +148,79 @@ std::vector<FreeSpace::Triangle> cornersOf(const Islands& islands) {
 enum class Part : std::uint8_t { kUnused, kCore, kRim, kFixed, kHull };
 
 /// Sorts nodes and tetrahedra by the part that they lie in.
-LatticeInterior sorted(const Islands& islands) {
-  std::vector<Part> partOf(islands.points.size(), Part::kUnused);
-  for (const NodeTriple& nodes : islands.hull) {
-    for (const NodeId node : nodes) partOf[node.index()] = Part::kHull;
+class PartSort {
+ public:
+  explicit PartSort(Islands islands)
+      : islands_(std::move(islands)),
+        partOf_(islands_.points.size(), Part::kUnused),
+        newId_(islands_.points.size()) {}
+
+  Task<LatticeInterior> run(Work& work) {
+    for (const NodeTriple& nodes : islands_.hull) {
+      for (const NodeId node : nodes) partOf_[node.index()] = Part::kHull;
+    }
+    co_await work.forEachId<TetId>(
+        islands_.tetrahedra.size(), [this](TetId tet) { divide(islands_.tetrahedra[tet.index()]); },
+        kPerUnit);
+    freeMemory(islands_.tetrahedra);
+    co_await work.forEachId<TetId>(
+        interior_.core.size(), [this](TetId tet) { markCore(interior_.core[tet.index()]); },
+        kPerUnit);
+    for (const NodeQuad& nodes : interior_.rim) markRim(nodes);
+    co_await work.yield();
+    interior_.fixed = addNodes(Part::kFixed);
+    interior_.onHull = addNodes(Part::kHull);
+    interior_.inRim = addNodes(Part::kRim);
+    addNodes(Part::kCore);
+    co_await work.yield();
+    interior_.hull = std::move(islands_.hull);
+    for (NodeTriple& nodes : interior_.hull) renumber(nodes);
+    for (NodeQuad& nodes : interior_.rim) renumber(nodes);
+    co_await work.forEachId<TetId>(
+        interior_.core.size(), [this](TetId tet) { renumber(interior_.core[tet.index()]); },
+        kPerUnit);
+    co_return std::move(interior_);
   }
-  const auto isRim = [&](const NodeQuad& nodes) {
-    return std::ranges::any_of(nodes,
-                               [&](NodeId node) { return partOf[node.index()] == Part::kHull; });
-  };
-  LatticeInterior interior;
-  for (const NodeQuad& nodes : islands.tetrahedra) {
-    (isRim(nodes) ? interior.rim : interior.core).push_back(nodes);
+
+ private:
+  /// Tetrahedra per unit of budget.
+  static constexpr std::size_t kPerUnit = 64;
+
+  void divide(const NodeQuad& nodes) {
+    const bool isRim = std::ranges::any_of(
+        nodes, [this](NodeId node) { return partOf_[node.index()] == Part::kHull; });
+    (isRim ? interior_.rim : interior_.core).push_back(nodes);
   }
-  for (const NodeQuad& nodes : interior.core) {
-    for (const NodeId node : nodes) partOf[node.index()] = Part::kCore;
+  void markCore(const NodeQuad& nodes) {
+    for (const NodeId node : nodes) partOf_[node.index()] = Part::kCore;
   }
-  for (const NodeQuad& nodes : interior.rim) {
+  void markRim(const NodeQuad& nodes) {
     for (const NodeId node : nodes) {
-      Part& part = partOf[node.index()];
+      Part& part = partOf_[node.index()];
       if (part == Part::kCore) part = Part::kFixed;
       if (part == Part::kUnused) part = Part::kRim;
     }
   }
-  std::vector<NodeId> newId(islands.points.size());
-  const auto addNodes = [&](Part part) {
-    const std::size_t before = interior.points.size();
-    for (const NodeId node : IdRange<NodeId>(islands.points.size())) {
-      if (partOf[node.index()] != part) continue;
-      newId[node.index()] = NodeId(interior.points.size());
-      interior.points.push_back(islands.points[node.index()]);
+  /// Returns how many nodes there are in this part.
+  std::uint32_t addNodes(Part part) {
+    const std::size_t before = interior_.points.size();
+    for (const NodeId node : IdRange<NodeId>(islands_.points.size())) {
+      if (partOf_[node.index()] != part) continue;
+      newId_[node.index()] = NodeId(interior_.points.size());
+      interior_.points.push_back(islands_.points[node.index()]);
     }
-    return static_cast<std::uint32_t>(interior.points.size() - before);
-  };
-  interior.fixed = addNodes(Part::kFixed);
-  interior.onHull = addNodes(Part::kHull);
-  interior.inRim = addNodes(Part::kRim);
-  addNodes(Part::kCore);
-  interior.hull = islands.hull;
-  const auto renumber = [&](auto& all) {
-    for (auto& nodes : all) {
-      for (NodeId& node : nodes) node = newId[node.index()];
-    }
-  };
-  renumber(interior.hull);
-  renumber(interior.rim);
-  renumber(interior.core);
-  return interior;
-}
+    return static_cast<std::uint32_t>(interior_.points.size() - before);
+  }
+  template <class Nodes>
+  void renumber(Nodes& nodes) const {
+    for (NodeId& node : nodes) node = newId_[node.index()];
+  }
+
+  Islands islands_;
+  LatticeInterior interior_;
+  std::vector<Part> partOf_;   ///< per node
+  std::vector<NodeId> newId_;  ///< per node
+};
 
 }  // namespace
 
@@ -224,7 +253,9 @@ Task<LatticeInterior> makeLatticeInterior(Work& work, const SurfaceMesh& boundar
     co_await space.add(work, cornersOf(found));
     append(all, std::move(found));
   }
-  co_return sorted(all);
+  PartSort sort(std::move(all));
+  LatticeInterior sorted = co_await sort.run(work);
+  co_return sorted;
 }
 
 }  // namespace tetrafront

@@ -11,6 +11,8 @@ namespace {
 
 /// Nodes per unit of budget.
 constexpr std::size_t kNodesPerUnit = 8;
+/// Visits of nodes by the sort per unit of budget.
+constexpr std::size_t kVisitsPerUnit = 64;
 
 }  // namespace
 
@@ -57,7 +59,10 @@ LatticeNodes::Row LatticeNodes::rowAt(std::uint32_t y, std::uint32_t z) const {
   return {keys_, keyOf({0, y, z})};
 }
 
-void LatticeNodes::sort() { stableSort(keys_); }
+Task<> LatticeNodes::sort(Work& work) {
+  SlicedSort<Key> sort(keys_);
+  co_await work.finish(sort, kVisitsPerUnit);
+}
 
 LatticePlace LatticeNodes::placeOf(NodeId node) const {
   constexpr Key kMask = (Key{1} << kBits) - 1;

@@ -54,7 +54,7 @@ class LatticeNodes {
   [[nodiscard]] std::size_t count() const { return keys_.size(); }
 
   /// Sorts the nodes, once after the last one: their order is the one of space.
-  void sort();
+  Task<> sort(Work& work);
   [[nodiscard]] LatticePlace placeOf(NodeId node) const;
   /// Returns the tetrahedra of the lattice whose four nodes are in the set, positively oriented. O(n).
   Task<std::vector<NodeQuad>> tetrahedra(Work& work) const;

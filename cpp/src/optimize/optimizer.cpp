@@ -417,13 +417,6 @@ Task<> TileSteps::run(Work& work, TetMesh& mesh) const {
   mesh = optimizer.take();
 }
 
-Task<> TilesInTurn::run(Work& work, std::span<Tile> tiles, const TileSteps& steps) {
-  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
-    work.beginPart(static_cast<double>(tile + 1) / static_cast<double>(tiles.size()));
-    co_await steps.run(work, tiles[tile].mesh);
-  }
-}
-
 MeshOptimizer::MeshOptimizer(TetMesh mesh, const SizeField& field, Optimization level,
                              const MeshLimits& limits)
     : optimizer_(make(std::move(mesh), field, scheduleOf(level), limits)) {}

@@ -1,7 +1,8 @@
 #pragma once
 
-/// @file Who optimizes the tiles of a mesh: by default, the task that cut them, one after the other. Threads and hosts with several
-/// engines take their place. The tiles do not depend on each other, so the order in which they are done changes nothing.
+/// @file Who optimizes the tiles of a mesh: the task that cut them, one after the other, with the help of other engines if their host
+/// borrows tiles (tile_lender.h); or threads. The tiles do not depend on each other, so the order in which they are done changes
+/// nothing.
 
 #include <span>
 
@@ -31,12 +32,6 @@ class TileRunner {
 
   /// Optimizes all tiles. They and the steps must outlive the task.
   virtual Task<> run(Work& work, std::span<Tile> tiles, const TileSteps& steps) = 0;
-};
-
-/// Optimizes one tile after the other.
-class TilesInTurn final : public TileRunner {
- public:
-  Task<> run(Work& work, std::span<Tile> tiles, const TileSteps& steps) override;
 };
 
 }  // namespace tetrafront

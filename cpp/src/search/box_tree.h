@@ -65,6 +65,11 @@ class BoxTree {
     return ofLeaf(std::span(boxes_), leaf);
   }
 
+  template <class Self, class Visit>
+  static void visitMembers(Self& self, Visit& visit) {
+    visit(self.nodes_, self.firstLeaf_, self.items_, self.boxes_);
+  }
+
   static bool overlaps(const Box& a, const Box& b) {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
            b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];

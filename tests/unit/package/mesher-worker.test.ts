@@ -106,6 +106,7 @@ function resultWith(fingerprint: string): EngineResult {
       volume: 0,
       recovery: { relaxed: 0, starred: 0, remeshed: 0, filled: 0, steinerPoints: 0 },
       interior: { lattice: 0 },
+      threads: 1,
       front: {
         pops: 0,
         gatheredFaces: 0,

@@ -2,7 +2,6 @@ import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
 
 import { createMesher, type SurfaceInput } from "tetrafront";
 import { type Project, readProject, writeProject } from "tetrafront/project";
@@ -14,6 +13,7 @@ import { sphere } from "../../../web/document/pieces/sphere.js";
 import { torus } from "../../../web/document/pieces/torus.js";
 import { placedIn } from "../../../web/document/shape.js";
 import { frameAlong } from "../../../web/document/vectors.js";
+import { fill, nativeFingerprint, nativeProgram } from "../../support/native.js";
 import { projectOf } from "../../support/pieces.js";
 import { offFile } from "../../support/surface-files.js";
 import {
@@ -26,24 +26,7 @@ import {
   torusSurface,
 } from "../../support/surfaces.js";
 
-const program = (name: string): string =>
-  fileURLToPath(new URL(`../../../build/release/${name}`, import.meta.url));
-const fill = program("fill");
-const meshModel = program("mesh_model");
-
-/** Returns the fingerprint of the mesh that the native program makes from a surface. */
-function nativeFingerprint(surface: SurfaceInput, ...options: string[]): string | undefined {
-  const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
-  try {
-    const file = path.join(folder, "surface.off");
-    writeFileSync(file, offFile(surface));
-    return /fingerprint ([0-9a-f]{16})/i.exec(
-      execFileSync(fill, [file, ...options], { encoding: "utf8" }),
-    )?.[1];
-  } finally {
-    rmSync(folder, { recursive: true, force: true });
-  }
-}
+const meshModel = nativeProgram("mesh_model");
 
 /** Returns the fingerprint of the mesh that the native program makes from a drawn model, in a uniform size. */
 function nativeModelFingerprint(project: Project, size: number): string | undefined {

@@ -121,7 +121,7 @@ async function treated(
   const diagnostics = named(await calls.checkOrientation(given, { innerShells }, control, name));
   if (treatment === "refine") {
     const hasSizes = sizes.size !== undefined || sizes.background !== undefined;
-    const { elements: _, ...refineOptions } = options;
+    const { elements: _, threads: _threads, ...refineOptions } = options;
     const split = await calls.refine(given, { ...refineOptions, ...sizes }, control, name);
     if (hasSizes || areTooLarge(split)) {
       const { points, triangles, trianglePatch } = split.mesh;

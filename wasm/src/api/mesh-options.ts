@@ -64,6 +64,12 @@ const meshEntries = {
   optimization: choiceOption("optimization", OPTIMIZATIONS, MESH_DEFAULTS.optimization),
   interior: choiceOption("interior", INTERIORS, MESH_DEFAULTS.interior),
   filters: switchOption("choice of filters", MESH_DEFAULTS.filters),
+  threads: option(
+    "number of threads",
+    `a whole number from 1 to ${LIMITS.threads}`,
+    wholeWithin(1, LIMITS.threads),
+    undefined,
+  ),
   exactFillOnly: switchOption("choice of the exact fill alone", MESH_DEFAULTS.exactFillOnly),
 } satisfies EntriesOf<MeshOptions>;
 
@@ -105,7 +111,7 @@ const projectMeshSchema = objectWith({
   ),
 } satisfies EntriesOf<ProjectMeshOptions>);
 
-const { elements: _noElements, ...refineEntries } = meshEntries;
+const { elements: _noElements, threads: _noThreads, ...refineEntries } = meshEntries;
 
 const refineSchema = objectWith({
   ...refineEntries,
@@ -228,6 +234,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
   const {
     background: _,
     elements: _elements,
+    threads: _threads,
     size = MESH_DEFAULTS.size,
     maxVolume = MESH_DEFAULTS.maxVolume,
     growth,

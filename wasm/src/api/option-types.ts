@@ -73,7 +73,7 @@ export interface RepairOptions extends Pick<SizeOptions, "innerShells"> {
 }
 
 /** Options of `refineSurface`: those with which the surface will be filled. */
-export interface RefineOptions extends Omit<MeshOptions, "elements"> {
+export interface RefineOptions extends Omit<MeshOptions, "elements" | "threads"> {
   /**
    * Enclosed volume, as returned by `inspectSurface`, in cubed model units. If given, sizes that require more tetrahedra
    * than a run permits are rejected before anything is split; otherwise only the number of triangles is limited.
@@ -283,6 +283,13 @@ export interface MeshOptions extends SizeOptions {
    * elements or more, else `front`. A recorded run makes no lattice.
    */
   readonly interior?: Interior | undefined;
+  /**
+   * Number of threads that optimize the mesh, a whole number from 1 to 64. Meshes of 60 000 elements or more, without those deep inside
+   * lattices, are optimized in tiles of at most 24 000; the mesh is the same, bit for bit, for any number of threads. Each thread beyond
+   * the first is a worker with an engine, which starts with the first tile that waits, has one tile at a time, and ends with the
+   * optimization. Default: the threads of the machine, at most 8; 1 where workers cannot start workers.
+   */
+  readonly threads?: number | undefined;
   /** For tests: no front; the exact fill, otherwise the last resort, fills the whole region. */
   readonly exactFillOnly?: boolean | undefined;
 }

@@ -195,6 +195,7 @@ export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic
     patches: [],
     recovery: { relaxed: 0, starred: 0, remeshed: 0, filled: 0, steinerPoints: 0 },
     interior: { lattice: 0 },
+    threads: 1,
     front: {
       pops: 0,
       gatheredFaces: 0,

@@ -110,7 +110,7 @@ async function inspected(
   given: Mesh,
   { options, controlOf }: TreatmentOptions,
 ): Promise<{ readonly found: SurfaceInspection; readonly refine: () => ReturnType<typeof refined> }> {
-  const { elements: _, ...sizes } = options;
+  const { elements: _, threads: _threads, ...sizes } = options;
   const { innerShells } = sizes;
   const found = await mesher.inspectSurface(given, { innerShells }, controlOf("check"));
   // The volume helps to estimate the number of elements only if the orientation of all triangles is known.

@@ -9,6 +9,9 @@ export const limitText = (limit: number): string => String(limit).replace("+", "
  */
 export const STEP_HEIGHT = 1 / 4096;
 
+/** Most threads that optimize a mesh by default: beyond, what one thread must do alone takes most of the time. */
+export const DEFAULT_THREADS = 8;
+
 /** Largest values of numeric options, and the largest length of an expression. */
 export const LIMITS = {
   /**
@@ -28,6 +31,8 @@ export const LIMITS = {
    * million.
    */
   maxDiagnostics: 1_000_000,
+  /** Number of threads that optimize a mesh. */
+  threads: 64,
   /** Number of characters of an expression in a project. */
   expression: 1000,
 } as const;

@@ -20,6 +20,7 @@ import type { UnitOptions } from "./units.js";
 /** Options as commander passes them. */
 export interface AdaptCommandOptions extends UnitOptions, CycleCommandOptions {
   readonly background?: string;
+  readonly threads?: string;
   readonly from?: string;
   readonly to?: string;
   readonly json?: boolean;

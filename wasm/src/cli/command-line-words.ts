@@ -16,6 +16,7 @@ const OPTIONS: ReadonlySet<string> = new Set([
     "order",
     "optimization",
     "interior",
+    "threads",
   ] as const),
   ...(["minSize", "maxSize", "tolerance", "featureAngle", "anglePerEdge", "layers", "dropDetails"] as const),
   ...(["surface", "repair", "weld", "fillHoles", "splitPatches", "elementOrder"] as const),

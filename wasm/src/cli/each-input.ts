@@ -1,6 +1,7 @@
 /** Runs a command on its inputs: one in this process, several in processes of their own. */
 import { availableParallelism } from "node:os";
 import type { Command } from "commander";
+import { DEFAULT_THREADS } from "../base/limits.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import {
   checkPlaceholders,
@@ -103,11 +104,13 @@ async function batch(
       ...(report === undefined ? [] : [{ words: "the report", file: report }]),
     ],
   );
+  const threads = sharedThreads(command, Math.min(jobs, files.length));
   const tasks = files.map((input, i) => ({
     input,
     args: [
       command.name(),
       ...givenOptions(command, outputs[i]),
+      ...threads,
       ...(report === undefined ? [] : ["--report", "-"]),
       "--",
       input,
@@ -135,6 +138,16 @@ function jobsOf(text: string | undefined): number {
     "Use a whole number of at least 1.",
   );
   throw new InvalidInput("command line", [wrong]);
+}
+
+/** Returns the option that divides the threads of the machine among jobs at once, if the command has it and it is not given. */
+function sharedThreads(command: Command, jobs: number): string[] {
+  const isOpen = command.options.some(
+    (option) =>
+      option.attributeName() === "threads" && command.getOptionValue(option.attributeName()) === undefined,
+  );
+  const share = Math.min(DEFAULT_THREADS, Math.max(1, Math.floor(availableParallelism() / jobs)));
+  return isOpen && jobs > 1 ? ["--threads", `${share}`] : [];
 }
 
 /** Returns the options as given, without those of the batch, and with this output. */

@@ -95,6 +95,11 @@ Interior
   surface rather than with the volume. --interior front fills everything by the front, and --interior lattice
   uses lattices in smaller meshes too. The report has the number of their elements as interior.lattice.
 
+Threads
+  Large meshes, with 60 000 elements or more outside lattices, are optimized in tiles by several threads, each
+  with an engine and one tile at a time. The mesh is the same for any number of --threads. By default, they are
+  the threads of the machine, at most 8, divided by the number of inputs that are processed at once.
+
 Element shapes
   --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking
   longer. --require-angle makes a mesh with a smaller dihedral angle fail with exit code 1. The output file

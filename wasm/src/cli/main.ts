@@ -65,6 +65,7 @@ import {
   shapeOption,
   sourceOption,
   splitOption,
+  threadsOption,
   toOption,
   withJobs,
   withRemeshing,
@@ -175,6 +176,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
       "what fills the deep inside: the front, lattices where sizes are nearly constant, or (auto, the default) lattices in large meshes",
     ).choices(INTERIORS),
   );
+  command.addOption(threadsOption());
   withUnits(withJobs(withRepair(withRemeshing(command, "remeshing: ")).addOption(splitOption())))
     .option(
       "--elements <count>",
@@ -319,6 +321,7 @@ function addAdapt(program: Command, setExitCode: SetExitCode): void {
       `quality that every element should reach (default ${ADAPT_DEFAULTS.leastQuality})`,
     )
     .option("--sweeps <count>", `sweeps of improvement at most (default ${ADAPT_DEFAULTS.sweeps})`)
+    .addOption(threadsOption())
     .addOption(fromOption())
     .addOption(toOption());
   withUnits(command)

@@ -65,6 +65,7 @@ export interface MeshCommandOptions
   readonly filters: boolean;
   readonly optimize?: Optimization;
   readonly interior?: Interior;
+  readonly threads?: string;
   /** Degrees. */
   readonly requireAngle?: string;
   readonly report?: string;
@@ -339,6 +340,7 @@ function readOptions(options: Omit<MeshCommandOptions, "output">): SurfaceMeshOp
     filters: options.filters,
     optimization: options.optimize,
     interior: options.interior,
+    threads: numberIn(options.threads),
     elementOrder: options.elementOrder === "2" ? 2 : undefined,
     surface: options.surface,
     repair: options.repair,

@@ -15,6 +15,12 @@ export const withJobs = (command: Command): Command =>
     "process at most this many inputs at once (default: one per processor)",
   );
 
+export const threadsOption = (): Option =>
+  new Option(
+    "--threads <count>",
+    "number of threads that optimize large meshes; the mesh is the same for any number (default: those of the machine, at most 8)",
+  );
+
 export const fromOption = (): Option =>
   new Option("--from <format>", "input format, if the extension does not determine it");
 /** One option suffices if only the input or only the output is a stream. */

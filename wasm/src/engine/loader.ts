@@ -38,9 +38,18 @@ export type EngineSolutionOptions = Readonly<Parameters<Tools["sizeFromSolution"
 export type EngineRemeshOptions = Readonly<Parameters<Tools["remeshSurface"]>[4]>;
 
 export type { Engine, Tools, TraceEngine };
+/** A run that lends its tiles: all but those that are recorded. */
+export type TiledRun = Pick<
+  Run,
+  "waitingTiles" | "waitsForTiles" | "tileSteps" | "lendTile" | "returnTile" | "withdrawTile"
+>;
 /** A run; those of the module "trace" record the steps of the front. */
-export type EngineRun = Run &
+export type EngineRun = Omit<Run, keyof TiledRun> &
+  Partial<TiledRun> &
   Partial<Pick<TracedRun, "takeTrace" | "frontFingerprint" | "recordedSteps" | "experiment">>;
+
+/** Returns whether a run lends its tiles. */
+export const isTiled = (run: EngineRun): run is EngineRun & TiledRun => run.lendTile !== undefined;
 /** A tool of the engine. */
 export type EngineTool = ToolsOf<Tools> | ToolsOf<Engine>;
 

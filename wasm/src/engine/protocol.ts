@@ -56,6 +56,8 @@ export type Request =
       readonly showUnoptimized: boolean;
       /** Present for `trace` replies: the rules of the front. */
       readonly recordTrace: FrontExperiment | undefined;
+      /** Number of threads that optimize tiles; undefined for as many as the machine has, up to a limit. */
+      readonly threads: number | undefined;
       readonly model: ModelArrays;
       /** Surfaces to mesh together with the model; undefined without any. */
       readonly bodies: BodySurfaceArrays | undefined;
@@ -69,6 +71,7 @@ export type Request =
       readonly showFront: boolean;
       readonly showUnoptimized: boolean;
       readonly recordTrace: FrontExperiment | undefined;
+      readonly threads: number | undefined;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       /** Empty arrays if nothing is known. */

@@ -15,6 +15,7 @@ import type { MeshStatus } from "../mesh/report.js";
 import type { EngineMesh } from "./engine-mesh.js";
 import type { EngineRun, EngineTool } from "./loader.js";
 import type { RunClock } from "./run-clock.js";
+import type { TilePool } from "./tile-pool.js";
 
 /**
  * Longest time without receiving messages, in milliseconds: a fraction of the time in which a cancel must take
@@ -55,6 +56,8 @@ export interface RunSliceControl extends SliceControl {
   readonly onTrace: ((events: Uint8Array) => void) | undefined;
   /** Receives the mesh once while it is optimized or verified; undefined for never. */
   readonly onUnoptimized: ((mesh: EngineMesh) => void) | undefined;
+  /** Workers that optimize tiles of the mesh too; undefined for none. */
+  readonly tiles: TilePool | undefined;
 }
 
 export function failureOf(work: { failure(): number }): CallFailure {
@@ -72,7 +75,7 @@ export async function runInSlices(
   let reportedAt = 0;
   let reached = 0;
   for (;;) {
-    const status = advanceFor(SLICE_MS, run, clock);
+    const status = advanceFor(SLICE_MS, run, clock, control.tiles);
     const events = control.onTrace && run.takeTrace?.();
     if (events !== undefined && events.length > 0) control.onTrace?.(events);
     // A failed run has no progress to report.
@@ -89,9 +92,21 @@ export async function runInSlices(
     const phase = phaseOf(run);
     if (phase === "volume") snapshots?.takeIfDue(now);
     else if (phase === "optimize" || phase === "verify") unoptimized?.takeIfDue(now);
+    if (control.tiles !== undefined) await shareTiles(control.tiles, phase, clock);
     await control.letRequestsIn();
     if (control.isCancelled()) run.cancel();
   }
+}
+
+/** Lends tiles while the mesh is optimized; waits if the run can only wait for them. */
+async function shareTiles(tiles: TilePool, phase: Phase, clock: RunClock): Promise<void> {
+  if (phase === "verify") return tiles.close();
+  if (phase !== "optimize") return;
+  tiles.lend();
+  if (!tiles.isAwaited()) return;
+  const began = performance.now();
+  await tiles.changed();
+  clock.book(phase, performance.now() - began);
 }
 
 /** Sends copies of the front, at intervals that grow with the time that a copy takes. */
@@ -165,10 +180,15 @@ export async function workInSlices(tool: EngineTool, control: ToolSliceControl):
   }
 }
 
-/** Runs one slice of many short calls. Returns undefined while the run continues. */
-function advanceFor(milliseconds: number, run: EngineRun, clock: RunClock): MeshStatus | undefined {
+/** Runs one slice of many short calls. Returns undefined while the run continues. Ends early if it can only wait for tiles. */
+function advanceFor(
+  milliseconds: number,
+  run: EngineRun,
+  clock: RunClock,
+  tiles: TilePool | undefined,
+): MeshStatus | undefined {
   const deadline = performance.now() + milliseconds;
-  for (let began = performance.now(); began < deadline;) {
+  for (let began = performance.now(); began < deadline && tiles?.isAwaited() !== true;) {
     const phase = phaseOf(run);
     const status = ENGINE_STATUSES[run.advance(BUDGET)] ?? "invalid-input";
     const ended = performance.now();

@@ -1,5 +1,5 @@
-import { ENDED, watchLife, type LifeReply } from "../calls/worker-life.js";
-import type { Reply } from "./protocol.js";
+import { watchedWorker } from "../calls/watched-worker.js";
+import type { Reply, Request } from "./protocol.js";
 import type { LoadRemedies, StartWorker } from "./worker-host.js";
 
 export const loadRemedies: LoadRemedies = {
@@ -10,30 +10,14 @@ export const loadRemedies: LoadRemedies = {
 };
 
 export const startWorker: StartWorker = (events) => {
-  // Bundlers recognize the worker by exactly this expression.
-  const worker = new Worker(new URL("./worker.js", import.meta.url), {
-    type: "module",
-    name: "tetrafront-mesher",
-  });
-  const life = watchLife(() => events.onCrash(ENDED));
-  worker.onmessage = ({ data }: MessageEvent<Reply | LifeReply>) =>
-    data.kind === "lives" ? life?.begin() : events.onReply(data);
-  if (life !== undefined) worker.postMessage(life.request);
-  worker.onmessageerror = () => events.onCrash("a reply could not be received");
-  worker.onerror = (event) => {
-    event.preventDefault();
-    // If the script could not be loaded, the event has no message. Only the bundler knows the script's address.
-    const message = event instanceof ErrorEvent ? event.message : "";
-    events.onCrash(
-      message || `the browser could not load its script, or a script that it imports, for ${import.meta.url}`,
-    );
-  };
-  return {
-    post: (request, transfer) => worker.postMessage(request, [...transfer]),
-    keepAlive: () => undefined,
-    terminate: () => {
-      life?.stop();
-      worker.terminate();
-    },
-  };
+  const worker = watchedWorker<Request, Reply>(
+    // Bundlers recognize the worker by exactly this expression.
+    new Worker(new URL("./worker.js", import.meta.url), {
+      type: "module",
+      name: "tetrafront-mesher",
+    }),
+    events,
+    import.meta.url,
+  );
+  return { ...worker, keepAlive: () => undefined };
 };

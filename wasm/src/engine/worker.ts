@@ -9,6 +9,7 @@ import {
   type Engine,
   type EngineRun,
   type EngineTool,
+  isTiled,
   loadEngine,
   loadTools,
   loadTraceEngine,
@@ -16,11 +17,13 @@ import {
   type Tools,
   type TraceEngine,
 } from "./loader.js";
+import type { CompiledModule } from "./instantiated.js";
 import type { EngineResult, ModuleName, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { regionStatistics } from "./region-statistics.js";
 import { RunClock } from "./run-clock.js";
 import { failureOf, runInSlices, type SliceControl, workInSlices } from "./slices.js";
+import { TilePool, usableThreads } from "./tile-pool.js";
 import { buffersOf } from "./transfer.js";
 
 const cancelled = new Set<number>();
@@ -45,11 +48,17 @@ function noMemory(): ReportedFailure {
   return new ReportedFailure("out-of-memory", OUT_OF_MEMORY);
 }
 
+/** The code of the module "engine", for workers that optimize tiles. */
+let engineCode: CompiledModule | undefined;
+
 const lazyEngine = new LazyModule<Engine>({
   // The creator sends it unasked, because the mesher is ready only with it.
   askForCode: () => undefined,
   load: (given) => loadEngine(given, workerPort.compile),
-  onReady: (module) => workerPort.post({ kind: "ready", name: "engine", module }),
+  onReady: (module) => {
+    engineCode = module;
+    workerPort.post({ kind: "ready", name: "engine", module });
+  },
   onUnusable: (message) => workerPort.post({ kind: "unusable", name: "engine", message }),
 });
 
@@ -178,11 +187,13 @@ function controlOf(id: number): SliceControl {
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
 
 async function mesh(
-  { id, showFront, showUnoptimized, recordTrace }: RunRequest,
+  { id, showFront, showUnoptimized, recordTrace, threads: asked }: RunRequest,
   run: EngineRun | null,
 ): Promise<void> {
   if (run === null) throw noMemory();
   const clock = new RunClock();
+  const threads = usableThreads(asked);
+  const tiles = poolFor(run, threads);
   try {
     assertHealthy(run);
     const onFront = (corners: Float64Array): void =>
@@ -196,17 +207,26 @@ async function mesh(
       onTrace: recordTrace ? onTrace : undefined,
       onFront: showFront ? onFront : undefined,
       onUnoptimized: showUnoptimized ? onUnoptimized : undefined,
+      tiles,
     };
     const status = await runInSlices(run, clock, control);
     if (status === "cancelled") workerPort.post({ kind: "stopping", id });
-    const result = resultOf(run, status, clock);
+    tiles?.close();
+    const result = resultOf(run, status, clock, threads);
     workerPort.post({ kind: "result", id, result }, buffersOf(result));
   } finally {
+    tiles?.close();
     run.delete();
   }
 }
 
-function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineResult {
+/** Returns the workers beside this one for a run; none if one thread is enough, or if it is recorded. */
+function poolFor(run: EngineRun, threads: number): TilePool | undefined {
+  if (threads === 1 || engineCode === undefined || !isTiled(run)) return undefined;
+  return new TilePool(run, threads, engineCode);
+}
+
+function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock, threads: number): EngineResult {
   const surface = run.surface();
   const volume = run.volume();
   const quality = run.quality();
@@ -222,6 +242,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     recovery: run.recovery(),
     front: run.counters(),
     interior: { lattice: run.latticeCount() },
+    threads,
     // A cancelled mesh depends on the time of the cancellation, and the caller is waiting.
     fingerprint: status === "cancelled" ? "" : run.fingerprint(),
   };

@@ -76,6 +76,8 @@ export interface MeshReport {
     /** Number of elements from lattices; the optimizer may have changed those at their hulls. */
     readonly lattice: number;
   };
+  /** Number of threads that could optimize tiles of the mesh at once; a mesh of fewer than 60 000 elements has none. */
+  readonly threads: number;
   /** Counters of the work of the front. */
   readonly front: {
     readonly pops: number;
