@@ -24,8 +24,7 @@ Bytes tileStepsOf(MeshRun& mesh) { return TileHost(mesh).steps(); }
 LentTile lentTileOf(MeshRun& mesh) { return TileHost(mesh).lend(); }
 
 bool returnTile(Run& run, std::uint32_t id, const Js<TileMesh>& result) {
-  return run.call(true,
-                  [&](MeshRun& mesh) { return TileHost(mesh).giveBack(id, result.value()); });
+  return run.call(true, [&](MeshRun& mesh) { return TileHost(mesh).giveBack(id, result.value()); });
 }
 
 void withdrawTile(Run& run, std::uint32_t id) {

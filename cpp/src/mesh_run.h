@@ -225,11 +225,11 @@ class MeshRun::Impl {
   std::uint64_t frontFingerprint_ = 0;
   std::optional<RegionMesher> front_;        ///< while it fills
   std::unique_ptr<SweepObserver> observer_;  ///< of the optimizer, if the run is recorded
-  TileLender lender_;                       ///< optimizes tiles unless there is a runner
-  std::unique_ptr<TileRunner> tileRunner_;  ///< none by default
-  std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes a region
-  std::optional<VolumeLimiter> limiter_;    ///< while it splits large elements of a region
-  std::size_t region_ = 0;                  ///< region that the optimizer or the limiter works on
+  TileLender lender_;                        ///< optimizes tiles unless there is a runner
+  std::unique_ptr<TileRunner> tileRunner_;   ///< none by default
+  std::optional<MeshOptimizer> optimizer_;   ///< while it optimizes a region
+  std::optional<VolumeLimiter> limiter_;     ///< while it splits large elements of a region
+  std::size_t region_ = 0;                   ///< region that the optimizer or the limiter works on
   bool hasFoundNothingBetter_ = false;
   RegionMeshes meshes_;          ///< after the front
   VolumeMesh result_;            ///< after the last stage

@@ -97,7 +97,8 @@ TEST(SizeFieldBytes, GiveTheSameSizesEverywhere) {
 
 TEST(SizeFieldBytes, ThatAreCutAreRefused) {
   const std::vector<std::uint8_t> bytes = bytesOf(octreeField());
-  for (const std::size_t count : {std::size_t{0}, std::size_t{3}, bytes.size() / 2, bytes.size() - 1}) {
+  for (const std::size_t count :
+       {std::size_t{0}, std::size_t{3}, bytes.size() / 2, bytes.size() - 1}) {
     EXPECT_THROW(fieldOf(std::span(bytes).first(count)), std::out_of_range);
   }
 }
