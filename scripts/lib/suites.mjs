@@ -29,7 +29,7 @@ const SHARD_LIMIT_MS = 20 * 60_000;
 
 /** After this time no suite begins or goes on, so that the table of results is printed before CI ends the run. */
 const RUN_LIMIT_MS = 80 * 60_000;
-const timeLeft = () => Math.max(1, RUN_LIMIT_MS - performance.now());
+const timeLeft = () => Math.max(1, Math.round(RUN_LIMIT_MS - performance.now()));
 
 /** Tests of large meshes: sanitizers would need minutes for each, and find nothing that smaller bodies do not show. */
 const UNSANITIZED = [
