@@ -55,6 +55,7 @@ const UNSANITIZED = [
   "SurfaceGalleryPatches.TrianglesHaveThePromisedQualityAtAUniformSize",
   "SurfaceWithGrid.SizesFar*",
   "ThinPlaces.GetOneGoodLayer",
+  "Tiles.GiveTheSameMesh*",
   "TrimmedSurface.NeedlesAreFilledOnceOrGivenUp",
   "Volumes/MaxVolume.NoTetrahedronIsLarger/2",
   "WithLattices.CountsAreThoseOfTheFront",
