@@ -115,6 +115,7 @@ const samples: readonly Sample[] = [
   own("binary MSH 2.2", "a.msh2"),
   sample("text MSH 2.2", "a.msh", textMsh2),
   own("Medit", "a.mesh"),
+  own("binary Medit", "a.meshb"),
   own("TetGen nodes", "a.node"),
   own("TetGen elements", "a.ele"),
   own("TetGen faces", "a.face", "a.node"),
