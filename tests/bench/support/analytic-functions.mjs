@@ -24,7 +24,7 @@ const DIVISIONS = 4;
 
 /** Returns the points of the quadrature in barycentric coordinates, with weights of the sum 1. */
 function quadrature() {
-  const [nodes, weights] = [[0.06943184420297371, 0.33000947820757187, 0.6699905217924281, 0.9305681557970262], [0.17392742256872692, 0.32607257743127308, 0.32607257743127308, 0.17392742256872692]]; // prettier-ignore
+  const [nodes, weights] = [[0.06943184420297371, 0.33000947820757187, 0.6699905217924281, 0.9305681557970262], [0.17392742256872692, 0.3260725774312731, 0.3260725774312731, 0.17392742256872692]]; // prettier-ignore
   const points = [];
   for (let i = 0; i < DIVISIONS; ++i) {
     for (let j = 0; j < DIVISIONS; ++j) {

@@ -21,6 +21,15 @@ import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 const surface = sphereSurface(40);
 const block = blockMesh(4);
 const { points, tetrahedra } = block;
+const sizes = { components: 1, values: new Float64Array(points.length / 3).fill(0.2) };
+const sized = { ...block, nodeData: new Map([["size", sizes]]) };
+const field = {
+  components: 1,
+  values: Float64Array.from(
+    points.filter((_, i) => i % 3 === 0),
+    (x) => x * x,
+  ),
+};
 const noEdges = { edges: new Uint32Array(), middles: new Float64Array() };
 const project = cubeProject();
 const withBody = { ...project, bodies: [createBody(surface, { id: 1, firstPatchId: 100 })] };
@@ -62,6 +71,9 @@ const methods: Readonly<Record<string, Call>> = {
   inspectMesh: (signal) => mesher.inspectMesh({ points, tetrahedra }, { signal }),
   improveMesh: (signal) => mesher.improveMesh({ points, tetrahedra }, {}, { signal }),
   curveMesh: (signal) => mesher.curveMesh(block, noEdges, { signal }),
+  adaptMesh: (signal) => mesher.adaptMesh(block, sized, {}, { signal }),
+  sizeFromSolution: (signal) => mesher.sizeFromSolution(block, [field], { elements: 100 }, { signal }),
+  transferSolution: (signal) => mesher.transferSolution(block, block, [field], {}, { signal }),
 };
 const functions: Readonly<Record<string, Call>> = {
   createMesher: (signal) => createMesher({ signal }),
@@ -72,10 +84,12 @@ const functions: Readonly<Record<string, Call>> = {
 };
 
 const RUNS = ["meshProject", "fillSurface", "meshSurface"];
+/** Methods whose cancelling adaptation-cycles.test.ts tests. */
+const CYCLES = ["adapt"];
 
 test("every method of a mesher is tested", () => {
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesher) as object);
-  const known = [...Object.keys(methods), ...RUNS, "constructor", "dispose"];
+  const known = [...Object.keys(methods), ...RUNS, ...CYCLES, "constructor", "dispose"];
   expect(own.sort()).toEqual(known.sort());
 });
 
@@ -123,6 +137,9 @@ test("no argument is accessed if the signal was aborted before the call", async 
     inspectMesh: mesher.inspectMesh(untouched, aborted),
     improveMesh: mesher.improveMesh(untouched, untouched, aborted),
     curveMesh: mesher.curveMesh(untouched, untouched, aborted),
+    adaptMesh: mesher.adaptMesh(untouched, untouched, untouched, aborted),
+    sizeFromSolution: mesher.sizeFromSolution(untouched, untouched, untouched, aborted),
+    transferSolution: mesher.transferSolution(untouched, untouched, untouched, untouched, aborted),
   };
   expect(Object.keys(calls)).toEqual(Object.keys(methods));
   for (const call of Object.values(calls)) await expect(call).rejects.toMatchObject({ code: "cancelled" });

@@ -30,10 +30,10 @@ const GRACE_MS = 500;
  * follow it. Throws a SolverFailure if the command fails or writes no solution, and a `MesherError` if the signal is aborted.
  */
 export async function runSolver(command: string, files: SolverFiles, signal: AbortSignal): Promise<void> {
-  if (signal.aborted) throw cancelledError(signal);
+  assertNotAborted(signal);
   await rm(files.solution, { force: true });
   const end = await ended(commandFor(command, files), files.log, signal);
-  if (signal.aborted) throw cancelledError(signal);
+  assertNotAborted(signal);
   const { reason, output } = end;
   const where = `in cycle ${files.cycle}`;
   if (reason !== undefined)
@@ -44,6 +44,10 @@ export async function runSolver(command: string, files: SolverFiles, signal: Abo
     `the solver wrote no solution ${where}: ${command} ended without an error, but there is no file ${files.solution}${lastLines(output)}`,
     files,
   );
+}
+
+function assertNotAborted(signal: AbortSignal): void {
+  if (signal.aborted) throw cancelledError(signal);
 }
 
 /** Returns the command with the names of the files. */

@@ -109,6 +109,7 @@ function addTetrahedra(reader: GmfReader, builder: MeshBuilder): Steps<void> {
 export function writeMeditBinary(mesh: Mesh, note: Note): Part[] {
   const { points, triangles, trianglePatch, patches, tetrahedra, tetrahedronRegion, regions } = mesh;
   noteNames(patches, note);
+  noteNames(regions, note);
   const nodes = points.length / 3;
   const rows = inPieces(nodes, (begin, end) => {
     const view = new Uint8Array(VERTEX_BYTES * (end - begin));
