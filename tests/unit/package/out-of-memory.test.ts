@@ -37,7 +37,7 @@ test("a mesh too large for the memory is rejected with statistics, and a size th
     [ReportedError, number, string, number]
   >(`
     const size = 0.018;
-    const options = { optimization: "none" };
+    const options = { optimization: "none", interior: "front" };
     const failure = await mesher.meshProject(cube, { ...options, size }).catch(reported);
     const factor = failure.data?.sizeFactor;
     const { report } = await mesher.meshProject(cube, { ...options, size: factor * size });
