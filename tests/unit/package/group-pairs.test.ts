@@ -15,8 +15,10 @@ const mesh: Mesh = {
   ],
 };
 
+/** Formats whose files can hold names. */
 const volumes = FILE_FORMATS.filter(
-  ({ readable, writable }) => readable.includes("volume") && writable.includes("volume"),
+  ({ id, readable, writable }) =>
+    readable.includes("volume") && writable.includes("volume") && id !== "medit-binary",
 ).map(({ extensions }) => extensions[0]);
 
 async function passedThrough(given: Mesh, extension: string): Promise<Mesh> {
