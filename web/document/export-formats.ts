@@ -50,6 +50,7 @@ export const exportFormats: readonly ExportFormat[] = [
     regions: "nothing",
   },
   { id: "mesh", extensions: { text: "mesh" }, ...volume, ...allNames },
+  { id: "meshb", extensions: { binary: "meshb" }, ...volume, patches: "numbers", regions: "numbers" },
   {
     id: "vtk",
     extensions: { text: "vtk" },

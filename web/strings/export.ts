@@ -14,6 +14,7 @@ export const exportStrings = {
     bdf: "BDF (Nastran)",
     ugrid: "UGRID",
     mesh: "Medit",
+    meshb: "Medit binary",
     vtk: "legacy VTK",
     tetgen: "TetGen",
     stl: "STL",
