@@ -226,6 +226,7 @@ export const pageStrings = {
       readme: "Introduction",
       format: "Files and formats",
       package: "Package for programs",
+      adaptive: "Adaptive meshes",
       lessons: "Writing lessons",
       trace: "Recorded fronts",
       paper: "The paper",

@@ -2,6 +2,7 @@
 import changelog from "../../../CHANGELOG.md?raw";
 import readme from "../../../README.md?raw";
 import actions from "../../../docs/ACTIONS.md?raw";
+import adaptive from "../../../docs/ADAPTIVE.md?raw";
 import architecture from "../../../docs/ARCHITECTURE.md?raw";
 import benchmarks from "../../../docs/BENCHMARKS.md?raw";
 import cad from "../../../docs/CAD.md?raw";
@@ -22,6 +23,7 @@ export const documents: Readonly<Record<string, string>> = {
   readme,
   format,
   package: packageReadme,
+  adaptive,
   lessons,
   trace,
   paper,
