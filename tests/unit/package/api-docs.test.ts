@@ -13,4 +13,4 @@ test("every public name is documented", async () => {
   const args = [typedoc, "--emit", "none", "--logLevel", "Warn"];
   const { stdout, stderr } = await promisify(execFile)(process.execPath, args, { cwd: root });
   expect(`${stdout}${stderr}`).toBe("");
-});
+}, 600_000);

@@ -12,7 +12,7 @@ const folder = temporaryFolder();
 let kernel: Kernel & FeatureKernel;
 beforeAll(async () => {
   kernel = await testKernel();
-}, 30_000);
+}, 180_000);
 
 test.each(Array.from({ length: 10 }, (_, seed) => seed + 1))(
   "part %i",
@@ -30,5 +30,5 @@ test.each(Array.from({ length: 10 }, (_, seed) => seed + 1))(
     // Chords of circles leave out two hundredths of a rod, and of a hole.
     expect(Math.abs(made.report.volume / volume - 1)).toBeLessThan(0.02);
   },
-  30_000,
+  180_000,
 );
