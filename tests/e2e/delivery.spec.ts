@@ -12,6 +12,9 @@ test.use({ serviceWorkers: "block" });
 /** Compressed, as the build does it. Of these, 303 kB are the engine, and 274 kB React, Mantine and three.js. */
 const MOST = { beforePaint: 400_000, beforeMesh: 950_000 } as const;
 
+/** On a busy machine, the paint comes after the first requests of what follows it. */
+const MOST_REQUESTS = Number(process.env["TETRAFRONT_SLOWNESS"] ?? 1) < 1.5 ? 10 : 14;
+
 interface Loaded {
   readonly name: string;
   readonly bytes: number;
@@ -55,7 +58,7 @@ test("a first visit loads little before the first paint, and nothing that the fi
       meshed: performance.timeOrigin + (mesh?.startTime ?? 0),
     };
   });
-  expect(painted.requests).toBeLessThanOrEqual(10);
+  expect(painted.requests).toBeLessThanOrEqual(MOST_REQUESTS);
   expect(painted.bytes).toBeLessThan(MOST.beforePaint);
   // A script of a worker is announced by the page and by the worker.
   const bytesOf = new Map(
