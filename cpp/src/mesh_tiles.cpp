@@ -52,7 +52,7 @@ TetMesh ofTileMesh(const TileMesh& tile) {
   return mesh;
 }
 
-/// Returns whether the arrays fit each other and there are so many fixed nodes.
+/// Returns whether the lengths of the arrays agree and exactly `fixedNodes` nodes are fixed.
 bool canBeResult(const TileMesh& tile, std::size_t fixedNodes) {
   const std::size_t nodes = tile.isFixed.size();
   return tile.points.size() == 3 * nodes && tile.tetrahedra.size() == 4 * tile.regions.size() &&

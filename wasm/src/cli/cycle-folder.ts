@@ -1,4 +1,4 @@
-/** The folder of an adaptation with a solver: the files of each cycle, and the list of those that are done. */
+/** The folder of an adaptation with a solver: the files of each cycle, and the list of finished cycles. */
 import { createHash } from "node:crypto";
 import { createReadStream } from "node:fs";
 import { mkdir, stat } from "node:fs/promises";

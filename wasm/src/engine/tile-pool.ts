@@ -14,7 +14,7 @@ import { buffersOf } from "./transfer.js";
 /** Longest time without a look at whether the run was cancelled, in milliseconds. */
 const WAIT_MS = 12;
 
-/** Returns how many threads may optimize tiles of a run; `asked`: as many as the caller wants, if he says so. */
+/** Returns how many threads may optimize tiles of a run; `asked`: the option of the caller; undefined for the default. */
 export function usableThreads(asked: number | undefined): number {
   return tileHost.isAvailable ? (asked ?? Math.min(tileHost.cores(), DEFAULT_THREADS)) : 1;
 }

@@ -34,7 +34,7 @@ export class VisitPlayer {
     this.shown = Infinity;
   }
 
-  /** Returns how many of so many visits are shown. */
+  /** Returns how many of the given number of visits are shown. */
   of(visits: number): number {
     return Math.min(visits, Math.floor(this.shown));
   }
