@@ -6,25 +6,8 @@ import path from "node:path";
 import * as v from "valibot";
 import { parsedBy } from "../calls/schemas.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import type { MetricStatistics } from "../mesh/adaptation.js";
 import { FileError, readInput, writeOutput } from "./files.js";
 import { InvalidInput } from "./messages.js";
-
-/** What is reported about a cycle. */
-export interface CycleReport {
-  readonly cycle: number;
-  /** The mesh that was solved. */
-  readonly nodes: number;
-  readonly elements: number;
-  /** Per field that decides the sizes: estimated error on the mesh, and the one to expect on the next mesh. */
-  readonly estimatedErrors: Readonly<Record<string, number>>;
-  readonly expectedErrors: Readonly<Record<string, number>>;
-  /** Number of elements that the metric asks for. */
-  readonly targetElements: number;
-  /** The next mesh in the metric. */
-  readonly adapted: Omit<MetricStatistics, "lengths">;
-  readonly seconds: { readonly solver: number; readonly adaptation: number };
-}
 
 const statistics = v.object({
   nodes: v.number(),
@@ -39,11 +22,15 @@ const statistics = v.object({
 });
 const reportSchema = v.object({
   cycle: v.number(),
+  // The mesh that was solved.
   nodes: v.number(),
   elements: v.number(),
+  // Per field that decides the sizes: estimated error on the mesh, and the one to expect on the next mesh.
   estimatedErrors: v.record(v.string(), v.number()),
   expectedErrors: v.record(v.string(), v.number()),
+  // Number of elements that the metric asks for.
   targetElements: v.number(),
+  // The next mesh in the metric.
   adapted: statistics,
   seconds: v.object({ solver: v.number(), adaptation: v.number() }),
 });
@@ -53,13 +40,14 @@ const listSchema = v.object({
   model: v.string(),
   modelHash: v.string(),
   solver: v.string(),
-  cycles: v.array(reportSchema),
+  cycles: v.pipe(v.array(reportSchema), v.readonly()),
 });
 
+/** What is reported about a cycle. */
+export type CycleReport = Readonly<v.InferOutput<typeof reportSchema>>;
+
 /** What the list in a folder holds. */
-export interface CycleList extends Omit<v.InferOutput<typeof listSchema>, "cycles"> {
-  readonly cycles: readonly CycleReport[];
-}
+export type CycleList = Readonly<v.InferOutput<typeof listSchema>>;
 
 const LIST = "cycles.json";
 

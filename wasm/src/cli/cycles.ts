@@ -69,17 +69,9 @@ export function cycleOptions(options: CycleCommandOptions): CycleOptions {
 
 /** Options that only the cycles have. */
 const ONLY_CYCLES = [
-  ...(["solver", "cycles", "field", "elements", "error", "norm", "isotropic", "minSize", "maxSize"] as const),
-  ...([
-    "maxAspect",
-    "gradation",
-    "conservative",
-    "meshFormat",
-    "solutionFormat",
-    "folder",
-    "resume",
-  ] as const),
-];
+  "solver", "cycles", "field", "elements", "error", "norm", "isotropic", "minSize", "maxSize", "maxAspect", "gradation",
+  "conservative", "meshFormat", "solutionFormat", "folder", "resume",
+] as const; // prettier-ignore
 
 /** Throws an InvalidInput if an option of the cycles is given without a solver. */
 export function refuseCycleOptions(options: Partial<CycleCommandOptions>): void {
