@@ -342,7 +342,7 @@ describe("the command", () => {
     save("sphere.stl", stlBinary(sphereSurface(24)));
     const args = ["remesh", "sphere.stl", "-o", "part.ply", "--size", "0.02"];
     const { code, stderr } = await tetrafront(folder.path, args, {
-      env: signalAtProgress("SIGINT", "program", 0.05),
+      env: signalAtProgress("SIGINT", "program", 0.3),
     });
     expect(stderr).toContain("stopped; the surface made so far is valid, and was written");
     expect(code).toBe(1);
