@@ -328,7 +328,7 @@ describe("the command", () => {
     save("big.vtu", file?.bytes ?? new Uint8Array());
     const args = ["improve", "big.vtu", "-o", "part.vtu", "--optimize", "thorough"];
     const { code, stderr } = await tetrafront(folder.path, args, {
-      env: signalAtProgress("SIGINT", "program", 0.05),
+      env: signalAtProgress("SIGINT", "program", 0.3),
     });
     expect(stderr).toContain("stopped; the mesh made so far is valid, and was written");
     expect(code).toBe(1);
@@ -355,7 +355,7 @@ describe("the command", () => {
     save("sphere.stl", stlBinary(sphereSurface(24)));
     const args = ["mesh", "sphere.stl", "-o", "no.vtu", "--surface", "remesh", "--size", "0.02"];
     const { code, stderr } = await tetrafront(folder.path, [...args, "--report", "no.json"], {
-      env: signalAtProgress("SIGINT", "program", 0.05),
+      env: signalAtProgress("SIGINT", "program", 0.3),
     });
     expect(stderr).toMatch(/remeshed: \d+ triangles before, \d+ after/);
     expect(stderr).toContain("stopped while the surface was remeshed");
