@@ -6,3 +6,4 @@ export { QualityReport } from "../quality/quality-report";
 export { GroupList } from "../entities/group-list";
 export { HistoryList } from "../model/history-list";
 export { SelectionCard } from "../entities/selection-card";
+export { SolutionPanel } from "../solution/solution-panel";

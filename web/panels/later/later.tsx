@@ -44,3 +44,4 @@ export const QualityReport = later("QualityReport");
 export const GroupList = later("GroupList");
 export const HistoryList = later("HistoryList");
 export const SelectionCard = later("SelectionCard");
+export const SolutionPanel = later("SolutionPanel");
