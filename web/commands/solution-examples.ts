@@ -36,7 +36,7 @@ const examples: Readonly<Record<SolvedExample, Example>> = {
       conditions: [
         { ...defaultCondition("heat", "hot end"), value: 100 },
         { ...defaultCondition("heat", "cold end"), value: 0 },
-        { ...defaultCondition("heat", "bottom"), kind: "flux", value: -20 },
+        { ...defaultCondition("heat", "bottom"), kind: "flux", value: -5 },
       ],
     },
     field: fieldNames.heat[0],
@@ -49,8 +49,8 @@ const examples: Readonly<Record<SolvedExample, Example>> = {
       kind: "elasticity",
       conditions: [
         ...aroundBore("upright bore", fixed),
-        ...aroundBore("base bore 1", pulled([0, 0, -30])),
-        ...aroundBore("base bore 2", pulled([0, 0, -30])),
+        ...aroundBore("base bore 1", pulled([0, 0, -2])),
+        ...aroundBore("base bore 2", pulled([0, 0, -2])),
       ],
     },
     field: fieldNames.elasticity[1],
@@ -75,11 +75,11 @@ export async function openSolvedExample(app: App, name: SolvedExample): Promise<
 
 /** An L of three squares with sides of 1, seen from above, counter-clockwise; each side with the name of its patch. */
 const outline: readonly (readonly [x: number, y: number, patch: string])[] = [
-  [0, 0, "front"],
-  [2, 0, "cold end"],
-  [2, 1, "inner front"],
-  [1, 1, "inner right"],
-  [1, 2, "hot end"],
+  [0, 0, "hot end"],
+  [1, 0, "inner right"],
+  [1, 1, "inner front"],
+  [2, 1, "cold end"],
+  [2, 2, "back"],
   [0, 2, "left"],
 ];
 

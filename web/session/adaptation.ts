@@ -1,5 +1,5 @@
 /** Solves a problem on the shown mesh and adapts the mesh to the solution, cycle by cycle: what the package offers, with a solver of the app. */
-import type { CycleOptions, Mesh, Mesher, MeshResult } from "tetrafront";
+import type { CycleOptions, MeshAdaptation, Mesher, MeshResult } from "tetrafront";
 import { estimatedErrors, inspectedResult, meshWithBoundary } from "tetrafront/internal";
 import type { NodeField } from "../solve/problem";
 import { SolveClient } from "../solve/solve-client";
@@ -69,7 +69,10 @@ class Cycles {
   readonly #settings: CycleSettings;
   readonly #control: WorkControl;
   readonly #solver: Solver;
+  readonly #began = performance.now();
   #solved: readonly SolvedMesh[] = [];
+  /** The last mesh that is solved, in the form in which it is shown. */
+  #last: ShownMesh | null = null;
 
   constructor(session: AdaptedSession, { setup, settings, control, solver }: CycleParts) {
     this.#session = session;
@@ -81,15 +84,14 @@ class Cycles {
 
   /** The last mesh that is solved; null before the first one. */
   get last(): ShownMesh | null {
-    const mesh = this.#solved.at(-1)?.mesh;
-    return mesh === undefined ? null : adaptedMesh(mesh);
+    return this.#last;
   }
 
   async run(): Promise<void> {
     const first = this.#session.run.state.getState().mesh;
     if (!first) return;
     const { cycles } = this.#settings;
-    let made: AdaptedMesh = { result: first, start: null };
+    let made: AdaptedMesh = { result: first, start: null, leastQuality: null, isValid: true };
     for (let cycle = 0; cycle <= cycles; ++cycle) {
       const field = await this.#solve(cycle, made);
       if (cycle < cycles) made = await this.#adapt(cycle, first, made.result, field);
@@ -97,7 +99,8 @@ class Cycles {
   }
 
   /** Solves on a mesh, and shows the solution. Returns the field that decides the sizes. */
-  async #solve(cycle: number, { result, start }: AdaptedMesh): Promise<MeshField> {
+  async #solve(cycle: number, made: AdaptedMesh): Promise<MeshField> {
+    const { result, start, leastQuality } = made;
     const { mesh } = result;
     const { signal, mesher } = this.#control;
     this.#report(cycle, 0, texts.solving);
@@ -110,7 +113,8 @@ class Cycles {
     const [estimatedError = null] = await estimatedErrors(mesher, mesh, { fields: [unknown], norm }, () => ({
       signal,
     }));
-    this.#show({ mesh: result, fields, estimatedError });
+    this.#last = shownMesh(made);
+    this.#show({ mesh: result, fields, estimatedError, leastQuality });
     return unknown;
   }
 
@@ -136,9 +140,9 @@ class Cycles {
       {},
       this.#part(cycle, shares.sizes, shares.adapt, texts.adapting),
     );
-    const result = await resultOf(mesher, next.mesh);
-    const { fields } = await mesher.transferSolution(mesh, result.mesh, [field], {}, { signal });
-    return { result, start: fields[0]?.values ?? null };
+    const made = await resultOf(mesher, next, this.#began);
+    const { fields } = await mesher.transferSolution(mesh, made.result.mesh, [field], {}, { signal });
+    return { ...made, start: fields[0]?.values ?? null };
   }
 
   /** Returns the number of elements of a cycle, between those of the first mesh and of the last one. */
@@ -182,8 +186,13 @@ class Cycles {
   }
 }
 
-interface AdaptedMesh {
+/** A mesh and what is known of it. */
+interface AdaptedResult extends Pick<SolvedMesh, "leastQuality"> {
   readonly result: MeshResult;
+  readonly isValid: boolean;
+}
+
+interface AdaptedMesh extends AdaptedResult {
   /** Values of the unknown at its nodes, from the mesh before; null for the first mesh. */
   readonly start: Float64Array | null;
 }
@@ -195,18 +204,31 @@ export const firstChoice = ({ name, components }: Pick<NodeField, "name" | "comp
   label: name,
 });
 
-/** Returns an adapted mesh in the form of a mesh from a file, without the metric that it was made with. */
-async function resultOf(mesher: Mesher, adapted: Mesh): Promise<MeshResult> {
+/** Returns an adapted mesh in the form in which a run returns its mesh, without the metric that it was made with. */
+async function resultOf(
+  mesher: Mesher,
+  { mesh: adapted, after }: MeshAdaptation,
+  began: number,
+): Promise<AdaptedResult> {
   const opened = await meshWithBoundary({ ...adapted, nodeData: new Map() });
-  return inspectedResult(opened, await mesher.inspectMesh(opened.mesh));
+  const inspection = await mesher.inspectMesh(opened.mesh);
+  const { report, ...result } = inspectedResult(opened, inspection);
+  // Elements are thin where the metric asks for that: their shapes in space are no problem.
+  const diagnostics = report.diagnostics.filter(({ code }) => code !== "poor-elements");
+  const seconds = { ...report.seconds, total: (performance.now() - began) / 1000 };
+  return {
+    result: { ...result, report: { ...report, diagnostics, seconds } },
+    leastQuality: after.leastQuality,
+    isValid: inspection.isValid,
+  };
 }
 
-const adaptedMesh = (mesh: MeshResult): ShownMesh => ({
-  mesh,
+const shownMesh = ({ result, isValid }: Pick<AdaptedResult, "result" | "isValid">): ShownMesh => ({
+  mesh: result,
   edgeReference: "mean",
   origin: null,
   improvement: null,
-  isValid: true,
+  isValid,
 });
 
 /** How many elements an adaptation would make, and the error to expect on them. */
@@ -237,6 +259,7 @@ export async function adaptToField(
   const solved = at === null ? undefined : meshes[at];
   if (!solved) return;
   await run.adapt(async ({ mesher, signal, onPart }) => {
+    const began = performance.now();
     const { mesh } = solved.mesh;
     const part = (from: number, to: number, text: string) => ({
       signal,
@@ -245,19 +268,20 @@ export async function adaptToField(
     });
     const sizes = await mesher.sizeFromSolution(mesh, [field], target, part(0, 0.1, texts.sizing));
     const next = await mesher.adaptMesh(mesh, sizes.mesh, {}, part(0.1, 0.9, texts.adapting));
-    const result = await resultOf(mesher, next.mesh);
+    const made = await resultOf(mesher, next, began);
     const { fields } = await mesher.transferSolution(
       mesh,
-      result.mesh,
+      made.result.mesh,
       solved.fields,
       {},
       part(0.9, 1, texts.transferring),
     );
     const moved = fields.map(({ name = "", components, values }) => ({ name, components, values }));
+    const { result: adapted, leastQuality } = made;
     solutions.list([
       ...meshes.slice(0, (at ?? 0) + 1),
-      { mesh: result, fields: moved, estimatedError: null },
+      { mesh: adapted, fields: moved, estimatedError: null, leastQuality },
     ]);
-    return adaptedMesh(result);
+    return shownMesh(made);
   });
 }

@@ -405,7 +405,7 @@ export class MeshRun {
     const document = this.#documents.state.getState();
     const key = shownMeshKey(settledContent(document));
     const began = performance.now();
-    let made: ShownMesh | null = null;
+    let made: ShownMesh | null;
     try {
       const [mesher] = await Promise.all([this.#mesher, earlier]);
       const onPart = (preparing: string, preparedShare: number): void =>

@@ -17,6 +17,8 @@ export interface SolvedMesh {
   readonly fields: readonly MeshField[];
   /** Estimated interpolation error of the field that decides the sizes; null if it is not known. */
   readonly estimatedError: number | null;
+  /** Least mean ratio of the elements in the metric that the mesh was made for; null without a metric. */
+  readonly leastQuality: number | null;
 }
 
 /** Which values of a field are shown: its only one, a component, or the length of the vector. */
@@ -130,7 +132,7 @@ export class Solutions {
     if (at !== null || mesh === null) return this.#set({ at });
     const fields = fieldsOf(mesh.mesh);
     if (fields.length === 0) this.#set({ meshes: [], at: null });
-    else this.#set({ meshes: [{ mesh, fields, estimatedError: null }], at: 0 });
+    else this.#set({ meshes: [{ mesh, fields, estimatedError: null, leastQuality: null }], at: 0 });
   }
 
   #set(change: Partial<SolutionState>): void {

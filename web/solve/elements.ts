@@ -30,16 +30,15 @@ function writeGradients(points: Float64Array, nodes: Uint32Array, gradients: Flo
   const [bx, by, bz] = edgeTo(points, nodes[1] ?? 0, ax, ay, az);
   const [cx, cy, cz] = edgeTo(points, nodes[2] ?? 0, ax, ay, az);
   const [dx, dy, dz] = edgeTo(points, nodes[3] ?? 0, ax, ay, az);
-  gradients[3] = cy * dz - cz * dy;
-  gradients[4] = cz * dx - cx * dz;
-  gradients[5] = cx * dy - cy * dx;
+  const [gx, gy, gz] = [cy * dz - cz * dy, cz * dx - cx * dz, cx * dy - cy * dx];
+  gradients.set([gx, gy, gz], 3);
   gradients[6] = dy * bz - dz * by;
   gradients[7] = dz * bx - dx * bz;
   gradients[8] = dx * by - dy * bx;
   gradients[9] = by * cz - bz * cy;
   gradients[10] = bz * cx - bx * cz;
   gradients[11] = bx * cy - by * cx;
-  const sixVolumes = bx * (gradients[3] ?? 0) + by * (gradients[4] ?? 0) + bz * (gradients[5] ?? 0);
+  const sixVolumes = bx * gx + by * gy + bz * gz;
   for (let k = 3; k < 12; ++k) gradients[k] = (gradients[k] ?? 0) / sixVolumes;
   for (let k = 0; k < 3; ++k)
     gradients[k] = -(gradients[3 + k] ?? 0) - (gradients[6 + k] ?? 0) - (gradients[9 + k] ?? 0);

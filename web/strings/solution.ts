@@ -2,14 +2,19 @@
 import type { ProblemKind, SolveFailure } from "../solve/problem";
 import { formatCount, formatCounted } from "./format";
 
-/** Returns a number with three digits. */
-const short = (value: number): string => String(Number(value.toPrecision(3)));
+/** Returns a number with at most three digits; small ones with a power of ten: 0.0012, 1.2e-5. */
+function short(value: number): string {
+  const rounded = Number(value.toPrecision(3));
+  if (rounded === 0 || Math.abs(rounded) >= 1e-3) return String(rounded);
+  const [digits = "", power = ""] = rounded.toExponential().split("e");
+  return `${digits}e${power}`;
+}
 
 export const solutionStrings = {
   title: "Solution",
   intro: "Solve an example problem on the mesh of this model, or open a mesh file with values at its nodes.",
   problem: "Problem",
-  kind: "Problem kind",
+  kind: "Kind",
   kinds: {
     heat: "Heat conduction",
     elasticity: "Elasticity",
@@ -81,10 +86,11 @@ export const solutionStrings = {
   apply: "Adapt",
   cancel: "Cancel",
   cycle: (index: number) => (index === 0 ? "First mesh" : `Cycle ${index}`),
-  columns: ["Mesh", "Elements", "Error", "Least ratio"],
+  columns: ["Mesh", "Elements", "Error", "Least quality"],
   errorMeaning:
     "Estimated interpolation error of the first field, in the L2 norm, from its second derivatives on the elements of the mesh.",
-  ratioMeaning: "Least radius ratio of the elements in space: 1 for a regular tetrahedron.",
+  qualityMeaning:
+    "Least mean ratio of the elements in the metric that the mesh was made for: 1 for an element that is regular there.",
   previous: "Previous mesh",
   next: "Next mesh",
   error3: short,

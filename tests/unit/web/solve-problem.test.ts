@@ -432,9 +432,9 @@ describe("the solver's worker", () => {
         } catch (error) {
           reply = { kind: "failure", id, message: String((error as Error).message) };
         }
-        setTimeout(() =>
-          worker.onmessage?.call(worker as unknown as Worker, new MessageEvent("message", { data: reply })),
-        );
+        setTimeout(() => {
+          worker.onmessage?.call(worker as unknown as Worker, new MessageEvent("message", { data: reply }));
+        });
       },
     };
     return worker;

@@ -31,10 +31,10 @@ export function CycleList() {
       </IconButton>
     );
   };
-  const [name, elements, error, ratio] = texts.columns;
+  const [name, elements, error, quality] = texts.columns;
   return (
     <section aria-label={texts.cycles}>
-      <Group justify="space-between" wrap="nowrap">
+      <Group justify="space-between" wrap="nowrap" mt={10}>
         <SectionTitle>{texts.cycles}</SectionTitle>
         <Group gap={2}>
           {step(-1, texts.previous, IconChevronLeft)}
@@ -50,7 +50,7 @@ export function CycleList() {
               <Explained name={error} meaning={texts.errorMeaning} />
             </th>
             <th scope="col">
-              <Explained name={ratio} meaning={texts.ratioMeaning} />
+              <Explained name={quality} meaning={texts.qualityMeaning} />
             </th>
           </tr>
         </thead>
@@ -71,7 +71,7 @@ interface CycleRowProps {
   readonly isShown: boolean;
 }
 
-function CycleRow({ solved: { mesh, estimatedError }, index, isShown }: CycleRowProps) {
+function CycleRow({ solved: { mesh, estimatedError, leastQuality }, index, isShown }: CycleRowProps) {
   const { solutions } = useApp();
   return (
     <tr data-highlighted={isShown || undefined} data-testid={`cycle-${index}`} data-error={estimatedError}>
@@ -82,7 +82,7 @@ function CycleRow({ solved: { mesh, estimatedError }, index, isShown }: CycleRow
       </th>
       <td>{formatCount(mesh.report.tetrahedra)}</td>
       <td>{estimatedError === null ? "" : texts.error3(estimatedError)}</td>
-      <td>{mesh.report.radiusRatio.min.toFixed(2)}</td>
+      <td>{leastQuality?.toFixed(2)}</td>
     </tr>
   );
 }
