@@ -71,7 +71,7 @@ test("cycles can be stopped and keep what is solved; a problem without a held pa
   await expect(page.getByTestId("solve-failure")).toContainText("no unique solution");
   await page.getByTestId("add-condition").click();
   await page.getByRole("option").first().click();
-  await page.getByRole("textbox", { name: "Source" }).fill("5");
+  await page.getByRole("spinbutton", { name: "Source" }).fill("5");
   await page.keyboard.press("Enter");
   await page.getByTestId("solve").click();
   await expect(page.getByTestId("cycle-0")).toBeVisible();

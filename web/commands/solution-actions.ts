@@ -41,14 +41,14 @@ export async function adaptMesh(app: App, field: MeshField, target: Target): Pro
 /** What draws the shapes of each app: made when the first one is shown. */
 const fieldViews = new WeakMap<App, FieldView>();
 
-/** Shows or hides shapes of the shown field. The surface of the mesh would hide an isosurface. */
+/** Shows or hides shapes of the shown field. The surfaces of the mesh and of bodies would hide an isosurface. */
 export function showFieldShapes(app: App, change: Partial<FieldShapes>): void {
   if (!fieldViews.has(app)) fieldViews.set(app, new FieldView(app));
   const { isosurface: before } = app.solutions.state.getState().shapes;
   app.solutions.setShapes(change);
   const { isosurface } = change;
-  if (isosurface !== undefined && (isosurface === null) !== (before === null))
-    app.view.setLayer("mesh", isosurface === null);
+  if (isosurface === undefined || (isosurface === null) === (before === null)) return;
+  for (const layer of ["mesh", "bodies"] as const) app.view.setLayer(layer, isosurface === null);
 }
 
 function reportFailure({ solutions }: App, error: unknown): void {

@@ -12,18 +12,17 @@ import { NumberRow } from "../../ui/fields/number-row";
 import { DialogButtons } from "../../ui/frames/dialog-buttons";
 import { ApplyButton, DialogForm } from "../../ui/frames/dialog-form";
 import { FramedDialog } from "../../ui/frames/framed-dialog";
-import { useApp, useShell } from "../shared/app-context";
+import { useApp } from "../shared/app-context";
 import { aboveZero } from "../shared/size-fields";
 
-/** Adapts the shown mesh to one of its fields. */
+/** Adapts the shown mesh to one of its fields. Mounted while it is open. */
 export function AdaptDialog() {
   const app = useApp();
-  const opened = useShell((state) => state.dialog === "adapt");
   const { meshes, at, choice } = useStore(app.solutions.state);
   const solved = at === null ? undefined : meshes[at];
   const close = (): void => app.shell.setState({ dialog: null });
   return (
-    <FramedDialog opened={opened} title={texts.adaptTitle} onClose={close}>
+    <FramedDialog opened title={texts.adaptTitle} onClose={close}>
       {solved && <AdaptForm solved={solved} first={choice?.name} onClose={close} />}
     </FramedDialog>
   );

@@ -3,7 +3,6 @@ import { useStore } from "zustand";
 import { solutionStrings as texts } from "../../strings/solution";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import { useApp } from "../shared/app-context";
-import { AdaptDialog } from "./adapt-dialog";
 import { CycleList } from "./cycle-list";
 import { FieldSection } from "./field-section";
 import { ProblemForm } from "./problem-form";
@@ -28,7 +27,6 @@ export function SolutionPanel() {
       {meshes.length > 0 && <FieldSection />}
       {meshes.length > 0 && meshes[0]?.estimatedError !== null && <CycleList />}
       <ProblemForm />
-      <AdaptDialog />
     </ScrollPanel>
   );
 }

@@ -55,7 +55,7 @@ export class FieldLayer implements Layer {
   update(changes: SceneChanges): void {
     const { colors, origin, isReplaying, shownSizes, shownSmoothness } = changes.state;
     this.root.visible = !isReplaying && shownSizes === null && shownSmoothness === null;
-    if (changes.has("colors")) this.#lineMaterial.color.set(colors.meshEdge);
+    if (changes.has("colors")) this.#lineMaterial.color.set(colors.line);
     if (!changes.has("origin")) return;
     this.#origin = origin;
     this.#move();
