@@ -1,5 +1,4 @@
 /** Texts of the panel that shows fields, solves problems and adapts meshes. Loaded with it. */
-import type { ProblemKind, SolveFailure } from "../solve/problem";
 import { formatCount, formatCounted } from "./format";
 
 /** Returns a number with at most three digits; small ones with a power of ten: 0.0012, 1.2e-5. */
@@ -19,7 +18,7 @@ export const solutionStrings = {
     heat: "Heat conduction",
     elasticity: "Elasticity",
     advection: "Advection and diffusion",
-  } as const satisfies Readonly<Record<ProblemKind, string>>,
+  },
   conductivity: "Conductivity",
   diffusivity: "Diffusivity",
   velocity: "Velocity",
@@ -33,7 +32,7 @@ export const solutionStrings = {
     heat: "Give at least one patch a temperature. Patches without a condition are insulated.",
     elasticity: "Fix at least one patch. Patches without a condition are free.",
     advection: "Give at least one patch a concentration. Patches without a condition have no diffusive flux.",
-  } as const satisfies Readonly<Record<ProblemKind, string>>,
+  },
   add: "Add a condition on…",
   addLabel: "Add a condition on a patch",
   remove: (patch: string) => `Remove the condition on ${patch}`,
@@ -104,5 +103,5 @@ export const solutionStrings = {
     "bad-material":
       "The material is invalid. Conductivity, diffusivity and Young’s modulus must be above 0, Poisson’s ratio above −1 and below 0.5.",
     "not-converged": "The iterative solver did not converge. Improve the mesh, or raise the diffusivity.",
-  } as const satisfies Readonly<Record<SolveFailure, string>>,
+  },
 } as const;

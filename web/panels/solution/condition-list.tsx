@@ -1,16 +1,26 @@
 import { Select, Text } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import { useMemo } from "react";
-import { conditionKinds, defaultCondition, withAxis, type PatchCondition } from "../../session/problem-setup";
+import {
+  conditionKinds,
+  defaultCondition,
+  withAxis,
+  type PatchCondition,
+  type ProblemSetup,
+} from "../../session/problem-setup";
 import type { ProblemKind } from "../../solve/problem";
 import { solutionStrings as texts } from "../../strings/solution";
 import { NumberField } from "../../ui/fields/number-field";
 import { PositionFields } from "../../ui/fields/position-fields";
 import { IconButton } from "../../ui/icon-button";
 import { useProject, useRun } from "../shared/app-context";
-import type { SetupProps } from "./problem-form";
 import { patchNamesOf } from "./patch-names";
 import styles from "./solution.module.css";
+
+export interface SetupProps {
+  readonly setup: ProblemSetup;
+  readonly onChange: (part: Partial<ProblemSetup>) => void;
+}
 
 /** The conditions of a problem, one per patch. */
 export function ConditionList({ setup, onChange }: SetupProps) {

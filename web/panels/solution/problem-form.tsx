@@ -12,7 +12,7 @@ import { PositionRow } from "../../ui/fields/position-row";
 import { SectionTitle } from "../../ui/frames/section-title";
 import { useApp, useRun } from "../shared/app-context";
 import { aboveZero } from "../shared/size-fields";
-import { ConditionList } from "./condition-list";
+import { ConditionList, type SetupProps } from "./condition-list";
 import styles from "./solution.module.css";
 
 const kinds: readonly ProblemKind[] = ["heat", "elasticity", "advection"];
@@ -43,11 +43,6 @@ export function ProblemForm() {
       <SolveButtons />
     </section>
   );
-}
-
-export interface SetupProps {
-  readonly setup: ProblemSetup;
-  readonly onChange: (part: Partial<ProblemSetup>) => void;
 }
 
 const withinPoisson = (value: number): string | null =>
