@@ -124,3 +124,25 @@ test("a mesh file with values at its nodes is coloured by them and adapted to th
   expect((await app.mesh()).tets).toBeGreaterThan(2500);
   await expect(page.getByTestId("field-legend")).toContainText("layer");
 });
+
+test("isosurface, arrows, lines and the deformed shape change the picture, on a phone too", async ({
+  page,
+}) => {
+  test.slow();
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.keyboard.press("Control+k");
+  await page.getByRole("textbox", { name: "Search commands" }).fill("loaded bracket");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("cycle-5")).toBeVisible({ timeout: 120_000 });
+  await expect(app.viewport).toHaveAttribute("data-busy", "false");
+  await expect(page.getByTestId("field")).toHaveValue("von Mises stress");
+  for (const name of ["field-lines", "field-deformed", "field-arrows", "field-isosurface"]) {
+    const before = await app.viewport.screenshot();
+    await page.getByTestId(name).click({ force: true });
+    await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+  }
+  await expect(page.getByRole("slider", { name: "Value of the isosurface" })).toBeVisible();
+  expect(await violations(page)).toEqual([]);
+});

@@ -381,13 +381,14 @@ export class MeshRun {
   }
 
   /**
-   * Does long work that makes other meshes of the model, unless a run is active. The mesh that it returns is shown as one step of
+   * Does long work that makes other meshes of the model, unless a run is active or the shown mesh is out of date. The mesh that it returns is shown as one step of
    * undo, unless the model has changed meanwhile; null shows the mesh before. Returns whether it is shown. Rejects as the work does,
    * also when it is cancelled.
    */
   async adapt(work: (control: WorkControl) => Promise<ShownMesh | null>): Promise<boolean> {
-    const { mesh, origin, improvement, edgeReference, isValid } = this.state.getState();
-    if (this.#active || !mesh) return false;
+    const state = this.state.getState();
+    const { mesh, origin, improvement, edgeReference, isValid } = state;
+    if (this.#active || !mesh || isStale(state, this.#documents.state.getState())) return false;
     const adapting = this.#adapt({ mesh, origin, improvement, edgeReference, isValid }, work, this.#running);
     this.#running = adapting.then(
       () => undefined,

@@ -1,5 +1,6 @@
 import type { Mesh, MeshResult } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { lengthAt } from "../document/vectors";
 import type { DocumentStore } from "./document-store";
 import type { ProblemSetup } from "./problem-setup";
 import type { MeshRun } from "./run";
@@ -166,8 +167,7 @@ const drawnDeformation = 0.08;
 /** Returns displacements, enlarged or reduced so that they can be seen. */
 function offsetsOf({ values }: MeshField, points: Float64Array): Float32Array<ArrayBuffer> {
   let longest = 0;
-  for (let i = 0; i < values.length; i += 3)
-    longest = Math.max(longest, Math.hypot(values[i] ?? 0, values[i + 1] ?? 0, values[i + 2] ?? 0));
+  for (let i = 0; i < values.length; i += 3) longest = Math.max(longest, lengthAt(values, i, 3));
   const scale = longest === 0 ? 0 : (drawnDeformation * diagonalOf(points)) / longest;
   return Float32Array.from(values, (value) => scale * value);
 }
@@ -214,9 +214,7 @@ function valuesOf(
   for (let node = 0; node < shown.length; ++node) {
     const first = components * node;
     shown[node] =
-      component === "length"
-        ? Math.hypot(...values.subarray(first, first + components))
-        : (values[first + component] ?? 0);
+      component === "length" ? lengthAt(values, first, components) : (values[first + component] ?? 0);
   }
   return shown;
 }

@@ -5,7 +5,7 @@ import type { FieldChoice, MeshField } from "../../session/solutions";
 import { solutionStrings as texts } from "../../strings/solution";
 import { FieldRow } from "../../ui/fields/field-row";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { useApp, useRun } from "../shared/app-context";
+import { useApp, useRun, useStale } from "../shared/app-context";
 import { ShapeControls } from "./shape-controls";
 
 const none = "";
@@ -16,6 +16,7 @@ export function FieldSection() {
   const { solutions } = app;
   const { meshes, at, choice } = useStore(solutions.state);
   const busy = useRun((state) => state.busy);
+  const stale = useStale();
   const fields = meshes[at ?? meshes.length - 1]?.fields ?? [];
   const field = fields.find(({ name }) => name === choice?.name);
   return (
@@ -45,7 +46,7 @@ export function FieldSection() {
         variant="default"
         mt={4}
         data-testid="adapt-to-field"
-        disabled={!field || busy || at === null}
+        disabled={!field || busy || stale || at === null}
         onClick={() => app.shell.setState({ dialog: "adapt" })}
       >
         {texts.adapt}

@@ -1,6 +1,7 @@
 /** Shapes that show a field inside a mesh. */
 import type { Elements } from "../../document/mesh-quality";
 import type { Position } from "../../document/position";
+import { lengthAt } from "../../document/vectors";
 
 /** Six edges of a tetrahedron, by its corners. */
 const edgeCorners = [0, 1, 0, 2, 0, 3, 1, 2, 1, 3, 2, 3] as const;
@@ -79,8 +80,7 @@ export function arrowsOf(points: Float64Array, vectors: Float64Array, length: nu
   const count = points.length / 3;
   const stride = Math.max(1, Math.ceil(count / maxArrows));
   let longest = 0;
-  for (let node = 0; node < count; ++node)
-    longest = Math.max(longest, Math.hypot(...vectors.subarray(3 * node, 3 * node + 3)));
+  for (let node = 0; node < count; ++node) longest = Math.max(longest, lengthAt(vectors, 3 * node, 3));
   if (longest === 0) return new Float64Array();
   const ends: number[] = [];
   for (let node = 0; node < count; node += stride) {
