@@ -40,8 +40,12 @@ async function failureOf(work) {
   }
 }
 
+/** After this time, suites that may wait do not begin. */
+const LATE_S = 40 * 60;
+
 async function runSuite(suite, only, tools, prepare) {
   const from = seconds();
+  if (suite.mayWait && from > LATE_S) return { suite, from, to: from, counts: sum([]), isLeftOut: true };
   let counts;
   const failure =
     (await prepare(suite.needs)) ??
@@ -75,7 +79,11 @@ function print(rows, all) {
     rows.flatMap(({ suite, counts }) => names(counts).map((name) => `${word} ${suite.title}: ${name}`));
   const unstable = listed("FAILED ONCE, then passed,", (counts) => counts.unstable ?? []);
   const failures = listed("FAILED", (counts) => counts.failures);
-  const untested = rows.flatMap(({ suite }) => suite.untested?.() ?? []);
+  const untested = rows.flatMap(({ suite, isLeftOut }) =>
+    isLeftOut
+      ? [`NOT TESTED ${suite.title}: this machine is slow or busy; name the suite to run it alone`]
+      : (suite.untested?.() ?? []),
+  );
   const total = `${"all, with builds and setup".padEnd(57)}${seconds().toFixed(1).padStart(8)} s`;
   process.stdout.write(
     `\n${[...lines, total, ...untested, ...unstable, ...failures, `${all.passed} passed, ${all.failed} failed`].join("\n")}\n`,

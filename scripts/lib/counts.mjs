@@ -42,6 +42,27 @@ export function countGoogleTest(file) {
   return tally(tests);
 }
 
+/** Reads the duration of each test in reports of GoogleTest. */
+export function googleTestSeconds(files) {
+  return files.flatMap((file) =>
+    (read(file)?.testsuites ?? []).flatMap((suite) =>
+      suite.testsuite.map((test) => ({
+        name: `${suite.name}.${test.name}`,
+        seconds: Number.parseFloat(test.time),
+      })),
+    ),
+  );
+}
+
+/** Returns the names of all tests but the shortest ones, which together take `part` of the time of all. */
+export function longTests(tests, part) {
+  let left = part * tests.reduce((total, { seconds }) => total + seconds, 0);
+  return tests
+    .toSorted((a, b) => a.seconds - b.seconds)
+    .filter(({ seconds }) => (left -= seconds) < 0)
+    .map(({ name }) => name);
+}
+
 /** Reads vitest's JSON report; a file that does not load is one failure. */
 export function countVitest(file) {
   const report = read(file);

@@ -175,6 +175,95 @@ TEST(MeshAdaptation, KeepsTheInterfaceOfTwoRegions) {
   EXPECT_NEAR(volumes.at(9), 0.5, 1e-12);
 }
 
+/// A cylinder of radius 1 about the z axis, between z = 0 (patch 1) and z = 1 (patch 2), with 4 n edges around it (patch 3).
+AdaptInput cylinderInput(int n) {
+  AdaptInput input = cubeInput(n);
+  for (std::size_t i = 0; i < input.points.size(); i += 3) {
+    const double x = 2.0 * input.points[i] - 1.0;
+    const double y = 2.0 * input.points[i + 1] - 1.0;
+    const double radius = std::max(std::fabs(x), std::fabs(y));
+    const double angle = radius == 0.0                  ? 0.0
+                         : std::fabs(x) >= std::fabs(y) ? 0.25 * M_PI * y / x
+                                                        : 0.25 * M_PI * (2.0 - x / y);
+    const double sign = radius == 0.0 ? 0.0 : (std::fabs(x) >= std::fabs(y) ? x : y) / radius;
+    input.points[i] = sign * radius * std::cos(angle);
+    input.points[i + 1] = sign * radius * std::sin(angle);
+  }
+  for (std::uint32_t& patch : input.trianglePatch) patch = patch == 14 ? 1 : patch == 15 ? 2 : 3;
+  return input;
+}
+
+/// The metric of a layer inside the wall of the cylinder, thin along the radius, at the nodes of a mesh.
+MetricMesh wallLayer(const std::vector<double>& points,
+                     const std::vector<std::uint32_t>& elements) {
+  MetricMesh background{points, elements, {}};
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    const double r = std::hypot(points[i], points[i + 1]);
+    const double c = r == 0.0 ? 1.0 : points[i] / r;
+    const double s = r == 0.0 ? 0.0 : points[i + 1] / r;
+    const double thin = 0.05 + 0.3 * (1.0 - r);
+    const double across = 1.0 / (thin * thin);
+    const double along = 1.0 / (0.3 * 0.3);
+    background.metrics.insert(background.metrics.end(),
+                              {across * c * c + along * s * s, (across - along) * c * s, 0.0,
+                               across * s * s + along * c * c, 0.0, along});
+  }
+  return background;
+}
+
+/// Number of nodes of one mesh at exactly the position of a node of another.
+std::size_t countCommon(const std::vector<double>& one, const std::vector<double>& other) {
+  std::map<std::array<double, 3>, int> known;
+  for (std::size_t i = 0; i < one.size(); i += 3) known[{one[i], one[i + 1], one[i + 2]}] = 1;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < other.size(); i += 3)
+    count += known.count({other[i], other[i + 1], other[i + 2]});
+  return count;
+}
+
+/// Largest distance of the wall's nodes from the wall of the given cylinder, whose edges are chords.
+double worstOnWall(const MeshAdaptation& made, int n) {
+  const double half = 0.25 * M_PI / n;
+  double worst = 0.0;
+  for (std::size_t c = 0; c < made.triangles.size(); ++c) {
+    if (made.trianglePatch[c / 3] != 3) continue;
+    const double* const at = &made.points[3 * made.triangles[c]];
+    double turn = std::fmod(std::atan2(at[1], at[0]) + 2.0 * M_PI, 2.0 * half) - half;
+    const double chord = std::cos(half) / std::cos(turn);
+    worst = std::max(worst, std::fabs(std::hypot(at[0], at[1]) - chord));
+  }
+  return worst;
+}
+
+TEST(MeshAdaptation, ConvergesOnACurvedBodyWhileTheMetricsStandAtItsNodes) {
+  constexpr int kEdges = 6;
+  const AdaptInput model = cylinderInput(kEdges);
+  MeshAdaptation made = adapted(model, wallLayer(model.points, model.tetrahedra));
+  std::vector<double> kept;
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    const MeshAdaptation next = adapted(model, wallLayer(made.points, made.tetrahedra));
+    expectValid(next);
+    EXPECT_LT(worstOnWall(next, kEdges), 1e-9);
+    kept.push_back(static_cast<double>(countCommon(made.points, next.points)) /
+                   static_cast<double>(next.points.size() / 3));
+    made = next;
+  }
+  EXPECT_GT(made.after.unitEdges, 0.99);
+  EXPECT_GT(made.after.leastQuality, 0.3);
+  EXPECT_GT(kept[3], 0.75);
+  EXPECT_GT(kept[3], kept[0]);
+}
+
+TEST(MeshAdaptation, TakesSizesFromABackgroundOfAnotherBody) {
+  const AdaptInput model = cubeInput(3);
+  MetricMesh wide = layer(0.05, 0.25);
+  for (double& x : wide.points) x = 0.5 + 1.2 * (x - 0.5);
+  const MeshAdaptation made = adapted(model, wide);
+  expectValid(made);
+  for (const double x : made.points) EXPECT_TRUE(x >= 0.0 && x <= 1.0);
+  EXPECT_GT(made.after.unitEdges, 0.99);
+}
+
 TEST(MeshAdaptation, RefusesWhatIsNoMetric) {
   MetricMesh background = layer(0.1, 0.3);
   background.metrics[6 * 5] = -1.0;

@@ -21,7 +21,8 @@ struct AdaptOptions {
   std::uint32_t sweeps = 12;
 };
 
-/// Metrics at the nodes of a background mesh. Between the nodes, their logarithms are interpolated; outside, the metric of
+/// Metrics at the nodes of a background mesh. If the mesh fills the body and has more edges of unit length than the mesh to adapt,
+/// the adaptation begins with it: where it is adapted, nodes stay, with exactly these metrics. Between the nodes, their logarithms are interpolated; outside, the metric of
 /// the nearest position of the mesh applies.
 struct MetricMesh {
   std::vector<double> points;             ///< x y z per node

@@ -1,6 +1,7 @@
 #include "adapt/adapt_schedule.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/sort.h"
@@ -25,6 +26,10 @@ constexpr double kPoorAfterCollapses = 0.5;
 
 /// Edges of this cost or more are out of bounds.
 constexpr double kOutOfBounds = 0.5;
+
+/// A mesh with fewer edges out of bounds is not approached anew: only what is poor changes, so that most nodes stay where their
+/// metrics are given.
+constexpr double kNearlyUnit = 0.1;
 
 /// Work of a change, in units of an element.
 constexpr std::size_t kUnitsPerChange = 8;
@@ -68,11 +73,12 @@ std::vector<AdaptEdge> listEdges(const AdaptMesh& mesh) {
 }
 
 AdaptSchedule::AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide,
-                             MetricBackground& background, const Badness& badness,
-                             std::uint32_t sweeps, const bool& isStopped)
+                             MetricBackground& background, Badness& badness, std::uint32_t sweeps,
+                             const bool& isStopped)
     : mesh_(mesh),
       background_(background),
       badness_(badness),
+      goal_(badness.floor()),
       sweeps_(sweeps),
       isStopped_(isStopped),
       context_{mesh, guide, background, badness},
@@ -80,8 +86,9 @@ AdaptSchedule::AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide,
       mover_(context_) {}
 
 Task<> AdaptSchedule::run(Work& work) {
+  isNear_ = hasNearlyUnitEdges();
   work.beginPart(0.4);
-  co_await approach(work);
+  if (!isNear_) co_await approach(work);
   work.beginPart(1.0);
   co_await improve(work);
 }
@@ -95,6 +102,15 @@ Task<> AdaptSchedule::measureAll(Work& work) {
     AdaptElement& element = mesh_.element(id);
     if (element.isAlive()) element.quality = mesh_.qualityOf(element.nodes);
   });
+}
+
+bool AdaptSchedule::hasNearlyUnitEdges() const {
+  const std::vector<AdaptEdge> edges = listEdges(mesh_);
+  const auto isOut = [this](const AdaptEdge& edge) {
+    return badness_.ofEdge(edge.length) >= kOutOfBounds;
+  };
+  return static_cast<double>(std::ranges::count_if(edges, isOut)) <=
+         kNearlyUnit * static_cast<double>(edges.size());
 }
 
 /// Returns the index of the smallest of the descending sizes that the mesh can begin with: nearly all edges are short.
@@ -221,6 +237,29 @@ Task<> AdaptSchedule::moveAll(Work& work, MoveEffort effort) {
   }
 }
 
+/// Sets the floor to the largest quality up to the goal that nearly all elements reach, but to no less than half of the goal, and
+/// never lower than before. Where the shape of the boundary keeps many elements poor, a high floor would sacrifice edges, and the
+/// poorest elements too, for the many that it cannot help.
+void AdaptSchedule::raiseFloor() {
+  constexpr double kFewBelow = 0.002;
+  constexpr int kSteps = 10;
+  std::array<std::size_t, kSteps> below{};
+  for (const AdaptElement& element : mesh_.elements) {
+    if (!element.isAlive() || element.quality >= goal_) continue;
+    const double step = std::floor(2.0 * kSteps * element.quality / goal_ - kSteps);
+    ++below[static_cast<std::size_t>(std::clamp(step, 0.0, kSteps - 1.0))];
+  }
+  const double few = kFewBelow * static_cast<double>(mesh_.elementCount());
+  double floor = 0.5 * goal_;
+  std::size_t count = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    count += below[static_cast<std::size_t>(i)];
+    if (static_cast<double>(count) > few) break;
+    floor = goal_ * (0.5 + 0.5 * (i + 1) / kSteps);
+  }
+  badness_.setFloor(std::max(floor, badness_.floor()));
+}
+
 Task<> AdaptSchedule::improve(Work& work) {
   constexpr double kAboveFloor = 0.1;
   constexpr std::uint32_t kStrictSweeps = 2;
@@ -228,7 +267,9 @@ Task<> AdaptSchedule::improve(Work& work) {
   constexpr std::uint32_t kLeastSweeps = 4;
   constexpr double kSlowFall = 0.9;
   std::size_t before = 0;
+  badness_.setFloor(0.5 * goal_);
   for (std::uint32_t sweep = 0; sweep < sweeps_ && !isStopped_; ++sweep) {
+    raiseFloor();
     work.beginPart(static_cast<double>(sweep + 1) / sweeps_);
     std::size_t count = co_await improveEdges(work);
     count += poorElements(badness_.floor()).size();
@@ -236,7 +277,8 @@ Task<> AdaptSchedule::improve(Work& work) {
         static_cast<double>(count) > kSlowFall * static_cast<double>(before))
       break;
     before = count;
-    co_await improveElements(work, badness_.floor() + (sweep < kStrictSweeps ? 0.0 : kAboveFloor));
+    co_await improveElements(
+        work, badness_.floor() + (isNear_ || sweep < kStrictSweeps ? 0.0 : kAboveFloor));
     co_await moveAll(work, MoveEffort::kSearch);
   }
 }

@@ -29,7 +29,7 @@ class AdaptSchedule {
  public:
   /// All must outlive this. `sweeps`: number of sweeps at most. When `isStopped` becomes true, the work ends soon.
   AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide, MetricBackground& background,
-                const Badness& badness, std::uint32_t sweeps, const bool& isStopped);
+                Badness& badness, std::uint32_t sweeps, const bool& isStopped);
 
   /// Computes the metrics of all nodes and the qualities of all elements.
   Task<> measureAll(Work& work);
@@ -43,6 +43,7 @@ class AdaptSchedule {
     std::uint32_t unused = 0;
   };
 
+  [[nodiscard]] bool hasNearlyUnitEdges() const;
   Task<> approach(Work& work);
   Task<> improve(Work& work);
   Task<std::size_t> firstStage(Work& work, const std::vector<double>& sizes);
@@ -51,6 +52,7 @@ class AdaptSchedule {
   Task<std::size_t> collapseShort(Work& work);
   Task<std::size_t> swapPoor(Work& work, double limit);
   Task<> moveAll(Work& work, MoveEffort effort);
+  void raiseFloor();
   Task<std::size_t> improveEdges(Work& work);
   Task<> improveElements(Work& work, double limit);
   bool improveEdge(const AdaptEdge& edge);
@@ -60,8 +62,10 @@ class AdaptSchedule {
 
   AdaptMesh& mesh_;
   MetricBackground& background_;
-  const Badness& badness_;
+  Badness& badness_;
+  double goal_;  ///< the floor that is asked for
   std::uint32_t sweeps_;
+  bool isNear_ = false;  ///< the mesh is adapted but for some places
   const bool& isStopped_;
   AdaptContext context_;
   AdaptOperations operations_;

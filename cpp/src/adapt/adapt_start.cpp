@@ -146,14 +146,25 @@ std::vector<std::uint8_t> nodesInSeveralSets(const GivenMesh& given, const Start
   return isRepeated;
 }
 
-AdaptStart makeStart(const GivenMesh& given, const StartFaces& faces, const BoundaryGuide& guide) {
+BoundaryPlaces placesOnReference(const BoundaryGuide& guide) {
+  const ReferenceSurface& reference = guide.reference();
+  BoundaryPlaces out;
+  for (const NodeId node : IdRange<NodeId>(countNodes(reference.mesh())))
+    out.nodes.push_back(guide.placeOf(node));
+  for (const TriangleId t : IdRange<TriangleId>(countTriangles(reference.mesh())))
+    out.patches.push_back(reference.patchOf(t));
+  return out;
+}
+
+AdaptStart makeStart(const GivenMesh& given, const StartFaces& faces,
+                     const BoundaryPlaces& places) {
   AdaptStart start;
   NodeSplitter(given, faces, start).run();
   for (const NodeId node : IdRange<NodeId>(start.origin.size())) {
     const NodeId origin = start.origin[node.index()];
     AdaptNode& made = start.mesh.node(node);
     made.point = pointOf(given.mesh, origin);
-    made.place = guide.placeOf(origin);
+    made.place = places.nodes[origin.index()];
     made.changed = start.mesh.now;
   }
   for (const TetId id : IdRange<TetId>(start.mesh.elements.size())) {
@@ -164,9 +175,7 @@ AdaptStart makeStart(const GivenMesh& given, const StartFaces& faces, const Boun
       node.part = given.mesh.regions[id.index()];
       const Beyond beyond = faces.beyond[4 * id.index() + k];
       element.beyond[k] =
-          beyond.isPatch()
-              ? Beyond::patch(guide.reference().patchOf(TriangleId(beyond.patch().value)))
-              : beyond;
+          beyond.isPatch() ? Beyond::patch(places.patches[beyond.patch().index()]) : beyond;
     }
   }
   return start;

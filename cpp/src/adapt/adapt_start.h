@@ -49,14 +49,22 @@ Task<StartFaces> findStartFaces(Work& work, const GivenMesh& given,
 /// Returns per node of the given mesh 1 if its elements are not all connected over their common faces: the mesh touches itself.
 std::vector<std::uint8_t> nodesInSeveralSets(const GivenMesh& given, const StartFaces& faces);
 
+/// Where the nodes and the outer faces of a mesh lie on the boundary that the adaptation follows.
+struct BoundaryPlaces {
+  std::vector<Place> nodes;            ///< one per node
+  std::vector<SmoothPatchId> patches;  ///< one per outer face
+};
+
+/// Returns the places of the mesh whose outer boundary is the reference of the guide.
+BoundaryPlaces placesOnReference(const BoundaryGuide& guide);
+
 /// The mesh that an adaptation begins with.
 struct AdaptStart {
   AdaptMesh mesh;
   std::vector<NodeId> origin;  ///< per node of `mesh`: its index in the given mesh
 };
 
-/// Makes the mesh, without metrics: a node is repeated for each set of its elements that are connected over faces. `guide`: of
-/// faces.boundary.
-AdaptStart makeStart(const GivenMesh& given, const StartFaces& faces, const BoundaryGuide& guide);
+/// Makes the mesh, without metrics: a node is repeated for each set of its elements that are connected over faces.
+AdaptStart makeStart(const GivenMesh& given, const StartFaces& faces, const BoundaryPlaces& places);
 
 }  // namespace tetrafront

@@ -19,6 +19,9 @@ class BoundaryGuide {
   /// Returns the place of a node of the reference mesh.
   [[nodiscard]] const Place& placeOf(NodeId node) const { return places_[node.index()]; }
 
+  /// Number of nodes that stay.
+  [[nodiscard]] std::size_t fixedCount() const { return patchBegins_.size() - 1; }
+
   [[nodiscard]] bool isOnPatch(const Place& place, SmoothPatchId patch) const;
   [[nodiscard]] bool isOnLine(const Place& place, FeatureLineId line) const;
   /// Returns the line of both places that bounds both patches, the one nearest to `middle` if there are several; none if

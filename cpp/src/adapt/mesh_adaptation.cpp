@@ -9,6 +9,7 @@
 #include "adapt/adapt_schedule.h"
 #include "adapt/adapt_start.h"
 #include "adapt/metric_background.h"
+#include "adapt/restart.h"
 #include "base/diagnostics.h"
 #include "base/tool_job.h"
 #include "field/check_background_grid.h"
@@ -77,6 +78,16 @@ BackgroundGrid gridOf(const MetricMesh& mesh) {
   return grid;
 }
 
+/// Returns whether a mesh has one region, no face that is kept inside and no node where it touches itself.
+bool isOneBody(const GivenMesh& mesh, std::span<const std::uint8_t> isRepeated) {
+  const std::vector<std::uint32_t>& regions = mesh.surface.triangleRegions;
+  bool hasInside = mesh.regionOfPart.size() > 1 ||
+                   std::ranges::find(isRepeated, std::uint8_t{1}) != isRepeated.end();
+  for (std::size_t t = 0; 2 * t < regions.size(); ++t)
+    hasInside = hasInside || regions[2 * t + 1] != SurfaceMesh::kNoRegion;
+  return !hasInside;
+}
+
 /// Makes and improves the mesh of one job.
 class Adaptation {
  public:
@@ -110,24 +121,42 @@ class Adaptation {
     work.beginPart(0.05);
     co_await reference.prepare(work);
     const BoundaryGuide guide(reference, faces.isFixed);
-    AdaptStart start = makeStart(given, faces, guide);
+    AdaptStart start = makeStart(given, faces, placesOnReference(guide));
+    work.beginPart(0.06);
+    out_.before = co_await measure(work, start.mesh, guide, background);
+    RestartMesh restart;
+    work.beginPart(0.08);
+    if (isOneBody(given, isRepeated))
+      restart = co_await findRestart(work, input_.background, guide);
+    if (restart.fits) {
+      restart.given.regionOfPart = given.regionOfPart;
+      AdaptStart other = makeStart(restart.given, restart.faces, restart.places);
+      work.beginPart(0.09);
+      const MetricStatistics found = co_await measure(work, other.mesh, guide, background);
+      restart.fits = found.unitEdges > out_.before.unitEdges;
+      if (restart.fits) start = std::move(other);
+    }
     work.beginPart(0.98);
     co_await adapt(work, start.mesh, guide, background);
     work.beginPart(1.0);
-    co_await finishWith(work, start, given, guide);
+    co_await finishWith(work, start, restart.fits ? restart.given : given, guide);
     co_return std::move(out_);
   }
 
  private:
+  Task<MetricStatistics> measure(Work& work, AdaptMesh& mesh, const BoundaryGuide& guide,
+                                 MetricBackground& background) {
+    Badness badness(input_.options.leastQuality);
+    AdaptSchedule schedule(mesh, guide, background, badness, 0, input_.isStopped);
+    co_await schedule.measureAll(work);
+    co_return measureInMetric(mesh);
+  }
+
   Task<> adapt(Work& work, AdaptMesh& mesh, const BoundaryGuide& guide,
                MetricBackground& background) {
-    const Badness badness(input_.options.leastQuality);
+    Badness badness(input_.options.leastQuality);
     AdaptSchedule schedule(mesh, guide, background, badness, input_.options.sweeps,
                            input_.isStopped);
-    work.beginPart(0.01);
-    co_await schedule.measureAll(work);
-    out_.before = measureInMetric(mesh);
-    work.beginPart(1.0);
     co_await schedule.run(work);
     out_.isPartial = input_.isStopped;
     out_.after = measureInMetric(mesh);

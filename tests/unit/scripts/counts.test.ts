@@ -2,7 +2,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { countPlaywright, sum } from "../../../scripts/lib/counts.mjs";
+import { countPlaywright, googleTestSeconds, longTests, sum } from "../../../scripts/lib/counts.mjs";
 
 let folder: string;
 beforeAll(() => {
@@ -41,4 +41,16 @@ test("end-to-end tests that pass when repeated count as passed, and are listed w
 
 test("a missing report is a failure", () => {
   expect(countPlaywright(path.join(folder, "none.json"))).toMatchObject({ passed: 0, failed: 1 });
+});
+
+test("the longest C++ tests are those beyond a part of the time of all", () => {
+  const file = path.join(folder, "cpp.json");
+  const times = { a: "3.5s", b: "0.25s", c: "0.75s", d: "0.5s" };
+  const suite = Object.entries(times).map(([name, time]) => ({ name, time }));
+  writeFileSync(file, JSON.stringify({ testsuites: [{ name: "S", testsuite: suite }] }));
+  const tests = googleTestSeconds([file, path.join(folder, "none.json")]);
+  expect(tests).toHaveLength(4);
+  expect(longTests(tests, 0.3)).toEqual(["S.a"]);
+  expect(longTests(tests, 0.15)).toEqual(["S.c", "S.a"]);
+  expect(longTests(tests, 1)).toEqual([]);
 });
