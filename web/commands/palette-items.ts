@@ -2,8 +2,17 @@ import type { App } from "../app/app";
 import type { EditedSetting } from "../session/shell";
 import { drawnKinds, recordsOf, type Entity } from "../document/entities";
 import { templates } from "../document/templates";
-import { entityWords, paletteStrings, settingNames, strings, templateStrings } from "../strings";
+import {
+  entityWords,
+  paletteStrings,
+  settingNames,
+  solvedExampleNames,
+  solvedExamples,
+  strings,
+  templateStrings,
+} from "../strings";
 import { openExample, openTemplate } from "./project-actions";
+import { openSolved } from "./open-solved";
 import type { Command } from "./command";
 import { commands, runCommand } from "./registry";
 import { showEntities } from "./selection-actions";
@@ -65,7 +74,7 @@ function settingItems(app: App): PaletteItem[] {
     needs: null,
     takesFocus: isField(id),
     run: () => {
-      const rightTab = id === "display" || id === "quality" ? id : "inspector";
+      const rightTab = id === "display" || id === "quality" || id === "solution" ? id : "inspector";
       if (rightTab === "inspector") app.view.clear();
       app.shell.setState({
         rightTab,
@@ -85,6 +94,18 @@ function exampleItems(app: App): PaletteItem[] {
     hotkey: null,
     needs: null,
     run: () => void openExample(app, model),
+  }));
+}
+
+function solvedItems(app: App): PaletteItem[] {
+  return solvedExampleNames.map((name) => ({
+    id: `solved-${name}`,
+    group: paletteStrings.examples,
+    label: solvedExamples[name].title,
+    words: paletteStrings.solvedWords,
+    hotkey: null,
+    needs: null,
+    run: () => void openSolved(app, name),
   }));
 }
 
@@ -147,6 +168,7 @@ export function paletteItems(
       ...settingItems(app),
       ...templateItems(app),
       ...exampleItems(app),
+      ...solvedItems(app),
       ...entityItems(app),
       ...ofCommands.filter(({ needs }) => needs !== null),
     ],

@@ -160,3 +160,10 @@ export function turn(share: number): readonly [cosine: number, sine: number] {
   const angle = 2 * Math.PI * share;
   return [Math.cos(angle), Math.sin(angle)];
 }
+
+/** Returns the length of a vector in an array of numbers: that of the components from an index on. */
+export function lengthAt(values: Float64Array, first: number, components: number): number {
+  let sum = 0;
+  for (let i = first; i < first + components; ++i) sum += (values[i] ?? 0) ** 2;
+  return Math.sqrt(sum);
+}

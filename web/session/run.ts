@@ -41,7 +41,7 @@ export interface RunOutcome {
 export interface RunState {
   readonly busy: boolean;
   /** What the active run does, or the last one has done. */
-  readonly task: "mesh" | "improve";
+  readonly task: "mesh" | "improve" | "adapt";
   /** What is done to the model before it is meshed; null while nothing is. */
   readonly preparing: string | null;
   /** Share of the run that was done to the model before it is meshed, 0 to 1. The progress of the mesher goes on from there. */
@@ -98,6 +98,14 @@ export type RunPreparation = (control: {
   readonly signal: AbortSignal;
   readonly onPart: (text: string, fraction?: number) => void;
 }) => Promise<readonly RunNote[] | null>;
+
+/** What work on the shown mesh gets. */
+export interface WorkControl {
+  readonly mesher: Mesher;
+  readonly signal: AbortSignal;
+  /** Reports what is done next, and how much of the work is done, 0 to 1. */
+  readonly onPart: (text: string, fraction: number) => void;
+}
 
 /** Who has asked for a run. Only the runs of the user are steps of undo. */
 export type RunOrigin = "user" | "app";
@@ -372,6 +380,57 @@ export class MeshRun {
     return true;
   }
 
+  /**
+   * Does long work that makes other meshes of the model, unless a run is active or the shown mesh is out of date. The mesh that it returns is shown as one step of
+   * undo, unless the model has changed meanwhile; null shows the mesh before. Returns whether it is shown. Rejects as the work does,
+   * also when it is cancelled.
+   */
+  async adapt(work: (control: WorkControl) => Promise<ShownMesh | null>): Promise<boolean> {
+    const state = this.state.getState();
+    const { mesh, origin, improvement, edgeReference, isValid } = state;
+    if (this.#active || !mesh || isStale(state, this.#documents.state.getState())) return false;
+    const adapting = this.#adapt({ mesh, origin, improvement, edgeReference, isValid }, work, this.#running);
+    this.#running = adapting.then(
+      () => undefined,
+      () => undefined,
+    );
+    return adapting;
+  }
+
+  async #adapt(
+    before: ShownMesh,
+    work: (control: WorkControl) => Promise<ShownMesh | null>,
+    earlier: Promise<void>,
+  ): Promise<boolean> {
+    const run = this.#begin("adapt");
+    const document = this.#documents.state.getState();
+    const key = shownMeshKey(settledContent(document));
+    const began = performance.now();
+    let made: ShownMesh | null;
+    try {
+      const [mesher] = await Promise.all([this.#mesher, earlier]);
+      const onPart = (preparing: string, preparedShare: number): void =>
+        run.set({ preparing, preparedShare });
+      made = await work({ mesher, signal: run.signal, onPart });
+      await this.#documents.afterGesture();
+    } finally {
+      // The work may have shown other meshes.
+      const { mesh } = this.state.getState();
+      if (!run.isLeft() && mesh) this.exchange(mesh, before.mesh);
+      this.#end(run);
+    }
+    const { history } = this.#documents.state.getState();
+    if (run.isLeft() || made === null || made.mesh === before.mesh) return false;
+    if (shownMeshKey(history.present) !== key) {
+      this.#log(run, (performance.now() - began) / 1000, "warning", logStrings.adaptationDiscarded);
+      return false;
+    }
+    this.#kept.add(key, before);
+    this.#documents.setMeshVersion(stepNames.adapt, this.keep(history.present.project, made));
+    this.#log(run, (performance.now() - began) / 1000, "success", logStrings.adapted(sizeOf(made.mesh)));
+    return true;
+  }
+
   /** Begins the log of a document with the file of its mesh. */
   logOpening(): void {
     const { mesh, origin } = this.state.getState();
@@ -392,7 +451,10 @@ export class MeshRun {
     return key;
   }
 
-  /** Shows another form of the shown mesh, with the same elements; nothing if another mesh is shown by now. */
+  /**
+   * Shows another form of the shown mesh, or another mesh of the same work, as the same step of undo; nothing if another mesh is
+   * shown by now.
+   */
   exchange(before: MeshResult, after: MeshResult): void {
     const { mesh, outcome } = this.state.getState();
     if (mesh !== before) return;

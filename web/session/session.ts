@@ -22,6 +22,7 @@ import { SecondOrder } from "./second-order";
 import { SizeFeed } from "./size-feed";
 import { OutdatedSolids } from "./outdated-solids";
 import { Solids } from "./solids";
+import { Solutions } from "./solutions";
 import { SmoothnessFeed } from "./smoothness-feed";
 import type { ShownMesh } from "./shown-mesh";
 
@@ -43,6 +44,7 @@ export class Session {
   readonly operations: Operations;
   readonly run: MeshRun;
   readonly secondOrder: SecondOrder;
+  readonly solutions: Solutions;
   readonly previews: PreviewFeed;
   readonly bodies: BodyFeed;
   readonly solids: Solids;
@@ -66,6 +68,7 @@ export class Session {
       keep: (project, prepared) => void this.bodies.keepPrepared(project, prepared),
     });
     this.secondOrder = new SecondOrder(this.run, previewMesher);
+    this.solutions = new Solutions(this.documents, this.run);
     this.previews = new PreviewFeed(this.documents, previewMesher);
     const check = new BodyCheck(this.documents, previewMesher, this.bodies);
     this.problems = new ProblemList({ ...this, check });

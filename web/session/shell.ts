@@ -15,7 +15,8 @@ export type DialogName =
   | "templates"
   | "export"
   | "share"
-  | "picture";
+  | "picture"
+  | "adapt";
 
 /** A message that does not interrupt the work and needs no answer. */
 export interface Notice {
@@ -44,7 +45,7 @@ export interface Notice {
 export interface ShellState {
   /** On wide screens, the lens is there while a front is shown. */
   readonly leftTab: "model" | "examples" | "lens";
-  readonly rightTab: "inspector" | "quality" | "display";
+  readonly rightTab: "inspector" | "quality" | "display" | "solution";
   readonly bottomTab: "log" | "problems" | "patches" | "front" | "history";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;

@@ -128,7 +128,7 @@ export const commandLabels = {
   elementEdges: "Element edges",
 
   generate: "Generate mesh",
-  cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
+  cancel: { mesh: "Cancel meshing", improve: "Stop improving", adapt: "Stop adapting" },
   improve: "Improve mesh",
   refine: (factor: number) => `Make all sizes finer (× ${factor})`,
   coarsen: (factor: number) => `Make all sizes coarser (× ${factor})`,

@@ -73,6 +73,7 @@ export const stepNames = {
   setCommonType: (count: number, kind: "lines" | "patches") => `Change type of ${count} ${kind}`,
   paintSize: "Paint size",
   improve: "Improve mesh",
+  adapt: "Adapt mesh",
   generate: "Generate mesh",
 } as const;
 

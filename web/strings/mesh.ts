@@ -80,6 +80,8 @@ export const logStrings = {
   opened: (file: string, size: string) => `Opened ${file}: ${size}`,
   improving: (tetrahedra: string) => `Improving ${tetrahedra} tetrahedra`,
   improved: (improvement: Gain) => improvementText(improvement),
+  adapted: (size: string) => `Adapted: ${size}`,
+  adaptationDiscarded: "The model has changed meanwhile, so the adapted mesh was discarded",
   improvementDiscarded: "The model has changed meanwhile, so the improvement was discarded",
 } as const;
 

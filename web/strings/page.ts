@@ -34,8 +34,8 @@ export const pageStrings = {
     light: "Light theme",
     dark: "Dark theme",
     panels: "Panels",
-    busy: { mesh: "Meshing…", improve: "Improving…" },
-    cancel: { mesh: "Cancel", improve: "Stop" },
+    busy: { mesh: "Meshing…", improve: "Improving…", adapt: "Adapting…" },
+    cancel: { mesh: "Cancel", improve: "Stop", adapt: "Stop" },
     menu: "Menu",
   },
   gallery: {
@@ -102,9 +102,13 @@ export const pageStrings = {
     /** While a number of elements is sought. */
     ofMesh: (phase: string, mesh: number) =>
       `Mesh ${mesh}: ${phase.charAt(0).toLowerCase()}${phase.slice(1)}`,
-    cancel: { mesh: "Cancel meshing", improve: "Stop improving" },
-    cancelling: { mesh: "Cancelling…", improve: "Stopping…" },
-    progress: { mesh: "Meshing progress", improve: "Progress of the improvement" },
+    cancel: { mesh: "Cancel meshing", improve: "Stop improving", adapt: "Stop adapting" },
+    cancelling: { mesh: "Cancelling…", improve: "Stopping…", adapt: "Stopping…" },
+    progress: {
+      mesh: "Meshing progress",
+      improve: "Progress of the improvement",
+      adapt: "Progress of the adaptation",
+    },
     timeLeft: ({ value, unit }: { readonly value: number; readonly unit: string }) =>
       `about ${value} ${unit} left`,
     improving: "Improving the elements",

@@ -4,6 +4,8 @@ import { exportStrings } from "./export";
 export const paletteStrings = {
   entities: "Entities",
   examples: "Examples",
+  solved: "Solved problems",
+  solvedWords: "solve heat stress elasticity finite elements fem adapt cycles error",
   settings: "Settings",
   templates: "New project",
   layer: (name: string) => `Layer: ${name.toLowerCase()}`,
@@ -13,16 +15,35 @@ export const paletteStrings = {
     line: "Select a line first.",
     single: "Select one entity or all of a group.",
     mesh: "Generate a mesh first.",
-    running: { mesh: "The mesh is being generated.", improve: "The mesh is being improved." },
+    running: {
+      mesh: "The mesh is being generated.",
+      improve: "The mesh is being improved.",
+      adapt: "The mesh is being adapted.",
+    },
     past: "There is nothing to undo.",
     future: "There is nothing to redo.",
-    run: "Nothing is being meshed or improved.",
+    run: "Nothing is being meshed, improved or adapted.",
     repair: "Select a body that the repair can change first.",
     offline: "This page or browser cannot keep files for use without a network.",
     body: "Select a body of triangles first: Import surface adds one.",
     bodies: "Import a surface first.",
   },
 } as const;
+
+/** Examples that are solved when they are opened. */
+export const solvedExamples = {
+  "l-shape": {
+    title: "Heat in an L-shaped body",
+    blurb: "Heat flows around an inner corner, where five cycles make the elements small.",
+  },
+  bracket: {
+    title: "A loaded bracket",
+    blurb: "A bracket hangs on its upright bore and is pulled down. Five cycles follow its deformation.",
+  },
+} as const;
+
+export type SolvedExample = keyof typeof solvedExamples;
+export const solvedExampleNames = ["l-shape", "bracket"] as const satisfies readonly SolvedExample[];
 
 /** The names and extensions of the formats of the export dialog. */
 const exportedFormats = [...Object.keys(exportStrings.formats), ...Object.values(exportStrings.formats)].join(
@@ -147,6 +168,11 @@ export const settingNames = {
   quality: {
     label: "Quality: statistics, histograms, worst elements",
     words: "compare angles dihedral ratio volume check report measure mesh poor",
+  },
+  solution: {
+    label: "Solution: fields, solver, adaptation",
+    words:
+      "settings solve heat stress displacement fem finite elements adapt error isosurface contour vectors colours",
   },
   display: {
     label: "Display: layers, shading, mouse",

@@ -20,6 +20,7 @@ export const panelStrings = {
   inspector: {
     title: "Inspector",
     display: "Display",
+    solution: "Solution",
     nothingSelected: "Select an entity in the tree or in the view to edit it.",
     several: (count: number) => `${count} entities selected`,
     closedChain: (count: number) => `${count} points, closed`,

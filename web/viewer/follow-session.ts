@@ -9,6 +9,7 @@ import type { PreviewFeed } from "../session/preview";
 import type { ProblemList } from "../session/problems";
 import { isOfOtherBodies, isStale, type MeshRun, type RunState } from "../session/run";
 import type { SizeFeed } from "../session/size-feed";
+import type { Solutions } from "../session/solutions";
 import type { SmoothnessFeed } from "../session/smoothness-feed";
 import type { SampledProject, ShownState } from "./scene-state";
 import { shownBodies } from "./shown-bodies";
@@ -24,6 +25,7 @@ export interface SessionStores {
   readonly view: ViewStore;
   readonly sizes: SizeFeed;
   readonly smoothness: SmoothnessFeed;
+  readonly solutions: Solutions;
 }
 
 /** What the viewer shows of the stores, in parts that change together. */
@@ -34,12 +36,13 @@ const partsOf = (stores: SessionStores) =>
     run: derived((read) => runState(stores, read)),
     problems: problemsOf(stores),
     sizes: derived((read) => ({ shownSizes: read(stores.sizes.state).shown })),
+    field: derived((read) => ({ shownField: read(stores.solutions.state).shown })),
     smoothness: derived((read) => ({ shownSmoothness: read(stores.smoothness.state).shown })),
   }) as const;
 
 /** Returns the state of the stores as the viewer shows it. */
 export function shownState(stores: SessionStores): ShownState {
-  const { project, preview, run, problems, sizes, smoothness } = partsOf(stores);
+  const { project, preview, run, problems, sizes, smoothness, field } = partsOf(stores);
   return {
     ...stores.view.state.getState(),
     ...project.getState(),
@@ -48,6 +51,7 @@ export function shownState(stores: SessionStores): ShownState {
     ...problems.getState(),
     ...sizes.getState(),
     ...smoothness.getState(),
+    ...field.getState(),
     isReplaying: false,
   };
 }

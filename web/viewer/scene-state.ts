@@ -4,6 +4,7 @@ import type { ViewState } from "../document/selection";
 import type { Defects } from "../document/validate";
 import type { ViewerColors } from "./colors";
 import type { Position } from "../document/position";
+import type { ShownField } from "../session/solutions";
 import type { ShownSizes } from "../session/size-feed";
 import type { ShownSmoothness } from "../session/smoothness-feed";
 import type { ShownBody } from "./shown-bodies";
@@ -48,6 +49,8 @@ export interface ShownState extends ViewState {
   readonly shownSizes: ShownSizes | null;
   /** Stripes or curvatures that are shown on the patches, instead of the mesh; null for none. */
   readonly shownSmoothness: ShownSmoothness | null;
+  /** Values at the nodes of the mesh that are shown as its colours; null for none. */
+  readonly shownField: ShownField | null;
   /** A recorded front is shown instead of the surfaces of the model and its mesh. */
   readonly isReplaying: boolean;
 }

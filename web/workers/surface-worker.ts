@@ -127,18 +127,19 @@ function refusal(errors: readonly ReadError[]): Answer<SurfaceProtocol["read"]["
   return { answer: { success: false, reasons } };
 }
 
-/** Reads the mesh of a file; its boundary is the surface of a body. */
+/** Reads the mesh of a file, with the values at its nodes; its boundary is the surface of a body. */
 async function readVolume(
   file: Mesh,
   fileName: string,
   head: SurfaceProtocol["read"]["argument"]["head"],
 ): Promise<Answer<SurfaceProtocol["read"]["answer"]>> {
-  const { mesh, patchShapes, outer } = await meshWithBoundary({ ...file, nodeData: new Map() });
+  const { mesh, patchShapes, outer } = await meshWithBoundary(file);
   const { notes = [] } = file;
   // Nothing is said of the triangles: the mesh itself is shown.
   const { treatment } = await treatmentOf(outer, fileName);
   const made = newBody({ ...createBody(outer, head), ...treatment });
-  const arrays = Object.values(mesh).filter((part) => ArrayBuffer.isView(part));
+  const values = [...mesh.nodeData.values()].map((data) => data.values);
+  const arrays = [...Object.values(mesh), ...values].filter((part) => ArrayBuffer.isView(part));
   const buffers = new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer));
   return {
     answer: {

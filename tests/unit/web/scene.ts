@@ -29,6 +29,7 @@ export function sceneState(change: Partial<SceneState> = {}): SceneState {
     },
     shownSizes: null,
     shownSmoothness: null,
+    shownField: null,
     tints: new Map(),
     isReplaying: false,
     isOtherModel: false,

@@ -1,8 +1,15 @@
 import { Badge, Text, UnstyledButton } from "@mantine/core";
 import { openExample } from "../../commands/project-actions";
+import { openSolved } from "../../commands/open-solved";
 import { groupModels, thumbnailOf, type GalleryModel } from "../../session/gallery";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { strings } from "../../strings";
+import {
+  paletteStrings,
+  solvedExampleNames,
+  solvedExamples,
+  strings,
+  type SolvedExample,
+} from "../../strings";
 import { useApp, useProject } from "../shared/app-context";
 import { ScrollPanel } from "../../ui/frames/scroll-panel";
 import styles from "./gallery.module.css";
@@ -17,6 +24,12 @@ export function GalleryPanel() {
       <Text size="sm" c="dimmed" mb="xs">
         {strings.gallery.intro}
       </Text>
+      <section>
+        <SectionTitle>{paletteStrings.solved}</SectionTitle>
+        {solvedExampleNames.map((id) => (
+          <SolvedCard key={id} id={id} current={solvedExamples[id].title === name} />
+        ))}
+      </section>
       {groups.map(({ title, models }) => (
         <section key={title}>
           <SectionTitle>{title}</SectionTitle>
@@ -52,9 +65,43 @@ function GalleryCard({ model, current }: GalleryCardProps) {
         loading="lazy"
         onError={(event) => event.currentTarget.remove()}
       />
+      <CardText {...model} current={current} />
+    </UnstyledButton>
+  );
+}
+
+interface SolvedCardProps {
+  readonly id: SolvedExample;
+  readonly current: boolean;
+}
+
+/** A problem that is solved when it is opened. */
+function SolvedCard({ id, current }: SolvedCardProps) {
+  const app = useApp();
+  return (
+    <UnstyledButton
+      className={styles["card"]}
+      data-testid={`solved-${id}`}
+      data-current={current || undefined}
+      onClick={() => void openSolved(app, id)}
+    >
+      <CardText {...solvedExamples[id]} current={current} />
+    </UnstyledButton>
+  );
+}
+
+interface CardTextProps {
+  readonly title: string;
+  readonly blurb: string;
+  readonly current: boolean;
+}
+
+function CardText({ title, blurb, current }: CardTextProps) {
+  return (
+    <>
       <span className={styles["head"]}>
         <Text fw={600} size="sm" component="span">
-          {model.title}
+          {title}
         </Text>
         {current && (
           <Badge size="sm" variant="outline" color="var(--tf-accent)" tt="none">
@@ -63,8 +110,8 @@ function GalleryCard({ model, current }: GalleryCardProps) {
         )}
       </span>
       <Text size="sm" c="dimmed" component="span" className={styles["blurb"]}>
-        {model.blurb}
+        {blurb}
       </Text>
-    </UnstyledButton>
+    </>
   );
 }

@@ -1,12 +1,19 @@
-import { Anchor, Checkbox, CloseButton, UnstyledButton } from "@mantine/core";
-import { IconFileUpload, IconPencilPlus, IconSchool, IconTemplate } from "@tabler/icons-react";
+import { Anchor, Button, Checkbox, CloseButton, UnstyledButton } from "@mantine/core";
+import {
+  IconFileUpload,
+  IconPencilPlus,
+  IconSchool,
+  IconTemperature,
+  IconTemplate,
+} from "@tabler/icons-react";
 import { useCallback, useEffect, useRef, useState, type Ref } from "react";
 import { openExample, openRecent } from "../../commands/project-actions";
+import { openSolved } from "../../commands/open-solved";
 import { runNamed } from "../../commands/registry";
 import { thumbnailOf } from "../../session/gallery";
 import { startPage } from "../../session/start-page";
 import { startStrings as texts } from "../../strings/passing";
-import { strings } from "../../strings";
+import { paletteStrings, solvedExampleNames, solvedExamples, strings } from "../../strings";
 import { hasDialog, inputMode } from "../../tools/input-mode";
 import { formatTime } from "../../strings/format";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -45,6 +52,7 @@ export default function StartPage({ ref }: { readonly ref: Ref<HTMLElement> }) {
       <p>{texts.promise}</p>
       <Beginnings />
       <Recent />
+      <SolvedExamples />
       <Examples />
       <footer className={styles["foot"]}>
         <ShowAgain />
@@ -167,6 +175,30 @@ function Examples() {
           </li>
         ))}
       </ul>
+    </div>
+  );
+}
+
+/** Problems that are solved with one click. */
+function SolvedExamples() {
+  const app = useApp();
+  return (
+    <div>
+      <SectionTitle>{paletteStrings.solved}</SectionTitle>
+      <div className={styles["row"]}>
+        {solvedExampleNames.map((name) => (
+          <Button
+            key={name}
+            size="compact-sm"
+            variant="default"
+            leftSection={<IconTemperature size={15} aria-hidden />}
+            data-testid={`start-solved-${name}`}
+            onClick={() => void openSolved(app, name)}
+          >
+            {solvedExamples[name].title}
+          </Button>
+        ))}
+      </div>
     </div>
   );
 }

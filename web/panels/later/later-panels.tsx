@@ -6,3 +6,5 @@ export { QualityReport } from "../quality/quality-report";
 export { GroupList } from "../entities/group-list";
 export { HistoryList } from "../model/history-list";
 export { SelectionCard } from "../entities/selection-card";
+export { AdaptDialog } from "../solution/adapt-dialog";
+export { SolutionPanel } from "../solution/solution-panel";

@@ -8,7 +8,7 @@ import { useApp, useProblems, useShell } from "../shared/app-context";
 import { BottomPanel } from "./bottom-panel";
 import { Header } from "./header";
 import { Inspector } from "../inspector/inspector";
-import { DisplayPanel, GalleryPanel, QualityReport } from "../later/later";
+import { DisplayPanel, GalleryPanel, QualityReport, SolutionPanel } from "../later/later";
 import { ModelTree } from "../model/model-tree";
 import { ProblemBadge } from "../problems/problem-badge";
 import { PanelBoundary } from "../shared/panel-boundary";
@@ -19,7 +19,7 @@ import { ViewportPanel } from "../viewport/viewport-panel";
 import tabs from "../../ui/frames/panel-tabs.module.css";
 import styles from "./layout.module.css";
 
-const rightTabs = ["inspector", "quality", "display"] as const;
+const rightTabs = ["inspector", "quality", "display", "solution"] as const;
 
 /** The whole app: panels beside the view if there is room, otherwise in drawers. */
 export function PageLayout() {
@@ -257,6 +257,9 @@ function RightPanel() {
           {strings.report.tab}
         </Tabs.Tab>
         <Tabs.Tab value="display">{strings.inspector.display}</Tabs.Tab>
+        <Tabs.Tab value="solution" data-testid="tab-solution">
+          {strings.inspector.solution}
+        </Tabs.Tab>
       </Tabs.List>
       <Tabs.Panel value="inspector">
         <Inspector />
@@ -269,6 +272,11 @@ function RightPanel() {
       <Tabs.Panel value="display">
         <PanelBoundary>
           <DisplayPanel />
+        </PanelBoundary>
+      </Tabs.Panel>
+      <Tabs.Panel value="solution">
+        <PanelBoundary>
+          <SolutionPanel />
         </PanelBoundary>
       </Tabs.Panel>
     </Tabs>

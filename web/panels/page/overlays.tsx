@@ -9,6 +9,9 @@ import { ProposeDialog } from "../background/propose-dialog";
 import { RecentDialog } from "../files/recent-dialog";
 import { UnitDialog } from "../inspector/unit-dialog";
 import { Notices } from "../dialogs/notices";
+import { AdaptDialog } from "../later/later";
+import { PanelBoundary } from "../shared/panel-boundary";
+import { useShell } from "../shared/app-context";
 import { useLayout } from "../shared/use-layout";
 import { PictureDialog } from "../files/picture-dialog";
 import { ShareDialog } from "../files/share-dialog";
@@ -30,6 +33,11 @@ export default function Overlays() {
       <ShareDialog />
       <PictureDialog />
       <UnitDialog />
+      {useShell(({ dialog }) => dialog === "adapt") && (
+        <PanelBoundary floats>
+          <AdaptDialog />
+        </PanelBoundary>
+      )}
       <MessageDialog />
       {/* On wide screens, they are in the view. Here they lie above drawers. */}
       {useLayout() !== "wide" && <Notices />}

@@ -2,6 +2,7 @@ import { useStore } from "zustand";
 import { asksForStretching, bestValue, worstShown, type QualityMeasure } from "../../document/mesh-quality";
 import { measuredIn, measureNames, spaceNames, strings } from "../../strings";
 import { formatShort } from "../../strings/format";
+import type { ShownField } from "../../session/solutions";
 import type { ShownSmoothness } from "../../session/smoothness-feed";
 import { shownBodies } from "../../viewer/shown-bodies";
 import { viridis } from "../../ui/theme/viridis";
@@ -27,9 +28,11 @@ export function Legend() {
   const showsDeviation = useDeviationShown();
   const sizes = useStore(app.sizes.state, (state) => state.shown);
   const smoothness = useStore(app.smoothness.state, (state) => state.shown);
+  const field = useFieldShown();
   if (isReplaying) return <ReplayLegend />;
   if (smoothness) return <SmoothnessLegend shown={smoothness} />;
   if (sizes) return <SizeLegend range={sizes.range} />;
+  if (field) return <FieldLegend field={field} />;
   if (showsDeviation) return <DeviationLegend />;
   return <MeshLegend />;
 }
@@ -53,6 +56,34 @@ function SmoothnessLegend({ shown: { by, range } }: { readonly shown: ShownSmoot
     <ScaleLegend
       name={`${name}${unit}`}
       testId="curvature-legend"
+      ticks={values.map((value) => formatShort(Number(value.toPrecision(3))))}
+      {...(low === high && middle !== undefined && { background: middle })}
+    />
+  );
+}
+
+/** Returns the values at the nodes that the view shows; null if it shows none. */
+function useFieldShown(): ShownField | null {
+  const app = useApp();
+  const field = useStore(app.solutions.state, (state) => state.shown);
+  const isVisible = useView((state) => state.layers.mesh);
+  const hasMesh = useShowsMesh();
+  const isOfMesh = useRun(
+    ({ mesh, unoptimized }) => unoptimized === null && mesh?.mesh.tetrahedra === field?.tetrahedra,
+  );
+  const hasIsosurface = useStore(app.solutions.state, ({ shapes }) => shapes.isosurface !== null);
+  return (isVisible || hasIsosurface) && hasMesh && isOfMesh ? field : null;
+}
+
+/** The colour scale of a field. */
+function FieldLegend({ field: { choice, range } }: { readonly field: ShownField }) {
+  const [low, high] = range;
+  const values = low === high ? [low] : ticks.map((tick) => low + tick * (high - low));
+  const middle = viridis[(viridis.length - 1) / 2];
+  return (
+    <ScaleLegend
+      name={choice.label}
+      testId="field-legend"
       ticks={values.map((value) => formatShort(Number(value.toPrecision(3))))}
       {...(low === high && middle !== undefined && { background: middle })}
     />

@@ -3,6 +3,7 @@ import { BufferAttribute, BufferGeometry, FrontSide, Mesh, Sphere, type DataText
 import { patchAt } from "../../document/entities";
 import type { QualitySpace } from "../../document/mesh-quality";
 import type { Cut, Shading } from "../../document/selection";
+import type { ShownField } from "../../session/solutions";
 import { createMeshMaterial } from "../materials/mesh-material";
 import { paletteTexture, rampTexture } from "../materials/textures";
 import { setColor, setNumber, setTexture } from "../materials/uniforms";
@@ -41,11 +42,22 @@ interface FaceRequest {
   readonly hiddenRegions: ReadonlySet<number>;
   readonly shading: Shading;
   readonly qualitySpace: QualitySpace;
+  /** Null if the colours show none. */
+  readonly field: ShownField | null;
 }
 
-const requestParts = ["mesh", "origin", "cut", "hiddenRegions", "shading", "qualitySpace"] as const;
+const requestParts = ["mesh", "origin", "cut", "hiddenRegions", "shading", "qualitySpace", "field"] as const;
 /** Parts of the scene that a request depends on. */
-const sceneParts = [...requestParts, "unoptimized"] as const;
+const sceneParts = [
+  "mesh",
+  "origin",
+  "cut",
+  "hiddenRegions",
+  "shading",
+  "qualitySpace",
+  "unoptimized",
+  "shownField",
+] as const;
 
 /** The faces drawn, and the request that they answer. */
 interface DrawnMesh {
@@ -74,6 +86,7 @@ export class MeshLayer implements HittableLayer {
     hiddenRegions: new Set(),
     shading: "radius-ratio",
     qualitySpace: "metric",
+    field: null,
   };
   #drawn: DrawnMesh = { request: this.#request, faces: null, tree: null };
   #isQuerying = false;
@@ -159,6 +172,7 @@ export class MeshLayer implements HittableLayer {
     hiddenRegions,
     shading,
     qualitySpace,
+    shownField,
   }: SceneState): void {
     const mesh: ShownMesh | null = unoptimized ?? result;
     const request = {
@@ -168,6 +182,8 @@ export class MeshLayer implements HittableLayer {
       hiddenRegions,
       shading,
       qualitySpace: mesh?.metricShapes ? qualitySpace : "space",
+      // While another mesh is shown, for example one that is being optimized, the values belong to none of its nodes.
+      field: shownField?.tetrahedra === mesh?.mesh.tetrahedra ? shownField : null,
     } as const;
     if (requestParts.every((part) => request[part] === this.#request[part])) return;
     this.#request = request;
@@ -186,9 +202,9 @@ export class MeshLayer implements HittableLayer {
     try {
       while (!this.isCurrent) {
         request = this.#request;
-        const { mesh, ...options } = request;
+        const { mesh, field, ...options } = request;
         if (!mesh) break;
-        const faces = await this.#queries.facesOf(mesh, options);
+        const faces = await this.#queries.facesOf(mesh, options, field);
         if (mesh === this.#request.mesh) this.#show(request, faces);
       }
     } catch (failure) {
@@ -221,7 +237,9 @@ export class MeshLayer implements HittableLayer {
 
   /** Sets the colours that represent the drawn values. */
   #setScale(): void {
-    const byRegion = this.#drawn.request.shading === "region";
+    const { shading, field } = this.#drawn.request;
+    const byRegion = shading === "region" && !field;
+    setNumber(this.#material, "lines", field?.lines ?? 0);
     setTexture(this.#material, "ramp", byRegion ? this.#palette : this.#ramp);
     setNumber(this.#material, "hues", byRegion ? (this.#palette?.image.width ?? 0) : 0);
   }

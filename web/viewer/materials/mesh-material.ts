@@ -27,6 +27,7 @@ const fragmentShader = /* glsl */ `
   uniform float shaded;
   uniform float edges;
   uniform float edgeWidth;
+  uniform float lines;
   uniform float fading;
   varying float vValue;
   varying vec3 vViewPosition;
@@ -37,6 +38,9 @@ const fragmentShader = /* glsl */ `
     float texel = hues > 0.0 ? mod(vValue + 0.5, hues) / hues : clamp(vValue, 0.002, 0.998);
     vec3 color = mix(plainColor, texture2D(ramp, vec2(texel, 0.5)).rgb, shaded);
     color *= facetLight(vViewPosition);
+    float level = vValue * lines;
+    float fromLine = abs(fract(level) - 0.5) / max(fwidth(level), 1e-6);
+    color = mix(color, edgeColor, lines > 0.0 ? 1.0 - smoothstep(0.6, 1.4, fromLine) : 0.0);
     color = mix(color, edgeColor, edges * edgeStrength(vBarycentric, edgeWidth));
     gl_FragColor = vec4(mix(color, fadedColor, fading), 1.0);
   }
@@ -45,6 +49,7 @@ const fragmentShader = /* glsl */ `
 /**
  * Faces of tetrahedra without an index: shaded by a value per corner, with element edges drawn in the same pass. With
  * a colour ramp, the value is a position on it, 0 to 1. With a palette of `hues` colours, it is the index of a colour.
+ * With `lines` above 0, so many lines of equal value are drawn.
  * With `curved` above 0, triangles are pieces of faces, and `share` times `curved` are the coordinates of a corner in its face.
  */
 export function createMeshMaterial(): ShaderMaterial {
@@ -65,6 +70,7 @@ export function createMeshMaterial(): ShaderMaterial {
       edges: { value: 1 },
       curved: { value: 0 },
       edgeWidth: { value: 0.6 },
+      lines: { value: 0 },
       fading: { value: 0 },
     },
   });

@@ -14,13 +14,16 @@ import type { Mesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../../document/selection";
 import type { Position } from "../../document/position";
 import { CurvedFaces, type CurvedTriangles } from "./curved-faces";
+import { isosurface } from "./field-shapes";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,
   collectVisibleFaces,
+  cornerValues,
   extentAlong,
   hideBeyond,
   hideRegions,
+  type NodeValues,
   writeCorners,
 } from "./visible-faces";
 
@@ -39,6 +42,8 @@ export interface ViewOptions {
   readonly shading: Shading;
   /** Where the quality that the shading shows is measured. */
   readonly qualitySpace: QualitySpace;
+  /** Whether the colours show the values of `setField`, whatever the shading. Default false. */
+  readonly byField?: boolean;
 }
 
 /** The triangles of a mesh to draw, in flat arrays. */
@@ -53,7 +58,7 @@ export interface DrawnFaces {
   readonly shares: Uint8Array<ArrayBuffer>;
   /**
    * Per corner: the position of its element on the colour scale, 0 to 1, or the index of its region, depending on
-   * the shading; empty with plain shading.
+   * the shading; empty with plain shading. With a field, the position of its own value.
    */
   readonly values: Float32Array<ArrayBuffer>;
 }
@@ -74,6 +79,9 @@ export class MeshQueries {
   readonly #centroids = new Map<CutAxis, Float32Array>();
   readonly #extents = new Map<CutAxis, readonly [number, number]>();
   readonly #qualities = new Map<QualityMeasure, Float32Array>();
+  #field: NodeValues | null = null;
+  /** The mesh with its nodes where they are drawn. */
+  #moved: QueriedMesh["mesh"] | null = null;
 
   constructor(measured: QueriedMesh) {
     this.#mesh = measured.mesh;
@@ -81,29 +89,54 @@ export class MeshQueries {
     this.#hidden = new Uint8Array(measured.mesh.tetrahedra.length / 4);
   }
 
-  facesOf({ origin, cut, hiddenRegions, shading, qualitySpace }: ViewOptions): DrawnFaces {
+  /** Sets the values that colours can show. */
+  setField(field: NodeValues): void {
+    this.#field = field;
+    const { offsets } = field;
+    const { points } = this.#mesh;
+    const isMoved = offsets?.length === points.length;
+    this.#moved = isMoved ? { ...this.#mesh, points: points.map((x, i) => x + (offsets[i] ?? 0)) } : null;
+  }
+
+  /** Returns where the field has a value: x y z of three corners per triangle, relative to `origin`. */
+  isosurface(level: number, origin: Position): Float32Array<ArrayBuffer> {
+    const values = this.#field?.values ?? new Float32Array();
+    return isosurface(this.#moved ?? this.#mesh, values, level, origin);
+  }
+
+  facesOf({ origin, cut, hiddenRegions, shading, qualitySpace, byField }: ViewOptions): DrawnFaces {
     const neighbours = this.#cachedNeighbours();
     this.#hidden.fill(0);
     if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
     hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
     const count = collectVisibleFaces(neighbours, this.#hidden, this.#faces);
-    const { faces, corners, shares } = this.#trianglesOf(this.#faces.slice(0, count), origin);
+    const field = byField === true ? this.#field : null;
+    const shape = (field && this.#moved) ?? this.#mesh;
+    const { faces, corners, shares } = this.#trianglesOf(shape, this.#faces.slice(0, count), origin);
     const onBoundary = Uint8Array.from(faces, (face) => Number(this.#endsRegion(face, neighbours)));
-    return { faces, onBoundary, corners, shares, values: this.#valuesOf(faces, shading, qualitySpace) };
+    const values = field
+      ? cornerValues(this.#mesh.tetrahedra, faces, shares, field)
+      : this.#valuesOf(faces, shading, qualitySpace);
+    return { faces, onBoundary, corners, shares, values };
   }
 
   histogram(measure: QualityMeasure, space: QualitySpace, barCount: number): Histogram {
     return histogramOf(this.#qualitiesBy(measure, space), measure, barCount);
   }
 
-  #trianglesOf(faces: Uint32Array<ArrayBuffer>, origin: Position): CurvedTriangles {
+  #trianglesOf(
+    shape: QueriedMesh["mesh"],
+    faces: Uint32Array<ArrayBuffer>,
+    origin: Position,
+  ): CurvedTriangles {
     const { curvedEdges } = this.#mesh;
-    if (curvedEdges !== undefined && curvedEdges.edges.length > 0) {
+    // Only straight edges are moved with their nodes.
+    if (shape === this.#mesh && curvedEdges !== undefined && curvedEdges.edges.length > 0) {
       this.#curved ??= new CurvedFaces(this.#mesh, curvedEdges);
       return this.#curved.trianglesOf(faces, origin);
     }
     const corners = new Float32Array(9 * faces.length);
-    writeCorners(this.#mesh, faces, faces.length, origin, corners);
+    writeCorners(shape, faces, faces.length, origin, corners);
     return { faces, corners, shares: new Uint8Array() };
   }
 

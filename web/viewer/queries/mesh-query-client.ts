@@ -5,6 +5,7 @@ import { copyForTransfer } from "../../workers/transfer";
 import { WorkerClient } from "../../workers/worker-client";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { MeshQueryProtocol, PictureSize } from "./mesh-query-protocol";
+import type { NodeValues } from "./visible-faces";
 import type { SerializedTree } from "../triangle-boxes";
 
 const startWorker = (): Worker =>
@@ -28,6 +29,8 @@ export class MeshQueryClient {
   readonly #worker = new WorkerClient<MeshQueryProtocol>(startWorker, () => (this.#sent = null));
   /** The mesh that the worker has a copy of, or will have. */
   #sent: SentMesh | null = null;
+  /** The values that were sent with it last. */
+  #sentField: NodeValues | null = null;
   /** Settles when nothing is copied any more: meshes are sent one after the other. */
   #copying: Promise<void> = Promise.resolve();
 
@@ -36,9 +39,25 @@ export class MeshQueryClient {
     this.#worker.start();
   }
 
-  /** Returns the triangles to draw. */
-  facesOf(mesh: QueriedMesh, options: ViewOptions): Promise<DrawnFaces> {
-    return this.#query(mesh, () => this.#worker.call("faces", options));
+  /** Returns the triangles to draw. With values at the nodes, their colours show these. */
+  facesOf(mesh: QueriedMesh, options: ViewOptions, field: NodeValues | null = null): Promise<DrawnFaces> {
+    return this.#query(mesh, () => {
+      if (field && this.#sentField !== field) this.#sendField(field);
+      return this.#worker.call("faces", { ...options, byField: field !== null });
+    });
+  }
+
+  /** Returns where values at the nodes have a level: x y z of three corners per triangle, relative to `origin`. */
+  isosurface(
+    mesh: QueriedMesh,
+    field: NodeValues,
+    level: number,
+    origin: Position,
+  ): Promise<Float32Array<ArrayBuffer>> {
+    return this.#query(mesh, () => {
+      if (this.#sentField !== field) this.#sendField(field);
+      return this.#worker.call("isosurface", { level, origin });
+    });
   }
 
   /** Returns the distribution of a quality measure over the elements. */
@@ -79,6 +98,7 @@ export class MeshQueryClient {
   async #query<T>(mesh: QueriedMesh, query: () => Promise<T>): Promise<T> {
     try {
       if (this.#sent?.mesh !== mesh) {
+        this.#sentField = null;
         this.#copying = this.#send(mesh, this.#copying);
         this.#sent = { mesh, posted: this.#copying };
       }
@@ -89,6 +109,13 @@ export class MeshQueryClient {
       this.#worker.dispose();
       throw error;
     }
+  }
+
+  #sendField(field: NodeValues): void {
+    this.#sentField = field;
+    const { values, range, offsets } = field;
+    // If this call fails, the query after it fails too.
+    this.#worker.call("setField", { values, range, offsets }).catch(() => undefined);
   }
 
   /** Copies a mesh in slices and posts it, after the one before. */

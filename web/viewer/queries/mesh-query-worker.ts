@@ -16,6 +16,14 @@ serveCalls<MeshQueryProtocol>({
     queries = new MeshQueries(shown);
     return { answer: null };
   },
+  setField: (field) => {
+    queries.setField(field);
+    return { answer: null };
+  },
+  isosurface: ({ level, origin }) => {
+    const answer = queries.isosurface(level, origin);
+    return { answer, transfer: [answer.buffer] };
+  },
   faces: (options) => {
     const answer = queries.facesOf(options);
     const { faces, onBoundary, corners, shares, values } = answer;

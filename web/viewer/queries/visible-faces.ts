@@ -1,5 +1,6 @@
 import type { Elements } from "../../document/mesh-quality";
 import type { Cut } from "../../document/selection";
+import { shareUnit } from "./curved-faces";
 import { faceNodes, outside } from "./topology";
 
 const axisIndex = { x: 0, y: 1, z: 2 } as const;
@@ -88,3 +89,43 @@ export function writeCorners(
     }
   }
 }
+
+/** One value per node, and the values at the two ends of the colour scale. */
+export interface NodeValues {
+  readonly values: Float32Array<ArrayBuffer>;
+  readonly range: readonly [low: number, high: number];
+  /** x y z per node by which it is drawn away from its position; null for none. */
+  readonly offsets: Float32Array<ArrayBuffer> | null;
+}
+
+/**
+ * Returns the position on the colour scale per corner of each triangle: 0 to 1. `shares` as in `CurvedTriangles`; empty if every
+ * triangle is a face.
+ */
+export function cornerValues(
+  tetrahedra: Uint32Array,
+  faces: Uint32Array,
+  shares: Uint8Array,
+  { values, range: [low, high] }: NodeValues,
+): Float32Array<ArrayBuffer> {
+  const positions = new Float32Array(3 * faces.length);
+  const scale = high > low ? 1 / (high - low) : 0;
+  const ofFace = [0, 0, 0];
+  for (let i = 0; i < faces.length; ++i) {
+    const face = faces[i] ?? 0;
+    for (let k = 0; k < 3; ++k) {
+      const node = tetrahedra[(face & ~3) + (faceNodes[3 * (face & 3) + k] ?? 0)] ?? 0;
+      // If all values are equal, they have the colour in the middle.
+      ofFace[k] = scale === 0 ? 0.5 : ((values[node] ?? 0) - low) * scale;
+    }
+    for (let k = 0; k < 3; ++k)
+      positions[3 * i + k] =
+        shares.length === 0
+          ? (ofFace[k] ?? 0)
+          : meanOf(ofFace, shares.subarray(9 * i + 3 * k, 9 * i + 3 * k + 3));
+  }
+  return positions;
+}
+
+const meanOf = (values: readonly number[], shares: Uint8Array): number =>
+  shares.reduce((sum, share, k) => sum + share * shareUnit * (values[k] ?? 0), 0);

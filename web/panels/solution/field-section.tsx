@@ -1,0 +1,90 @@
+import { Button, Select } from "@mantine/core";
+import { useStore } from "zustand";
+import { firstChoice } from "../../session/adaptation";
+import type { FieldChoice, MeshField } from "../../session/solutions";
+import { solutionStrings as texts } from "../../strings/solution";
+import { FieldRow } from "../../ui/fields/field-row";
+import { SectionTitle } from "../../ui/frames/section-title";
+import { useApp, useRun, useStale } from "../shared/app-context";
+import { ShapeControls } from "./shape-controls";
+
+const none = "";
+
+/** Chooses what the view shows of the fields of the shown mesh. */
+export function FieldSection() {
+  const app = useApp();
+  const { solutions } = app;
+  const { meshes, at, choice } = useStore(solutions.state);
+  const busy = useRun((state) => state.busy);
+  const stale = useStale();
+  const fields = meshes[at ?? meshes.length - 1]?.fields ?? [];
+  const field = fields.find(({ name }) => name === choice?.name);
+  return (
+    <section aria-label={texts.field}>
+      <SectionTitle>{texts.field}</SectionTitle>
+      <FieldRow label={texts.field}>
+        <Select
+          size="xs"
+          aria-label={texts.field}
+          data-testid="field"
+          allowDeselect={false}
+          data={[
+            { value: none, label: texts.noField },
+            ...fields.map(({ name }) => ({ value: name, label: name })),
+          ]}
+          value={field?.name ?? none}
+          onChange={(name) => {
+            const chosen = fields.find((one) => one.name === name);
+            solutions.choose(chosen ? firstChoice(chosen) : null);
+          }}
+        />
+      </FieldRow>
+      {field && choice && field.components > 1 && <ComponentChoice field={field} choice={choice} />}
+      <ShapeControls />
+      <Button
+        size="compact-sm"
+        variant="default"
+        mt={4}
+        data-testid="adapt-to-field"
+        disabled={!field || busy || stale || at === null}
+        onClick={() => app.shell.setState({ dialog: "adapt" })}
+      >
+        {texts.adapt}
+      </Button>
+    </section>
+  );
+}
+
+interface ComponentChoiceProps {
+  readonly field: MeshField;
+  readonly choice: FieldChoice;
+}
+
+function ComponentChoice({ field: { name, components }, choice }: ComponentChoiceProps) {
+  const { solutions } = useApp();
+  const label = (index: number): string =>
+    components === 3 ? (texts.axes[index] ?? "") : texts.number(index);
+  const data = Array.from({ length: components }, (_, index) => ({
+    value: String(index),
+    label: label(index),
+  }));
+  return (
+    <FieldRow label={texts.component}>
+      <Select
+        size="xs"
+        aria-label={texts.component}
+        data-testid="field-component"
+        allowDeselect={false}
+        data={[{ value: "length", label: texts.length }, ...data]}
+        value={String(choice.component)}
+        onChange={(value) =>
+          solutions.choose(
+            value === null || value === "length"
+              ? { name, component: "length", label: name }
+              : { name, component: Number(value), label: texts.choice(name, label(Number(value))) },
+          )
+        }
+      />
+    </FieldRow>
+  );
+}

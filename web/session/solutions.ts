@@ -1,0 +1,220 @@
+import type { Mesh, MeshResult } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { lengthAt } from "../document/vectors";
+import type { DocumentStore } from "./document-store";
+import type { ProblemSetup } from "./problem-setup";
+import type { MeshRun } from "./run";
+
+/** Values at the nodes of a mesh: all components of the first node, then those of the next. */
+export interface MeshField {
+  readonly name: string;
+  readonly components: number;
+  readonly values: Float64Array;
+}
+
+/** A mesh with fields: one cycle of an adaptation, or a mesh from a file. */
+export interface SolvedMesh {
+  readonly mesh: MeshResult;
+  readonly fields: readonly MeshField[];
+  /** Estimated interpolation error of the field that decides the sizes; null if it is not known. */
+  readonly estimatedError: number | null;
+  /** Least mean ratio of the elements in the metric that the mesh was made for; null without a metric. */
+  readonly leastQuality: number | null;
+}
+
+/** Which values of a field are shown: its only one, a component, or the length of the vector. */
+export interface FieldChoice {
+  readonly name: string;
+  readonly component: number | "length";
+  /** What a reader calls the values. */
+  readonly label: string;
+}
+
+/** Values that the view shows as colours. */
+export interface ShownField {
+  /** Those of the mesh at whose nodes the values are. Compared by identity. */
+  readonly tetrahedra: Uint32Array;
+  readonly choice: FieldChoice;
+  /** One per node. */
+  readonly values: Float32Array<ArrayBuffer>;
+  readonly range: readonly [low: number, high: number];
+  /** Number of values at which lines are drawn; 0 for none. */
+  readonly lines: number;
+  /** x y z per node by which the mesh is drawn deformed; null if it is not. */
+  readonly offsets: Float32Array<ArrayBuffer> | null;
+}
+
+/** What else the view shows of a field. */
+export interface FieldShapes {
+  /** Position of an isosurface between the least and the largest value, 0 to 1; null for none. */
+  readonly isosurface: number | null;
+  /** Whether the first field of vectors is shown as arrows. */
+  readonly arrows: boolean;
+  /** Whether the mesh is drawn with its displacements, enlarged so that they can be seen. */
+  readonly deformed: boolean;
+}
+
+export interface SolutionState {
+  /** The problem that the user has stated; null before that. */
+  readonly setup: ProblemSetup | null;
+  readonly meshes: readonly SolvedMesh[];
+  /** Index of the shown mesh in `meshes`; null if it is none of them. */
+  readonly at: number | null;
+  readonly choice: FieldChoice | null;
+  readonly lines: number;
+  readonly shapes: FieldShapes;
+  readonly shown: ShownField | null;
+  /** Why the last problem could not be solved; null if it was. */
+  readonly failure: string | null;
+}
+
+const nothing: SolutionState = {
+  setup: null,
+  meshes: [],
+  at: null,
+  choice: null,
+  lines: 0,
+  shapes: { isosurface: null, arrows: false, deformed: false },
+  shown: null,
+  failure: null,
+};
+
+/** The fields at the nodes of the shown mesh, and the meshes that an adaptation has made. */
+export class Solutions {
+  readonly state: StoreApi<SolutionState> = createStore<SolutionState>(() => nothing);
+  readonly #run: MeshRun;
+
+  constructor(documents: DocumentStore, run: MeshRun) {
+    this.#run = run;
+    documents.onLeave(() => this.state.setState(nothing));
+    run.state.subscribe(({ mesh }, before) => {
+      if (mesh !== before.mesh) this.#follow(mesh);
+    });
+  }
+
+  /** Lists meshes with their solutions. The shown mesh stays. */
+  list(meshes: readonly SolvedMesh[]): void {
+    this.#set({ meshes, at: indexIn(meshes, this.#run.state.getState().mesh) });
+  }
+
+  /** Shows one of the listed meshes. */
+  show(index: number): void {
+    const { meshes } = this.state.getState();
+    const { mesh } = this.#run.state.getState();
+    const other = meshes[index]?.mesh;
+    if (mesh && other) this.#run.exchange(mesh, other);
+  }
+
+  /** Shows values of a field as colours; null shows none. */
+  choose(choice: FieldChoice | null): void {
+    this.#set({ choice });
+  }
+
+  setLines(lines: number): void {
+    this.#set({ lines });
+  }
+
+  setShapes(change: Partial<FieldShapes>): void {
+    this.#set({ shapes: { ...this.state.getState().shapes, ...change } });
+  }
+
+  setUp(setup: ProblemSetup): void {
+    this.state.setState({ setup });
+  }
+
+  fail(failure: string | null): void {
+    this.state.setState({ failure });
+  }
+
+  /** Forgets listed meshes if another mesh is shown; that may have fields of its file. */
+  #follow(mesh: MeshResult | null): void {
+    const { meshes } = this.state.getState();
+    const at = indexIn(meshes, mesh);
+    if (at !== null || mesh === null) return this.#set({ at });
+    const fields = fieldsOf(mesh.mesh);
+    if (fields.length === 0) this.#set({ meshes: [], at: null });
+    else this.#set({ meshes: [{ mesh, fields, estimatedError: null, leastQuality: null }], at: 0 });
+  }
+
+  #set(change: Partial<SolutionState>): void {
+    const state = { ...this.state.getState(), ...change };
+    this.state.setState({ ...state, shown: shownField(state) });
+  }
+}
+
+/** Returns which mesh has the elements of another one; curved elements are the same elements. */
+function indexIn(meshes: readonly SolvedMesh[], shown: MeshResult | null): number | null {
+  const index = meshes.findIndex(({ mesh }) => mesh.mesh.tetrahedra === shown?.mesh.tetrahedra);
+  return index < 0 ? null : index;
+}
+
+const fieldsOf = ({ nodeData }: Mesh): readonly MeshField[] =>
+  [...nodeData].map(([name, data]) => ({ ...data, name }));
+
+/** Returns the first field of vectors: the chosen one if it is one. */
+export function vectorField({ fields }: SolvedMesh, choice: FieldChoice | null): MeshField | undefined {
+  const vectors = fields.filter(({ components }) => components === 3);
+  return vectors.find(({ name }) => name === choice?.name) ?? vectors[0];
+}
+
+/** Returns the displacements of a solution. */
+export const displacementsIn = ({ fields }: SolvedMesh): MeshField | undefined =>
+  fields.find(({ name, components }) => components === 3 && /displacement/i.test(name));
+
+/** Largest displacement as it is drawn, relative to the diagonal of the mesh. */
+const drawnDeformation = 0.08;
+
+/** Returns displacements, enlarged or reduced so that they can be seen. */
+function offsetsOf({ values }: MeshField, points: Float64Array): Float32Array<ArrayBuffer> {
+  let longest = 0;
+  for (let i = 0; i < values.length; i += 3) longest = Math.max(longest, lengthAt(values, i, 3));
+  const scale = longest === 0 ? 0 : (drawnDeformation * diagonalOf(points)) / longest;
+  return Float32Array.from(values, (value) => scale * value);
+}
+
+/** Returns the diagonal of the box around positions. */
+export function diagonalOf(points: Float64Array): number {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < points.length; ++i) {
+    const x = points[i] ?? 0;
+    if (x < (low[i % 3] ?? 0)) low[i % 3] = x;
+    if (x > (high[i % 3] ?? 0)) high[i % 3] = x;
+  }
+  return points.length === 0 ? 0 : Math.hypot(...high.map((x, axis) => x - (low[axis] ?? 0)));
+}
+
+function shownField(state: SolutionState): ShownField | null {
+  const { meshes, at, choice, lines, shown, shapes } = state;
+  const solved = at === null ? undefined : meshes[at];
+  const field = solved?.fields.find(({ name }) => name === choice?.name);
+  if (!solved || !field || !choice) return null;
+  const { tetrahedra } = solved.mesh.mesh;
+  const displacements = shapes.deformed ? displacementsIn(solved) : undefined;
+  const isSame = shown?.tetrahedra === tetrahedra && shown.choice === choice;
+  if (isSame && shown.lines === lines && (shown.offsets !== null) === (displacements !== undefined))
+    return shown;
+  const offsets = displacements ? offsetsOf(displacements, solved.mesh.mesh.points) : null;
+  if (isSame) return { ...shown, lines, offsets };
+  const values = valuesOf(field, choice.component);
+  let [low, high] = [Infinity, -Infinity];
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return { tetrahedra, choice, values, range: [low, high], lines, offsets };
+}
+
+/** Returns one value per node. */
+function valuesOf(
+  { components, values }: MeshField,
+  component: FieldChoice["component"],
+): Float32Array<ArrayBuffer> {
+  const shown = new Float32Array(values.length / components);
+  for (let node = 0; node < shown.length; ++node) {
+    const first = components * node;
+    shown[node] =
+      component === "length" ? lengthAt(values, first, components) : (values[first + component] ?? 0);
+  }
+  return shown;
+}
