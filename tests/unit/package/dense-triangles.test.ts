@@ -5,6 +5,8 @@ import { expect, test } from "vitest";
 import { randomSource } from "../../support/random.js";
 import { stlBinary } from "../../support/surface-files.js";
 
+const processorMs = () => process.cpuUsage().user / 1000;
+
 /** They took minutes, or half a minute. */
 const LIMIT = 10_000;
 
@@ -42,9 +44,9 @@ async function surfaceIn(surface: SurfaceInput): Promise<Mesh> {
 }
 
 test("a scan with one triangle far away is read in seconds", async () => {
-  const begin = performance.now();
+  const begin = processorMs();
   const read = await surfaceIn(loose([...scattered(10_000, 0.1, 10), ...triangleAt(1e7, 1)]));
-  expect(performance.now() - begin).toBeLessThan(LIMIT);
+  expect(processorMs() - begin).toBeLessThan(LIMIT);
   expect(read.triangles).toHaveLength(30_003);
 });
 
@@ -52,18 +54,18 @@ test("heaps of triangles within rounding are read in seconds", async () => {
   const spots = Array.from({ length: 16 }, (_, spot) =>
     scattered(85, 1e-7, 1e-7).map(([x, y, z]): [number, number, number] => [x + spot * 1e-5, y, z]),
   );
-  const begin = performance.now();
+  const begin = processorMs();
   await surfaceIn(loose([...spots.flat(), ...triangleAt(1, 1)]));
-  expect(performance.now() - begin).toBeLessThan(LIMIT);
+  expect(processorMs() - begin).toBeLessThan(LIMIT);
 });
 
 test("a cluster of small triangles beside a large one is checked in seconds", async () => {
   const mesher = await createMesher();
   try {
     const surface = loose([...scattered(16_000, 1e-5, 5e-3), ...triangleAt(1, 1)]);
-    const begin = performance.now();
+    const begin = processorMs();
     await mesher.inspectSurface(surface);
-    expect(performance.now() - begin).toBeLessThan(LIMIT);
+    expect(processorMs() - begin).toBeLessThan(LIMIT);
   } finally {
     mesher.dispose();
   }
