@@ -49,8 +49,8 @@ interface Choice {
 export class SpaceSearchFigure implements Figure {
   readonly #stage = new Stage(() => this.#draw());
   readonly #camera = new Camera(this.#stage, {
-    target: [0, 0, -0.03],
-    distance: 2.85,
+    target: [0, 0, -0.06],
+    distance: 3,
     yaw: 0.5,
     pitch: 0.34,
   });
