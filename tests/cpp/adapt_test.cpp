@@ -254,6 +254,19 @@ TEST(MeshAdaptation, ConvergesOnACurvedBodyWhileTheMetricsStandAtItsNodes) {
   EXPECT_GT(kept[3], kept[0]);
 }
 
+TEST(MeshAdaptation, ReachesSizesThatOnlyFewElementsOfAnAdaptedMeshHaveNot) {
+  const AdaptInput model = cubeInput(3);
+  const MeshAdaptation even = adapted(model, layer(0.2, 0.2));
+  MetricMesh background{even.points, even.tetrahedra, even.metrics};
+  constexpr double kFine = 0.008;
+  std::fill_n(background.metrics.begin(), 6, 0.0);
+  for (const std::size_t i : {0U, 3U, 5U}) background.metrics[i] = 1.0 / (kFine * kFine);
+  const MeshAdaptation made = adapted(model, background);
+  expectValid(made);
+  EXPECT_GT(made.after.unitEdges, 0.97);
+  EXPECT_GT(made.after.tetrahedra, 2 * even.after.tetrahedra);
+}
+
 TEST(MeshAdaptation, TakesSizesFromABackgroundOfAnotherBody) {
   const AdaptInput model = cubeInput(3);
   MetricMesh wide = layer(0.05, 0.25);

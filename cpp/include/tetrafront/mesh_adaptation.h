@@ -21,9 +21,9 @@ struct AdaptOptions {
   std::uint32_t sweeps = 12;
 };
 
-/// Metrics at the nodes of a background mesh. If the mesh fills the body and has more edges of unit length than the mesh to adapt,
-/// the adaptation begins with it: where it is adapted, nodes stay, with exactly these metrics. Between the nodes, their logarithms are interpolated; outside, the metric of
-/// the nearest position of the mesh applies.
+/// Metrics at the nodes of a background mesh. If the mesh fills the body and a larger part of its edges has unit length than in
+/// the mesh to adapt, the adaptation begins with it: where it is adapted, nodes stay, with exactly these metrics. Between the
+/// nodes, the logarithms of the metrics are interpolated; outside, the metric of the nearest position of the mesh applies.
 struct MetricMesh {
   std::vector<double> points;             ///< x y z per node
   std::vector<std::uint32_t> tetrahedra;  ///< four nodes per element, in either orientation

@@ -27,9 +27,12 @@ constexpr double kPoorAfterCollapses = 0.5;
 /// Edges of this cost or more are out of bounds.
 constexpr double kOutOfBounds = 0.5;
 
-/// A mesh with fewer edges out of bounds is not approached anew: only what is poor changes, so that most nodes stay where their
+/// A mesh with fewer edges out of bounds is not approached again: only what is poor changes, so that most nodes stay where their
 /// metrics are given.
 constexpr double kNearlyUnit = 0.1;
+
+/// The same for the elements to add, relative to the number of edges: an edge of length l becomes about l^3 elements.
+constexpr double kFewAdded = 0.5;
 
 /// Work of a change, in units of an element.
 constexpr std::size_t kUnitsPerChange = 8;
@@ -106,11 +109,15 @@ Task<> AdaptSchedule::measureAll(Work& work) {
 
 bool AdaptSchedule::hasNearlyUnitEdges() const {
   const std::vector<AdaptEdge> edges = listEdges(mesh_);
-  const auto isOut = [this](const AdaptEdge& edge) {
-    return badness_.ofEdge(edge.length) >= kOutOfBounds;
-  };
-  return static_cast<double>(std::ranges::count_if(edges, isOut)) <=
-         kNearlyUnit * static_cast<double>(edges.size());
+  double out = 0.0;
+  double added = 0.0;
+  for (const AdaptEdge& edge : edges) {
+    if (badness_.ofEdge(edge.length) < kOutOfBounds) continue;
+    out += 1.0;
+    if (edge.length > 1.0) added += edge.length * edge.length * edge.length;
+  }
+  const auto count = static_cast<double>(edges.size());
+  return out <= kNearlyUnit * count && added <= kFewAdded * count;
 }
 
 /// Returns the index of the smallest of the descending sizes that the mesh can begin with: nearly all edges are short.
@@ -264,16 +271,25 @@ Task<> AdaptSchedule::improve(Work& work) {
   constexpr double kAboveFloor = 0.1;
   constexpr std::uint32_t kStrictSweeps = 2;
   // The sweeps end when the number of edges out of bounds and of poor elements hardly falls any more.
-  constexpr std::uint32_t kLeastSweeps = 4;
+  constexpr std::uint32_t kMinSweeps = 4;
   constexpr double kSlowFall = 0.9;
   std::size_t before = 0;
   badness_.setFloor(0.5 * goal_);
+  if (isNear_) {
+    for (AdaptNode& node : mesh_.nodes) node.tried = node.changed;
+  }
   for (std::uint32_t sweep = 0; sweep < sweeps_ && !isStopped_; ++sweep) {
+    const double last = badness_.floor();
     raiseFloor();
+    const bool isRaised = badness_.floor() > last;
+    // What was tried in vain may succeed at other costs.
+    if (isRaised) {
+      for (AdaptElement& element : mesh_.elements) element.tried = 0;
+    }
     work.beginPart(static_cast<double>(sweep + 1) / sweeps_);
     std::size_t count = co_await improveEdges(work);
     count += poorElements(badness_.floor()).size();
-    if (sweep >= kLeastSweeps &&
+    if (!isRaised && sweep >= kMinSweeps &&
         static_cast<double>(count) > kSlowFall * static_cast<double>(before))
       break;
     before = count;

@@ -65,7 +65,7 @@ class AdaptSchedule {
   Badness& badness_;
   double goal_;  ///< the floor that is asked for
   std::uint32_t sweeps_;
-  bool isNear_ = false;  ///< the mesh is adapted but for some places
+  bool isNear_ = false;  ///< the mesh is adapted except in some places
   const bool& isStopped_;
   AdaptContext context_;
   AdaptOperations operations_;

@@ -9,6 +9,7 @@
 #include "base/diagnostics.h"
 #include "geom/box.h"
 #include "optimize/given_mesh.h"
+#include "sizing/expected_count.h"
 #include "topology/mesh_access.h"
 
 namespace tetrafront {
@@ -16,6 +17,14 @@ namespace {
 
 /// Largest distance of a node from the boundary on which it lies, in parts of the diagonal of the body: digits of files.
 constexpr double kOnBoundary = 1e-7;
+
+/// Largest difference between the volumes of the two bodies, as a part of one: more than chords of a curved boundary differ.
+constexpr double kSameVolume = 0.05;
+
+bool haveSameVolume(const SurfaceMesh& one, const SurfaceMesh& other) {
+  const double volume = enclosedVolume(one);
+  return std::fabs(volume - enclosedVolume(other)) <= kSameVolume * std::fabs(volume);
+}
 
 /// Finds the patch of each face and the place of each node of the boundary of a mesh.
 class PlaceFinder {
@@ -46,6 +55,7 @@ class PlaceFinder {
     for (const NodeId node : IdRange<NodeId>(nodes_.size())) {
       if (nodes_[node.index()].end == 0) continue;
       if (!findPlace(node)) co_return false;
+      co_await work.spend(4);
       fixed += places_.nodes[node.index()].kind == PlaceKind::kFixed ? 1 : 0;
     }
     co_return fixed == guide_.fixedCount() && hasAllPatches();
@@ -203,7 +213,9 @@ Task<RestartMesh> findRestart(Work& work, const MetricMesh& background,
   work.beginPart(0.7);
   out.faces = co_await findStartFaces(work, out.given, {}, {});
   const std::vector<std::uint8_t> isRepeated = nodesInSeveralSets(out.given, out.faces);
-  if (std::ranges::find(isRepeated, std::uint8_t{1}) != isRepeated.end()) co_return RestartMesh{};
+  if (std::ranges::find(isRepeated, std::uint8_t{1}) != isRepeated.end() ||
+      !haveSameVolume(guide.reference().mesh(), out.faces.boundary))
+    co_return RestartMesh{};
   work.beginPart(1.0);
   PlaceFinder finder(out.faces.boundary, guide);
   out.fits = co_await finder.run(work);
