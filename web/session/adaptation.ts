@@ -6,7 +6,7 @@ import { SolveClient } from "../solve/solve-client";
 import { solutionStrings as texts } from "../strings/solution";
 import { problemOf, type ProblemSetup } from "./problem-setup";
 import type { MeshRun, WorkControl } from "./run";
-import type { ShownMesh } from "./shown-mesh";
+import { shownParts, type ShownMesh } from "./shown-mesh";
 import type { MeshField, SolvedMesh, Solutions } from "./solutions";
 
 export type Norm = NonNullable<CycleOptions["norm"]>;
@@ -88,20 +88,25 @@ class Cycles {
   }
 
   async run(): Promise<void> {
-    const first = this.#session.run.state.getState().mesh;
+    const state = this.#session.run.state.getState();
+    const first = state.mesh;
     if (!first) return;
     const { cycles } = this.#settings;
-    let made: AdaptedMesh = { result: first, start: null, leastQuality: null, isValid: true };
+    let made: AdaptedMesh = {
+      ...shownParts({ ...state, mesh: first }),
+      start: null,
+      leastQuality: null,
+    };
     for (let cycle = 0; cycle <= cycles; ++cycle) {
       const field = await this.#solve(cycle, made);
-      if (cycle < cycles) made = await this.#adapt(cycle, first, made.result, field);
+      if (cycle < cycles) made = await this.#adapt(cycle, first, made.mesh, field);
     }
   }
 
   /** Solves on a mesh, and shows the solution. Returns the field that decides the sizes. */
   async #solve(cycle: number, made: AdaptedMesh): Promise<MeshField> {
-    const { result, start, leastQuality } = made;
-    const { mesh } = result;
+    const { start, leastQuality } = made;
+    const { mesh } = made.mesh;
     const { signal, mesher } = this.#control;
     this.#report(cycle, 0, texts.solving);
     const names = mesh.patches.map(({ name }) => name);
@@ -113,8 +118,9 @@ class Cycles {
     const [estimatedError = null] = await estimatedErrors(mesher, mesh, { fields: [unknown], norm }, () => ({
       signal,
     }));
-    this.#last = shownMesh(made);
-    this.#show({ mesh: result, fields, estimatedError, leastQuality });
+    signal.throwIfAborted();
+    this.#last = shownParts(made);
+    this.#show({ ...this.#last, fields, estimatedError, leastQuality });
     return unknown;
   }
 
@@ -141,7 +147,7 @@ class Cycles {
       this.#part(cycle, shares.sizes, shares.adapt, texts.adapting),
     );
     const made = await resultOf(mesher, next, this.#began);
-    const { fields } = await mesher.transferSolution(mesh, made.result.mesh, [field], {}, { signal });
+    const { fields } = await mesher.transferSolution(mesh, made.mesh.mesh, [field], {}, { signal });
     return { ...made, start: fields[0]?.values ?? null };
   }
 
@@ -152,15 +158,14 @@ class Cycles {
   }
 
   #show(solved: SolvedMesh): void {
-    const { run, solutions } = this.#session;
+    const { solutions } = this.#session;
     this.#solved = [...this.#solved, solved];
     solutions.list(this.#solved);
     const [first] = solved.fields;
     const { choice } = solutions.state.getState();
     const isKnown = solved.fields.some(({ name }) => name === choice?.name);
     if (!isKnown && first) solutions.choose(firstChoice(first));
-    const { mesh } = run.state.getState();
-    if (mesh && mesh !== solved.mesh) run.exchange(mesh, solved.mesh);
+    this.#control.show(solved);
   }
 
   #part(cycle: number, from: number, to: number, text: string) {
@@ -186,12 +191,9 @@ class Cycles {
   }
 }
 
-/** A mesh and what is known of it. */
-interface AdaptedResult extends Pick<SolvedMesh, "leastQuality"> {
-  readonly result: MeshResult;
-  readonly isValid: boolean;
-}
+interface AdaptedResult extends ShownMesh, Pick<SolvedMesh, "leastQuality"> {}
 
+/** A mesh, and what its solution begins with. */
 interface AdaptedMesh extends AdaptedResult {
   /** Values of the unknown at its nodes, from the mesh before; null for the first mesh. */
   readonly start: Float64Array | null;
@@ -217,19 +219,14 @@ async function resultOf(
   const diagnostics = report.diagnostics.filter(({ code }) => code !== "poor-elements");
   const seconds = { ...report.seconds, total: (performance.now() - began) / 1000 };
   return {
-    result: { ...result, report: { ...report, diagnostics, seconds } },
+    mesh: { ...result, report: { ...report, diagnostics, seconds } },
+    edgeReference: "mean",
+    origin: null,
+    improvement: null,
     leastQuality: after.leastQuality,
     isValid: inspection.isValid,
   };
 }
-
-const shownMesh = ({ result, isValid }: Pick<AdaptedResult, "result" | "isValid">): ShownMesh => ({
-  mesh: result,
-  edgeReference: "mean",
-  origin: null,
-  improvement: null,
-  isValid,
-});
 
 /** How many elements an adaptation would make, and the error to expect on them. */
 export interface AdaptationForecast {
@@ -258,7 +255,8 @@ export async function adaptToField(
   const { meshes, at } = solutions.state.getState();
   const solved = at === null ? undefined : meshes[at];
   if (!solved) return;
-  await run.adapt(async ({ mesher, signal, onPart }) => {
+  let listed: readonly SolvedMesh[] = meshes;
+  const isShown = await run.adapt(async ({ mesher, signal, onPart }) => {
     const began = performance.now();
     const { mesh } = solved.mesh;
     const part = (from: number, to: number, text: string) => ({
@@ -271,17 +269,17 @@ export async function adaptToField(
     const made = await resultOf(mesher, next, began);
     const { fields } = await mesher.transferSolution(
       mesh,
-      made.result.mesh,
+      made.mesh.mesh,
       solved.fields,
       {},
       part(0.9, 1, texts.transferring),
     );
     const moved = fields.map(({ name = "", components, values }) => ({ name, components, values }));
-    const { result: adapted, leastQuality } = made;
-    solutions.list([
-      ...meshes.slice(0, (at ?? 0) + 1),
-      { mesh: adapted, fields: moved, estimatedError: null, leastQuality },
-    ]);
-    return shownMesh(made);
+    signal.throwIfAborted();
+    listed = [...meshes.slice(0, (at ?? 0) + 1), { ...made, fields: moved, estimatedError: null }];
+    solutions.list(listed);
+    return shownParts(made);
   });
+  // The model has changed meanwhile.
+  if (!isShown && solutions.state.getState().meshes === listed) solutions.list(meshes);
 }

@@ -4,6 +4,7 @@ import { lengthAt } from "../document/vectors";
 import type { DocumentStore } from "./document-store";
 import type { ProblemSetup } from "./problem-setup";
 import type { MeshRun } from "./run";
+import { shownParts, type ShownMesh } from "./shown-mesh";
 
 /** Values at the nodes of a mesh: all components of the first node, then those of the next. */
 export interface MeshField {
@@ -13,8 +14,7 @@ export interface MeshField {
 }
 
 /** A mesh with fields: one cycle of an adaptation, or a mesh from a file. */
-export interface SolvedMesh {
-  readonly mesh: MeshResult;
+export interface SolvedMesh extends ShownMesh {
   readonly fields: readonly MeshField[];
   /** Estimated interpolation error of the field that decides the sizes; null if it is not known. */
   readonly estimatedError: number | null;
@@ -34,6 +34,8 @@ export interface FieldChoice {
 export interface ShownField {
   /** Those of the mesh at whose nodes the values are. Compared by identity. */
   readonly tetrahedra: Uint32Array;
+  /** The field that they are of. Another solution on the same mesh has other fields. */
+  readonly source: MeshField;
   readonly choice: FieldChoice;
   /** One per node. */
   readonly values: Float32Array<ArrayBuffer>;
@@ -92,17 +94,18 @@ export class Solutions {
     });
   }
 
-  /** Lists meshes with their solutions. The shown mesh stays. */
+  /** Lists meshes with their solutions, unless the shown mesh is none of them, for example after undo. The shown mesh stays. */
   list(meshes: readonly SolvedMesh[]): void {
-    this.#set({ meshes, at: indexIn(meshes, this.#run.state.getState().mesh) });
+    const at = indexIn(meshes, this.#run.state.getState().mesh);
+    if (at !== null) this.#set({ meshes, at });
   }
 
   /** Shows one of the listed meshes. */
   show(index: number): void {
     const { meshes } = this.state.getState();
     const { mesh } = this.#run.state.getState();
-    const other = meshes[index]?.mesh;
-    if (mesh && other) this.#run.exchange(mesh, other);
+    const other = meshes[index];
+    if (mesh && other) this.#run.exchange(mesh, shownParts(other));
   }
 
   /** Shows values of a field as colours; null shows none. */
@@ -133,7 +136,10 @@ export class Solutions {
     if (at !== null || mesh === null) return this.#set({ at });
     const fields = fieldsOf(mesh.mesh);
     if (fields.length === 0) this.#set({ meshes: [], at: null });
-    else this.#set({ meshes: [{ mesh, fields, estimatedError: null, leastQuality: null }], at: 0 });
+    else {
+      const shown = shownParts({ ...this.#run.state.getState(), mesh });
+      this.#set({ meshes: [{ ...shown, fields, estimatedError: null, leastQuality: null }], at: 0 });
+    }
   }
 
   #set(change: Partial<SolutionState>): void {
@@ -191,7 +197,7 @@ function shownField(state: SolutionState): ShownField | null {
   if (!solved || !field || !choice) return null;
   const { tetrahedra } = solved.mesh.mesh;
   const displacements = shapes.deformed ? displacementsIn(solved) : undefined;
-  const isSame = shown?.tetrahedra === tetrahedra && shown.choice === choice;
+  const isSame = shown?.tetrahedra === tetrahedra && shown.source === field && shown.choice === choice;
   if (isSame && shown.lines === lines && (shown.offsets !== null) === (displacements !== undefined))
     return shown;
   const offsets = displacements ? offsetsOf(displacements, solved.mesh.mesh.points) : null;
@@ -202,7 +208,7 @@ function shownField(state: SolutionState): ShownField | null {
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  return { tetrahedra, choice, values, range: [low, high], lines, offsets };
+  return { tetrahedra, source: field, choice, values, range: [low, high], lines, offsets };
 }
 
 /** Returns one value per node. */

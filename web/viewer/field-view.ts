@@ -44,7 +44,8 @@ export class FieldView {
   #draw(state: SolutionState): void {
     const before = this.#shown;
     this.#shown = state;
-    const isSame = before !== null && before.shown === state.shown && before.at === state.at;
+    const isOfSameMesh = before !== null && before.meshes === state.meshes && before.at === state.at;
+    const isSame = isOfSameMesh && before.shown === state.shown;
     if (!isSame || before.shapes.arrows !== state.shapes.arrows) this.#drawArrows(state);
     if (!isSame || before.shapes.isosurface !== state.shapes.isosurface) void this.#drawIsosurface(state);
   }
