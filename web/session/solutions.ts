@@ -44,6 +44,8 @@ export interface ShownField {
   readonly lines: number;
   /** x y z per node by which the mesh is drawn deformed; null if it is not. */
   readonly offsets: Float32Array<ArrayBuffer> | null;
+  /** Offsets / displacements of the nodes; 1 without offsets. */
+  readonly enlargement: number;
 }
 
 /** What else the view shows of a field. */
@@ -171,11 +173,14 @@ export const displacementsIn = ({ fields }: SolvedMesh): MeshField | undefined =
 const drawnDeformation = 0.08;
 
 /** Returns displacements, enlarged or reduced so that they can be seen. */
-function offsetsOf({ values }: MeshField, points: Float64Array): Float32Array<ArrayBuffer> {
+function deformation(
+  { values }: MeshField,
+  points: Float64Array,
+): Pick<ShownField, "offsets" | "enlargement"> {
   let longest = 0;
   for (let i = 0; i < values.length; i += 3) longest = Math.max(longest, lengthAt(values, i, 3));
-  const scale = longest === 0 ? 0 : (drawnDeformation * diagonalOf(points)) / longest;
-  return Float32Array.from(values, (value) => scale * value);
+  const enlargement = longest === 0 ? 1 : (drawnDeformation * diagonalOf(points)) / longest;
+  return { offsets: Float32Array.from(values, (value) => enlargement * value), enlargement };
 }
 
 /** Returns the diagonal of the box around positions. */
@@ -190,6 +195,8 @@ export function diagonalOf(points: Float64Array): number {
   return points.length === 0 ? 0 : Math.hypot(...high.map((x, axis) => x - (low[axis] ?? 0)));
 }
 
+const atRest = { offsets: null, enlargement: 1 } as const;
+
 function shownField(state: SolutionState): ShownField | null {
   const { meshes, at, choice, lines, shown, shapes } = state;
   const solved = at === null ? undefined : meshes[at];
@@ -200,15 +207,15 @@ function shownField(state: SolutionState): ShownField | null {
   const isSame = shown?.tetrahedra === tetrahedra && shown.source === field && shown.choice === choice;
   if (isSame && shown.lines === lines && (shown.offsets !== null) === (displacements !== undefined))
     return shown;
-  const offsets = displacements ? offsetsOf(displacements, solved.mesh.mesh.points) : null;
-  if (isSame) return { ...shown, lines, offsets };
+  const moved = displacements ? deformation(displacements, solved.mesh.mesh.points) : atRest;
+  if (isSame) return { ...shown, lines, ...moved };
   const values = valuesOf(field, choice.component);
   let [low, high] = [Infinity, -Infinity];
   for (const value of values) {
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  return { tetrahedra, source: field, choice, values, range: [low, high], lines, offsets };
+  return { tetrahedra, source: field, choice, values, range: [low, high], lines, ...moved };
 }
 
 /** Returns one value per node. */

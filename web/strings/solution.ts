@@ -67,7 +67,8 @@ export const solutionStrings = {
   isosurface: "Isosurface",
   isosurfaceAt: "Value of the isosurface",
   arrows: "Arrows",
-  deformed: "Deformed, enlarged",
+  deformed: "Deformed",
+  deformedBy: (factor: number) => `Deformed × ${short(factor)}`,
   choice: (name: string, component: string) => `${name}, ${component}`,
   adapt: "Adapt to this field…",
   adaptTitle: "Adapt the mesh to a field",
@@ -96,6 +97,7 @@ export const solutionStrings = {
   chart: "Estimated error over the number of elements, both logarithmic",
   chartPoint: (mesh: string, elements: string, error: string) =>
     `${mesh}: ${elements} elements, error ${error}`,
+  noMesh: "There is no complete mesh of the model. See the problems below the view, then generate a mesh.",
   failures: {
     "no-elements": "The mesh has no tetrahedra. Generate a mesh first.",
     "not-held":
