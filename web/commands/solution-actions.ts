@@ -48,11 +48,16 @@ export function showFieldShapes(app: App, change: Partial<FieldShapes>): void {
   app.solutions.setShapes(change);
 }
 
-function reportFailure({ solutions }: App, error: unknown): void {
+function reportFailure(app: App, error: unknown): void {
   // The user has stopped the work.
   if (error instanceof DOMException && error.name === "AbortError") return;
   if (isCancelled(error)) return;
-  solutions.fail(error instanceof SolveError ? texts.failures[error.failure] : failureText(error));
+  app.solutions.fail(error instanceof SolveError ? textOf(error, setupOf(app)) : failureText(error));
+}
+
+function textOf({ failure }: SolveError, { kind }: ProblemSetup): string {
+  const isAdvection = failure === "not-converged" && kind === "advection";
+  return isAdvection ? texts.advectionNotConverged : texts.failures[failure];
 }
 
 const isCancelled = (error: unknown): boolean =>

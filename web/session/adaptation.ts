@@ -35,7 +35,7 @@ const shares = { solve: 0.25, sizes: 0.35, adapt: 0.95 } as const;
 /**
  * Solves the problem on the shown mesh, then adapts the mesh and solves again, as often as there are cycles; 0 only solves. The
  * numbers of elements grow by equal ratios. Lists and shows every mesh as soon as it is solved. If the user stops the cycles, those
- * that are done stay. Rejects with a `SolveError` if the problem has no unique solution.
+ * that are done stay. Rejects with a `SolveError` if the problem has no unique solution. If a later cycle fails, those before it stay too.
  */
 export async function runCycles(
   session: AdaptedSession,
@@ -43,17 +43,20 @@ export async function runCycles(
   settings: CycleSettings,
   startSolver: () => Solver = () => new SolveClient(),
 ): Promise<void> {
+  const failures: unknown[] = [];
   await session.run.adapt(async (control) => {
     const cycles = new Cycles(session, { setup, settings, control, solver: startSolver() });
     try {
       await cycles.run();
     } catch (error) {
-      if (!control.signal.aborted || cycles.last === null) throw error;
+      if (cycles.last === null) throw error;
+      if (!control.signal.aborted) failures.push(error);
     } finally {
       cycles.dispose();
     }
     return cycles.last;
   });
+  if (failures.length > 0) throw failures[0];
 }
 
 interface CycleParts {

@@ -104,6 +104,7 @@ export const solutionStrings = {
       "The problem has no unique solution: a part of the mesh has no given value. Add a condition with a value, or fix a patch.",
     "bad-material":
       "The material is invalid. Conductivity, diffusivity and Young’s modulus must be above 0, Poisson’s ratio above −1 and below 0.5.",
-    "not-converged": "The iterative solver did not converge. Improve the mesh, or raise the diffusivity.",
+    "not-converged": "The iterative solver did not converge. Improve the mesh.",
   },
+  advectionNotConverged: "The iterative solver did not converge. Improve the mesh, or raise the diffusivity.",
 } as const;

@@ -106,6 +106,24 @@ describe("cycles", () => {
     expect(run.state.getState()).toMatchObject({ busy: false, preparing: null });
   });
 
+  it("that fail later keep what is solved before, as one step of undo", async () => {
+    const { documents, run, solutions, patches } = await meshedCube();
+    const first = run.state.getState().mesh;
+    const solver = solverHere();
+    const failing: Solver = {
+      ...solver,
+      solve: (request, signal) =>
+        solver.solved === 2 ? Promise.reject(new SolveError("not-converged")) : solver.solve(request, signal),
+    };
+    const failed = runCycles({ run, solutions }, heated(patches), settings, () => failing);
+    await expect(failed).rejects.toMatchObject({ failure: "not-converged" });
+    const { meshes, at } = solutions.state.getState();
+    expect([meshes.length, at]).toEqual([2, 1]);
+    expect(run.state.getState()).toMatchObject({ busy: false, mesh: meshes[1]?.mesh });
+    documents.undo();
+    expect(run.state.getState().mesh).toBe(first);
+  });
+
   it("end with why a problem has no solution, and leave the mesh", async () => {
     const { run, solutions } = await meshedCube();
     const before = run.state.getState().mesh;
