@@ -7,7 +7,7 @@ import { solutionStrings as texts } from "../strings/solution";
 import { problemOf, type ProblemSetup } from "./problem-setup";
 import type { MeshRun, WorkControl } from "./run";
 import { shownParts, type ShownMesh } from "./shown-mesh";
-import type { MeshField, SolvedMesh, Solutions } from "./solutions";
+import { nodeDataOf, type MeshField, type SolvedMesh, type Solutions } from "./solutions";
 
 export type Norm = NonNullable<CycleOptions["norm"]>;
 
@@ -111,7 +111,7 @@ class Cycles {
     const { start, leastQuality } = made;
     const { mesh } = made.mesh;
     const { signal, mesher } = this.#control;
-    this.#report(cycle, 0, texts.solving);
+    this.#report(cycle, cycle, texts.solving);
     const names = mesh.patches.map(({ name }) => name);
     const problem = problemOf(this.#setup, names);
     const { fields } = await this.#solver.solve({ mesh, problem, start }, signal);
@@ -171,22 +171,21 @@ class Cycles {
     this.#control.show(solved);
   }
 
+  /** Returns the control of a part of what follows the solution of a cycle, which makes the mesh of the next one. */
   #part(cycle: number, from: number, to: number, text: string) {
     const { signal } = this.#control;
-    this.#report(cycle, from, text);
+    this.#report(cycle + 1, cycle + from, text);
     return {
       signal,
       onProgress: ({ fraction }: { readonly fraction: number }) =>
-        this.#report(cycle, from + (to - from) * fraction, text),
+        this.#report(cycle + 1, cycle + from + (to - from) * fraction, text),
     };
   }
 
-  #report(cycle: number, share: number, text: string): void {
+  /** `done`: number of cycles that are done, with the share of the present one. A cycle begins when the mesh of the one before is solved. */
+  #report(cycle: number, done: number, text: string): void {
     const { cycles } = this.#settings;
-    this.#control.onPart(
-      cycles === 0 ? text : texts.ofCycle(text, cycle, cycles),
-      (cycle + share) / (cycles + 1),
-    );
+    this.#control.onPart(cycles === 0 ? text : texts.ofCycle(text, cycle, cycles), done / (cycles + 1));
   }
 
   dispose(): void {
@@ -205,7 +204,7 @@ interface AdaptedMesh extends AdaptedResult {
 /** Returns the values of a field that are shown first. */
 export const firstChoice = ({ name, components }: Pick<NodeField, "name" | "components">) => ({
   name,
-  component: components === 1 ? 0 : ("length" as const),
+  component: components === 1 ? 0 : ("magnitude" as const),
   label: name,
 });
 
@@ -279,9 +278,12 @@ export async function adaptToField(
     );
     const moved = fields.map(({ name = "", components, values }) => ({ name, components, values }));
     signal.throwIfAborted();
-    listed = [...meshes.slice(0, (at ?? 0) + 1), { ...made, fields: moved, estimatedError: null }];
+    // The mesh keeps its fields when the list is forgotten, for example by undo and redo.
+    const withFields = { ...made.mesh, mesh: { ...made.mesh.mesh, nodeData: nodeDataOf(moved) } };
+    const adapted = { ...made, mesh: withFields, fields: moved, estimatedError: null };
+    listed = [...meshes.slice(0, (at ?? 0) + 1), adapted];
     solutions.list(listed);
-    return shownParts(made);
+    return shownParts(adapted);
   });
   // The model has changed meanwhile.
   if (!isShown && solutions.state.getState().meshes === listed) solutions.list(meshes);

@@ -22,10 +22,10 @@ export interface SolvedMesh extends ShownMesh {
   readonly leastQuality: number | null;
 }
 
-/** Which values of a field are shown: its only one, a component, or the length of the vector. */
+/** Which values of a field are shown: its only one, a component, or the magnitude of the vector. */
 export interface FieldChoice {
   readonly name: string;
-  readonly component: number | "length";
+  readonly component: number | "magnitude";
   /** What a reader calls the values. */
   readonly label: string;
 }
@@ -131,6 +131,14 @@ export class Solutions {
     this.state.setState({ failure });
   }
 
+  /** Returns a mesh with the fields of the listed one that is shown, if it has the same elements. */
+  withFields(mesh: Mesh): Mesh {
+    const { meshes, at } = this.state.getState();
+    const solved = at === null ? undefined : meshes[at];
+    if (solved?.mesh.mesh.tetrahedra !== mesh.tetrahedra) return mesh;
+    return { ...mesh, nodeData: nodeDataOf(solved.fields) };
+  }
+
   /** Forgets listed meshes if another mesh is shown; that may have fields of its file. */
   #follow(mesh: MeshResult | null): void {
     const { meshes } = this.state.getState();
@@ -158,6 +166,10 @@ function indexIn(meshes: readonly SolvedMesh[], shown: MeshResult | null): numbe
 
 const fieldsOf = ({ nodeData }: Mesh): readonly MeshField[] =>
   [...nodeData].map(([name, data]) => ({ ...data, name }));
+
+/** Returns fields in the form in which a mesh has them. */
+export const nodeDataOf = (fields: readonly MeshField[]): Mesh["nodeData"] =>
+  new Map(fields.map(({ name, components, values }) => [name, { components, values }]));
 
 /** Returns the first field of vectors: the chosen one if it is one. */
 export function vectorField({ fields }: SolvedMesh, choice: FieldChoice | null): MeshField | undefined {
@@ -227,7 +239,7 @@ function valuesOf(
   for (let node = 0; node < shown.length; ++node) {
     const first = components * node;
     shown[node] =
-      component === "length" ? lengthAt(values, first, components) : (values[first + component] ?? 0);
+      component === "magnitude" ? lengthAt(values, first, components) : (values[first + component] ?? 0);
   }
   return shown;
 }

@@ -9,6 +9,8 @@ function short(value: number): string {
   return `${digits}e${power}`;
 }
 
+const firstMesh = "First mesh";
+
 export const solutionStrings = {
   title: "Solution",
   intro: "Solve an example problem on the mesh of this model, or open a mesh file with values at its nodes.",
@@ -38,11 +40,11 @@ export const solutionStrings = {
   remove: (patch: string) => `Remove the condition on ${patch}`,
   conditionOn: (patch: string) => `Condition on ${patch}`,
   valueOn: (patch: string) => `Value on ${patch}`,
-  tractionOn: (patch: string) => `Force per area on ${patch}`,
+  tractionOn: (patch: string) => `Traction on ${patch}`,
   conditionKinds: {
-    heat: { value: "Temperature", flux: "Heat flux", fixed: "", traction: "" },
-    advection: { value: "Concentration", flux: "Flux", fixed: "", traction: "" },
-    elasticity: { value: "", flux: "", fixed: "Fixed", traction: "Force / area" },
+    heat: { value: "Temperature", flux: "Inward heat flux", fixed: "", traction: "" },
+    advection: { value: "Concentration", flux: "Inward flux", fixed: "", traction: "" },
+    elasticity: { value: "", flux: "", fixed: "Fixed", traction: "Traction" },
   },
   solve: "Solve",
   cycles: "Cycles",
@@ -56,11 +58,11 @@ export const solutionStrings = {
   adapting: "Adapting the mesh",
   transferring: "Transferring the fields",
   ofCycle: (text: string, cycle: number, cycles: number) =>
-    `Cycle ${cycle} of ${cycles}: ${text.toLowerCase()}`,
+    `${cycle === 0 ? firstMesh : `Cycle ${cycle} of ${cycles}`}: ${text.toLowerCase()}`,
   field: "Field",
   noField: "None",
   component: "Component",
-  length: "Length",
+  magnitude: "Magnitude",
   axes: ["x", "y", "z"],
   number: (index: number) => String(index + 1),
   lines: "Lines of equal value",
@@ -85,7 +87,7 @@ export const solutionStrings = {
   counting: "Counting…",
   apply: "Adapt",
   cancel: "Cancel",
-  cycle: (index: number) => (index === 0 ? "First mesh" : `Cycle ${index}`),
+  cycle: (index: number) => (index === 0 ? firstMesh : `Cycle ${index}`),
   columns: ["Mesh", "Elements", "Error", "Least quality"],
   errorMeaning:
     "Estimated interpolation error of the first field, in the L2 norm, from its second derivatives on the elements of the mesh.",

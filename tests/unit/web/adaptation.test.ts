@@ -201,6 +201,14 @@ it("a mesh is adapted to a field, which is transferred", async () => {
   expect(shown?.tetrahedra).toBe(meshes[1]?.mesh.mesh.tetrahedra);
   const [before, after] = meshes.map(({ fields }) => Math.max(...(fields[0]?.values ?? [])));
   expect(after).toBeCloseTo(before ?? 0, 1);
+  // A download has them too.
+  const { mesh } = run.state.getState();
+  if (!mesh) throw new Error("There is no mesh");
+  const { nodeData } = solutions.withFields(mesh.mesh);
+  expect([...nodeData.keys()]).toEqual(["temperature", "heat flux"]);
+  expect(nodeData.get("temperature")?.values).toHaveLength(mesh.mesh.points.length / 3);
+  const other = { ...mesh.mesh, tetrahedra: mesh.mesh.tetrahedra.slice(), nodeData: new Map() };
+  expect(solutions.withFields(other).nodeData.size).toBe(0);
 });
 
 it("conditions belong to patches by name, and to the kind of the problem", () => {
