@@ -63,6 +63,7 @@ export async function openSolvedExample(app: App, name: SolvedExample): Promise<
   openProject(app, await project(app));
   app.solutions.setUp(setup);
   app.solutions.choose({ name: field, component: 0, label: field });
+  app.view.setLayer("mesh", true);
   app.shell.setState({ rightTab: "solution", drawer: "right" });
   await solveInCycles(app, { cycles, elements, norm: "l2" });
 }
