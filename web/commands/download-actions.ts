@@ -19,7 +19,8 @@ export async function downloadMesh(
     // Without faces of a CAD file, all edges are straight.
     const isCurved = elementOrder === 2 && mesh.mesh.trueEdges !== undefined;
     const written = isCurved ? await app.secondOrder.curved(mesh) : mesh;
-    const files = await writeMeshFiles(written.mesh, project, { fileName, elementOrder, unit });
+    const withFields = app.solutions.withFields(written.mesh);
+    const files = await writeMeshFiles(withFields, project, { fileName, elementOrder, unit });
     for (const { fileName: name, content } of files) download([content], name, "application/octet-stream");
   } catch (error) {
     showMessage(app, strings.messages.downloadFailed, [String(error)]);

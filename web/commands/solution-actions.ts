@@ -1,5 +1,4 @@
 /** What the panel of solutions does. Loaded with it. */
-import type { MeshResult } from "tetrafront";
 import type { App } from "../app/app";
 import { adaptToField, runCycles, type CycleSettings, type Target } from "../session/adaptation";
 import { failureText } from "../session/failure-text";
@@ -9,6 +8,7 @@ import type { FieldShapes, MeshField } from "../session/solutions";
 import { SolveError } from "../solve/problem";
 import { solutionStrings as texts } from "../strings/solution";
 import { FieldView } from "../viewer/field-view";
+import { generateMesh } from "./mesh-actions";
 
 /** Returns the problem that the user has stated, at first the usual one. */
 export const setupOf = ({ solutions }: App): ProblemSetup => solutions.state.getState().setup ?? defaultSetup;
@@ -18,56 +18,62 @@ export const setupOf = ({ solutions }: App): ProblemSetup => solutions.state.get
  * fails, the panel says why.
  */
 export async function solveInCycles(app: App, settings: CycleSettings): Promise<void> {
-  const { solutions } = app;
-  solutions.fail(null);
-  if (!(await presentMesh(app))) return;
+  const { left } = app.documents;
+  app.solutions.fail(null);
+  if (!(await hasPresentMesh(app))) return;
   try {
     await runCycles(app, setupOf(app), settings);
   } catch (error) {
-    reportFailure(app, error);
+    if (!left.aborted) reportFailure(app, error);
   }
 }
 
 /** Adapts the shown mesh to a field. If this fails, the panel says why. */
 export async function adaptMesh(app: App, field: MeshField, target: Target): Promise<void> {
+  const { left } = app.documents;
   app.solutions.fail(null);
   try {
     await adaptToField(app, field, target);
   } catch (error) {
-    reportFailure(app, error);
+    if (!left.aborted) reportFailure(app, error);
   }
 }
 
 /** What draws the shapes of each app: made when the first one is shown. */
 const fieldViews = new WeakMap<App, FieldView>();
 
-/** Shows or hides shapes of the shown field. The surfaces of the mesh and of bodies would hide an isosurface. */
+/** Shows or hides shapes of the shown field. */
 export function showFieldShapes(app: App, change: Partial<FieldShapes>): void {
   if (!fieldViews.has(app)) fieldViews.set(app, new FieldView(app));
-  const { isosurface: before } = app.solutions.state.getState().shapes;
   app.solutions.setShapes(change);
-  const { isosurface } = change;
-  if (isosurface === undefined || (isosurface === null) === (before === null)) return;
-  for (const layer of ["mesh", "bodies"] as const) app.view.setLayer(layer, isosurface === null);
 }
 
-function reportFailure({ solutions }: App, error: unknown): void {
+function reportFailure(app: App, error: unknown): void {
   // The user has stopped the work.
   if (error instanceof DOMException && error.name === "AbortError") return;
   if (isCancelled(error)) return;
-  solutions.fail(error instanceof SolveError ? texts.failures[error.failure] : failureText(error));
+  app.solutions.fail(error instanceof SolveError ? textOf(error, setupOf(app)) : failureText(error));
+}
+
+function textOf({ failure }: SolveError, { kind }: ProblemSetup): string {
+  const isAdvection = failure === "not-converged" && kind === "advection";
+  return isAdvection ? texts.advectionNotConverged : texts.failures[failure];
 }
 
 const isCancelled = (error: unknown): boolean =>
   typeof error === "object" && error !== null && "code" in error && error.code === "cancelled";
 
-/** Returns the mesh of the present model, after a run if there is none; null if the run makes none. */
-async function presentMesh({ run, documents }: App): Promise<MeshResult | null> {
+/** Returns whether the present model has a complete mesh, after a run if there is none. If not, the panel says so. */
+async function hasPresentMesh(app: App): Promise<boolean> {
+  const { run, documents, solutions } = app;
+  const { left } = documents;
   const isMissing = (): boolean => {
     const state = run.state.getState();
     return state.mesh === null || isStale(state, documents.state.getState());
   };
-  if (isMissing() || run.state.getState().busy) await run.generate();
-  const { mesh } = run.state.getState();
-  return isMissing() || mesh?.report.status !== "done" ? null : mesh;
+  if (isMissing() || run.state.getState().busy) await generateMesh(app);
+  if (left.aborted) return false;
+  const isPresent = !isMissing() && run.state.getState().mesh?.report.status === "done";
+  if (!isPresent) solutions.fail(texts.noMesh);
+  return isPresent;
 }

@@ -13,7 +13,6 @@ import {
 } from "../session/problem-setup";
 import { fieldNames, type Vector } from "../solve/problem";
 import { solvedExamples, strings, type SolvedExample } from "../strings";
-import { showFailure } from "./messages";
 import { openProject } from "./project-actions";
 import { solveInCycles } from "./solution-actions";
 
@@ -58,19 +57,15 @@ const examples: Readonly<Record<SolvedExample, Example>> = {
   },
 };
 
-/** Opens an example as a new document, meshes it, and solves it in cycles, which the panel lists. */
+/** Opens an example as a new document, meshes it, and solves it in cycles, which the panel lists. Rejects if it cannot be opened. */
 export async function openSolvedExample(app: App, name: SolvedExample): Promise<void> {
   const { project, setup, field, elements } = examples[name];
-  try {
-    openProject(app, await project(app));
-    app.solutions.setUp(setup);
-    app.solutions.choose({ name: field, component: 0, label: field });
-    app.view.setLayer("mesh", true);
-    app.shell.setState({ rightTab: "solution", drawer: "right" });
-    await solveInCycles(app, { cycles, elements, norm: "l2" });
-  } catch (error) {
-    showFailure(app, strings.messages.openFailed(solvedExamples[name].title), error);
-  }
+  openProject(app, await project(app));
+  app.solutions.setUp(setup);
+  app.solutions.choose({ name: field, component: 0, label: field });
+  app.view.setLayer("mesh", true);
+  app.shell.setState({ rightTab: "solution", drawer: "right" });
+  await solveInCycles(app, { cycles, elements, norm: "l2" });
 }
 
 /** An L of three squares with sides of 1, seen from above, counter-clockwise; each side with the name of its patch. */

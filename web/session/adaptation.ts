@@ -6,8 +6,8 @@ import { SolveClient } from "../solve/solve-client";
 import { solutionStrings as texts } from "../strings/solution";
 import { problemOf, type ProblemSetup } from "./problem-setup";
 import type { MeshRun, WorkControl } from "./run";
-import type { ShownMesh } from "./shown-mesh";
-import type { MeshField, SolvedMesh, Solutions } from "./solutions";
+import { shownParts, type ShownMesh } from "./shown-mesh";
+import { nodeDataOf, type MeshField, type SolvedMesh, type Solutions } from "./solutions";
 
 export type Norm = NonNullable<CycleOptions["norm"]>;
 
@@ -35,7 +35,7 @@ const shares = { solve: 0.25, sizes: 0.35, adapt: 0.95 } as const;
 /**
  * Solves the problem on the shown mesh, then adapts the mesh and solves again, as often as there are cycles; 0 only solves. The
  * numbers of elements grow by equal ratios. Lists and shows every mesh as soon as it is solved. If the user stops the cycles, those
- * that are done stay. Rejects with a `SolveError` if the problem has no unique solution.
+ * that are done stay. Rejects with a `SolveError` if the problem has no unique solution. If a later cycle fails, those before it stay too.
  */
 export async function runCycles(
   session: AdaptedSession,
@@ -43,17 +43,20 @@ export async function runCycles(
   settings: CycleSettings,
   startSolver: () => Solver = () => new SolveClient(),
 ): Promise<void> {
+  const failures: unknown[] = [];
   await session.run.adapt(async (control) => {
     const cycles = new Cycles(session, { setup, settings, control, solver: startSolver() });
     try {
       await cycles.run();
     } catch (error) {
-      if (!control.signal.aborted || cycles.last === null) throw error;
+      if (cycles.last === null) throw error;
+      if (!control.signal.aborted) failures.push(error);
     } finally {
       cycles.dispose();
     }
     return cycles.last;
   });
+  if (failures.length > 0) throw failures[0];
 }
 
 interface CycleParts {
@@ -88,22 +91,27 @@ class Cycles {
   }
 
   async run(): Promise<void> {
-    const first = this.#session.run.state.getState().mesh;
+    const state = this.#session.run.state.getState();
+    const first = state.mesh;
     if (!first) return;
     const { cycles } = this.#settings;
-    let made: AdaptedMesh = { result: first, start: null, leastQuality: null, isValid: true };
+    let made: AdaptedMesh = {
+      ...shownParts({ ...state, mesh: first }),
+      start: null,
+      leastQuality: null,
+    };
     for (let cycle = 0; cycle <= cycles; ++cycle) {
       const field = await this.#solve(cycle, made);
-      if (cycle < cycles) made = await this.#adapt(cycle, first, made.result, field);
+      if (cycle < cycles) made = await this.#adapt(cycle, first, made.mesh, field);
     }
   }
 
   /** Solves on a mesh, and shows the solution. Returns the field that decides the sizes. */
   async #solve(cycle: number, made: AdaptedMesh): Promise<MeshField> {
-    const { result, start, leastQuality } = made;
-    const { mesh } = result;
+    const { start, leastQuality } = made;
+    const { mesh } = made.mesh;
     const { signal, mesher } = this.#control;
-    this.#report(cycle, 0, texts.solving);
+    this.#report(cycle, cycle, texts.solving);
     const names = mesh.patches.map(({ name }) => name);
     const problem = problemOf(this.#setup, names);
     const { fields } = await this.#solver.solve({ mesh, problem, start }, signal);
@@ -113,8 +121,9 @@ class Cycles {
     const [estimatedError = null] = await estimatedErrors(mesher, mesh, { fields: [unknown], norm }, () => ({
       signal,
     }));
-    this.#last = shownMesh(made);
-    this.#show({ mesh: result, fields, estimatedError, leastQuality });
+    signal.throwIfAborted();
+    this.#last = shownParts(made);
+    this.#show({ ...this.#last, fields, estimatedError, leastQuality });
     return unknown;
   }
 
@@ -141,7 +150,7 @@ class Cycles {
       this.#part(cycle, shares.sizes, shares.adapt, texts.adapting),
     );
     const made = await resultOf(mesher, next, this.#began);
-    const { fields } = await mesher.transferSolution(mesh, made.result.mesh, [field], {}, { signal });
+    const { fields } = await mesher.transferSolution(mesh, made.mesh.mesh, [field], {}, { signal });
     return { ...made, start: fields[0]?.values ?? null };
   }
 
@@ -152,33 +161,31 @@ class Cycles {
   }
 
   #show(solved: SolvedMesh): void {
-    const { run, solutions } = this.#session;
+    const { solutions } = this.#session;
     this.#solved = [...this.#solved, solved];
     solutions.list(this.#solved);
     const [first] = solved.fields;
     const { choice } = solutions.state.getState();
     const isKnown = solved.fields.some(({ name }) => name === choice?.name);
     if (!isKnown && first) solutions.choose(firstChoice(first));
-    const { mesh } = run.state.getState();
-    if (mesh && mesh !== solved.mesh) run.exchange(mesh, solved.mesh);
+    this.#control.show(solved);
   }
 
+  /** Returns the control of a part of what follows the solution of a cycle, which makes the mesh of the next one. */
   #part(cycle: number, from: number, to: number, text: string) {
     const { signal } = this.#control;
-    this.#report(cycle, from, text);
+    this.#report(cycle + 1, cycle + from, text);
     return {
       signal,
       onProgress: ({ fraction }: { readonly fraction: number }) =>
-        this.#report(cycle, from + (to - from) * fraction, text),
+        this.#report(cycle + 1, cycle + from + (to - from) * fraction, text),
     };
   }
 
-  #report(cycle: number, share: number, text: string): void {
+  /** `done`: number of cycles that are done, with the share of the present one. A cycle begins when the mesh of the one before is solved. */
+  #report(cycle: number, done: number, text: string): void {
     const { cycles } = this.#settings;
-    this.#control.onPart(
-      cycles === 0 ? text : texts.ofCycle(text, cycle, cycles),
-      (cycle + share) / (cycles + 1),
-    );
+    this.#control.onPart(cycles === 0 ? text : texts.ofCycle(text, cycle, cycles), done / (cycles + 1));
   }
 
   dispose(): void {
@@ -186,12 +193,9 @@ class Cycles {
   }
 }
 
-/** A mesh and what is known of it. */
-interface AdaptedResult extends Pick<SolvedMesh, "leastQuality"> {
-  readonly result: MeshResult;
-  readonly isValid: boolean;
-}
+interface AdaptedResult extends ShownMesh, Pick<SolvedMesh, "leastQuality"> {}
 
+/** A mesh, and what its solution begins with. */
 interface AdaptedMesh extends AdaptedResult {
   /** Values of the unknown at its nodes, from the mesh before; null for the first mesh. */
   readonly start: Float64Array | null;
@@ -200,7 +204,7 @@ interface AdaptedMesh extends AdaptedResult {
 /** Returns the values of a field that are shown first. */
 export const firstChoice = ({ name, components }: Pick<NodeField, "name" | "components">) => ({
   name,
-  component: components === 1 ? 0 : ("length" as const),
+  component: components === 1 ? 0 : ("magnitude" as const),
   label: name,
 });
 
@@ -217,19 +221,14 @@ async function resultOf(
   const diagnostics = report.diagnostics.filter(({ code }) => code !== "poor-elements");
   const seconds = { ...report.seconds, total: (performance.now() - began) / 1000 };
   return {
-    result: { ...result, report: { ...report, diagnostics, seconds } },
+    mesh: { ...result, report: { ...report, diagnostics, seconds } },
+    edgeReference: "mean",
+    origin: null,
+    improvement: null,
     leastQuality: after.leastQuality,
     isValid: inspection.isValid,
   };
 }
-
-const shownMesh = ({ result, isValid }: Pick<AdaptedResult, "result" | "isValid">): ShownMesh => ({
-  mesh: result,
-  edgeReference: "mean",
-  origin: null,
-  improvement: null,
-  isValid,
-});
 
 /** How many elements an adaptation would make, and the error to expect on them. */
 export interface AdaptationForecast {
@@ -258,7 +257,8 @@ export async function adaptToField(
   const { meshes, at } = solutions.state.getState();
   const solved = at === null ? undefined : meshes[at];
   if (!solved) return;
-  await run.adapt(async ({ mesher, signal, onPart }) => {
+  let listed: readonly SolvedMesh[] = meshes;
+  const isShown = await run.adapt(async ({ mesher, signal, onPart }) => {
     const began = performance.now();
     const { mesh } = solved.mesh;
     const part = (from: number, to: number, text: string) => ({
@@ -271,17 +271,20 @@ export async function adaptToField(
     const made = await resultOf(mesher, next, began);
     const { fields } = await mesher.transferSolution(
       mesh,
-      made.result.mesh,
+      made.mesh.mesh,
       solved.fields,
       {},
       part(0.9, 1, texts.transferring),
     );
     const moved = fields.map(({ name = "", components, values }) => ({ name, components, values }));
-    const { result: adapted, leastQuality } = made;
-    solutions.list([
-      ...meshes.slice(0, (at ?? 0) + 1),
-      { mesh: adapted, fields: moved, estimatedError: null, leastQuality },
-    ]);
-    return shownMesh(made);
+    signal.throwIfAborted();
+    // The mesh keeps its fields when the list is forgotten, for example by undo and redo.
+    const withFields = { ...made.mesh, mesh: { ...made.mesh.mesh, nodeData: nodeDataOf(moved) } };
+    const adapted = { ...made, mesh: withFields, fields: moved, estimatedError: null };
+    listed = [...meshes.slice(0, (at ?? 0) + 1), adapted];
+    solutions.list(listed);
+    return shownParts(adapted);
   });
+  // The model has changed meanwhile.
+  if (!isShown && solutions.state.getState().meshes === listed) solutions.list(meshes);
 }

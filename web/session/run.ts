@@ -27,7 +27,7 @@ import {
   withLine,
 } from "./run-log";
 import { TimeLeft } from "tetrafront/internal";
-import { improvedMesh, reasonsOf, type Improvement, type ShownMesh } from "./shown-mesh";
+import { improvedMesh, reasonsOf, shownParts, type Improvement, type ShownMesh } from "./shown-mesh";
 
 export interface RunOutcome {
   readonly key: string;
@@ -105,6 +105,8 @@ export interface WorkControl {
   readonly signal: AbortSignal;
   /** Reports what is done next, and how much of the work is done, 0 to 1. */
   readonly onPart: (text: string, fraction: number) => void;
+  /** Shows another mesh of the same model, unless the user has gone to another step of undo or another document. */
+  readonly show: (shown: ShownMesh) => void;
 }
 
 /** Who has asked for a run. Only the runs of the user are steps of undo. */
@@ -322,24 +324,20 @@ export class MeshRun {
     const state = this.state.getState();
     const { mesh } = state;
     if (this.#active || !mesh || !canImprove(state, this.#documents.state.getState())) return null;
-    const improving = this.#improve({ ...state, mesh }, this.#running);
+    const improving = this.#improve(shownParts({ ...state, mesh }), this.#running);
     this.#running = improving.then(() => undefined);
     return improving;
   }
 
-  async #improve(
-    { mesh, origin, improvement, edgeReference, isValid }: ShownMesh,
-    earlier: Promise<void>,
-  ): Promise<ImprovementEnd | null> {
+  async #improve(before: ShownMesh, earlier: Promise<void>): Promise<ImprovementEnd | null> {
     const run = this.#begin("improve");
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(run, elapsedSeconds, level, text);
     const document = this.#documents.state.getState();
     const { project } = settledContent(document);
-    log("information", logStrings.improving(formatCount(mesh.report.tetrahedra)));
+    log("information", logStrings.improving(formatCount(before.mesh.report.tetrahedra)));
     try {
       const { optimization = "default" } = project.meshing ?? {};
-      const before = { mesh, origin, improvement, edgeReference, isValid };
       const [mesher] = await Promise.all([this.#mesher, earlier]);
       const after = await improvedMesh(mesher, before, optimization, {
         signal: run.signal,
@@ -387,9 +385,9 @@ export class MeshRun {
    */
   async adapt(work: (control: WorkControl) => Promise<ShownMesh | null>): Promise<boolean> {
     const state = this.state.getState();
-    const { mesh, origin, improvement, edgeReference, isValid } = state;
+    const { mesh } = state;
     if (this.#active || !mesh || isStale(state, this.#documents.state.getState())) return false;
-    const adapting = this.#adapt({ mesh, origin, improvement, edgeReference, isValid }, work, this.#running);
+    const adapting = this.#adapt(shownParts({ ...state, mesh }), work, this.#running);
     this.#running = adapting.then(
       () => undefined,
       () => undefined,
@@ -406,17 +404,20 @@ export class MeshRun {
     const document = this.#documents.state.getState();
     const key = shownMeshKey(settledContent(document));
     const began = performance.now();
+    const show = (other: ShownMesh): void => {
+      const { mesh, meshKey: shownKey } = this.state.getState();
+      if (!run.isLeft() && mesh && shownKey === key) this.exchange(mesh, shownParts(other));
+    };
     let made: ShownMesh | null;
     try {
       const [mesher] = await Promise.all([this.#mesher, earlier]);
       const onPart = (preparing: string, preparedShare: number): void =>
         run.set({ preparing, preparedShare });
-      made = await work({ mesher, signal: run.signal, onPart });
+      made = await work({ mesher, signal: run.signal, onPart, show });
       await this.#documents.afterGesture();
     } finally {
       // The work may have shown other meshes.
-      const { mesh } = this.state.getState();
-      if (!run.isLeft() && mesh) this.exchange(mesh, before.mesh);
+      show(before);
       this.#end(run);
     }
     const { history } = this.#documents.state.getState();
@@ -455,11 +456,11 @@ export class MeshRun {
    * Shows another form of the shown mesh, or another mesh of the same work, as the same step of undo; nothing if another mesh is
    * shown by now.
    */
-  exchange(before: MeshResult, after: MeshResult): void {
+  exchange(before: MeshResult, after: Pick<ShownMesh, "mesh"> & Partial<ShownMesh>): void {
     const { mesh, outcome } = this.state.getState();
-    if (mesh !== before) return;
+    if (mesh !== before || mesh === after.mesh) return;
     const isOfOutcome = outcome?.result === before;
-    this.state.setState({ mesh: after, outcome: isOfOutcome ? { ...outcome, result: after } : outcome });
+    this.state.setState({ ...after, outcome: isOfOutcome ? { ...outcome, result: after.mesh } : outcome });
   }
 
   cancel(): void {

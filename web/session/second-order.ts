@@ -63,7 +63,7 @@ export class SecondOrder {
     const { isOn } = this.state.getState();
     const straight = this.#straight.get(mesh);
     if (!isOn) {
-      if (straight) this.#run.exchange(mesh, straight);
+      if (straight) this.#run.exchange(mesh, { mesh: straight });
       return;
     }
     if (straight) return;
@@ -71,7 +71,7 @@ export class SecondOrder {
       const curved = await this.curved(mesh);
       if (!this.state.getState().isOn) return;
       this.state.setState({ failure: null });
-      if (curved !== mesh) this.#run.exchange(mesh, curved);
+      if (curved !== mesh) this.#run.exchange(mesh, { mesh: curved });
     } catch (error) {
       this.state.setState({ failure: failureText(error) });
     }

@@ -30,6 +30,15 @@ export interface ShownMesh {
   readonly isValid: boolean | null;
 }
 
+/** Returns what is known of a mesh itself, without what else its record has. */
+export const shownParts = ({ mesh, edgeReference, origin, improvement, isValid }: ShownMesh): ShownMesh => ({
+  mesh,
+  edgeReference,
+  origin,
+  improvement,
+  isValid,
+});
+
 /** Returns a mesh that was read from a file. Rejects if its arrays are invalid. */
 export async function openedMesh(mesher: Mesher, fileName: string, opened: OpenedMesh): Promise<ShownMesh> {
   const inspection = await mesher.inspectMesh(opened.mesh);

@@ -4,6 +4,7 @@ import { lengthAt } from "../document/vectors";
 import type { DocumentStore } from "./document-store";
 import type { ProblemSetup } from "./problem-setup";
 import type { MeshRun } from "./run";
+import { shownParts, type ShownMesh } from "./shown-mesh";
 
 /** Values at the nodes of a mesh: all components of the first node, then those of the next. */
 export interface MeshField {
@@ -13,8 +14,7 @@ export interface MeshField {
 }
 
 /** A mesh with fields: one cycle of an adaptation, or a mesh from a file. */
-export interface SolvedMesh {
-  readonly mesh: MeshResult;
+export interface SolvedMesh extends ShownMesh {
   readonly fields: readonly MeshField[];
   /** Estimated interpolation error of the field that decides the sizes; null if it is not known. */
   readonly estimatedError: number | null;
@@ -22,10 +22,10 @@ export interface SolvedMesh {
   readonly leastQuality: number | null;
 }
 
-/** Which values of a field are shown: its only one, a component, or the length of the vector. */
+/** Which values of a field are shown: its only one, a component, or the magnitude of the vector. */
 export interface FieldChoice {
   readonly name: string;
-  readonly component: number | "length";
+  readonly component: number | "magnitude";
   /** What a reader calls the values. */
   readonly label: string;
 }
@@ -34,6 +34,8 @@ export interface FieldChoice {
 export interface ShownField {
   /** Those of the mesh at whose nodes the values are. Compared by identity. */
   readonly tetrahedra: Uint32Array;
+  /** The field that they are of. Another solution on the same mesh has other fields. */
+  readonly source: MeshField;
   readonly choice: FieldChoice;
   /** One per node. */
   readonly values: Float32Array<ArrayBuffer>;
@@ -42,6 +44,8 @@ export interface ShownField {
   readonly lines: number;
   /** x y z per node by which the mesh is drawn deformed; null if it is not. */
   readonly offsets: Float32Array<ArrayBuffer> | null;
+  /** Offsets / displacements of the nodes; 1 without offsets. */
+  readonly enlargement: number;
 }
 
 /** What else the view shows of a field. */
@@ -92,17 +96,18 @@ export class Solutions {
     });
   }
 
-  /** Lists meshes with their solutions. The shown mesh stays. */
+  /** Lists meshes with their solutions, unless the shown mesh is none of them, for example after undo. The shown mesh stays. */
   list(meshes: readonly SolvedMesh[]): void {
-    this.#set({ meshes, at: indexIn(meshes, this.#run.state.getState().mesh) });
+    const at = indexIn(meshes, this.#run.state.getState().mesh);
+    if (at !== null) this.#set({ meshes, at });
   }
 
   /** Shows one of the listed meshes. */
   show(index: number): void {
     const { meshes } = this.state.getState();
     const { mesh } = this.#run.state.getState();
-    const other = meshes[index]?.mesh;
-    if (mesh && other) this.#run.exchange(mesh, other);
+    const other = meshes[index];
+    if (mesh && other) this.#run.exchange(mesh, shownParts(other));
   }
 
   /** Shows values of a field as colours; null shows none. */
@@ -126,6 +131,14 @@ export class Solutions {
     this.state.setState({ failure });
   }
 
+  /** Returns a mesh with the fields of the listed one that is shown, if it has the same elements. */
+  withFields(mesh: Mesh): Mesh {
+    const { meshes, at } = this.state.getState();
+    const solved = at === null ? undefined : meshes[at];
+    if (solved?.mesh.mesh.tetrahedra !== mesh.tetrahedra) return mesh;
+    return { ...mesh, nodeData: nodeDataOf(solved.fields) };
+  }
+
   /** Forgets listed meshes if another mesh is shown; that may have fields of its file. */
   #follow(mesh: MeshResult | null): void {
     const { meshes } = this.state.getState();
@@ -133,7 +146,10 @@ export class Solutions {
     if (at !== null || mesh === null) return this.#set({ at });
     const fields = fieldsOf(mesh.mesh);
     if (fields.length === 0) this.#set({ meshes: [], at: null });
-    else this.#set({ meshes: [{ mesh, fields, estimatedError: null, leastQuality: null }], at: 0 });
+    else {
+      const shown = shownParts({ ...this.#run.state.getState(), mesh });
+      this.#set({ meshes: [{ ...shown, fields, estimatedError: null, leastQuality: null }], at: 0 });
+    }
   }
 
   #set(change: Partial<SolutionState>): void {
@@ -151,6 +167,10 @@ function indexIn(meshes: readonly SolvedMesh[], shown: MeshResult | null): numbe
 const fieldsOf = ({ nodeData }: Mesh): readonly MeshField[] =>
   [...nodeData].map(([name, data]) => ({ ...data, name }));
 
+/** Returns fields in the form in which a mesh has them. */
+export const nodeDataOf = (fields: readonly MeshField[]): Mesh["nodeData"] =>
+  new Map(fields.map(({ name, components, values }) => [name, { components, values }]));
+
 /** Returns the first field of vectors: the chosen one if it is one. */
 export function vectorField({ fields }: SolvedMesh, choice: FieldChoice | null): MeshField | undefined {
   const vectors = fields.filter(({ components }) => components === 3);
@@ -165,11 +185,14 @@ export const displacementsIn = ({ fields }: SolvedMesh): MeshField | undefined =
 const drawnDeformation = 0.08;
 
 /** Returns displacements, enlarged or reduced so that they can be seen. */
-function offsetsOf({ values }: MeshField, points: Float64Array): Float32Array<ArrayBuffer> {
+function deformation(
+  { values }: MeshField,
+  points: Float64Array,
+): Pick<ShownField, "offsets" | "enlargement"> {
   let longest = 0;
   for (let i = 0; i < values.length; i += 3) longest = Math.max(longest, lengthAt(values, i, 3));
-  const scale = longest === 0 ? 0 : (drawnDeformation * diagonalOf(points)) / longest;
-  return Float32Array.from(values, (value) => scale * value);
+  const enlargement = longest === 0 ? 1 : (drawnDeformation * diagonalOf(points)) / longest;
+  return { offsets: Float32Array.from(values, (value) => enlargement * value), enlargement };
 }
 
 /** Returns the diagonal of the box around positions. */
@@ -184,6 +207,8 @@ export function diagonalOf(points: Float64Array): number {
   return points.length === 0 ? 0 : Math.hypot(...high.map((x, axis) => x - (low[axis] ?? 0)));
 }
 
+const atRest = { offsets: null, enlargement: 1 } as const;
+
 function shownField(state: SolutionState): ShownField | null {
   const { meshes, at, choice, lines, shown, shapes } = state;
   const solved = at === null ? undefined : meshes[at];
@@ -191,18 +216,18 @@ function shownField(state: SolutionState): ShownField | null {
   if (!solved || !field || !choice) return null;
   const { tetrahedra } = solved.mesh.mesh;
   const displacements = shapes.deformed ? displacementsIn(solved) : undefined;
-  const isSame = shown?.tetrahedra === tetrahedra && shown.choice === choice;
+  const isSame = shown?.tetrahedra === tetrahedra && shown.source === field && shown.choice === choice;
   if (isSame && shown.lines === lines && (shown.offsets !== null) === (displacements !== undefined))
     return shown;
-  const offsets = displacements ? offsetsOf(displacements, solved.mesh.mesh.points) : null;
-  if (isSame) return { ...shown, lines, offsets };
+  const moved = displacements ? deformation(displacements, solved.mesh.mesh.points) : atRest;
+  if (isSame) return { ...shown, lines, ...moved };
   const values = valuesOf(field, choice.component);
   let [low, high] = [Infinity, -Infinity];
   for (const value of values) {
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  return { tetrahedra, choice, values, range: [low, high], lines, offsets };
+  return { tetrahedra, source: field, choice, values, range: [low, high], lines, ...moved };
 }
 
 /** Returns one value per node. */
@@ -214,7 +239,7 @@ function valuesOf(
   for (let node = 0; node < shown.length; ++node) {
     const first = components * node;
     shown[node] =
-      component === "length" ? lengthAt(values, first, components) : (values[first + component] ?? 0);
+      component === "magnitude" ? lengthAt(values, first, components) : (values[first + component] ?? 0);
   }
   return shown;
 }

@@ -1,14 +1,14 @@
 import type { SolvedMesh, Vector } from "./problem";
 
-/** A linear element: its volume, and the gradients of its four shape functions. Reused from element to element. */
+/** A linear element: its volume, and the gradients of its four shape functions. */
 export interface LinearElement {
   readonly nodes: Uint32Array;
-  volume: number;
+  readonly volume: number;
   /** x y z of the gradient per corner. */
   readonly gradients: Float64Array;
 }
 
-/** Calls back for every element of a mesh that has a volume, in order, with the same object. */
+/** Calls back for every element of a mesh that has a volume, in order. The arrays hold only until the next call. */
 export function forEachElement(
   { points, tetrahedra }: Pick<SolvedMesh, "points" | "tetrahedra">,
   visit: (element: LinearElement) => void,
@@ -54,17 +54,18 @@ function edgeTo(points: Float64Array, node: number, x: number, y: number, z: num
   return [px - x, py - y, pz - z];
 }
 
-/** Calls back for every triangle whose patch has a condition, with the area of the triangle. */
+/** Calls back for every triangle whose patch has a condition, in order, with the area of the triangle and the index of its patch. */
 export function forEachTriangle<Condition>(
   { points, triangles, trianglePatch }: SolvedMesh,
   conditions: ReadonlyMap<number, Condition>,
-  visit: (nodes: Uint32Array, condition: Condition, area: number) => void,
+  visit: (nodes: Uint32Array, condition: Condition, area: number, patch: number) => void,
 ): void {
   for (let t = 0; 3 * t < triangles.length; ++t) {
-    const condition = conditions.get(trianglePatch[t] ?? 0);
+    const patch = trianglePatch[t] ?? 0;
+    const condition = conditions.get(patch);
     if (condition === undefined) continue;
     const nodes = triangles.subarray(3 * t, 3 * t + 3);
-    visit(nodes, condition, areaOf(points, nodes));
+    visit(nodes, condition, areaOf(points, nodes), patch);
   }
 }
 

@@ -22,6 +22,7 @@ export function conjugateGradients(system: LinearSystem, x: Float64Array): numbe
   const { matrix } = system;
   const scale = inverseDiagonal(system);
   const limit = tolerance * referenceNorm(system, x);
+  if (limit === 0) return clearFree(system, x);
   const r = residual(system, x);
   const z = scaled(r, scale);
   const p = z.slice();
@@ -48,6 +49,7 @@ export function stabilizedBiconjugateGradients(system: LinearSystem, x: Float64A
   const { matrix, isGiven } = system;
   const scale = inverseDiagonal(system);
   const limit = tolerance * referenceNorm(system, x);
+  if (limit === 0) return clearFree(system, x);
   const r = residual(system, x);
   const shadow = r.slice();
   const p = r.slice();
@@ -103,6 +105,12 @@ function referenceNorm(system: LinearSystem, x: Float64Array): number {
       x.map((value, i) => (system.isGiven[i] === 1 ? value : 0)),
     ),
   );
+}
+
+/** Sets the unknowns that are not given to 0: the solution if the residual without them is 0. Takes no steps. */
+function clearFree({ isGiven }: LinearSystem, x: Float64Array): 0 {
+  for (let i = 0; i < x.length; ++i) if (isGiven[i] !== 1) x[i] = 0;
+  return 0;
 }
 
 function dot(a: Float64Array, b: Float64Array): number {

@@ -17,7 +17,7 @@ export interface SolvedMesh {
 
 export type Vector = readonly [x: number, y: number, z: number];
 
-/** A given value, or a given inward flux per unit of area. */
+/** A given value, or a given inward flux per unit of area. Of several values at a node, that of the patch with the largest index counts. */
 export interface ScalarCondition {
   readonly kind: "value" | "flux";
   readonly value: number;

@@ -33,10 +33,13 @@ export function assembleScalar(
   forEachElement(mesh, (element) => addElement(matrix, rightSide, element, transport));
   const unknowns = start ? start.slice() : new Float64Array(nodeCount);
   const isGiven = new Uint8Array(nodeCount);
-  forEachTriangle(mesh, problem.conditions, (nodes, { kind, value }, area) => {
+  /** Per node: index of the patch that gives its value; −1 for none. */
+  const givenBy = new Int32Array(nodeCount).fill(-1);
+  forEachTriangle(mesh, problem.conditions, (nodes, { kind, value }, area, patch) => {
     for (const node of nodes) {
       if (kind === "flux") rightSide[node] = (rightSide[node] ?? 0) + (value * area) / 3;
-      else {
+      else if (patch > (givenBy[node] ?? 0)) {
+        givenBy[node] = patch;
         isGiven[node] = 1;
         unknowns[node] = value;
       }

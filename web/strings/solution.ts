@@ -9,6 +9,8 @@ function short(value: number): string {
   return `${digits}e${power}`;
 }
 
+const firstMesh = "First mesh";
+
 export const solutionStrings = {
   title: "Solution",
   intro: "Solve an example problem on the mesh of this model, or open a mesh file with values at its nodes.",
@@ -38,11 +40,11 @@ export const solutionStrings = {
   remove: (patch: string) => `Remove the condition on ${patch}`,
   conditionOn: (patch: string) => `Condition on ${patch}`,
   valueOn: (patch: string) => `Value on ${patch}`,
-  tractionOn: (patch: string) => `Force per area on ${patch}`,
+  tractionOn: (patch: string) => `Traction on ${patch}`,
   conditionKinds: {
-    heat: { value: "Temperature", flux: "Heat flux", fixed: "", traction: "" },
-    advection: { value: "Concentration", flux: "Flux", fixed: "", traction: "" },
-    elasticity: { value: "", flux: "", fixed: "Fixed", traction: "Force / area" },
+    heat: { value: "Temperature", flux: "Inward heat flux", fixed: "", traction: "" },
+    advection: { value: "Concentration", flux: "Inward flux", fixed: "", traction: "" },
+    elasticity: { value: "", flux: "", fixed: "Fixed", traction: "Traction" },
   },
   solve: "Solve",
   cycles: "Cycles",
@@ -56,18 +58,19 @@ export const solutionStrings = {
   adapting: "Adapting the mesh",
   transferring: "Transferring the fields",
   ofCycle: (text: string, cycle: number, cycles: number) =>
-    `Cycle ${cycle} of ${cycles}: ${text.toLowerCase()}`,
+    `${cycle === 0 ? firstMesh : `Cycle ${cycle} of ${cycles}`}: ${text.toLowerCase()}`,
   field: "Field",
   noField: "None",
   component: "Component",
-  length: "Length",
+  magnitude: "Magnitude",
   axes: ["x", "y", "z"],
   number: (index: number) => String(index + 1),
   lines: "Lines of equal value",
   isosurface: "Isosurface",
   isosurfaceAt: "Value of the isosurface",
   arrows: "Arrows",
-  deformed: "Deformed, enlarged",
+  deformed: "Deformed",
+  deformedBy: (factor: number) => `Deformed × ${short(factor)}`,
   choice: (name: string, component: string) => `${name}, ${component}`,
   adapt: "Adapt to this field…",
   adaptTitle: "Adapt the mesh to a field",
@@ -84,7 +87,7 @@ export const solutionStrings = {
   counting: "Counting…",
   apply: "Adapt",
   cancel: "Cancel",
-  cycle: (index: number) => (index === 0 ? "First mesh" : `Cycle ${index}`),
+  cycle: (index: number) => (index === 0 ? firstMesh : `Cycle ${index}`),
   columns: ["Mesh", "Elements", "Error", "Least quality"],
   errorMeaning:
     "Estimated interpolation error of the first field, in the L2 norm, from its second derivatives on the elements of the mesh.",
@@ -96,12 +99,14 @@ export const solutionStrings = {
   chart: "Estimated error over the number of elements, both logarithmic",
   chartPoint: (mesh: string, elements: string, error: string) =>
     `${mesh}: ${elements} elements, error ${error}`,
+  noMesh: "There is no complete mesh of the model. See the problems below the view, then generate a mesh.",
   failures: {
     "no-elements": "The mesh has no tetrahedra. Generate a mesh first.",
     "not-held":
       "The problem has no unique solution: a part of the mesh has no given value. Add a condition with a value, or fix a patch.",
     "bad-material":
       "The material is invalid. Conductivity, diffusivity and Young’s modulus must be above 0, Poisson’s ratio above −1 and below 0.5.",
-    "not-converged": "The iterative solver did not converge. Improve the mesh, or raise the diffusivity.",
+    "not-converged": "The iterative solver did not converge. Improve the mesh.",
   },
+  advectionNotConverged: "The iterative solver did not converge. Improve the mesh, or raise the diffusivity.",
 } as const;

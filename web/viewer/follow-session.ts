@@ -36,7 +36,7 @@ const partsOf = (stores: SessionStores) =>
     run: derived((read) => runState(stores, read)),
     problems: problemsOf(stores),
     sizes: derived((read) => ({ shownSizes: read(stores.sizes.state).shown })),
-    field: derived((read) => ({ shownField: read(stores.solutions.state).shown })),
+    field: derived((read) => fieldState(stores, read)),
     smoothness: derived((read) => ({ shownSmoothness: read(stores.smoothness.state).shown })),
   }) as const;
 
@@ -86,6 +86,11 @@ const agreementOf = (run: RunState, document: DocumentState) => ({
 function previewState({ previews }: SessionStores, read: Read): { readonly preview: SampledProject | null } {
   const { preview, project } = read(previews.state);
   return { preview: preview && project && { samples: preview, project } };
+}
+
+function fieldState({ solutions }: SessionStores, read: Read) {
+  const { shown, shapes } = read(solutions.state);
+  return { shownField: shown, hasIsosurface: shown !== null && shapes.isosurface !== null };
 }
 
 function runState({ documents, run }: SessionStores, read: Read) {

@@ -51,6 +51,8 @@ export interface ShownState extends ViewState {
   readonly shownSmoothness: ShownSmoothness | null;
   /** Values at the nodes of the mesh that are shown as its colours; null for none. */
   readonly shownField: ShownField | null;
+  /** An isosurface of these values is shown. */
+  readonly hasIsosurface: boolean;
   /** A recorded front is shown instead of the surfaces of the model and its mesh. */
   readonly isReplaying: boolean;
 }
@@ -68,6 +70,17 @@ export interface SceneState extends ShownState {
 /** Returns whether the mesh is drawn, and not only known. */
 export const drawsMesh = ({ layers, unoptimized, isMeshOfOthers }: SceneState): boolean =>
   layers.mesh && (unoptimized !== null || !isMeshOfOthers);
+
+/** Returns whether shapes of the shown field are drawn: its mesh is drawn, and neither a front nor anything else instead. */
+export function drawsFieldShapes(state: SceneState): boolean {
+  const { shownField, mesh, front, unoptimized, shownSizes, shownSmoothness } = state;
+  const isOfMesh = shownField !== null && shownField.tetrahedra === mesh?.mesh.tetrahedra;
+  const isReplaced = front !== null || unoptimized !== null || state.isMeshOfOthers || state.isReplaying;
+  return isOfMesh && !isReplaced && shownSizes === null && shownSmoothness === null;
+}
+
+/** Returns whether an isosurface is drawn, which the surfaces of the mesh and of bodies would hide. */
+export const drawsIsosurface = (state: SceneState): boolean => state.hasIsosurface && drawsFieldShapes(state);
 
 /** Returns whether faces of tetrahedra or of the front are drawn. A closed front has none. */
 export function showsFaces(state: SceneState): boolean {

@@ -12,7 +12,7 @@ export interface TransferCopy<T> {
 const numbersPerLook = 1 << 15;
 
 /**
- * Copies an object whose typed arrays are to be transferred to a worker while the caller keeps its own. The arrays are copied in
+ * Copies an object whose typed arrays, and those in its maps, are to be transferred to a worker while the caller keeps its own. The arrays are copied in
  * slices between which the page responds; a message would copy them in one task. They must not change before the promise resolves.
  */
 export async function copyForTransfer<T extends object>(holder: T): Promise<TransferCopy<T>> {
@@ -27,6 +27,12 @@ export async function copyForTransfer<T extends object>(holder: T): Promise<Tran
     resumed = performance.now();
   };
   for (const [name, value] of Object.entries(holder) as [string, unknown][]) {
+    if (value instanceof Map) {
+      const part = await copyOfMap(value as ReadonlyMap<unknown, unknown>);
+      copied.push([name, part.copy]);
+      buffers.push(...part.buffers);
+      continue;
+    }
     if (!isTransferable(value)) {
       copied.push([name, value]);
       continue;
@@ -41,6 +47,19 @@ export async function copyForTransfer<T extends object>(holder: T): Promise<Tran
     buffers.push(copy.buffer);
   }
   return { copy: Object.fromEntries(copied) as T, buffers };
+}
+
+/** Copies a map in the same way, with the typed arrays that its values hold. */
+async function copyOfMap(map: ReadonlyMap<unknown, unknown>): Promise<TransferCopy<Map<unknown, unknown>>> {
+  const copy = new Map<unknown, unknown>();
+  const buffers: ArrayBuffer[] = [];
+  for (const [key, value] of map) {
+    const isHolder = typeof value === "object" && value !== null && Object.values(value).some(isTransferable);
+    const part = isHolder ? await copyForTransfer(value) : { copy: value, buffers: [] };
+    copy.set(key, part.copy);
+    buffers.push(...part.buffers);
+  }
+  return { copy, buffers };
 }
 
 function sameLength(array: Transferable): Transferable {

@@ -30,6 +30,7 @@ export function sceneState(change: Partial<SceneState> = {}): SceneState {
     shownSizes: null,
     shownSmoothness: null,
     shownField: null,
+    hasIsosurface: false,
     tints: new Map(),
     isReplaying: false,
     isOtherModel: false,

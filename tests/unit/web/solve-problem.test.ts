@@ -227,6 +227,43 @@ describe("heat", () => {
   });
 });
 
+describe("given values", () => {
+  it("of two patches at a node do not depend on the order of the triangles", () => {
+    const mesh = box([2, 2, 2]);
+    const reversed: SolvedMesh = {
+      ...mesh,
+      triangles: mesh.triangles.toReversed(),
+      trianglePatch: mesh.trianglePatch.toReversed(),
+    };
+    const conditions = new Map<number, ScalarCondition>(
+      [0, 1, 2, 3, 4, 5].map((side) => [side, { kind: "value", value: 10 + side }]),
+    );
+    const values = fieldOf(mesh, heat({ conditions }));
+    expect(fieldOf(reversed, heat({ conditions }))).toEqual(values);
+    // The first node is a corner of the patches 0, 2 and 4.
+    expect(values[0]).toBe(14);
+  });
+
+  it("of zero have the solution zero, whatever the start", () => {
+    const mesh = box([3, 3, 3]);
+    const start = Float64Array.from({ length: mesh.points.length / 3 }, (_, n) => n + 1);
+    for (const problem of [
+      heat({ conditions: everywhere(0) }),
+      {
+        kind: "advection",
+        diffusivity: 1,
+        velocity: [1, 0, 0],
+        source: 0,
+        conditions: everywhere(0),
+      } as const,
+    ]) {
+      const { fields, iterations } = solveProblem(mesh, problem, start);
+      expect(new Set(fields[0]?.values)).toEqual(new Set([0]));
+      expect(iterations).toBe(0);
+    }
+  });
+});
+
 describe("the matrices", () => {
   /** Returns the product with unit vectors: the columns of the matrix. */
   const dense = ({ matrix }: ReturnType<typeof assembleScalar>["system"]): number[][] =>

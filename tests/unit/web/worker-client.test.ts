@@ -154,6 +154,18 @@ it("typed arrays are copied for transfer, whatever part of a buffer they are, so
   expect(holder.tetrahedra).toHaveLength(5);
 });
 
+it("the typed arrays of maps are copied for transfer too", async () => {
+  const values = Float64Array.from([1, 2, 3]);
+  const nodeData = new Map<string, unknown>([
+    ["temperature", { components: 1, values }],
+    ["unit", "K"],
+  ]);
+  const { copy, buffers } = await copyForTransfer({ nodeData });
+  expect(copy).toEqual({ nodeData });
+  expect(buffers.map(({ byteLength }) => byteLength)).toEqual([24]);
+  expect(buffers[0]).not.toBe(values.buffer);
+});
+
 it("a large copy for transfer leaves the page time for other tasks", async () => {
   const clock = vi.spyOn(performance, "now");
   let milliseconds = 0;

@@ -41,9 +41,10 @@ export async function estimatedErrors(
     maxAspect: MAX_ASPECT,
   } as const;
   for (const field of fields) {
-    const { metrics, diagnostics } = await mesher.sizeFromSolution(mesh, [field], unlimited, controlOf());
+    const control = controlOf();
+    const { metrics, diagnostics } = await mesher.sizeFromSolution(mesh, [field], unlimited, control);
     const isLinear = diagnostics.some(({ code }) => code === "constant-field");
-    errors.push(isLinear ? 0 : await inSteps(errorNorm(mesh, metrics, norm)));
+    errors.push(isLinear ? 0 : await inSteps(errorNorm(mesh, metrics, norm), control.signal));
   }
   return errors;
 }

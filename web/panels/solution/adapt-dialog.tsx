@@ -35,6 +35,9 @@ interface AdaptFormProps {
   readonly onClose: () => void;
 }
 
+/** Most elements that an adaptation can aim at. */
+const maxElements = 2_000_000;
+
 const norms: readonly Norm[] = ["l1", "l2", "l4", "max"];
 
 function AdaptForm({ solved, first, onClose }: AdaptFormProps) {
@@ -42,11 +45,12 @@ function AdaptForm({ solved, first, onClose }: AdaptFormProps) {
   const { fields } = solved;
   const [name, setName] = useState(first);
   const [by, setBy] = useState<"elements" | "error">("elements");
-  const [elements, setElements] = useState(2 * solved.mesh.report.tetrahedra);
+  const [elements, setElements] = useState(Math.min(maxElements, 2 * solved.mesh.report.tetrahedra));
   const [error, setError] = useState<number | null>(null);
   const [norm, setNorm] = useState<Norm>("l2");
   const field = fields.find((one) => one.name === name) ?? fields[0];
   const target: Target = by === "elements" || error === null ? { elements, norm } : { error, norm };
+  const isUndecided = by === "error" && error === null;
   const { answer, text } = useForecast(solved, field, target);
   const chooseBy = (value: "elements" | "error"): void => {
     // Begin with the error that the present number leads to.
@@ -56,6 +60,7 @@ function AdaptForm({ solved, first, onClose }: AdaptFormProps) {
   return (
     <DialogForm
       onApply={() => {
+        if (isUndecided) return;
         onClose();
         if (field) void adaptMesh(app, field, target);
       }}
@@ -120,29 +125,33 @@ function AdaptForm({ solved, first, onClose }: AdaptFormProps) {
         {text}
       </Text>
       <DialogButtons cancel={texts.cancel} onCancel={onClose}>
-        <ApplyButton data-testid="adapt-apply">{texts.apply}</ApplyButton>
+        <ApplyButton disabled={isUndecided} data-testid="adapt-apply">
+          {texts.apply}
+        </ApplyButton>
       </DialogButtons>
     </DialogForm>
   );
 }
 
 const wholeCount = (value: number): string | null =>
-  Number.isInteger(value) && value >= 100 && value <= 2_000_000 ? null : texts.wholeElements;
+  Number.isInteger(value) && value >= 100 && value <= maxElements ? null : texts.wholeElements;
 
 /** Time without a change before sizes are computed, in milliseconds. */
 const restMs = 250;
+
+const counting = { answer: null, text: texts.counting } as const;
 
 /** Returns what the adaptation would make, as soon as it is known. */
 function useForecast(solved: SolvedMesh, field: MeshField | undefined, { elements, error, norm }: Target) {
   const app = useApp();
   const task = useRef(new LatestTask());
-  const [state, setState] = useState<{ readonly answer: AdaptationForecast | null; readonly text: string }>({
-    answer: null,
-    text: texts.counting,
-  });
+  const [state, setState] = useState<{ readonly answer: AdaptationForecast | null; readonly text: string }>(
+    counting,
+  );
   useEffect(() => {
     const latest = task.current;
     if (!field) return;
+    setState(counting);
     const target = elements === undefined ? { error, norm } : { elements, norm };
     latest
       .run(

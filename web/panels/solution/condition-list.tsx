@@ -26,10 +26,13 @@ export interface SetupProps {
 export function ConditionList({ setup, onChange }: SetupProps) {
   const { kind } = setup;
   const known = conditionKinds(kind);
-  const conditions = setup.conditions.filter((condition) => known.includes(condition.kind));
+  const isKnown = (condition: PatchCondition): boolean => known.includes(condition.kind);
+  const conditions = setup.conditions.filter(isKnown);
+  // Those of other kinds of problems stay for when the user goes back.
+  const others = setup.conditions.filter((condition) => !isKnown(condition));
   const names = usePatchNames();
   const free = names.filter((name) => !conditions.some(({ patch }) => patch === name));
-  const set = (changed: readonly PatchCondition[]): void => onChange({ conditions: changed });
+  const set = (changed: readonly PatchCondition[]): void => onChange({ conditions: [...others, ...changed] });
   return (
     <>
       {conditions.length === 0 && (

@@ -8,7 +8,8 @@ import { SectionTitle } from "../../ui/frames/section-title";
 import { useApp, useRun, useStale } from "../shared/app-context";
 import { ShapeControls } from "./shape-controls";
 
-const none = "";
+/** Entry of the list that stands for no field; the others are indices. */
+const none = "none";
 
 /** Chooses what the view shows of the fields of the shown mesh. */
 export function FieldSection() {
@@ -30,11 +31,11 @@ export function FieldSection() {
           allowDeselect={false}
           data={[
             { value: none, label: texts.noField },
-            ...fields.map(({ name }) => ({ value: name, label: name })),
+            ...fields.map(({ name }, index) => ({ value: String(index), label: name })),
           ]}
-          value={field?.name ?? none}
-          onChange={(name) => {
-            const chosen = fields.find((one) => one.name === name);
+          value={field ? String(fields.indexOf(field)) : none}
+          onChange={(value) => {
+            const chosen = fields[Number(value)];
             solutions.choose(chosen ? firstChoice(chosen) : null);
           }}
         />
@@ -75,12 +76,12 @@ function ComponentChoice({ field: { name, components }, choice }: ComponentChoic
         aria-label={texts.component}
         data-testid="field-component"
         allowDeselect={false}
-        data={[{ value: "length", label: texts.length }, ...data]}
+        data={[{ value: "magnitude", label: texts.magnitude }, ...data]}
         value={String(choice.component)}
         onChange={(value) =>
           solutions.choose(
-            value === null || value === "length"
-              ? { name, component: "length", label: name }
+            value === null || value === "magnitude"
+              ? { name, component: "magnitude", label: name }
               : { name, component: Number(value), label: texts.choice(name, label(Number(value))) },
           )
         }

@@ -29,6 +29,7 @@ export function ShapeControls() {
         }
       />
     );
+  const deformed = shown?.offsets ? texts.deformedBy(shown.enlargement) : texts.deformed;
   return (
     <>
       <Switch
@@ -43,7 +44,7 @@ export function ShapeControls() {
       {toggle("isosurface", texts.isosurface, true)}
       {shapes.isosurface !== null && shown && <IsosurfaceSlider at={shapes.isosurface} range={shown.range} />}
       {toggle("arrows", texts.arrows, solved !== undefined && vectorField(solved, choice) !== undefined)}
-      {toggle("deformed", texts.deformed, solved !== undefined && displacementsIn(solved) !== undefined)}
+      {toggle("deformed", deformed, solved !== undefined && displacementsIn(solved) !== undefined)}
     </>
   );
 }

@@ -12,6 +12,8 @@ export function SolutionPanel() {
   const { solutions } = useApp();
   const meshes = useStore(solutions.state, (state) => state.meshes);
   const failure = useStore(solutions.state, (state) => state.failure);
+  // A mesh file is no list.
+  const isSolved = typeof meshes[0]?.estimatedError === "number";
   return (
     <ScrollPanel label={texts.title} data-testid="solution-panel">
       {failure !== null && (
@@ -25,7 +27,7 @@ export function SolutionPanel() {
         </Text>
       )}
       {meshes.length > 0 && <FieldSection />}
-      {meshes.length > 0 && meshes[0]?.estimatedError !== null && <CycleList />}
+      {(meshes.length > 1 || isSolved) && <CycleList />}
       <ProblemForm />
     </ScrollPanel>
   );

@@ -5,7 +5,7 @@ import { createPatchMaterial } from "../materials/patch-material";
 import { paletteTexture, rampTexture } from "../materials/textures";
 import { setColor, setNumber, setTexture } from "../materials/uniforms";
 import type { ViewerColors } from "../colors";
-import { showsFaces, type SceneChanges, type SceneState } from "../scene-state";
+import { drawsIsosurface, showsFaces, type SceneChanges, type SceneState } from "../scene-state";
 import { drawnOf } from "../shown-bodies";
 import type { Screen } from "../screen";
 import { BodyObject, type BodyMaterials, type BuildTree } from "./body-object";
@@ -54,10 +54,11 @@ export class BodiesLayer implements HittableLayer {
     for (const material of this.#bases) setNumber(material, "edges", state.edges ? 1 : 0);
     if (changes.has("bodies", "bodySurface", "origin")) this.#setBodies(state);
     const { layers, hidden, shownSizes } = state;
+    const isOn = layers.bodies && !drawsIsosurface(state);
     const isSolid = shownSizes !== null || !showsFaces(state);
     for (const [id, object] of this.#objects) {
       const isReplaced = shownSizes?.bodies.includes(id) === true;
-      object.show(state, layers.bodies && !hidden.has(`body-${id}`) && !isReplaced, isSolid);
+      object.show(state, isOn && !hidden.has(`body-${id}`) && !isReplaced, isSolid);
     }
   }
 

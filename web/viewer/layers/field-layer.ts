@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments
 import type { Position } from "../../document/position";
 import { createFacetMaterial } from "../materials/facet-material";
 import { setColor } from "../materials/uniforms";
-import type { SceneChanges } from "../scene-state";
+import { drawsFieldShapes, type SceneChanges } from "../scene-state";
 import type { Layer } from "./layer";
 
 /** An isosurface, x y z of three corners per triangle, and its colour; positions are relative to `origin`. */
@@ -53,8 +53,8 @@ export class FieldLayer implements Layer {
   }
 
   update(changes: SceneChanges): void {
-    const { colors, origin, isReplaying, shownSizes, shownSmoothness } = changes.state;
-    this.root.visible = !isReplaying && shownSizes === null && shownSmoothness === null;
+    const { colors, origin } = changes.state;
+    this.root.visible = drawsFieldShapes(changes.state);
     if (changes.has("colors")) this.#lineMaterial.color.set(colors.line);
     if (!changes.has("origin")) return;
     this.#origin = origin;

@@ -12,7 +12,7 @@ import type { DrawnFaces } from "../queries/mesh-queries";
 import type { MeshQueryClient } from "../queries/mesh-query-client";
 import { PatchFinder } from "../patch-finder";
 import type { Position } from "../../document/position";
-import { drawsMesh, type SceneChanges, type SceneState } from "../scene-state";
+import { drawsIsosurface, drawsMesh, type SceneChanges, type SceneState } from "../scene-state";
 import type { Screen } from "../screen";
 import { shareUnit } from "../queries/curved-faces";
 import { faceNodes } from "../queries/topology";
@@ -104,7 +104,7 @@ export class MeshLayer implements HittableLayer {
 
   update(changes: SceneChanges): void {
     const { state } = changes;
-    this.#isShown = drawsMesh(state) && state.front === null;
+    this.#isShown = drawsMesh(state) && state.front === null && !drawsIsosurface(state);
     this.#project = state.project;
     if (changes.has("colors")) this.#setColors(state.colors);
     setNumber(this.#material, "edges", state.edges ? 1 : 0);

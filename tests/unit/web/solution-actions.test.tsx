@@ -1,0 +1,87 @@
+// @vitest-environment happy-dom
+/** What the panel of solutions does when it has no mesh, and what its fields change. */
+import { MantineProvider } from "@mantine/core";
+import type { Mesher } from "tetrafront";
+import { act } from "react";
+import { beforeEach, expect, it, vi } from "vitest";
+import { App } from "../../../web/app/app";
+import { showFieldShapes, solveInCycles } from "../../../web/commands/solution-actions";
+import { ConditionList } from "../../../web/panels/solution/condition-list";
+import { AppContext } from "../../../web/panels/shared/app-context";
+import { newDocument } from "../../../web/session/document-store";
+import { defaultCondition, defaultSetup, type ProblemSetup } from "../../../web/session/problem-setup";
+import { solutionStrings as texts } from "../../../web/strings/solution";
+import { cubeProject } from "../../support/projects";
+import { rootPerTest } from "../../support/react-root";
+import { SilentWorker } from "../../support/silent-worker";
+
+const render = rootPerTest();
+
+/** A mesher that never answers. */
+const busyMesher = Promise.resolve({
+  previewProject: () => new Promise(() => undefined),
+} as unknown as Mesher);
+
+const settings = { cycles: 0, elements: 100, norm: "l2" } as const;
+
+let app: App;
+
+beforeEach(() => {
+  vi.stubGlobal("Worker", SilentWorker);
+  const first = { document: newDocument(cubeProject()) };
+  app = new App(
+    { first, mesher: busyMesher, previewMesher: busyMesher, library: null },
+    { gallery: { opening: "", models: [] }, generate: false, still: true },
+  );
+});
+
+it("Solve generates a mesh as the command does, and says so if none is made", async () => {
+  const generate = vi.spyOn(app.run, "generate").mockResolvedValue();
+  const adapt = vi.spyOn(app.run, "adapt");
+  app.view.setLayer("mesh", false);
+  await solveInCycles(app, settings);
+  expect(generate).toHaveBeenCalledOnce();
+  expect(app.view.state.getState().layers.mesh).toBe(true);
+  expect(app.solutions.state.getState().failure).toBe(texts.noMesh);
+  expect(adapt).not.toHaveBeenCalled();
+});
+
+it("Solve does nothing to a document that is opened while it waits for the mesh", async () => {
+  const adapt = vi.spyOn(app.run, "adapt");
+  vi.spyOn(app.run, "generate").mockImplementation(() => {
+    app.documents.show(newDocument(cubeProject()));
+    return Promise.resolve();
+  });
+  await solveInCycles(app, settings);
+  expect(app.solutions.state.getState().failure).toBeNull();
+  expect(adapt).not.toHaveBeenCalled();
+});
+
+it("an isosurface leaves the layers as the user has chosen them", () => {
+  app.view.setLayer("bodies", false);
+  const { layers } = app.view.state.getState();
+  showFieldShapes(app, { isosurface: 0.5 });
+  expect(app.view.state.getState().layers).toEqual(layers);
+  showFieldShapes(app, { isosurface: null });
+  expect(app.view.state.getState().layers).toEqual(layers);
+});
+
+it("removing a condition keeps those of the other kind of problem", () => {
+  const fixed = defaultCondition("elasticity", "a");
+  const warm = defaultCondition("heat", "a");
+  const cold = defaultCondition("heat", "b");
+  const changes: Partial<ProblemSetup>[] = [];
+  render(
+    <MantineProvider>
+      <AppContext value={app}>
+        <ConditionList
+          setup={{ ...defaultSetup, conditions: [warm, fixed, cold] }}
+          onChange={(part) => void changes.push(part)}
+        />
+      </AppContext>
+    </MantineProvider>,
+  );
+  const button = document.querySelector<HTMLElement>(`[aria-label="${texts.remove("b")}"]`);
+  act(() => button?.click());
+  expect(changes).toEqual([{ conditions: [fixed, warm] }]);
+});
