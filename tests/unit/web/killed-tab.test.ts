@@ -77,4 +77,4 @@ it(`loses no edit that was stored, and none of more than ${longestLoss} ms ago, 
   }
   // Otherwise the moments would prove little.
   expect(lostEdits).toBeGreaterThan(moments / 10);
-}, 120_000);
+}, 300_000);
