@@ -11,7 +11,7 @@ import { edgeOf } from "../../support/trimmed-surfaces.js";
 let kernel: FeatureKernel;
 beforeAll(async () => {
   kernel = await testKernel();
-}, 30_000);
+});
 
 const SEEDS = Array.from({ length: 100 }, (_, k) => k + 1);
 let made = 0;

@@ -25,7 +25,7 @@ import { curveAt, edgeOf, surfaceAt, surfaceOf } from "../../support/trimmed-sur
 let kernel: FeatureKernel;
 beforeAll(async () => {
   kernel = await testKernel();
-}, 30_000);
+});
 
 const { PI } = Math;
 const operation = "new";

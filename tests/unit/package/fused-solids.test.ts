@@ -16,7 +16,7 @@ const folder = temporaryFolder("all tests");
 let kernel: Kernel;
 beforeAll(async () => {
   kernel = await testKernel();
-}, 30_000);
+});
 
 const box = (corner: Position, sides: Position) =>
   new kernel.BRepPrimAPI_MakeBox(new kernel.gp_Pnt(...corner), ...sides).Shape();
@@ -213,7 +213,7 @@ test("the nodes of a bolt and its hole are on the cylinder", async () => {
   const around = [...shared].map((node) => positionOf(points, node)).filter(([, , z]) => z < 2 - 1e-6);
   expect(around.length).toBeGreaterThan(40);
   for (const [x, y] of around) expect(Math.abs(Math.hypot(x - 5, y - 5) - RADIUS)).toBeLessThan(1e-9 * 14);
-}, 60_000);
+});
 
 test("faces keep their names, numbers and colours when they are cut", async () => {
   const step = stepOf(kernel, together(kernel, [box([0, 0, 0], [2, 2, 2]), box([2, 1, 0.5], [2, 2, 2])]));
@@ -228,7 +228,7 @@ test("faces keep their names, numbers and colours when they are cut", async () =
     [1, 2, 3, 4, 5, 6].map((side) => `solid ${solid} side ${6 * (solid - 1) + side}`),
   );
   expect(names).toEqual([...own, "solid 1 / solid 2"].sort());
-}, 60_000);
+});
 
 test("a solid that is inside out shares its faces, too", async () => {
   const solids = [box([0, 0, 0], [2, 2, 2]), box([2, 0, 0], [2, 2, 2]).Reversed()];
@@ -238,14 +238,14 @@ test("a solid that is inside out shares its faces, too", async () => {
   if (!made.success) throw new Error(made.message);
   expect(made.report.remesh).toMatchObject({ onFaces: true, placement: { unplaced: 0 } });
   expect(Math.abs(made.report.volume - 16)).toBeLessThan(1e-9);
-}, 60_000);
+});
 
 test("solids that overlap are treated as triangles, with a message", async () => {
   const made = await meshFile(save("overlap", [box([0, 0, 0], [2, 2, 2]), box([1, 1, 1], [2, 2, 2])]));
   if (!made.success) throw new Error(made.message);
   expect(made.report.diagnostics.map(({ message }) => message).join()).toContain("overlap by a volume of 1");
   expect(made.report.remesh?.onFaces).toBe(false);
-}, 60_000);
+});
 
 test("solids are read without common faces if the search for these takes too long", async () => {
   const bytes = stepOf(kernel, together(kernel, [drilledPlate(), bolt()]));
@@ -258,7 +258,7 @@ test("solids are read without common faces if the search for these takes too lon
   // The faces of the plate and of the head are cut.
   expect(countsOf(apart)).toEqual([7, 5]);
   expect(countsOf(shared)).toEqual([8, 5]);
-}, 60_000);
+});
 
 test("solids are fused once if they are triangulated again for a small size", async () => {
   const bytes = stepOf(kernel, together(kernel, [drilledPlate(), bolt()]));
@@ -278,4 +278,4 @@ test("solids are fused once if they are triangulated again for a small size", as
     shapes.map(({ triangles, trueFaces }) => [triangles.length, trueFaces?.faceCount]);
   expect(countsOf(again)).toEqual(countsOf(direct));
   expect(countsOf(again)).not.toEqual(countsOf(coarse));
-}, 60_000);
+});

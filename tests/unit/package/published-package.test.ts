@@ -30,7 +30,7 @@ const bin = (name: string) => path.join(root, "node_modules", ".bin", name);
 let fresh: FreshInstall;
 beforeAll(() => {
   fresh = freshInstall();
-}, 120_000);
+});
 afterAll(() => fresh.dispose());
 
 const installed = (...names: string[]) => path.join(fresh.folder, "node_modules", "tetrafront", ...names);
@@ -141,7 +141,7 @@ describe("after installation into an empty folder", () => {
     const args = [typescriptCompiler, "program.ts", "--ignoreConfig", ...settings, ...known, ...types];
     const { stdout } = await run(process.execPath, args, { cwd: fresh.folder });
     expect(stdout).toBe("");
-  }, 120_000);
+  });
 
   test("the command line runs", async () => {
     writeFileSync(path.join(fresh.folder, "part.stl"), stlBinary(boxSurface(2)));

@@ -12,7 +12,7 @@ const folder = temporaryFolder();
 let kernel: Kernel & FeatureKernel;
 beforeAll(async () => {
   kernel = await testKernel();
-}, 180_000);
+});
 
 test.each(Array.from({ length: 10 }, (_, seed) => seed + 1))(
   "part %i",

@@ -33,7 +33,7 @@ beforeAll(async () => {
   const [made] = createBodies(surface, { id: 1, firstPatchId: 101, name: "plate" });
   if (!made) throw new Error("there is no body");
   body = made;
-}, 60_000);
+});
 afterAll(() => mesher.dispose());
 
 const projectOf = (bodies: readonly ProjectBody[], drawn: Project): Project => ({ ...drawn, bodies });
@@ -105,7 +105,7 @@ test("of a surface, a file and a project", async () => {
   if (!made.success) throw new Error(made.message);
   expectCurved({ mesh: made.mesh, report: made.report }, [axis]);
   expectCurved(await mesher.meshProject(projectOf([body], noDrawing()), { elementOrder: 2 }), [axis]);
-}, 60_000);
+});
 
 test("of bodies beside drawn patches, whose nodes come first", async () => {
   const placed = (id: number, x: number): ProjectBody => ({
@@ -125,7 +125,7 @@ test("of bodies beside drawn patches, whose nodes come first", async () => {
   const project = projectOf([placed(1, 50)], drawnCube());
   const preparedBodies = [await mesher.prepareBody(project, 1)];
   expectCurved(await mesher.meshProject(project, { elementOrder: 2, preparedBodies }), [[58, 5]]);
-}, 60_000);
+});
 
 test("only of order 2, and straight without true faces", async () => {
   const linear = await mesher.meshProject(projectOf([body], noDrawing()));
@@ -136,7 +136,7 @@ test("only of order 2, and straight without true faces", async () => {
   const wrong = await mesher.meshProject(cubeProject(), { elementOrder: 3 as 2 });
   expect(wrong.report.status).toBe("invalid-input");
   expect(wrong.report.diagnostics[0]?.message).toContain("The order of the elements is 3");
-}, 60_000);
+});
 
 test("an improved mesh keeps the edges that bend", async () => {
   const { mesh } = await mesher.meshProject(projectOf([body], noDrawing()), { optimization: "none" });
@@ -145,7 +145,7 @@ test("an improved mesh keeps the edges that bend", async () => {
   const edges = holeEdges(curved.mesh, [8, 5]);
   expect(edges.length).toBeGreaterThan(50);
   for (const { radius } of edges) expect(Math.abs(radius - RADIUS)).toBeLessThan(1e-9);
-}, 60_000);
+});
 
 test("of a project by the command line: the file has the middles on the hole", async () => {
   const input = path.join(folder.path, "plate.json");
@@ -162,4 +162,4 @@ test("of a project by the command line: the file has the middles on the hole", a
   const gaps = middlesOnCylinder(parseVtu(readFileSync(output)), [8, 5], RADIUS);
   expect(gaps.length).toBeGreaterThan(50);
   expect(Math.max(...gaps)).toBeLessThan(1e-9);
-}, 60_000);
+});

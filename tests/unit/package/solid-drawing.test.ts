@@ -16,7 +16,7 @@ let mesher: Mesher;
 beforeAll(async () => {
   kernel = await testKernel();
   mesher = await createMesher();
-}, 60_000);
+});
 afterAll(() => mesher.dispose());
 
 const operation = "new";

@@ -17,7 +17,7 @@ beforeAll(async () => {
   } finally {
     mesher.dispose();
   }
-}, 60_000);
+});
 
 const minus = (a: readonly number[], b: readonly number[]) => a.map((value, i) => value - (b[i] ?? 0));
 const square = (a: readonly number[]) => a.reduce((sum, value) => sum + value * value, 0);

@@ -31,7 +31,7 @@ import {
 let kernel: Kernel;
 beforeAll(async () => {
   kernel = await testKernel();
-}, 30_000);
+});
 
 const read = (format: "step" | "brep", bytes: Uint8Array, sharesFaces = false) =>
   readTrimmedModel(() => Promise.resolve(kernel as unknown as CadKernel), {

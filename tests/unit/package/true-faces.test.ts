@@ -19,7 +19,7 @@ beforeAll(async () => {
   const bodies = createBodies(read.value, { id: 1, firstPatchId: 1, name: "plate" });
   const empty = { points: [], lines: [], patches: [], background: { nodes: [], tetrahedra: [] } };
   project = { format: "tetrafront-project", version: 2, name: "plate", ...empty, bodies };
-}, 60_000);
+});
 
 const copyOf = (given: Project): Project => {
   const read = readProject(writeProject(given));
@@ -48,7 +48,7 @@ async function largestGap(
 
 test("the nodes of a project's mesh lie on the faces of the CAD file, also after it was saved", async () => {
   expect(await largestGap(copyOf(project), [8, 5], RADIUS)).toBeLessThan(1e-9);
-}, 60_000);
+});
 
 test("a body that is moved, turned and scaled takes its faces along", async () => {
   const [body] = project.bodies ?? [];
@@ -58,7 +58,7 @@ test("a body that is moved, turned and scaled takes its faces along", async () =
   const placement = { position: [100, 20, 5], rotation, scale: 0.5 } as const;
   const moved = { ...project, bodies: [{ ...body, placement }] };
   expect(await largestGap(moved, [100 - 2.5, 20 + 4], RADIUS / 2)).toBeLessThan(1e-9);
-}, 60_000);
+});
 
 test("faces are triangulated on their own surfaces, unless they were moved", async () => {
   const withPlacement = (scale: number) => ({
@@ -73,7 +73,7 @@ test("faces are triangulated on their own surfaces, unless they were moved", asy
     expect(made.deviation).toBeLessThan(RADIUS * (1 - Math.cos(Math.PI / 6)));
   }
   expect((await mesher.remeshSurface(withPlacement(2))).onFaces).toBe(false);
-}, 60_000);
+});
 
 test("a damaged text is refused, with the name of its field", () => {
   const [body] = project.bodies ?? [];

@@ -12,7 +12,7 @@ let files: Record<string, Uint8Array>;
 
 beforeAll(async () => {
   files = await recordLessonTraces();
-}, 60_000);
+});
 
 function traceOf(name: string): Trace {
   const read = readTrace(files[name] ?? new Uint8Array());

@@ -28,4 +28,4 @@ test("patches have the names and colours of the file, also pieces of a face, and
   // The slot divides four faces.
   expect(names.filter((name) => /^my side \d$/.test(name ?? ""))).toHaveLength(6);
   expect(names.filter((name) => /^side \d 2$/.test(name ?? ""))).toHaveLength(4);
-}, 60_000);
+});

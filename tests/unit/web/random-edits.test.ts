@@ -53,7 +53,7 @@ describe(`${sequences} random sequences of edits`, () => {
     }
     // Otherwise the sequences would prove little.
     expect(kinds.size).toBeGreaterThan(40);
-  }, 120_000);
+  });
 
   it("are in the storage after each edit as in memory", async () => {
     for (let seed = 1; seed <= stored; ++seed) {
@@ -72,7 +72,7 @@ describe(`${sequences} random sequences of edits`, () => {
       }
       stop();
     }
-  }, 120_000);
+  });
 });
 
 function opened(seed: number) {

@@ -73,7 +73,7 @@ test.each(Array.from({ length: 25 }, (_, k) => k + 1))("20 steps of seed %i", as
 test("6 steps of two seeds with the kernel", async () => {
   const ofKernel = kernelSolids(testKernel);
   for (const seed of [1, 2]) expect(await findingsOf(seed, 6, ofKernel)).toEqual([]);
-}, 120_000);
+});
 
 test("a solid that gets a single face has no patch per triangle any more", async () => {
   const ofKernel = kernelSolids(testKernel);
@@ -85,4 +85,4 @@ test("a solid that gets a single face has no patch per triangle any more", async
   const ball = await ofKernel.bodyOf(emptyProject(), box, [{ id: 1, type: "sphere", ...place, radius: 1 }]);
   expect(ball.patches).toHaveLength(1);
   expect(ball.trianglePatch).toBeUndefined();
-}, 60_000);
+});

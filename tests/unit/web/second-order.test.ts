@@ -21,7 +21,7 @@ beforeAll(async () => {
   run = new MeshRun(new DocumentStore(project), Promise.resolve(mesher));
   secondOrder = new SecondOrder(run, Promise.resolve(mesher));
   await run.generate();
-}, 60_000);
+});
 afterAll(() => mesher.dispose());
 
 const shown = (): MeshResult => {
@@ -66,7 +66,7 @@ it("curves the shown mesh while it is on, and the next one", async () => {
   await run.generate();
   await curvedShown();
   expect(shown()).not.toBe(curved);
-}, 60_000);
+});
 
 it("an improved mesh is curved again", async () => {
   const before = shown();
@@ -76,7 +76,7 @@ it("an improved mesh is curved again", async () => {
   expect(shown().report.secondOrder).toBeDefined();
   expect(curvedOnSurface(shown())).toBe(curvedOnSurface(before));
   expect(curvedOnSurface(before)).toBeGreaterThan(50);
-}, 60_000);
+});
 
 it("is remembered by the browser for the next session", () => {
   const kept = new Map<string, string>();

@@ -15,7 +15,7 @@ import { testKernel } from "../../support/kernel-shapes";
 let kernel: FeatureKernel;
 beforeAll(async () => {
   kernel = await testKernel();
-}, 30_000);
+});
 
 const solids: SolidMaker = {
   bodyOf: () => Promise.reject(new Error("no body")),

@@ -25,7 +25,7 @@ import { testKernel } from "../../support/kernel-shapes";
 let kernel: FeatureKernel;
 beforeAll(async () => {
   kernel = await testKernel();
-}, 30_000);
+});
 
 const { points, triangles } = createBody(
   { points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 1), triangles: Uint32Array.of(0, 1, 2) },
