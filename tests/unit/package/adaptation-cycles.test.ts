@@ -228,7 +228,8 @@ describe("tetrafront adapt --solver", () => {
   test("loops, reports each cycle, and leaves all files in a folder", async () => {
     await begin();
     const { code, stderr, stdout } = await run(...WITH_SOLVER, "--json");
-    expect(stderr).toBe("");
+    // On a slow machine, lines say how long the work has taken so far.
+    expect(stderr).toMatch(/^(tetrafront: .* so far.*\n)*$/);
     expect(code).toBe(0);
     const { cycles, folder: name } = reportIn(stdout);
     expect(cycles.map(({ cycle }) => cycle)).toEqual([1, 2]);
