@@ -42,7 +42,11 @@ export function countGoogleTest(file) {
   return tally(tests);
 }
 
-/** Reads the duration of each test in reports of GoogleTest. */
+/**
+ * Reads the duration of each test in reports of GoogleTest.
+ * @param {string[]} files
+ * @returns {{ name: string, seconds: number }[]}
+ */
 export function googleTestSeconds(files) {
   return files.flatMap((file) =>
     (read(file)?.testsuites ?? []).flatMap((suite) =>
@@ -54,7 +58,11 @@ export function googleTestSeconds(files) {
   );
 }
 
-/** Returns the names of all tests but the shortest ones, which together take `part` of the time of all. */
+/**
+ * Returns the names of all tests but the shortest ones, which together take `part` of the time of all.
+ * @param {{ name: string, seconds: number }[]} tests
+ * @param {number} part
+ */
 export function longTests(tests, part) {
   let left = part * tests.reduce((total, { seconds }) => total + seconds, 0);
   return tests
