@@ -43,8 +43,8 @@ const timeLeft = () => Math.max(1, Math.round(RUN_LIMIT_MS - performance.now()))
 const SANITIZED_PART = 0.25;
 
 /**
- * Returns a filter of GoogleTest that leaves out the longest tests of the release suite, of which this run has reports:
- * tests of large meshes, in which sanitizers find nothing that smaller bodies do not show.
+ * Returns a filter of GoogleTest that leaves out the tests that took longest in the release suite of this run. They are tests
+ * of large meshes, in which sanitizers find nothing that smaller bodies do not show. Without reports, all tests run.
  */
 function withoutLongTests() {
   const tests = googleTestSeconds(cppShards.map((shard) => report(`cpp-${shard}`)));

@@ -15,7 +15,8 @@
 namespace tetrafront {
 namespace {
 
-/// Largest distance of a node from the boundary on which it lies, in parts of the diagonal of the body: digits of files.
+/// A node this near the boundary lies on it, in parts of the diagonal of the body: files with the eight digits of single precision
+/// move nodes by about half as much.
 constexpr double kOnBoundary = 1e-7;
 
 /// Largest difference between the volumes of the two bodies, as a part of one: more than chords of a curved boundary differ.

@@ -49,7 +49,7 @@ const fragmentShader = /* glsl */ `
 /**
  * Faces of tetrahedra without an index: shaded by a value per corner, with element edges drawn in the same pass. With
  * a colour ramp, the value is a position on it, 0 to 1. With a palette of `hues` colours, it is the index of a colour.
- * With `lines` above 0, so many lines of equal value are drawn.
+ * `lines` is the number of lines of equal value that are drawn; 0 for none.
  * With `curved` above 0, triangles are pieces of faces, and `share` times `curved` are the coordinates of a corner in its face.
  */
 export function createMeshMaterial(): ShaderMaterial {
