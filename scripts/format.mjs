@@ -1,5 +1,5 @@
 // Formats all files (--write) or lists those that are not formatted (--check, the default): TypeScript, JSON and
-// Markdown with Prettier, C++ with clang-format. Both come from the lockfile, so all machines agree.
+// Markdown with oxfmt, C++ with clang-format. Both come from the lockfile, so all machines agree.
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -15,9 +15,8 @@ export function cppFiles() {
 
 /** Returns whether all files were formatted already; `write` formats them. */
 export async function formatScript(write) {
-  const prettier = inRoot("node_modules", ".bin", "prettier");
-  const args = [write ? "--write" : "--check", "--log-level", "warn", "."];
-  return (await run(prettier, args, { quietOut: true })) === 0;
+  const program = inRoot("node_modules", ".bin", "oxfmt");
+  return (await run(program, [write ? "--write" : "--list-different", root], { quietOut: true })) === 0;
 }
 
 export async function formatCpp(write) {

@@ -91,7 +91,7 @@ export const suites = {
     needs: [],
     async run() {
       return sum([
-        check(await formatScript(false), "Prettier finds unformatted files: npm run format"),
+        check(await formatScript(false), "oxfmt finds unformatted files: npm run format"),
         check(await formatCpp(false), "clang-format finds unformatted files: npm run format"),
       ]);
     },
@@ -118,8 +118,8 @@ export const suites = {
     title: "lint (TypeScript, dependencies)",
     needs: ["wasm", "package"],
     async run(_tools, only = ["."]) {
-      const args = [...only, "--max-warnings", "0", "--no-warn-ignored"];
-      const status = await run(bin("eslint"), args, { quietOut: true });
+      const config = ["--config", inRoot("oxlint.config.mjs"), "--no-error-on-unmatched-pattern"];
+      const status = await run(bin("oxlint"), [...config, ...only], { quietOut: true });
       // Finds exports and files that nobody uses; of the whole workspace, or not at all.
       const unused = only[0] === "." ? await run(bin("knip"), ["--no-progress"], { quietOut: true }) : 0;
       // Reads TypeScript with a package that the setup installs.
@@ -137,7 +137,7 @@ export const suites = {
         failures,
       }));
       return sum([
-        check(status === 0, "eslint finds problems"),
+        check(status === 0, "oxlint finds problems"),
         check(unused === 0, "knip finds exports or files that nobody uses"),
         ...rules,
       ]);

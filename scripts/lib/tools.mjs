@@ -39,7 +39,7 @@ export function atLeast(version, least) {
 }
 
 /**
- * The compiler of TypeScript 7, a native program that takes a quarter of the time. ESLint, TypeDoc and
+ * The compiler of TypeScript 7, a native program that takes a quarter of the time. TypeDoc, API Extractor and
  * scripts/lib/dependencies.mjs need the JavaScript API of TypeScript 6, which it lacks.
  */
 export const typescriptCompiler = inRoot("node_modules", "@typescript", "native", "bin", "tsc");

@@ -53,12 +53,12 @@ if (given) {
 }
 for (const { name, read } of parts) {
   try {
-    const surface = await read();
+    const surface = read();
     const { mesh } = await mesher.remeshSurface(surface);
     await runBothWays(name, mesh);
   } catch (error) {
     row([name, error.diagnostics?.[0]?.code ?? error.message, ...Array.from({ length: 8 }, () => "")]);
   }
 }
-await mesher.dispose?.();
+mesher.dispose?.();
 process.exit(0);

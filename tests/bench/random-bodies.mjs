@@ -63,4 +63,4 @@ for (let seed = FIRST; seed < FIRST + COUNT; seed++) {
   console.log(`${subject}: the remeshed surface is not valid`);
 }
 console.log({ ...counts, longest: `${longest.toFixed(1)} s` });
-await mesher.dispose();
+mesher.dispose();

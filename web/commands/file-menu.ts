@@ -51,7 +51,7 @@ export const fileMenu: readonly Command[] = [
     inFields: true,
     ...needsTetrahedra,
   }),
-  define("file", 2)("download-report", commandLabels.downloadReport, (app) => void downloadReport(app), {
+  define("file", 2)("download-report", commandLabels.downloadReport, (app) => downloadReport(app), {
     enabled: hasMesh,
     needs: meshNeeded,
   }),

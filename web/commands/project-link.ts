@@ -19,7 +19,8 @@ export interface LinkedProject {
 
 /** Why a link cannot be opened; `reason` is the sentence of a project that is not valid. */
 export type LinkFailure =
-  { readonly kind: "damaged" } | { readonly kind: "invalid"; readonly reason: string };
+  | { readonly kind: "damaged" }
+  | { readonly kind: "invalid"; readonly reason: string };
 
 export type LinkResult = { readonly kind: "linked"; readonly linked: LinkedProject } | LinkFailure;
 

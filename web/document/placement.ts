@@ -59,7 +59,8 @@ const degree = Math.PI / 180;
 
 /** Returns the axis and the angle in degrees of a rotation; undefined for none. */
 export function turnOf([x, y, z, w]: Quaternion):
-  { readonly axis: Position; readonly angle: number } | undefined {
+  | { readonly axis: Position; readonly angle: number }
+  | undefined {
   const sine = Math.hypot(x, y, z);
   return sine === 0 ? undefined : { axis: [x, y, z], angle: (2 * Math.atan2(sine, w)) / degree };
 }

@@ -56,7 +56,8 @@ function offerOfAnotherTab(onUpdate: OnUpdate): void {
 
 /** How keeping has ended: with the size of all files in bytes, or why not. */
 export type Kept =
-  { readonly kind: "kept"; readonly bytes: number } | { readonly kind: "failed"; readonly reason: string };
+  | { readonly kind: "kept"; readonly bytes: number }
+  | { readonly kind: "failed"; readonly reason: string };
 
 /** Time after which keeping counts as failed, in minutes: a browser may stop the service worker without a word. */
 const keepMinutes = 5;

@@ -25,7 +25,8 @@ export interface ScalarCondition {
 
 /** No displacement, or a given force per unit of area. */
 export type ElasticCondition =
-  { readonly kind: "fixed" } | { readonly kind: "traction"; readonly traction: Vector };
+  | { readonly kind: "fixed" }
+  | { readonly kind: "traction"; readonly traction: Vector };
 
 /** −∇·(conductivity ∇T) = source. */
 export interface HeatProblem {

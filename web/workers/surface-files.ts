@@ -59,7 +59,8 @@ export interface FileContent extends ReadSurface {
 }
 
 export type SurfaceReading<Read = FileContent> =
-  ({ readonly success: true } & Read) | { readonly success: false; readonly reasons: readonly string[] };
+  | ({ readonly success: true } & Read)
+  | { readonly success: false; readonly reasons: readonly string[] };
 
 /** A surface and the patches of a body, which replace those of a given body. */
 export interface ReplacedSurface {

@@ -139,7 +139,8 @@ async function readVolume(
   const { treatment } = await treatmentOf(outer, fileName);
   const made = newBody({ ...createBody(outer, head), ...treatment });
   const values = [...mesh.nodeData.values()].map((data) => data.values);
-  const arrays = [...Object.values(mesh), ...values].filter((part) => ArrayBuffer.isView(part));
+  const parts: readonly unknown[] = Object.values(mesh);
+  const arrays = [...parts, ...values].filter((part) => ArrayBuffer.isView(part));
   const buffers = new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer));
   return {
     answer: {

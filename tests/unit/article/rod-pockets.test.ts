@@ -1,5 +1,6 @@
 /** Lesson 10 shows the pockets of a real front: those that the engine records today. */
-import { format, resolveConfig } from "prettier";
+import { readFileSync } from "node:fs";
+import { format, type FormatOptions } from "oxfmt";
 import { beforeAll, describe, expect, test } from "vitest";
 import { bodyVolume, kernelOf } from "../../../web/teach/article/figures/pocket/kernel";
 import {
@@ -27,9 +28,9 @@ describe("the pockets of the rod of needles", () => {
 
   // After a change of the front: npx vitest run rod-pockets --update, and the numbers of lesson 10.
   test("are those of the engine", async () => {
-    const options = await resolveConfig(file);
-    const text = await format(JSON.stringify(closedPockets(trace)), { ...options, parser: "json" });
-    await expect(text).toMatchFileSnapshot(file);
+    const options = JSON.parse(readFileSync(".oxfmtrc.json", "utf8")) as FormatOptions;
+    const { code } = await format("rod-pockets.json", JSON.stringify(closedPockets(trace)), options);
+    await expect(code).toMatchFileSnapshot(file);
   });
 
   test("what lesson 10 says about the whole run", () => {

@@ -45,8 +45,7 @@ it("a check that an edit has ended says nothing of the project, even if undo res
     preparations: { allOf: () => [prepared] },
   } as unknown as BodyFeed;
   const check = new BodyCheck(documents, Promise.resolve(mesher), bodies);
-  const resize = (size: number): void =>
-    void documents.edit({ label: "Size", replace: { meshing: { size } } });
+  const resize = (size: number): void => documents.edit({ label: "Size", replace: { meshing: { size } } });
   const checks = (count: number) => vi.waitFor(() => expect(ends).toHaveLength(count));
   resize(0.3);
   await checks(1);
@@ -148,7 +147,7 @@ describe("bodies that touch", () => {
     for (const message of found) expect(message).not.toMatch(/box [12]/);
     expect(found.join()).toContain("box 3");
     const rename = (index: number, name: string): void =>
-      void documents.edit({
+      documents.edit({
         label: "Rename",
         change: ({ project: draft }) => {
           const body = draft.bodies?.[index];

@@ -43,7 +43,7 @@ it("panels that take long follow a gesture less often, but still twice per secon
   const gesture = documents.begin("Move");
   const follow = async (): Promise<number> => {
     changes = 0;
-    for (let begin = performance.now(); performance.now() < begin + 3000;) {
+    for (const begin = performance.now(); performance.now() < begin + 3000;) {
       gesture.update(renameProject(`at ${performance.now()}`));
       await Promise.resolve();
       vi.advanceTimersByTime(16);

@@ -118,7 +118,7 @@ describe("the commands", () => {
     const { documents, view } = app;
     const removed = { kind: "patch", id: 6 } as const;
     const add = (): void =>
-      void documents.edit({
+      documents.edit({
         label: "Add",
         change: ({ project }) => void project.patches.push({ id: 6, type: "planar", loops: [[1, 2, 3, 4]] }),
       });

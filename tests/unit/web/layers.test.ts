@@ -362,8 +362,8 @@ describe("the layer of patches", () => {
 
 it("patches are as opaque over a mesh that is not drawn as without one", () => {
   const layer = new PatchesLayer(noTree);
-  const [plain] = layer.root.children as Mesh[];
-  const { uniforms } = plain?.material as ShaderMaterial;
+  const [plain] = layer.root.children as [Mesh];
+  const { uniforms } = plain.material as ShaderMaterial;
   const opacity = (): unknown => (uniforms["stateScales"]?.value as number[] | undefined)?.[normal];
   const mesh = { tetrahedra: Uint32Array.from([0, 1, 2, 3]) };
   const meshed = { ...start, mesh: { mesh } as MeshResult };

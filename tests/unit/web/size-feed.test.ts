@@ -46,7 +46,7 @@ function opened({ isImmediate = false } = {}) {
     Promise.resolve(mesher as Mesher),
   );
   const moveTo = (x: number): void =>
-    void documents.edit({
+    documents.edit({
       label: "Move",
       change: ({ project }) => {
         const first = project.points[0];

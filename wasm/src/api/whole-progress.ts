@@ -4,7 +4,15 @@ import type { RunControl } from "../engine/control.js";
 
 /** Step of the work; `attempt` is a mesh after which another one may be tried. */
 export type Step =
-  "check" | "bodies" | "remesh" | "attempt" | "run" | "curve" | "improve" | "solution" | "adapt";
+  | "check"
+  | "bodies"
+  | "remesh"
+  | "attempt"
+  | "run"
+  | "curve"
+  | "improve"
+  | "solution"
+  | "adapt";
 
 /** Work of a step / work that is left when it begins: estimates. What follows a run is short, and often nothing. */
 const SHARES: Readonly<Record<Step, number>> = {

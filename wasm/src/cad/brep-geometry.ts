@@ -54,7 +54,10 @@ interface Swept {
 }
 
 export type StoredSurface =
-  Exclude<FaceSurface, { kind: "spline" | "extrusion" | "revolution" }> | StoredSurfaceSpline | Swept | Other;
+  | Exclude<FaceSurface, { kind: "spline" | "extrusion" | "revolution" }>
+  | StoredSurfaceSpline
+  | Swept
+  | Other;
 
 /** How frames of the plane and of space are read and used. */
 interface Space<In> {

@@ -60,7 +60,8 @@ export function readBase(cursor: TraceCursor, detail: number): BaseEvent {
 
 /** A candidate: an existing node, by its number minus that of the base face's first node, or a new one. */
 export type CandidateEvent =
-  { readonly isNew: false; readonly node: number } | { readonly isNew: true; readonly position: Triple };
+  | { readonly isNew: false; readonly node: number }
+  | { readonly isNew: true; readonly position: Triple };
 
 /** Reads a score; files of earlier versions have other ones. */
 export type ReadScore = (cursor: TraceCursor, isNew: boolean) => RecordedScore;

@@ -38,7 +38,7 @@ export function BodyPlacementFields({ body }: { readonly body: ProjectBody }) {
   const edit = (change: BodyPlacement, key: string) =>
     setPlacement(body.id, { position, rotation, scale, ...change }, key);
   const setNumber = (change: BodyPlacement, field: string, expression: string | null): void =>
-    void app.documents.edit(keepingExpression(edit(change, field), path(field), expression));
+    app.documents.edit(keepingExpression(edit(change, field), path(field), expression));
   return (
     <details className={styles["options"]} data-testid="body-placement">
       <summary>{texts.title}</summary>

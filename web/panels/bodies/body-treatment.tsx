@@ -99,7 +99,7 @@ function RemeshingField({ body, field }: RemeshingFieldProps) {
   const value = set ?? used;
   const path = { kind: "body", id: body.id, field: `remeshing.${field}` } as const;
   const commit = (next: number | null, expression: string | null = null): void =>
-    void app.documents.edit(keepingExpression(setRemeshing(body.id, field, next), path, expression));
+    app.documents.edit(keepingExpression(setRemeshing(body.id, field, next), path, expression));
   return (
     <FieldRow label={texts.fields[field]}>
       <div className={styles["automatic"]} title={texts.hintOf[field]}>

@@ -23,7 +23,7 @@ export function LineEditor({ line, project }: { readonly line: ProjectLine; read
     tooFew: strings.fields.twoPoints,
     unknown: strings.fields.unknownPoint,
   };
-  const setPoints = (changed: readonly number[]): void => void documents.edit(setLinePoints(id, changed));
+  const setPoints = (changed: readonly number[]): void => documents.edit(setLinePoints(id, changed));
   return (
     <>
       <FieldRow label={strings.inspector.type}>

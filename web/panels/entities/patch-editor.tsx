@@ -86,7 +86,7 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
     unknown: strings.fields.unknownLine,
   };
   const setLoops = (loops: readonly (readonly number[])[]): void =>
-    void app.documents.edit(setPatchLoops(patch.id, loops));
+    app.documents.edit(setPatchLoops(patch.id, loops));
   const isRim = patch.type === "tube";
   const isSection = patch.type === "loft";
   const further = isSection ? strings.inspector.section(index) : strings.inspector.hole(index);

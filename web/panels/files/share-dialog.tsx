@@ -19,7 +19,8 @@ export function ShareDialog() {
 }
 
 type Link =
-  { readonly kind: "made"; readonly text: string } | { readonly kind: "failed"; readonly reason: string };
+  | { readonly kind: "made"; readonly text: string }
+  | { readonly kind: "failed"; readonly reason: string };
 
 /** Mounted only while the dialog is open. */
 function ShareForm() {

@@ -42,7 +42,7 @@ export function MeshSettings() {
   const innerShells: InnerShells = meshing?.innerShells ?? MESH_DEFAULTS.innerShells;
   // The file omits settings that equal their default.
   const set = <Field extends Setting>(field: Field, value: NonNullable<ProjectMeshing[Field]>): void =>
-    void app.documents.edit(setMeshing(field, value === MESH_DEFAULTS[field] ? null : value));
+    app.documents.edit(setMeshing(field, value === MESH_DEFAULTS[field] ? null : value));
   return (
     <details className={styles["settings"]} data-testid="mesh-settings">
       <summary>

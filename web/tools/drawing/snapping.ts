@@ -10,7 +10,16 @@ import type { ScreenPoint } from "../../viewer/screen";
  * coordinates, and a place on the circle or arc of a typed radius.
  */
 export type SnapKind =
-  "point" | "node" | "intersection" | "middle" | "line" | "patch" | "grid" | "plane" | "typed" | "radius";
+  | "point"
+  | "node"
+  | "intersection"
+  | "middle"
+  | "line"
+  | "patch"
+  | "grid"
+  | "plane"
+  | "typed"
+  | "radius";
 
 export interface Snap {
   readonly kind: SnapKind;
