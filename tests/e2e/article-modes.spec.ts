@@ -1,11 +1,14 @@
 /** What is around a figure: the dock beside the text, a frame in a course page, and slides. */
 import { expect, test, type Page } from "@playwright/test";
 import { ArticlePage } from "./article-page";
-import { isSound, settings } from "./article-settings";
+import { isSound, settings, withReducedMotion } from "./article-settings";
 
 const lessons = [1, 2, 4, 6, 7, 10, 11];
 
-for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.entries(settings)) {
+for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.entries({
+  ...settings,
+  ...withReducedMotion,
+})) {
   test.describe(name, () => {
     test.use({ viewport, colorScheme, hasTouch, contextOptions: { reducedMotion } });
 

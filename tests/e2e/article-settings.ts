@@ -1,4 +1,4 @@
-/** The settings in which every lesson is read, and what holds for every page in the end. */
+/** The settings in which the lessons are read, and what holds for every page in the end. */
 import AxeBuilder from "@axe-core/playwright";
 import { expect, type Page } from "@playwright/test";
 import type { ArticlePage, Pixel } from "./article-page";
@@ -16,6 +16,10 @@ export const settings = {
     reducedMotion: "no-preference",
     hasTouch: true,
   },
+} as const;
+
+/** Every page opens in it; what is around a figure is tried in it. */
+export const withReducedMotion = {
   "reduced motion": {
     viewport: { width: 1440, height: 900 },
     colorScheme: "dark",

@@ -1,7 +1,7 @@
-/** The lessons as articles: every task by real drags, fingers and keys, in three settings. */
+/** The lessons as articles: every task by real drags, fingers and keys, in two settings. */
 import { expect, test } from "@playwright/test";
 import { ArticlePage, type Pixel } from "./article-page";
-import { isSound, part, settings } from "./article-settings";
+import { isSound, part, settings, withReducedMotion } from "./article-settings";
 import { recordRefusals } from "./policy";
 
 /** Compressed bytes of what a page fetches before the reader does anything. */
@@ -186,6 +186,21 @@ async function moveBeyondLongSide(lesson: ArticlePage): Promise<void> {
       await lesson.dragHandle("B", corner, [x + by, y]);
     }
 }
+
+test.describe("with reduced motion", () => {
+  const { viewport, colorScheme, reducedMotion } = withReducedMotion["reduced motion"];
+  test.use({ viewport, colorScheme, contextOptions: { reducedMotion } });
+
+  for (const page of [0, 1, 2, 3, 4, 5, 6, 7, 9, 10, 11, "mesher"])
+    test(`${page === "mesher" ? page : `lesson ${page}`} shows its first figure, and is sound`, async ({
+      page: tab,
+    }) => {
+      const lesson = new ArticlePage(tab, false);
+      await lesson.open(page);
+      await lesson.see("A");
+      await isSound(lesson);
+    });
+});
 
 test("each first view is under 300 kB, without requests to other hosts", async ({ page, baseURL }) => {
   for (const number of [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]) {

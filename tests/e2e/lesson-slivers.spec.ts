@@ -35,7 +35,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
         await expect.poll(async () => (await lesson.values("A"))["kind"]).toBe(`This is a ${kind}.`);
       }
       // The point of the cap is pulled up; keys then do the rest.
-      await page.waitForTimeout(reducedMotion === "reduce" ? 0 : 900);
+      await page.waitForTimeout(900);
       await lesson.see("A");
       const point = await lesson.middle(lesson.handle("A", "point-4"));
       await lesson.drag(point, [point[0], point[1] - 50]);

@@ -1,3 +1,5 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { readProject } from "tetrafront/project";
 import { describe, expect, it } from "vitest";
 import { emptyProject } from "../../../web/document/create";
 import { linkedIn, linkTo, maxLinkLength, withoutLink } from "../../../web/commands/project-link";
@@ -6,7 +8,18 @@ const shown = { project: emptyProject("Δ-shaped “part” 😀"), camera: null
 const hashOf = async (linked = shown): Promise<string> =>
   new URL(await linkTo("https://host/app/?a=1", linked)).hash;
 
+const models = new URL("../../../public/models/", import.meta.url);
+
 describe("a link to a project", () => {
+  it.each(readdirSync(models))("holds the model %s and is short", async (file) => {
+    const read = readProject(readFileSync(new URL(file, models), "utf8"));
+    if (!read.success) throw new Error(read.errors[0].message);
+    const linked = { ...shown, project: read.value };
+    const hash = await hashOf(linked);
+    expect(hash.length).toBeLessThan(8000);
+    expect(await linkedIn(hash)).toEqual({ kind: "linked", linked });
+  });
+
   it("holds the project, camera, cut and front, in the fragment alone", async () => {
     const linked = {
       ...shown,
