@@ -342,8 +342,8 @@ test("presenter mode enlarges notices, which cover no legend", async ({ page }) 
         return range.getClientRects()[0]?.height ?? 0;
       });
     // A notice that is replaced by its next text has none for a moment.
-    await expect.poll(heightOfLine).toBeGreaterThan(0);
-    const line = await heightOfLine();
+    let line = 0;
+    await expect.poll(async () => (line = await heightOfLine())).toBeGreaterThan(0);
     const { y = 0, height = 0 } = (await notices.boundingBox()) ?? {};
     await notices.getByRole("button", { name: "Dismiss" }).first().click();
     return { top: y, bottom: y + height, type: line };
