@@ -104,6 +104,7 @@ test("a mesh file with values at its nodes is coloured by them and adapted to th
   await dropBytes(page, file?.bytes ?? new Uint8Array(), "ball.vtu");
   const before = mesh.tetrahedra.length / 4;
   await expect(app.viewport).toHaveAttribute("data-tets", String(before));
+  await expect(page.getByRole("region", { name: "Notices" })).toContainText("at its nodes: layer, position");
   await page.getByRole("tab", { name: "Solution" }).click();
   await page.getByTestId("field").click();
   await page.getByRole("option", { name: "position" }).click();

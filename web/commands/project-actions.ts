@@ -66,7 +66,9 @@ async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile
     finishOpening(app, app.showMesh(project, shown));
     app.view.setLayer("mesh", true);
     app.shell.setState({ rightTab: "quality", drawer: "right" });
-    showNotes(app, [...read.notes, strings.files.meshNotSaved]);
+    const fields = [...mesh.mesh.nodeData.keys()];
+    const notes = fields.length > 0 ? [strings.files.meshFields(fields)] : [];
+    showNotes(app, [...read.notes, ...notes, strings.files.meshNotSaved]);
   } catch (error) {
     const reasons = reasonsOf(error);
     showMessage(app, strings.messages.openFailed(fileName), reasons);
