@@ -1,5 +1,5 @@
 /**
- * Ten thousand damaged project files: each is rejected or checked, with errors that have a code, a message
+ * Damaged project files: each is rejected or checked, with errors that have a code, a message
  * and a remedy.
  */
 import { readdirSync, readFileSync } from "node:fs";
