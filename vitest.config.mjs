@@ -13,7 +13,7 @@ const isTest = (name) => /\.test\.tsx?$/.test(name);
 const NEEDS_OWN_PROCESS = [
   /\bvi\.(?!fn\b)|@vitest-environment/,
   /\bprocess\.|\bglobalThis\b|\bprototype\b|\bchild_process\b/,
-  /\btestKernel\b|\bkernelSolids\b|\btemporaryFolder\b|\bnativeProgram\b|\bfreshInstall\b/,
+  /\btestKernel\b|\bkernelSolids\b|\btemporaryFolder\b|\bnativeProgram\b|\bfreshInstall\b|\/scripts\/lib\//,
 ];
 /** Tests of the package start engines, which tests of the application seldom do. */
 const STARTS_ENGINES = /\bcreateMesher\b|\brecordFront\b|\bmesher\b/i;
