@@ -94,7 +94,7 @@ def errors(mesh):
 def main(command):
     with tempfile.TemporaryDirectory() as folder:
         rows = []
-        for n in (5, 10, 20):
+        for n in (4, 8, 16):
             mesh = meshed(n, Path(folder), command)
             # Estimate the mean element size from the number of elements.
             size = mesh.t.shape[1] ** (-1.0 / 3.0)

@@ -1,7 +1,7 @@
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import os from "node:os";
 import path from "node:path";
-import { Extractor, ExtractorConfig } from "@microsoft/api-extractor";
+import { CompilerState, Extractor, ExtractorConfig } from "@microsoft/api-extractor";
 import { inRoot } from "./paths.mjs";
 
 /** Folder of the reports: what the package promises, so that a change of it shows in a diff. */
@@ -9,13 +9,16 @@ export const reportFolder = inRoot("docs", "api");
 /** The entries of the package that are a promise; `tetrafront/internal` is none. */
 export const promisedEntries = { tetrafront: "index", trace: "trace", project: "project", node: "node" };
 
-/** Returns the report of an entry from the declarations of the built package. */
-export function apiReport(name) {
-  const folder = mkdtempSync(path.join(os.tmpdir(), "api-report-"));
-  const config = ExtractorConfig.prepare({
+const declarations = (name) => inRoot("wasm", "dist", `${promisedEntries[name]}.d.ts`);
+
+/** The declarations of all entries, compiled once. */
+let compiled;
+
+function configOf(name, folder) {
+  return ExtractorConfig.prepare({
     configObject: {
       projectFolder: inRoot("wasm"),
-      mainEntryPointFilePath: inRoot("wasm", "dist", `${promisedEntries[name]}.d.ts`),
+      mainEntryPointFilePath: declarations(name),
       compiler: { tsconfigFilePath: inRoot("wasm", "tsconfig.json") },
       apiReport: {
         enabled: true,
@@ -36,8 +39,20 @@ export function apiReport(name) {
     configObjectFullPath: undefined,
     packageJsonFullPath: inRoot("wasm", "package.json"),
   });
+}
+
+/** Returns the report of an entry from the declarations of the built package. */
+export function apiReport(name) {
+  const folder = mkdtempSync(path.join(os.tmpdir(), "api-report-"));
+  const config = configOf(name, folder);
   mkdirSync(folder, { recursive: true });
-  Extractor.invoke(config, { localBuild: true, messageCallback: (message) => (message.handled = true) });
+  const additionalEntryPoints = Object.keys(promisedEntries).map(declarations);
+  compiled ??= CompilerState.create(config, { additionalEntryPoints });
+  Extractor.invoke(config, {
+    compilerState: compiled,
+    localBuild: true,
+    messageCallback: (message) => (message.handled = true),
+  });
   const text = readFileSync(path.join(folder, `${name}.api.md`), "utf8").replaceAll("\r\n", "\n");
   rmSync(folder, { recursive: true });
   return text;

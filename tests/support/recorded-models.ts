@@ -31,14 +31,18 @@ export function tracedIn(bytes: Uint8Array | undefined): Trace {
   return read.value;
 }
 
-/** Records the front of a project with a mesher of its own, by default without the optimizer. */
-export async function recordFront(project: Project, options: RecordingOptions = {}): Promise<Trace> {
-  const mesher = await createMesher();
+/** Records the front of a project, by default without the optimizer, and with a mesher of its own if none is given. */
+export async function recordFront(
+  project: Project,
+  options: RecordingOptions = {},
+  given?: Mesher,
+): Promise<Trace> {
+  const mesher = given ?? (await createMesher());
   try {
     const { trace } = await recordTrace(mesher, project, { optimization: "none", ...options });
     return tracedIn(trace);
   } finally {
-    mesher.dispose();
+    if (given === undefined) mesher.dispose();
   }
 }
 

@@ -110,7 +110,7 @@ describe("a surface of needles that are kept", () => {
   });
 
   test("fails with --require-angle, while a box passes", async () => {
-    save("gear.off", offFile(needleGearSurface(24)));
+    save("gear.off", offFile(needleGearSurface(10)));
     save("box.off", offFile(boxSurface(4)));
     const gear = await run("mesh", "gear.off", "-o", "gear.vtu", ...KEEP, "--require-angle", "10");
     expect(gear.stderr).toMatch(

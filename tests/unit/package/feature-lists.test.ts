@@ -13,7 +13,8 @@ beforeAll(async () => {
   kernel = await testKernel();
 });
 
-const SEEDS = Array.from({ length: 100 }, (_, k) => k + 1);
+/** `tests/bench/random-solids.mjs --features` tries more lists. */
+const SEEDS = Array.from({ length: 30 }, (_, k) => k + 1);
 let made = 0;
 let failed = 0;
 
@@ -45,6 +46,6 @@ test.each(SEEDS)(
 );
 
 test("most features of the random lists succeed", () => {
-  expect(made).toBeGreaterThan(300);
+  expect(made).toBeGreaterThan(3 * SEEDS.length);
   expect(failed / made).toBeLessThan(0.35);
 });

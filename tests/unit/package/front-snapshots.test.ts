@@ -10,9 +10,9 @@ beforeAll(async () => {
 });
 afterAll(() => mesher.dispose());
 
-/** About 300 000 elements: advancing the front takes several times the delay of the first snapshot. */
+/** About 150 000 elements: advancing the front takes several times the delay of the first snapshot. */
 const fill = (control: RunControl = {}): Promise<MeshResult> =>
-  mesher.fillSurface(boxSurface(40), { optimization: "none" }, control);
+  mesher.fillSurface(boxSurface(32), { optimization: "none" }, control);
 
 test("onFront receives the advancing front, and the mesh stays the same", async () => {
   const fronts: Float64Array[] = [];
@@ -38,8 +38,8 @@ test("a run rejects with the error that onFront throws", async () => {
   await expect(fill({ onFront })).rejects.toBe(failure);
 });
 
-/** Edges along a side of a box: about 100 000 elements, whose optimization takes longer than the delay of the snapshot. */
-const optimizedEdges = 28;
+/** Edges along a side of a box: about 50 000 elements, whose optimization takes longer than the delay of the snapshot. */
+const optimizedEdges = 22;
 
 test("onUnoptimized receives the complete mesh once, and the result stays the same", async () => {
   const surface = boxSurface(optimizedEdges);

@@ -1,8 +1,8 @@
 /** CAD solids that touch: the faces that they share are interfaces, meshed once, on their surfaces. */
 import type { TopoDS_Shape } from "replicad-opencascadejs";
-import { type Mesh, NO_REGION } from "tetrafront";
+import { createMesher, type Mesh, type Mesher, NO_REGION } from "tetrafront";
 import { meshFile } from "tetrafront/node";
-import { beforeAll, expect, test } from "vitest";
+import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { askForCad } from "../../../wasm/dist/cad/cad-client.js";
 import { DEFLECTION } from "../../../wasm/dist/cad/deflection.js";
@@ -14,9 +14,11 @@ type Position = readonly [number, number, number];
 
 const folder = temporaryFolder("all tests");
 let kernel: Kernel;
+let mesher: Mesher;
 beforeAll(async () => {
-  kernel = await testKernel();
+  [kernel, mesher] = await Promise.all([testKernel(), createMesher()]);
 });
+afterAll(() => mesher.dispose());
 
 const box = (corner: Position, sides: Position) =>
   new kernel.BRepPrimAPI_MakeBox(new kernel.gp_Pnt(...corner), ...sides).Shape();
@@ -179,7 +181,7 @@ test.each(Object.keys(cases))(
   "%s",
   async (name) => {
     const { solids, volumes, interfaces, hasCusp = false } = cases[name] as Case;
-    const made = await meshFile(save(name, solids()), { elementOrder: 2 });
+    const made = await meshFile(save(name, solids()), { elementOrder: 2, mesher });
     if (!made.success) throw new Error(made.message);
     const { mesh, report } = made;
     expect(report.remesh?.failedFaces).toEqual([]);
@@ -203,7 +205,7 @@ test.each(Object.keys(cases))(
 );
 
 test("the nodes of a bolt and its hole are on the cylinder", async () => {
-  const made = await meshFile(save("bolt", [drilledPlate(), bolt()]));
+  const made = await meshFile(save("bolt", [drilledPlate(), bolt()]), { mesher });
   if (!made.success) throw new Error(made.message);
   const { points, triangles, triangleRegions = new Uint32Array() } = made.mesh;
   const shared = new Set<number>();
@@ -221,7 +223,7 @@ test("faces keep their names, numbers and colours when they are cut", async () =
   let face = 0;
   const named = text.replaceAll("ADVANCED_FACE('',", () => `ADVANCED_FACE('side ${++face}',`);
   folder.save("named.step", new TextEncoder().encode(named));
-  const made = await meshFile(folder.inFolder("named.step"));
+  const made = await meshFile(folder.inFolder("named.step"), { mesher });
   if (!made.success) throw new Error(made.message);
   const names = made.mesh.patches.map((patch) => patch.name).sort();
   const own = [1, 2].flatMap((solid) =>
@@ -234,14 +236,16 @@ test("a solid that is inside out shares its faces, too", async () => {
   const solids = [box([0, 0, 0], [2, 2, 2]), box([2, 0, 0], [2, 2, 2]).Reversed()];
   const text = kernel.BRepToolsWrapper.Write(together(kernel, solids));
   folder.save("inside out.brep", new TextEncoder().encode(text));
-  const made = await meshFile(folder.inFolder("inside out.brep"));
+  const made = await meshFile(folder.inFolder("inside out.brep"), { mesher });
   if (!made.success) throw new Error(made.message);
   expect(made.report.remesh).toMatchObject({ onFaces: true, placement: { unplaced: 0 } });
   expect(Math.abs(made.report.volume - 16)).toBeLessThan(1e-9);
 });
 
 test("solids that overlap are treated as triangles, with a message", async () => {
-  const made = await meshFile(save("overlap", [box([0, 0, 0], [2, 2, 2]), box([1, 1, 1], [2, 2, 2])]));
+  const made = await meshFile(save("overlap", [box([0, 0, 0], [2, 2, 2]), box([1, 1, 1], [2, 2, 2])]), {
+    mesher,
+  });
   if (!made.success) throw new Error(made.message);
   expect(made.report.diagnostics.map(({ message }) => message).join()).toContain("overlap by a volume of 1");
   expect(made.report.remesh?.onFaces).toBe(false);

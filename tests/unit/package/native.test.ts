@@ -3,9 +3,9 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 
-import { createMesher, type SurfaceInput } from "tetrafront";
+import { createMesher, type Mesher, type SurfaceInput } from "tetrafront";
 import { type Project, readProject, writeProject } from "tetrafront/project";
-import { expect, test } from "vitest";
+import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { cone } from "../../../web/document/pieces/cone.js";
 import { cylinder } from "../../../web/document/pieces/cylinder.js";
@@ -27,6 +27,11 @@ import {
 } from "../../support/surfaces.js";
 
 const meshModel = nativeProgram("mesh_model");
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
 
 /** Returns the fingerprint of the mesh that the native program makes from a drawn model, in a uniform size. */
 function nativeModelFingerprint(project: Project, size: number): string | undefined {
@@ -89,9 +94,7 @@ test.each<[string, SurfaceInput]>([
   ["a screw thread", screwThreadSurface(2, 12)],
   ["a torus of needles", torusSurface(120, 4)],
 ])("%s gets the same mesh bit for bit from the native program and from WebAssembly", async (_, surface) => {
-  const mesher = await createMesher();
   const { report } = await mesher.fillSurface(surface);
-  mesher.dispose();
   expect(report.status).toBe("done");
   expect(nativeFingerprint(surface)?.toLowerCase()).toBe(report.fingerprint);
 });
@@ -100,9 +103,7 @@ test.each<[string, SurfaceInput]>([
   ["a sphere", sphereSurface(20)],
   ["a cube with a cavity", cavitySurface(24)],
 ])("%s with lattices inside is the same bit for bit", async (_, surface) => {
-  const mesher = await createMesher();
   const { report } = await mesher.fillSurface(surface, { interior: "lattice" });
-  mesher.dispose();
   expect(report.interior.lattice).toBeGreaterThan(0);
   expect(nativeFingerprint(surface, "--interior=lattice")?.toLowerCase()).toBe(report.fingerprint);
 });
@@ -112,10 +113,8 @@ test.each<[string, SurfaceInput, number | undefined]>([
   ["a torus", torusSurface(24, 10), undefined],
   ["a sphere with a size", sphereSurface(8), 0.2],
 ])("%s is remeshed and meshed alike by the native program and by WebAssembly", async (_, surface, size) => {
-  const mesher = await createMesher();
   const remesh = await mesher.remeshSurface(surface, { size });
   const { report } = await mesher.fillSurface(remesh.mesh, { size });
-  mesher.dispose();
   expect(report.status).toBe("done");
   const options = ["--remesh=on", ...(size === undefined ? [] : [String(size)])];
   expect(nativeFingerprint(surface, ...options)?.toLowerCase()).toBe(report.fingerprint);
@@ -125,9 +124,7 @@ test.each<[string, SurfaceInput, number]>([
   ["a sphere", sphereSurface(8), 1e-3],
   ["a cube of two triangles per side", boxSurface(1), 1e-4],
 ])("%s gets the same mesh within a largest volume from both", async (_, surface, maxVolume) => {
-  const mesher = await createMesher();
   const { report } = await mesher.fillSurface(surface, { maxVolume });
-  mesher.dispose();
   expect(report.status).toBe("done");
   const fingerprint = nativeFingerprint(surface, `--max-volume=${maxVolume}`);
   expect(fingerprint?.toLowerCase()).toBe(report.fingerprint);
@@ -153,9 +150,7 @@ test.each<[string, Project, number]>([
 ])("%s, gets the same mesh bit for bit from both", async (_, project, size) => {
   const curved = project.lines.filter(({ type }) => type === "arc" || type === "circle");
   expect(curved.length).toBeGreaterThan(0);
-  const mesher = await createMesher();
   const { report } = await mesher.meshProject({ ...project, meshing: { size } });
-  mesher.dispose();
   expect(report.status).toBe("done");
   expect(nativeModelFingerprint(project, size)).toBe(report.fingerprint);
 });

@@ -1,6 +1,7 @@
 /** Parts with random dimensions: each is meshed on its own faces, with good angles. `tests/bench/random-solids.mjs` tries more. */
+import { createMesher, type Mesher } from "tetrafront";
 import { meshFile } from "tetrafront/node";
-import { beforeAll, expect, test } from "vitest";
+import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { withShape } from "../../../wasm/dist/cad/features/evaluate.js";
 import type { FeatureKernel } from "../../../wasm/dist/cad/features/session.js";
@@ -10,9 +11,11 @@ import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const folder = temporaryFolder();
 let kernel: Kernel & FeatureKernel;
+let mesher: Mesher;
 beforeAll(async () => {
-  kernel = await testKernel();
+  [kernel, mesher] = await Promise.all([testKernel(), createMesher()]);
 });
+afterAll(() => mesher.dispose());
 
 test.each(Array.from({ length: 10 }, (_, seed) => seed + 1))(
   "part %i",
@@ -22,7 +25,7 @@ test.each(Array.from({ length: 10 }, (_, seed) => seed + 1))(
       return kernelVolume(kernel, shape);
     });
     expect(failures).toEqual([]);
-    const made = await meshFile(folder.inFolder(`${seed}.step`));
+    const made = await meshFile(folder.inFolder(`${seed}.step`), { mesher });
     if (!made.success) throw new Error(made.message);
     expect(made.report.remesh?.onFaces).toBe(true);
     expect(made.report.remesh?.placement?.unplaced).toBe(0);

@@ -1,8 +1,9 @@
 /** The engine's verdicts on real models, against an independent check: the paper's test in doubles. */
 import { readFileSync } from "node:fs";
-import { readProject } from "tetrafront/project";
+import { createMesher, type Mesher } from "tetrafront";
+import { type Project, readProject } from "tetrafront/project";
 import type { AdvanceStep, Trace } from "tetrafront/trace";
-import { describe, expect, test } from "vitest";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import {
   crossedFaces,
   crossesFace,
@@ -17,6 +18,12 @@ import { testByLayers, tolerance } from "../../../web/teach/player/layered-test"
 import { distanceToFace } from "../../../web/teach/player/unit-space";
 import { crossedNear, FrontGrid, rounding, tooCloseNear } from "../../support/front-grid";
 import { galleryProject, modelIds, recordFront } from "../../support/recorded-models";
+
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
 
 /** Numbers of candidates that were checked, by verdict, and of crossings that the paper's layers find without exact signs. */
 interface Checked {
@@ -88,7 +95,7 @@ function checkCandidate(
 }
 
 test("the grid finds the faces of the front, and those that an element crosses, as a search of all faces does", async () => {
-  const trace = await recordFront(galleryProject("vault"));
+  const trace = await recordFront(galleryProject("vault"), {}, mesher);
   const grid = new FrontGrid(trace);
   let found = 0;
   for (let i = 1; i <= trace.stepCount; i += 5) {
@@ -106,9 +113,20 @@ test("the grid finds the faces of the front, and those that an element crosses, 
   expect(found).toBeGreaterThan(20);
 });
 
+/** Returns a project with larger elements: a check of all candidates takes far longer than the run. */
+function coarser(project: Project): Project {
+  const larger = <Entry extends { readonly size: number }>(entries: readonly Entry[]) =>
+    entries.map((entry) => ({ ...entry, size: 1.5 * entry.size }));
+  const { nodes, sources, ...grid } = project.background;
+  return {
+    ...project,
+    background: { ...grid, nodes: larger(nodes), ...(sources && { sources: larger(sources) }) },
+  };
+}
+
 describe("every accepted candidate passes, and every refused one fails for the reason given:", () => {
   test.each(modelIds)("%s", async (id) => {
-    const trace = await recordFront(galleryProject(id));
+    const trace = await recordFront(coarser(galleryProject(id)), {}, mesher);
     const { refused, accepted } = trace.summary();
     const { byLayers, ...checked } = check(trace);
     expect(checked).toEqual({ accepted, ...refused });
@@ -119,7 +137,7 @@ describe("every accepted candidate passes, and every refused one fails for the r
     const file = new URL("../../support/needles.json", import.meta.url);
     const project = readProject(readFileSync(file, "utf8"));
     if (!project.success) throw new Error(project.errors[0].message);
-    const checked = check(await recordFront(project.value));
+    const checked = check(await recordFront(project.value, {}, mesher));
     expect(checked.behind).toBeGreaterThan(0);
     expect(checked.crosses).toBeGreaterThan(0);
   });

@@ -9,7 +9,7 @@ import { RandomUser } from "./random-user";
 import { CrashingStorage } from "./storage-doubles";
 
 /** Moments at which the tab is killed. */
-const moments = 200;
+const moments = 60;
 /** Longest life of a tab, longest pause between two edits, and longest duration of a write, in milliseconds. */
 const [longestLife, longestPause, longestWrite] = [1200, 60, 40];
 /** An edit is stored after the delay of autosave, a write that was already running, and its own. */

@@ -8,10 +8,10 @@ import { RandomUser } from "./random-user";
 import { MemoryStorage } from "./storage-doubles";
 
 /** Sequences of edits, and edits of each. */
-const sequences = 1000;
+const sequences = 300;
 const edits = 12;
 /** Sequences that are also written to the storage and read again after each edit. */
-const stored = 100;
+const stored = 50;
 
 const stepsOf = (documents: DocumentStore) => {
   const { past, future } = documents.state.getState().history;
