@@ -71,7 +71,7 @@ double meshedVolume(const Model& model, double size) {
 void expectMeshes(const Model& model) {
   const double exact = exactVolume(model);
   const double coarse = std::fabs(meshedVolume(model, 0.3) - exact);
-  const double fine = std::fabs(meshedVolume(model, 0.1) - exact);
+  const double fine = std::fabs(meshedVolume(model, 0.12) - exact);
   EXPECT_LT(coarse, 0.05 * exact);
   EXPECT_LT(fine, 0.006 * exact);
 }

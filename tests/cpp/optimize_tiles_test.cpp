@@ -146,7 +146,7 @@ TEST(TiledMesh, FreesTheSeamsInTheSecondCut) {
 }
 
 MeshRun sphereRun(unsigned threads) {
-  const SurfaceMesh sphere = testing::geodesicSphere(17);
+  const SurfaceMesh sphere = testing::geodesicSphere(16);
   MeshOptions options;
   options.interior = Interior::kFront;
   options.optimization = Optimization::kFast;
