@@ -107,7 +107,7 @@ TEST(SizeOctreeTest, OctreeAgreesWithBruteForce) {
     const SizeOctree octree(points, mesh.triangles, 0.3, cap);
     Random random(302);
     double sum = 0.0;
-    constexpr int kSamples = 2000;
+    constexpr int kSamples = 1000;
     for (int i = 0; i < kSamples; ++i) {
       // Half of the positions are near the surface, where the field is not smooth.
       const Vec3 near = points[static_cast<std::size_t>(random.integer(0, 5000))];

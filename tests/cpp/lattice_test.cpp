@@ -188,16 +188,16 @@ TEST_P(WithLattice, TheLengthOfSlicesDoesNotMatter) {
 
 INSTANTIATE_TEST_SUITE_P(
     Bodies, WithLattice,
-    ::testing::Values(LatticeCase{"sphere", geodesicSphere(14), 0.08},
-                      LatticeCase{"cube", gridCube(14), 1.0 / 14},
+    ::testing::Values(LatticeCase{"sphere", geodesicSphere(12), 0.093},
+                      LatticeCase{"cube", gridCube(12), 1.0 / 12},
                       LatticeCase{"cavity", cubeWithSphericalCavity(18, 6), 1.0 / 18},
-                      LatticeCase{"regions", dividedBox({2, 1, 1}, 12), 1.0 / 12}),
+                      LatticeCase{"regions", dividedBox({2, 1, 1}, 10), 1.0 / 10}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(WithLattices, CountsAreThoseOfTheFront) {
-  const SurfaceMesh sphere = geodesicSphere(16);
+  const SurfaceMesh sphere = geodesicSphere(13);
   const auto countOf = [&](Interior interior) {
-    return static_cast<double>(filled(sphere, 0.08, interior).volume().tetrahedra.size() / 4);
+    return static_cast<double>(filled(sphere, 0.098, interior).volume().tetrahedra.size() / 4);
   };
   const double withFront = countOf(Interior::kFront);
   EXPECT_NEAR(countOf(Interior::kLattice) / withFront, 1.0, 0.05);
@@ -213,16 +213,16 @@ TEST(WithLattices, AreTheDefaultInLargeMeshesOnly) {
 
 /// Sizes grow away from one corner, then stay: lattices of several sizes, which keep away from each other.
 TEST(WithLattices, GradedSizesMakeSeveralIslands) {
-  const SurfaceMesh cube = gridCube(24);
+  const SurfaceMesh cube = gridCube(20);
   BackgroundGrid grid;
   SizeSource corner;
-  corner.size = 1.0 / 24.0;
+  corner.size = 1.0 / 20.0;
   corner.distance = 0.9;
   corner.growth = 0.2;
   grid.sources.push_back(corner);
   MeshOptions options;
   options.interior = Interior::kLattice;
-  options.size = 0.055;
+  options.size = 0.066;
   MeshRun run(cube.points, cube.triangles, grid, options);
   while (run.advance(4096) == MeshStatus::kRunning) {
   }

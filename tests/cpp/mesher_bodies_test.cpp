@@ -81,7 +81,7 @@ std::vector<std::uint32_t> trianglesPerPatch(const MeshRun& run) {
 }
 
 TEST(Bodies, AloneGiveTheMeshOfTheFilledSurface) {
-  const SurfaceMesh sphere = testing::geodesicSphere(6);
+  const SurfaceMesh sphere = testing::geodesicSphere(5);
   for (const MeshOptions& options : {MeshOptions{}, uniformSize(0.15), uniformSize(2.0)}) {
     const MeshRun filled = runToEnd(MeshRun(sphere.points, sphere.triangles, options));
     const MeshRun run = runToEnd(MeshRun(Model{}, singleBody(sphere), {}, options));

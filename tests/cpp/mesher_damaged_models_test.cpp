@@ -248,7 +248,7 @@ Damaged damaged(std::uint64_t seed) {
 }
 
 TEST(DamagedModels, ThePreviewNamesTheDamage) {
-  constexpr std::uint64_t kModels = 500;
+  constexpr std::uint64_t kModels = 250;
   int accepted = 0;
   for (std::uint64_t seed = 0; seed < kModels; ++seed) {
     const Damaged input = damaged(seed);
@@ -266,7 +266,7 @@ TEST(DamagedModels, RunsEndWithAMeshOrANamedProblem) {
   // Coarse meshes take some tens of slices. A run that takes more than this would never end.
   constexpr int kMaxSlices = 2000;
   constexpr std::uint32_t kBudget = 500;
-  for (std::uint64_t seed = 0; seed < 250; ++seed) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
     const Damaged input = damaged(7919 * seed);
     MeshOptions options;
     options.maxTetrahedra = 20'000;

@@ -248,7 +248,7 @@ TEST(StretchedBoxTest, NeedsFewerElementsInProportionToTheStretching) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Mesher, StretchedBox,
-                         ::testing::Values(Stretch{5.0, 0.05}, Stretch{20.0, 0.03}));
+                         ::testing::Values(Stretch{5.0, 0.06}, Stretch{20.0, 0.036}));
 
 }  // namespace
 }  // namespace tetrafront::testing

@@ -105,7 +105,7 @@ void expectGoodAngles(const MeshRun& run) {
 /// If the sizes of the grid are far above the surface's own edges, sizes grow from these edges, and
 /// the elements have good angles.
 TEST(SurfaceWithGrid, SizesFarAboveTheTrianglesLeaveNoSlivers) {
-  const SurfaceMesh sphere = geodesicSphere(14);
+  const SurfaceMesh sphere = geodesicSphere(11);
   BackgroundGrid stretched = gridOfSize(0.4);
   for (BackgroundNode& node : stretched.nodes) node.stretching = 1.2;
   for (const BackgroundGrid& grid : {gridOfSize(0.4), stretched}) {

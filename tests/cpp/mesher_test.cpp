@@ -240,7 +240,7 @@ TEST(MeshRun, KeepsTheWholeFrontIfCancelledDuringTheExactFill) {
   testing::rotateRandomly(solid, 2);
   MeshOptions options;
   options.exactFillOnly = true;
-  for (const double stop : {0.05, 0.3, 0.6, 0.8}) {
+  for (const double stop : {0.05, 0.8}) {
     MeshRun run(solid.points, solid.triangles, options);
     while (run.progress().exactFillFraction < stop && run.advance(20) == MeshStatus::kRunning) {
     }
@@ -261,7 +261,7 @@ TEST(MeshRun, KeepsThePartialMeshWheneverItIsCancelled) {
   MeshRun whole(surface.points, surface.triangles, {});
   int slices = 0;
   while (whole.advance(300) == MeshStatus::kRunning) ++slices;
-  for (int stop = 0; stop < slices; stop += 5) {
+  for (int stop = 0; stop < slices; stop += 12) {
     MeshRun run(surface.points, surface.triangles, {});
     for (int i = 0; i < stop; ++i) run.advance(300);
     run.cancel();
@@ -278,7 +278,7 @@ TEST(MeshRun, KeepsThePartialMeshWheneverItIsCancelled) {
 /// The sides of a prism are in one plane up to rounding, so four of their corners may enclose a positive volume. With these
 /// diagonals, no three elements fill it.
 TEST(MeshRun, LeavesNoFlatElementOnAFacePlaneUpToRounding) {
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SurfaceMesh prism = testing::schoenhardtPrism(0.0);
     for (std::size_t i = 2; i < prism.points.size(); i += 3)
       prism.points[i] *= 0.5 + 0.1 * static_cast<double>(seed % 10);
@@ -325,12 +325,12 @@ std::vector<Solid> solidsOfEveryRung() {
           {"notches", testing::chazellePolyhedron(3, 0.1), striving},
           {"saddles", testing::saddleSlab(3, 0.1), striving},
           {"fine patch", testing::cubeWithFinePatch(6), striving},
-          {"sphere", testing::geodesicSphere(6), striving},
-          {"sphere filled exactly", testing::geodesicSphere(6), filling},
-          {"cavity filled exactly", testing::cubeWithSphericalCavity(4, 4), filling}};
+          {"sphere", testing::geodesicSphere(4), striving},
+          {"sphere filled exactly", testing::geodesicSphere(4), filling},
+          {"cavity filled exactly", testing::cubeWithSphericalCavity(3, 3), filling}};
 }
 
-constexpr std::array<std::uint32_t, 4> kShortSlices{1, 17, 1000, 4999};
+constexpr std::array<std::uint32_t, 3> kShortSlices{1, 17, 1000};
 constexpr std::uint32_t kOneSlice = 10'000'000;
 
 void runInSlices(MeshRun& run, std::uint32_t budget) {

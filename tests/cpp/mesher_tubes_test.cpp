@@ -61,6 +61,8 @@ double solidVolume(const Model& model, double size) {
     EXPECT_NE(diagnostic.severity, Severity::kError) << static_cast<int>(diagnostic.code);
   MeshOptions options;
   options.size = size;
+  // The volume does not depend on the elements' shapes.
+  options.optimization = Optimization::kNone;
   MeshRun run(model, {}, options);
   while (run.advance(1000) == MeshStatus::kRunning) {
   }
@@ -121,19 +123,21 @@ TEST(MesherTubes, NodesOfACylinderAreOnIt) {
 
 TEST(MesherTubes, AnyStartDirectionAndNumberOfLinesGivesTheSameSolid) {
   const double exact = kHalfTurn * 1.2;
+  // Each start and each number of lines occurs in both directions.
+  bool isClockwise = false;
   for (const int bottomLines : {1, 2, 4}) {
     for (const int topLines : {1, 3}) {
       for (const double start : {0.0, 1.0, kHalfTurn, 5.5}) {
-        for (const bool isClockwise : {false, true}) {
-          SCOPED_TRACE(::testing::Message()
-                       << bottomLines << ' ' << topLines << ' ' << start << ' ' << isClockwise);
-          ModelBuilder builder;
-          const Loop bottom = rim(builder, 1.0, 0.0, bottomLines, 0.7, false);
-          const Loop top = rim(builder, 1.0, 1.2, topLines, start, isClockwise);
-          const double volume = solidVolume(capped(std::move(builder), bottom, top), 0.4);
-          EXPECT_NEAR(volume, exact, 0.035 * exact);
-        }
+        SCOPED_TRACE(::testing::Message()
+                     << bottomLines << ' ' << topLines << ' ' << start << ' ' << isClockwise);
+        ModelBuilder builder;
+        const Loop bottom = rim(builder, 1.0, 0.0, bottomLines, 0.7, false);
+        const Loop top = rim(builder, 1.0, 1.2, topLines, start, isClockwise);
+        const double volume = solidVolume(capped(std::move(builder), bottom, top), 0.4);
+        EXPECT_NEAR(volume, exact, 0.035 * exact);
+        isClockwise = !isClockwise;
       }
+      isClockwise = !isClockwise;
     }
   }
 }

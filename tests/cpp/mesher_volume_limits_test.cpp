@@ -69,7 +69,7 @@ TEST_P(MaxVolume, NoTetrahedronIsLarger) {
 INSTANTIATE_TEST_SUITE_P(Volumes, MaxVolume, ::testing::Values(0.01, 0.001, 0.0001));
 
 TEST(VolumeLimits, WithoutALimitTheMeshIsTheSame) {
-  const SurfaceMesh sphere = geodesicSphere(6);
+  const SurfaceMesh sphere = geodesicSphere(5);
   MeshOptions limited;
   limited.maxVolume = 100.0;
   MeshRun plain(sphere.points, sphere.triangles, MeshOptions{});

@@ -206,13 +206,12 @@ Effort effortFor(const SurfaceMesh& surface, Optimization level) {
 }
 
 TEST(Optimize, ThoroughEndsEarlyIfTheBoundaryLeavesNothingToGain) {
-  for (const SurfaceMesh& surface : {testing::gradedCube(8, 3), testing::gradedCube(10, 3)}) {
-    const Effort usual = effortFor(surface, Optimization::kDefault);
-    const Effort thorough = effortFor(surface, Optimization::kThorough);
-    EXPECT_TRUE(thorough.hasFoundNothingBetter);
-    EXPECT_EQ(thorough.fingerprint, usual.fingerprint);
-    EXPECT_LT(static_cast<double>(thorough.slices), 1.3 * static_cast<double>(usual.slices));
-  }
+  const SurfaceMesh surface = testing::gradedCube(8, 3);
+  const Effort usual = effortFor(surface, Optimization::kDefault);
+  const Effort thorough = effortFor(surface, Optimization::kThorough);
+  EXPECT_TRUE(thorough.hasFoundNothingBetter);
+  EXPECT_EQ(thorough.fingerprint, usual.fingerprint);
+  EXPECT_LT(static_cast<double>(thorough.slices), 1.3 * static_cast<double>(usual.slices));
 }
 
 TEST(Optimize, ACancelledRunHasNotFoundOutThatNothingIsBetter) {
@@ -234,9 +233,9 @@ INSTANTIATE_TEST_SUITE_P(
     Optimize, QualityFloor,
     ::testing::Values(
         Solid{"sphere", testing::sphereModel(1.0), 0.15, 0.885},
-        Solid{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.09, 0.885},
-        Solid{"torus", testing::torusModel(1.0, 0.4), 0.11, 0.885},
-        Solid{"bracket", testing::bracketModel(), 0.085, 0.885},
+        Solid{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.1, 0.885},
+        Solid{"torus", testing::torusModel(1.0, 0.4), 0.125, 0.885},
+        Solid{"bracket", testing::bracketModel(), 0.1, 0.885},
         Solid{"cavity", both(testing::boxModel(Vec3(-1.0), Vec3(1.0)), testing::sphereModel(0.5)),
               0.16, 0.885},
         Solid{"graded", testing::sphereModel(1.0), 0.4, 0.88, 30.0, 135.0, 0.95, fineAtPole(0.008)},

@@ -34,7 +34,7 @@ Vec3 positionAt(const std::vector<double>& points, std::size_t node) {
 
 /// Triangles with a node per corner. The parameters of a centroid are found by a search over the whole face, and those of
 /// corners beside them, so that no triangle extends over a period.
-ModelTriangles trianglesOf(const TrimmedModel& model, double size = 0.1) {
+ModelTriangles trianglesOf(const TrimmedModel& model, double size) {
   const SurfaceMesh mesh = meshOfModel(model, size);
   std::vector<ParameterBox> boxes;
   for (const TrimmedFace& face : model.faces) boxes.push_back(FaceLoops(model, face).box());
@@ -61,9 +61,10 @@ ModelTriangles trianglesOf(const TrimmedModel& model, double size = 0.1) {
   return triangles;
 }
 
-NodePlacement placed(const TrimmedSolid& solid, const SurfaceMesh& mesh, std::uint32_t budget) {
+NodePlacement placed(const TrimmedSolid& solid, const SurfaceMesh& mesh, std::uint32_t budget,
+                     double modelSize = 0.2) {
   NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, numbersOf(solid.model),
-                    trianglesOf(solid.model), kReach);
+                    trianglesOf(solid.model, modelSize), kReach);
   while (!placer.advance(budget)) {
   }
   return placer.result();
@@ -92,7 +93,7 @@ TEST(NodePlacement, MovesNodesOntoFacesAndEdges) {
 /// The model's triangles and straight pieces of edges are farther from its faces than half an edge of the mesh.
 TEST(NodePlacement, FindsTheFacesBehindCoarseTriangles) {
   const TrimmedSolid solid = trimmedCylinder(1.0, 0.2);
-  const SurfaceMesh mesh = meshOfModel(solid.model, 0.01);
+  const SurfaceMesh mesh = meshOfModel(solid.model, 0.03);
   const ModelTriangles coarse = trianglesOf(solid.model, 1.0);
   NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, numbersOf(solid.model), coarse,
                     0.2);
@@ -110,7 +111,7 @@ TEST(NodePlacement, StaysOnOneSideOfAnApex) {
     if (mesh.points[3 * node + 2] > mesh.points[3 * apex + 2]) apex = node;
   mesh.points[3 * apex] += 0.03;
   mesh.points[3 * apex + 2] += 0.05;
-  const NodePlacement found = placed(solid, mesh, 1U << 30U);
+  const NodePlacement found = placed(solid, mesh, 1U << 30U, 0.1);
   EXPECT_TRUE(found.unplaced.empty());
   EXPECT_LT(solid.distances[0](positionAt(found.points, apex)), 1e-9);
 }
@@ -175,11 +176,11 @@ TEST(ModelNumbers, AreReadAsTheyWereWritten) {
 
 TEST(ModelNumbers, DamagedNumbersAttractNoNode) {
   const TrimmedSolid solid = nurbsCylinder(1.0, 2.0);
-  const SurfaceMesh mesh = meshOfModel(solid.model, kSize);
-  const ModelTriangles triangles = trianglesOf(solid.model);
+  const SurfaceMesh mesh = meshOfModel(solid.model, 2.0 * kSize);
+  const ModelTriangles triangles = trianglesOf(solid.model, 0.4);
   const std::vector<double> numbers = numbersOf(solid.model);
   // Whatever is wrong with a number, all positions stay finite.
-  for (std::size_t i = 0; i < numbers.size(); i += 3) {
+  for (std::size_t i = 0; i < numbers.size(); i += 7) {
     for (const double wrong : {-1.0, 0.0, 1e300, std::nan("")}) {
       std::vector<double> damaged = numbers;
       damaged[i] = wrong;

@@ -207,11 +207,13 @@ TEST(SizeProposalTest, AModelMeshesWithItsProposal) {
   const SizeProposal proposal = proposeSizes(box, {});
   BackgroundGrid grid = coveringGrid(box, proposal.size, CoverShape::kBox);
   grid.sources = proposal.sources;
-  MeshRun run(box, grid, {});
+  MeshOptions unoptimized;
+  unoptimized.optimization = Optimization::kNone;
+  MeshRun run(box, grid, unoptimized);
   while (run.advance(10'000) == MeshStatus::kRunning) {
   }
   EXPECT_EQ(run.status(), MeshStatus::kDone);
-  MeshOptions uniform;
+  MeshOptions uniform = unoptimized;
   uniform.size = proposal.size;
   BackgroundGrid sourcesOnly;
   sourcesOnly.sources = proposal.sources;

@@ -246,7 +246,7 @@ std::string complaintAboutRemesh(const DamagedInput& input, const SurfaceRemesh&
 
 std::pair<std::uint64_t, std::uint64_t> chosenSeeds() {
   unsigned long long first = 0;
-  unsigned long long count = 80;
+  unsigned long long count = 50;
   // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread changes the environment.
   const char* chosen = std::getenv("TETRAFRONT_SEEDS");
   if (chosen != nullptr) std::sscanf(chosen, "%llu:%llu", &first, &count);

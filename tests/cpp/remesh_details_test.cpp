@@ -178,7 +178,7 @@ TEST(RemeshDetails, ThinPartsStay) {
     RemeshOptions options;
     const SurfaceMesh given = body.make();
     options.dropDetails = 0.06;
-    options.minSize = diagonalOf(given) / 60.0;
+    options.minSize = diagonalOf(given) / 40.0;
     const SurfaceRemesh result = remesh(given, options);
     ASSERT_TRUE(result.diagnostics.empty()) << body;
     EXPECT_NEAR(enclosedVolume(surfaceOf(result)) / enclosedVolume(given), 1.0, 0.02) << body;
@@ -207,7 +207,7 @@ TEST(RemeshDetails, TheSurfaceStaysAValidBoundary) {
       RemeshOptions options;
       options.innerShells = shells;
       options.dropDetails = part * diagonalOf(bodies[i]);
-      options.minSize = diagonalOf(bodies[i]) / 20.0;
+      options.minSize = diagonalOf(bodies[i]) / 12.0;
       const SurfaceRemesh result = remesh(bodies[i], options);
       ASSERT_TRUE(result.diagnostics.empty());
       const SurfaceMesh made = surfaceOf(result);

@@ -148,11 +148,13 @@ std::size_t expectOthersOnFaces(const TrimmedSolid& solid, const SurfaceMesh& gi
 TEST(RemeshModel, KeepsTheOtherFacesOnTheirSurfacesIfOneCannotBeTriangulated) {
   std::size_t onSurface = 0;
   for (const TrimmedSolid& solid :
-       {trimmedCylinder(1.0, 4.0), trimmedPlate(4.0, 0.5, 1.0),
-        trimmedBox(Vec3(0.0), Vec3(3.0, 2.0, 1.0)), extrudedProfile(3.0), revolvedProfile()}) {
+       {trimmedCylinder(1.0, 3.0), trimmedPlate(3.0, 0.5, 1.0),
+        trimmedBox(Vec3(0.0), Vec3(3.0, 2.0, 1.0)), extrudedProfile(2.0), revolvedProfile()}) {
     const SurfaceMesh given = finely(solid.model);
     for (std::uint32_t face = 0; face < solid.model.faces.size(); ++face) {
       SCOPED_TRACE(solid.name + " face " + std::to_string(face));
+      // The opposite faces of a box are alike.
+      if (solid.name == "box" && face % 2 == 1) continue;
       // A model with an empty loop is not read.
       if (solid.model.faces[face].loops[0].size() == 1) continue;
       const SurfaceRemesh result = remeshed(given, numbersOf(withOpenLoop(solid.model, face)));

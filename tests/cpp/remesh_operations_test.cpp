@@ -196,7 +196,7 @@ TEST_P(RemeshOperations, EachKeepsTheSurfaceValid) {
   };
   const CollapseRule anyCollapse{100.0, 0.0, false};
   int made = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 200; ++i) {
     const TriangleId t(below(complex.triangleSlots()));
     if (!complex.isAlive(t)) continue;
     const std::uint32_t k = below(3);

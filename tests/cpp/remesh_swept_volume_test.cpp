@@ -212,7 +212,7 @@ std::vector<Diagnostic> regionErrors(SurfaceMesh mesh) {
 }
 
 TEST(RemeshRegions, StayBesideAGapFlatterThanTheTolerance) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     const SurfaceMesh given = GappedBox(seed).mesh();
     ASSERT_TRUE(regionErrors(given).empty()) << "seed " << seed;
     RemeshOptions options;

@@ -141,7 +141,7 @@ TEST(RemeshVolume, OfAThinTubeIsKept) {
   // The automatic tolerance of a body of this extent would be twice the thickness of the wall.
   const double thickness = 0.005;
   const SurfaceMesh given =
-      prism({circle({0, 0}, 1.0, 240), {circle({0, 0}, 1.0 - thickness, 240)}}, 1.0);
+      prism({circle({0, 0}, 1.0, 240), {circle({0, 0}, 1.0 - thickness, 240)}}, 0.2);
   const SurfaceRemesh result = remesh(given);
   ASSERT_TRUE(result.diagnostics.empty());
   EXPECT_LE(result.tolerance, 0.5 * thickness);
@@ -251,18 +251,20 @@ SurfaceMesh cubeWithTwinCaps(const std::string& where, double height, double foo
 }
 
 TEST(Remesh, AbsorbsCapsOnBothSidesOfAnEdge) {
+  bool isRotated = false;
   for (const char* where : {"sharp edge", "in the face", "across the face"}) {
     for (const double height : {1e-8, 1e-9, 1e-12, 1e-14}) {
       for (const double other : {0.7, 0.401, 0.400001, 0.4}) {
-        for (const std::uint64_t seed : {0U, 1U}) {
-          SurfaceMesh given = cubeWithTwinCaps(where, height, 0.4, other);
-          if (seed > 0) rotateRandomly(given, seed);
-          const SurfaceRemesh result = remesh(given);
-          ASSERT_TRUE(result.diagnostics.empty());
-          EXPECT_EQ(result.featureLines, 12U) << where << ' ' << height << ' ' << other;
-          EXPECT_GT(result.smallestAngle, 20.0) << where << ' ' << height << ' ' << other;
-        }
+        SurfaceMesh given = cubeWithTwinCaps(where, height, 0.4, other);
+        // Every second cube is rotated.
+        if (isRotated) rotateRandomly(given, 1);
+        isRotated = !isRotated;
+        const SurfaceRemesh result = remesh(given);
+        ASSERT_TRUE(result.diagnostics.empty());
+        EXPECT_EQ(result.featureLines, 12U) << where << ' ' << height << ' ' << other;
+        EXPECT_GT(result.smallestAngle, 20.0) << where << ' ' << height << ' ' << other;
       }
+      isRotated = !isRotated;
     }
   }
 }
@@ -367,12 +369,9 @@ TEST(Remesh, TrianglesOnCylindersAreWellShaped) {
     EXPECT_GT(result.meanRadiusRatio, 0.92) << sides << ' ' << height;
     EXPECT_GT(result.smallestAngle, 20.0) << sides << ' ' << height;
   };
-  for (const int sides : {60, 500}) {
-    for (const double height : {3.4, 5.0}) {
-      expectWellShaped(sides, height);
-    }
-  }
-  expectWellShaped(3000, 3.4);
+  expectWellShaped(60, 3.4);
+  expectWellShaped(500, 5.0);
+  expectWellShaped(2000, 3.4);
 }
 
 /// Stops a remeshing at several states of its progress; returns how many results are neither the given nor the whole surface.
@@ -420,12 +419,12 @@ TEST(Remesh, HasTheSameToleranceForRegionsThatAreFound) {
 TEST(Remesh, ReturnsAValidSurfaceWheneverItIsStopped) {
   RemeshOptions options;
   options.size = 0.4;
-  const std::vector<double> states{0.0, 0.12, 0.2, 0.3, 0.45, 0.6, 0.75, 0.9};
+  const std::vector<double> states{0.0, 0.12, 0.3, 0.45, 0.6, 0.9};
   EXPECT_GT(stopInBetween(screwThread(1, 8), options, states), 2U);
   // A surface that is coarsened first.
   options.size = 1.0;
   options.tolerance = 0.05;
-  EXPECT_GT(stopInBetween(coarseBar(1500, 1.0), options, {0.2, 0.35, 0.6}), 0U);
+  EXPECT_GT(stopInBetween(coarseBar(900, 1.0), options, {0.2, 0.6}), 0U);
 }
 
 TEST(Remesh, RefusesOptionsOutOfRange) {

@@ -63,7 +63,7 @@ TEST_P(WedgeSizes, DoNotFallTowardsTheEdge) {
   EXPECT_NEAR(poor.value, GetParam(), 0.05 * GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Angles, WedgeSizes, ::testing::Values(1.0, 3.0, 8.0, 16.0, 25.0));
+INSTANTIATE_TEST_SUITE_P(Angles, WedgeSizes, ::testing::Values(1.0, 8.0, 25.0));
 
 /// As prismWedge(), with a narrow strip of triangles on either side beside the edge.
 SurfaceMesh stripedWedge(double degrees, double width, double length, double height) {
@@ -131,7 +131,7 @@ TEST(WedgeSizes, FollowTheThicknessOfABluntEdge) {
 /// The smallest size would be 1/300 of the diagonal, seven times the thickness.
 TEST(ThinPlaces, GetOneGoodLayer) {
   SurfaceMesh plate = thinPlate(1, 0.0005);
-  for (std::size_t i = 1; i < plate.points.size(); i += 3) plate.points[i] *= 0.04;
+  for (std::size_t i = 1; i < plate.points.size(); i += 3) plate.points[i] *= 0.02;
   const SurfaceMesh made = surfaceOf(remesh(plate));
   MeshRun run(made.points, made.triangles, {});
   while (run.advance(10'000) == MeshStatus::kRunning) {

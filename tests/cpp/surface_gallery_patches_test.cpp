@@ -69,6 +69,8 @@ TEST(SurfaceGalleryPatches, TrianglesHaveThePromisedQualityAtAUniformSize) {
       const bool isSharp = outline.sharpest < kAngle;
       sharp += isSharp ? 1 : 0;
       for (const double finer : {1.0, 2.0}) {
+        // A finer mesh has four times as many triangles: every third patch gets one.
+        if (finer > 1.0 && patches % 3 != 0) continue;
         const double size =
             std::min(0.25 * outline.perimeter / kAcross, outline.shortest / kAlong) / finer;
         const PatchSummary found = summaryOf(model, model.patches[i], size);

@@ -1,4 +1,4 @@
-// Two hundred random patches of all types: every front closes, and the triangles have the target shapes and lengths
+// Random patches of all types: every front closes, and the triangles have the target shapes and lengths
 // unless the boundary determines them.
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace tetrafront::testing {
 namespace {
 
-constexpr std::uint64_t kMembersPerType = 40;
+constexpr std::uint64_t kMembersPerType = 24;
 
 class SurfacePatchFamily : public ::testing::TestWithParam<PatchType> {};
 

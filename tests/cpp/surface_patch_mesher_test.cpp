@@ -56,7 +56,7 @@ TEST(SurfacePatchMesher, RandomPolygonsWithHolesCloseWithTheirExactArea) {
 }
 
 TEST(SurfacePatchMesher, RandomCoonsPatchesClose) {
-  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+  for (std::uint64_t seed = 0; seed < 45; ++seed) {
     const Model model = randomCoonsModel(seed, 0.05 * static_cast<double>(seed % 5));
     const SizeField field = SizeField::uniform(seed % 3 == 0 ? 0.25 : 0.06);
     const SurfaceMesh mesh = meshOf(model, field);

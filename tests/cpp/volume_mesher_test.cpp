@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
         NamedSurface{"thinPlate", testing::thinPlate(20, 0.01)},
         NamedSurface{"cubesSharingAnEdge", testing::cubesSharingEdge()},
         NamedSurface{"cubesSharingANode", testing::cubesSharingNode()},
-        NamedSurface{"shellsWithinShells", testing::nestedSpheres(5, 6)}),
+        NamedSurface{"shellsWithinShells", testing::nestedSpheres(5, 4)}),
     [](const auto& each) { return each.param.name; });
 
 TEST(VolumeMesher, NumbersRegionsByTheirShells) {

@@ -72,7 +72,15 @@ double distanceTo(const SurfaceMesh& mesh, const Vec3& point) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const TriangleId t : IdRange<TriangleId>(countTriangles(mesh))) {
     const auto [a, b, c] = cornersOf(mesh, t);
-    nearest = std::min(nearest, squaredDistanceToTriangle(point, a, b, c));
+    // The box around a triangle is no farther away than the triangle, and its distance costs less.
+    double toBox = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double below = std::min(std::min(a[k], b[k]), c[k]) - point[k];
+      const double above = point[k] - std::max(std::max(a[k], b[k]), c[k]);
+      const double outside = std::max(std::max(below, above), 0.0);
+      toBox += outside * outside;
+    }
+    if (toBox < nearest) nearest = std::min(nearest, squaredDistanceToTriangle(point, a, b, c));
   }
   return std::sqrt(nearest);
 }
