@@ -11,7 +11,7 @@ import {
   type TypedNumber,
 } from "../document/operations/operation";
 import type { ViewStore } from "../document/selection";
-import { isDrawingTool, type ToolName } from "../document/tools";
+import { isDrawingTool, toolKinds } from "../document/tools";
 import type { Offer } from "../document/create";
 import { settledProject, type DocumentStore, type Gesture } from "./document-store";
 import { failureText } from "./failure-text";
@@ -68,8 +68,8 @@ export class Operations {
     });
     view.state.subscribe(({ selection, tool, brush, moving }, before) => {
       const { open } = this.state.getState();
-      const isEditing = changesProject(tool) || brush !== null || moving !== null;
-      const wasEditing = changesProject(before.tool) || before.brush !== null || before.moving !== null;
+      const isEditing = toolKinds[tool].adds || brush !== null || moving !== null;
+      const wasEditing = toolKinds[before.tool].adds || before.brush !== null || before.moving !== null;
       // One gesture at a time: what the tool draws would not get into the project.
       if (open && isEditing && !wasEditing) this.cancel();
       else if (open?.operation.usesSelection === true && selection !== before.selection)
@@ -174,5 +174,3 @@ export class Operations {
     if (isAccepted) this.accept();
   }
 }
-
-const changesProject = (tool: ToolName): boolean => isDrawingTool(tool) && tool !== "measure";

@@ -15,7 +15,7 @@ import { lineTypes } from "../../document/line-types";
 import {
   circleWays,
   handleModes,
-  isDrawingTool,
+  toolKinds,
   type CircleBy,
   type Snapping,
   type ToolName,
@@ -38,6 +38,7 @@ export function DrawingBar() {
   const isPhone = useLayout() === "phone";
   if (tool === "select") return null;
   const isCircle = tool === "line" && lineType === "circle";
+  const { isDrawing, usesWorkPlane, adds } = toolKinds[tool];
   const hint =
     isCircle && circleBy === "points" ? words.hints.circleThrough : hintOf(tool, lineType, sourceType);
   return (
@@ -53,10 +54,10 @@ export function DrawingBar() {
         {isCircle && !isPhone && <CircleChoice value={circleBy} />}
         {tool === "source" && <SourceTypeChoice value={sourceType} />}
         {tool === "move" && <HandleChoice />}
-        {tool !== "patch" && <PlaneChoice />}
-        {tool !== "patch" && <SnapSwitches />}
-        {isDrawingTool(tool) && tool !== "patch" && <CoordinatesButton />}
-        {tool !== "measure" && <FinishButton />}
+        {usesWorkPlane && <PlaneChoice />}
+        {usesWorkPlane && <SnapSwitches />}
+        {isDrawing && usesWorkPlane && <CoordinatesButton />}
+        {adds && <FinishButton />}
       </div>
       <Hint text={hint} />
     </div>

@@ -42,7 +42,11 @@ export interface DrawingStores {
 /** Smallest distance between lines of the work plane's grid, in CSS pixels. */
 const gridPixels = 20;
 
-/** What the drawing tools have in common: places under the pointer, typed coordinates, the sketch and the grid. */
+/**
+ * What the drawing tools have in common: places under the pointer, typed coordinates, the sketch and the grid. While some are
+ * `picked`, a double click finishes, and a button offers it. Escape and Backspace go on to the commands if `leave` and `removeLast`
+ * return false. The object lives on while another tool is active: `end` forgets what must not be continued.
+ */
 export abstract class DrawingTool implements Interaction, TypedInput {
   protected readonly stores: DrawingStores;
   protected snap: Snap | null = null;

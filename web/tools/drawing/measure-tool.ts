@@ -41,6 +41,12 @@ export class MeasureTool extends DrawingTool {
     return { ...emptySketch, paths: path.length > 1 ? [path] : [], dots: [...this.#places, ...next] };
   }
 
+  /** What is no longer shown must not be continued when the tool is taken again. */
+  protected override end(): void {
+    this.#set([]);
+    super.end();
+  }
+
   #set(places: readonly Position[]): void {
     this.#places = places;
     this.stores.drawing.state.setState({ measured: places });
