@@ -370,6 +370,7 @@ async function errorsOf(call: () => unknown): Promise<readonly ReportedError[] |
 const TESTED_ELSEWHERE = [
   // Their callers have checked what they pass.
   "bodyBox",
+  "estimatedErrors",
   "featureSolid",
   "partOfFile",
   "drawnSolid",
