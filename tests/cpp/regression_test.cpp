@@ -62,7 +62,7 @@ std::string complaintAboutRun(const MeshRun& run) {
 TEST_P(Regression, IsMeshedCompletely) {
   const Family& family = GetParam();
   for (int size = 0; size < 3; ++size) {
-    // Of the largest solids, which take most of the time, every second variation is meshed.
+    // The largest solids take most of the time, so only every second variation of them is meshed.
     for (int i = 0; i < family.solids; i += size == 2 ? 2 : 1) {
       const auto seed = static_cast<std::uint64_t>(100 * size + i + 1);
       const SurfaceMesh surface = family.make(size, seed);

@@ -13,7 +13,7 @@ const seenFrom: Viewer["seenFrom"] = (at) => ({
   toScreen: ([x, y]) => ({ x: 100 * x, y: 100 * y }),
 });
 
-it("forgets its places when it is put away, and measures anew when it is taken again", () => {
+it("forgets its places when another tool is taken", () => {
   const drawing = new Drawing();
   const tool = new MeasureTool({
     documents: new DocumentStore(emptyProject(), () => 0),

@@ -85,7 +85,7 @@ function withNewIds(old: readonly ProjectSource[], proposed: readonly ProjectSou
     JSON.stringify(
       Object.entries(source)
         .filter(([, value]) => value !== undefined)
-        .sort(),
+        .sort(([a], [b]) => (a < b ? -1 : 1)),
     );
   const known = new Set(old.map(asText));
   const added = proposed.filter((source) => !known.has(asText(source)));

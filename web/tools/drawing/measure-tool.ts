@@ -41,7 +41,7 @@ export class MeasureTool extends DrawingTool {
     return { ...emptySketch, paths: path.length > 1 ? [path] : [], dots: [...this.#places, ...next] };
   }
 
-  /** What is no longer shown must not be continued when the tool is taken again. */
+  /** Places that are no longer shown must not be part of the next measurement. */
   protected override end(): void {
     this.#set([]);
     super.end();
