@@ -2,6 +2,7 @@
 
 read meshio KIND PATH / read gmsh PATH    what is in the file
 second meshio KIND PATH / second gmsh - PATH   what the second-order elements of a file measure
+values FROM TO                            the values of elements that Gmsh reads, which it writes again, as text
 write FROM TO OPTIONS                     null, after meshio has read one file and written another
 
 The fields are separated by tabs. A failure is printed as a text. Imports take longer than the work, so one process
@@ -112,7 +113,29 @@ def second_by_gmsh(_, path):
     return found
 
 
+def values_by_gmsh(path, target):
+    import gmsh
+
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.open(path)
+    (view,) = gmsh.view.getTags()
+    _, tags, values, _, _ = gmsh.view.getModelData(view, 0)
+    nodes = {}
+    for dimension in (2, 3):
+        _, blocks, corners = gmsh.model.mesh.getElements(dimension)
+        for block, all_corners in zip(blocks, corners):
+            for i, tag in enumerate(block):
+                nodes[int(tag)] = [int(n) - 1 for n in all_corners[(dimension + 1) * i : (dimension + 1) * (i + 1)]]
+    gmsh.option.setNumber("PostProcessing.Binary", 0)
+    gmsh.view.write(view, target)
+    gmsh.finalize()
+    return [[nodes[int(tag)], float(value[0])] for tag, value in zip(tags, values)]
+
+
 def answer_to(question, *fields):
+    if question == "values":
+        return values_by_gmsh(*fields)
     if question == "second":
         program, *rest = fields
         return second_by_gmsh(*rest) if program == "gmsh" else second_by_meshio(*rest)

@@ -31,6 +31,45 @@ test.each([".vtu", ".vtk", ".msh", ".msh2"])("values at the nodes are kept by %s
   expect(read.value.patches.length).toBe(block.patches.length);
 });
 
+const elements = block.tetrahedra.length / 4;
+const withElements: Mesh = {
+  ...block,
+  elementData: new Map([
+    ["a b", { components: 1, values: Float64Array.from({ length: elements }, (_, t) => 1 / (t + 3)) }],
+    ["flux", { components: 3, values: Float64Array.from({ length: 3 * elements }, (_, i) => i - 7) }],
+  ]),
+};
+
+/** Values by name and the nodes of their element: formats sort elements by region. */
+const byElement = ({ points, tetrahedra, elementData = new Map() }: Mesh) =>
+  [...elementData].map(([name, { components, values }]) => [
+    name,
+    Array.from({ length: tetrahedra.length / 4 }, (_, t) => {
+      const corners = Array.from(tetrahedra.subarray(4 * t, 4 * t + 4), (node) =>
+        points.subarray(3 * node, 3 * node + 3).join(),
+      );
+      return `${corners.join(" ")}: ${values.subarray(components * t, components * (t + 1)).join()}`;
+    }).sort(),
+  ]);
+
+test.each([".vtu", ".vtk", ".msh", ".msh2"])("values of elements are kept by %s", async (extension) => {
+  const [file] = await writeMesh(withElements, `a${extension}`);
+  const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` });
+  if (!read.success) throw new Error(read.errors[0].message);
+  expect(byElement(read.value)).toEqual(byElement(withElements));
+});
+
+test("values of elements are reported as left out where a format has none, and counted", async () => {
+  for (const fileName of ["a.inp", "a.mesh"]) {
+    const [file] = await writeMesh(withElements, fileName);
+    expect(file?.notes.map(({ message }) => message)).toContain(
+      'Values of the elements are left out: "a b", "flux"',
+    );
+  }
+  const short = new Map([["p", { components: 1, values: new Float64Array(elements - 1) }]]);
+  await expect(writeMesh({ ...block, elementData: short }, "a.msh")).rejects.toThrow(/elementData "p"/);
+});
+
 test("VTK: all values of a node can be missing", async () => {
   const values = new Float64Array(3 * count).fill(NaN);
   const [file] = await writeMesh(

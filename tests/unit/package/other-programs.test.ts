@@ -63,6 +63,31 @@ async function readByMeshio(fileName: string, format: string, given: Mesh = mesh
   return (await ask("read", "meshio", format, await save(fileName, given))) as ReadMesh;
 }
 
+/** The mesh with a whole number on each tetrahedron, which its triangles have too. */
+const powered: Mesh = {
+  ...mesh,
+  elementData: new Map([
+    [
+      "power",
+      {
+        components: 1,
+        values: Float64Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => 10 * t + 3),
+      },
+    ],
+  ]),
+};
+const powerOf = new Map(
+  Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => [
+    [...mesh.tetrahedra.subarray(4 * t, 4 * t + 4)].sort((a, b) => a - b).join(" "),
+    10 * t + 3,
+  ]),
+);
+/** Returns the numbers on the tetrahedra that have all given nodes. */
+const powersAt = (nodes: readonly number[]) =>
+  [...powerOf]
+    .filter(([key]) => nodes.every((node) => key.split(" ").includes(String(node))))
+    .map(([, p]) => p);
+
 const plus = (values: ArrayLike<number>) => Array.from(values, (value) => value + 0);
 const expected = {
   tetra: taggedElements(mesh.tetrahedra, 4, mesh.tetrahedronRegion, mesh.regions),
@@ -176,6 +201,19 @@ if (programs.includes("meshio")) {
       expect(elements(read, "triangle", patches)).toEqual(expected.triangle);
     });
 
+    test.each<[string, string]>([
+      ["power.vtu", "vtu"],
+      ["power.vtk", "vtk"],
+      ["power.msh", "gmsh"],
+    ])("%s with values of elements", async (fileName, format) => {
+      const { cells, tags } = await readByMeshio(fileName, format, powered);
+      const rows = cells.flatMap(([, elements], b) =>
+        elements.map((nodes, e) => ({ nodes, power: tags["power"]?.[b]?.[e] ?? NaN })),
+      );
+      expect(rows).toHaveLength(mesh.tetrahedra.length / 4 + mesh.triangles.length / 3);
+      for (const { nodes, power } of rows) expect(powersAt(nodes)).toContain(power);
+    });
+
     test("part.node with part.ele", async () => {
       const read = await readByMeshio("part.node", "tetgen");
       expect(plus(read.points.flat())).toEqual(plus(mesh.points));
@@ -254,10 +292,43 @@ if (programs.includes("meshio")) {
       expect(tags("tetra")).toEqual(expected.tetra);
       expect(tags("triangle")).toEqual(expected.triangle);
     });
+
+    test.each<[string, string]>([
+      ["powers.vtk", "dict(file_format='vtk42', binary=True)"],
+      ["powers.msh", "dict(file_format='gmsh', binary=True)"],
+      ["powers.msh", "dict(file_format='gmsh22', binary=True)"],
+    ])("%s with %s, with values of elements", async (fileName, options) => {
+      const target = path.join(folder.path, fileName);
+      const source = fileName.endsWith("msh") ? "power.msh" : "power.vtu";
+      await ask("write", await save(source, powered), target, options);
+      const read = await readMesh(readFileSync(target), { fileName });
+      if (!read.success) throw new Error(read.errors[0].message);
+      const { tetrahedra, elementData } = read.value;
+      const values = elementData?.get("power")?.values ?? new Float64Array();
+      expect(values).toHaveLength(tetrahedra.length / 4);
+      values.forEach((value, t) =>
+        expect(powersAt([...tetrahedra.subarray(4 * t, 4 * t + 4)])).toEqual([value]),
+      );
+    });
   });
 }
 
 if (programs.includes("gmsh")) {
+  test.each(["power.msh", "power.msh2"])(
+    "Gmsh reads the values of elements in %s, and we read those that it writes as text",
+    async (fileName) => {
+      const target = path.join(folder.path, `text of ${fileName}.msh`);
+      const rows = (await ask("values", await save(fileName, powered), target)) as [number[], number][];
+      expect(rows).toHaveLength(mesh.tetrahedra.length / 4 + mesh.triangles.length / 3);
+      for (const [nodes, power] of rows) expect(powersAt(nodes)).toContain(power);
+      const bytes = readFileSync(target);
+      expect(bytes.includes("$ElementData")).toBe(true);
+      const read = await readMesh(bytes, { fileName: "text.msh" });
+      if (!read.success) throw new Error(read.errors[0].message);
+      const [values] = Array.from(read.value.elementData?.values() ?? [], (data) => [...data.values]);
+      expect(values?.toSorted((a, b) => a - b)).toEqual([...powerOf.values()]);
+    },
+  );
   test.each(["second.msh", "second.msh2", "second.bdf", "second.vtk"])(
     "second-order elements measure the same in Gmsh: %s",
     async (fileName) => {

@@ -58,9 +58,11 @@ const textMsh = `$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 5 "w
 $Entities\n0 0 1 1\n1 0 0 0 1 1 0 1 5 0\n1 0 0 0 1 1 1 0 0\n$EndEntities
 $Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes
 $Elements\n2 2 1 2\n2 1 2 1\n1 1 2 3\n3 1 4 1\n2 1 2 3 4\n$EndElements
-$NodeData\n1\n"size"\n1\n0.0\n3\n0\n1\n1\n1 0.5\n$EndNodeData\n`;
+$NodeData\n1\n"size"\n1\n0.0\n3\n0\n1\n1\n1 0.5\n$EndNodeData
+$ElementData\n1\n"p"\n1\n0.0\n3\n0\n1\n2\n1 0.25\n2 0.5\n$EndElementData\n`;
 const textMsh2 = `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes
-$Elements\n2\n1 2 2 5 1 1 2 3\n2 4 2 0 1 1 2 3 4\n$EndElements\n`;
+$Elements\n2\n1 2 2 5 1 1 2 3\n2 4 2 0 1 1 2 3 4\n$EndElements
+$ElementData\n1\n"p"\n1\n0.0\n3\n0\n1\n2\n1 0.25\n2 0.5\n$EndElementData\n`;
 const smesh = `# a square\n4 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n2 1\n4 1 2 3 4 7\n3 1 2 3 8\n0\n0\n`;
 const poly = `4 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n1 1\n2 0 3\n4 1 2 3 4\n2 1 3\n0\n`;
 

@@ -95,6 +95,7 @@ export function carriedVolume(given: VolumeInput, improved: ImprovedElements): M
     tetrahedronRegion,
     regions: regions.length > 0 ? regions : numbered("region", countOf(tetrahedronRegion)),
     nodeData: new Map(),
+    elementData: undefined,
   };
 }
 

@@ -37,6 +37,7 @@ export const noVolume = () =>
     tetrahedronRegion: new Uint32Array(),
     regions: [],
     nodeData: new Map(),
+    elementData: undefined,
   }) satisfies Partial<Mesh>;
 
 /** Returns a colour per patch: its own, or one of a cyclic list of distinguishable colours (Okabe and Ito). */

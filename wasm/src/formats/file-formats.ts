@@ -132,6 +132,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
       write: singleFile((await import("./vtk.js")).writeVtk, {
         minTag: 0,
         canHoldData: (components) => components <= 9,
+        hasElementData: true,
       }),
     }),
   },
@@ -339,19 +340,21 @@ async function vtkXml(): Promise<FormatCode> {
 
 /**
  * Gmsh permits a patch and a region with one tag, but programs that read its files look tags up without the dimension.
- * Node values are scalars, vectors or tensors.
+ * Values are scalars, vectors or tensors.
  */
 const GMSH_LIMITS: FormatLimits = {
   minTag: 1,
   hasSharedTags: true,
   canHoldData: (components) => [1, 3, 9].includes(components),
+  hasElementData: true,
 };
 
 async function vtuWriter(): Promise<MeshWriter> {
   const { writeVtu } = await import("./vtu.js");
-  return withLimits({ minTag: 0, canHoldData: () => true }, (mesh, fileName, note, createSpool) => [
-    { fileName, parts: writeVtu(mesh, note, createSpool) },
-  ]);
+  return withLimits(
+    { minTag: 0, canHoldData: () => true, hasElementData: true },
+    (mesh, fileName, note, createSpool) => [{ fileName, parts: writeVtu(mesh, note, createSpool) }],
+  );
 }
 
 /** Makes a writer of a single file. */

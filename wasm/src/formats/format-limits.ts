@@ -1,4 +1,4 @@
-/** Adapts a mesh to the tags and node values that a format can store; reports every change. */
+/** Adapts a mesh to the tags and values that a format can store; reports every change. */
 import type { MeshGroup, Mesh } from "../mesh/mesh.js";
 import type { Note } from "./file-format.js";
 import { hasGenericName, listed, numbered, usedGroups } from "./groups.js";
@@ -13,17 +13,19 @@ export interface FormatLimits {
   readonly hasSharedTags?: boolean;
   /** Whether the format can store this number of values per node; undefined if it stores none. */
   readonly canHoldData?: (components: number) => boolean;
+  /** Whether the format stores values of elements too, with the same numbers of values. */
+  readonly hasElementData?: boolean;
 }
 
 /** Largest signed 32-bit number. */
 const MAX_TAG = 0x7fffffff;
 
 /**
- * Returns the mesh as the format can store it: every group has a unique, permitted tag, and unsupported node values
+ * Returns the mesh as the format can store it: every group has a unique, permitted tag, and unsupported values
  * are dropped. O(n).
  */
 export function fitToFormat(mesh: WrittenMesh, limits: FormatLimits, note: Note): WrittenMesh {
-  const { minTag, maxTag = MAX_TAG, hasSharedTags = false, canHoldData } = limits;
+  const { minTag, maxTag = MAX_TAG, hasSharedTags = false, canHoldData, hasElementData = false } = limits;
   const takenByPatches = new Set<number>();
   const settled = (word: "patches" | "regions", groups: readonly MeshGroup[], owners: Uint32Array) => {
     const used = usedGroups(owners, groups);
@@ -40,14 +42,19 @@ export function fitToFormat(mesh: WrittenMesh, limits: FormatLimits, note: Note)
     }
     return groups.map((group, g) => ({ ...group, tag: tags[g] ?? 0 }));
   };
-  const data = [...mesh.nodeData];
-  const kept = data.filter(([, { components }]) => canHoldData?.(components) === true);
-  const left = data.filter((entry) => !kept.includes(entry)).map(([name]) => name);
-  if (left.length > 0) note(omittedDataMessage(left));
+  const keptOf = (all: Mesh["nodeData"], canHold: boolean, message: (names: readonly string[]) => string) => {
+    const kept = [...all].filter(([, { components }]) => canHold && canHoldData?.(components) === true);
+    const left = [...all.keys()].filter((name) => !kept.some(([other]) => other === name));
+    if (left.length > 0) note(message(left));
+    return new Map(kept);
+  };
+  const nodeData = keptOf(mesh.nodeData, true, omittedDataMessage);
+  const elementData = keptOf(mesh.elementData ?? new Map(), hasElementData, omittedElementDataMessage);
   noteUnwrittenRegions(mesh, note);
   return {
     ...mesh,
-    nodeData: new Map(kept),
+    nodeData,
+    elementData,
     patches: settled("patches", mesh.patches, mesh.trianglePatch),
     regions: settled("regions", mesh.regions, mesh.tetrahedronRegion),
   };
@@ -101,6 +108,9 @@ function usableTags(
 export function omittedDataMessage(names: readonly string[]): string {
   return `values at the nodes are left out: ${listed(names.map((name) => `"${name}"`))}`;
 }
+
+const omittedElementDataMessage = (names: readonly string[]) =>
+  `values of the elements are left out: ${listed(names.map((name) => `"${name}"`))}`;
 
 /** Reports regions that would be lost with a surface: no supported format can store regions without tetrahedra. */
 function noteUnwrittenRegions({ tetrahedra, surfaceRegions }: Mesh, note: Note): void {

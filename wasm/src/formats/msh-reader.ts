@@ -45,7 +45,7 @@ const WIDTHS: ReadonlyMap<number, number> = new Map([
 ]);
 /** Largest number of values per node: a tensor has nine. */
 const MAX_COMPONENTS = 9;
-/** Largest number of `$NodeData` sections: each needs memory for all nodes, however few values it has. */
+/** Largest number of sections of values: each needs memory for all nodes or elements, however few values it has. */
 const MAX_DATA = 16;
 
 export function readMsh(source: ByteSource): Promise<Mesh> {
@@ -82,6 +82,7 @@ class MshReader {
   readonly #entities: MshEntities;
   readonly #builder = new MeshBuilder();
   readonly #nodes = new NodeTags();
+  readonly #tetrahedra = new NodeTags();
   /** Names of physical groups by tag, of surfaces and of volumes. */
   readonly #names = { patches: new Map<number, string>(), regions: new Map<number, string>() };
   readonly #volumes = new MshVolumes();
@@ -149,11 +150,15 @@ class MshReader {
         this.#reader.endLine();
         return this.#readNodeList(true);
       case "$Elements":
+        if (this.#builder.elementData.size > 0)
+          this.#reader.fail("a section of elements follows the values of elements");
         this.#reader.endLine();
         if (this.#numbers.hasBlocks) return this.#readElementBlocks();
         return this.#numbers.isBinary ? this.#readElementRuns() : this.#readElementList();
       case "$NodeData":
-        return this.#readNodeData();
+        return this.#readData("node");
+      case "$ElementData":
+        return this.#readData("element");
       default:
         if (!section.startsWith("$")) this.#reader.failUnknown("section", section);
     }
@@ -229,8 +234,8 @@ class MshReader {
     }
   }
 
-  /** Reads the node tags of an element and adds it. */
-  #readElement(given: number, group: (groups: GroupList) => number, tags?: Tags): void {
+  /** Reads the node tags of an element with a tag, and adds it. */
+  #readElement(tag: number, given: number, group: (groups: GroupList) => number, tags?: Tags): void {
     const all = Array.from({ length: this.#width(given) }, () => this.#numbers.size());
     const type = LINEAR_TYPES.get(given) ?? given;
     const corners = all.slice(0, this.#width(type));
@@ -243,14 +248,15 @@ class MshReader {
     if (type !== given) this.#builder.addSecondOrder(fromGmshOrder([...nodes, ...middles.map(nodeOf)]));
     if (type === TETRAHEDRON) {
       const [a = 0, b = 0, c = 0, d = 0] = nodes;
+      this.#tetrahedra.add(tag);
       this.#builder.addTetrahedron(a, b, c, d, group(this.#builder.regions));
     } else if (!this.#builder.addPolygon(nodes, group(this.#builder.patches))) {
       this.#reader.fail(`a quadrilateral ${UNCUT}`);
     }
   }
 
-  #readListed(type: number, tags: Tags): void {
-    this.#readElement(type, this.#groupOf(...tags), tags);
+  #readListed(tag: number, type: number, tags: Tags): void {
+    this.#readElement(tag, type, this.#groupOf(...tags), tags);
   }
 
   /**
@@ -302,8 +308,7 @@ class MshReader {
       if (dimension === 2) this.#volumes.trianglesFollow(this.#builder.triangleCount, entity);
       for (let e = 0; e < count; e++) {
         if (this.#reader.isLow) await this.#reader.fill();
-        this.#numbers.size();
-        this.#readElement(type, group);
+        this.#readElement(this.#numbers.size(), type, group);
       }
     }
   }
@@ -317,8 +322,8 @@ class MshReader {
       const tagCount = this.#reader.count(this.#numbers.int(), "tags");
       for (let e = 0; e < count; e++) {
         if (this.#reader.isLow) await this.#reader.fill();
-        this.#numbers.int();
-        this.#readListed(type, await this.#readTags(tagCount));
+        const tag = this.#numbers.int();
+        this.#readListed(tag, type, await this.#readTags(tagCount));
       }
       read += Math.max(count, 1);
       if (this.#reader.isLow) await this.#reader.fill();
@@ -329,9 +334,9 @@ class MshReader {
     const total = this.#reader.count(Number(this.#reader.line()), "elements");
     for (let e = 0; e < total; e++) {
       if (this.#reader.isLow) await this.#reader.fill();
-      this.#numbers.int();
+      const tag = this.#numbers.int();
       const type = this.#numbers.int();
-      this.#readListed(type, await this.#readTags(this.#reader.count(this.#numbers.int(), "tags")));
+      this.#readListed(tag, type, await this.#readTags(this.#reader.count(this.#numbers.int(), "tags")));
     }
   }
 
@@ -347,33 +352,38 @@ class MshReader {
     return [physical, entity];
   }
 
-  async #readNodeData(): Promise<void> {
+  /** Reads values by the tags of nodes or elements; those of elements that are no tetrahedra are passed over. */
+  async #readData(kind: "node" | "element"): Promise<void> {
     const reader = this.#reader;
     reader.endLine();
     const strings = await this.#readLines("names");
     await this.#readLines("times");
     const [, width, rows] = (await this.#readLines("numbers")).map(Number);
-    const components = this.#reader.count(width ?? NaN, "values per node");
+    const components = this.#reader.count(width ?? NaN, `values per ${kind}`);
     if (components === 0 || components > MAX_COMPONENTS) {
       reader.fail(
-        `the file has ${plural(components, "value")} per node; only 1 to ${MAX_COMPONENTS} are supported`,
+        `the file has ${plural(components, "value")} per ${kind}; only 1 to ${MAX_COMPONENTS} are supported`,
       );
     }
     const count = this.#reader.count(rows ?? NaN, "values");
     if (++this.#sectionsOfData > MAX_DATA)
-      reader.fail(`the file has more than ${MAX_DATA} sections of values at nodes`);
-    const values = new Float64Array(components * this.#builder.pointCount).fill(NaN);
+      reader.fail(`the file has more than ${MAX_DATA} sections of values at nodes or of elements`);
+    const isOfNodes = kind === "node";
+    const tags = isOfNodes ? this.#nodes : this.#tetrahedra;
+    const owners = isOfNodes ? this.#builder.pointCount : this.#builder.tetrahedronCount;
+    const values = new Float64Array(components * owners).fill(NaN);
     for (let r = 0; r < count; r++) {
       if (reader.isLow) await reader.fill();
-      const node =
-        this.#nodes.indexOf(this.#numbers.int()) ??
-        reader.fail("a value refers to a node that does not exist");
+      const owner = tags.indexOf(this.#numbers.int());
+      if (owner === undefined && isOfNodes) reader.fail("a value refers to a node that does not exist");
       for (let i = 0; i < components; i++) {
-        values[components * node + i] = this.#numbers.value();
+        const value = this.#numbers.value();
+        if (owner !== undefined) values[components * owner + i] = value;
       }
     }
     const name = (strings[0] ?? "").replace(/^"|"$/g, "");
-    this.#builder.nodeData.set(name, { components, values });
+    if (isOfNodes) this.#builder.nodeData.set(name, { components, values });
+    else if (owners > 0) this.#builder.elementData.set(name, { components, values });
   }
 
   /** Reads a count in one line, then that number of lines. */

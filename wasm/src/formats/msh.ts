@@ -4,7 +4,9 @@
  * tetrahedra. The groups carry the user's names, for boundary conditions.
  */
 import { inPieces, type Steps, stepwise } from "../base/steps.js";
+import type { NodeData } from "../mesh/mesh.js";
 import { IS_LITTLE_ENDIAN, type Part, widened } from "./bytes.js";
+import { cellDataOf, cellsByGroup } from "./element-data.js";
 import type { Note } from "./file-format.js";
 import { type ElementKind, type Group, type Naming, patchGroups, regionGroups } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -31,37 +33,63 @@ export function* writeMsh(mesh: WrittenMesh, note: Note): Generator<Part, void> 
     "\n$EndNodes\n$Elements\n",
     elements(groups),
     "\n$EndElements\n",
-    nodeDataSections(mesh),
+    dataSections(mesh),
   ];
 }
 
-/** Returns one section per name with the nodes that have values; the same in both versions of the format. */
-export function* nodeDataSections({ nodeData }: WrittenMesh): Generator<Part, void> {
-  for (const [name, { components, values }] of nodeData) {
+/** Returns one section per name of values at nodes or of elements; the same in both versions of the format. */
+export function* dataSections(mesh: WrittenMesh): Generator<Part, void> {
+  for (const [name, data] of mesh.nodeData) {
+    const { components, values } = data;
     const hasValues = (node: number) =>
       !values.subarray(components * node, components * (node + 1)).every(Number.isNaN);
     const count = values.length / components;
     let rows = 0;
     yield* stepwise(count, (node) => (rows += hasValues(node) ? 1 : 0));
-    // One name, one time, and three numbers: time step, values per node, nodes.
-    const title = `"${name.replace(/["\r\n]/g, "'")}"`;
-    yield `$NodeData\n1\n${title}\n1\n0\n3\n0\n${components}\n${rows}\n`;
-    const width = 4 + 8 * components;
-    yield* inPieces(count, (begin, end) => {
-      const view = new DataView(new ArrayBuffer(width * (end - begin)));
-      let at = 0;
-      for (let node = begin; node < end; node++) {
-        if (!hasValues(node)) continue;
-        view.setInt32(at, node + 1, IS_LITTLE_ENDIAN);
-        for (let i = 0; i < components; i++) {
-          view.setFloat64(at + 4 + 8 * i, values[components * node + i] ?? NaN, IS_LITTLE_ENDIAN);
-        }
-        at += width;
-      }
-      return new Uint8Array(view.buffer, 0, at);
-    });
-    yield "\n$EndNodeData\n";
+    const rowOf = (node: number) => (hasValues(node) ? node : undefined);
+    yield* section("NodeData", name, data, { count, rows, rowOf });
   }
+  // Every element has a row, in the order of the file: meshio passes over the tags.
+  const cellData = yield* cellDataOf(mesh);
+  const order = cellData.size > 0 ? yield* cellsByGroup(mesh) : new Uint32Array();
+  const rows = { count: order.length, rows: order.length, rowOf: (element: number) => order[element] };
+  for (const [name, data] of cellData) yield* section("ElementData", name, data, rows);
+}
+
+/** The nodes or elements of a section. */
+interface DataRows {
+  /** Number of all nodes or elements, and of those in the section. */
+  readonly count: number;
+  readonly rows: number;
+  /** Returns which values belong to a node or element, whose tag is its index plus 1; undefined if it is left out. */
+  readonly rowOf: (index: number) => number | undefined;
+}
+
+function* section(
+  word: "NodeData" | "ElementData",
+  name: string,
+  { components, values }: NodeData,
+  { count, rows, rowOf }: DataRows,
+): Generator<Part, void> {
+  // One name, one time, and three numbers: time step, values per row, rows.
+  const title = `"${name.replace(/["\r\n]/g, "'")}"`;
+  yield `$${word}\n1\n${title}\n1\n0\n3\n0\n${components}\n${rows}\n`;
+  const width = 4 + 8 * components;
+  yield* inPieces(count, (begin, end) => {
+    const view = new DataView(new ArrayBuffer(width * (end - begin)));
+    let at = 0;
+    for (let index = begin; index < end; index++) {
+      const row = rowOf(index);
+      if (row === undefined) continue;
+      view.setInt32(at, index + 1, IS_LITTLE_ENDIAN);
+      for (let i = 0; i < components; i++) {
+        view.setFloat64(at + 4 + 8 * i, values[components * row + i] ?? NaN, IS_LITTLE_ENDIAN);
+      }
+      at += width;
+    }
+    return new Uint8Array(view.buffer, 0, at);
+  });
+  yield `\n$End${word}\n`;
 }
 
 /** Returns the section with the names of patches and regions. */

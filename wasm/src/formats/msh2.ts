@@ -7,7 +7,7 @@ import { IS_LITTLE_ENDIAN, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import { type Group, patchGroups, regionGroups } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
-import { GMSH_NAMING, gmshOrder, nodeDataSections, physicalNames } from "./msh.js";
+import { dataSections, GMSH_NAMING, gmshOrder, physicalNames } from "./msh.js";
 
 /** A number, then x y z. */
 const NODE_BYTES = 4 + 3 * 8;
@@ -30,7 +30,7 @@ export function* writeMsh2(mesh: WrittenMesh, note: Note): Generator<Part, void>
     `\n$EndNodes\n$Elements\n${total}\n`,
     elements(groups),
     "\n$EndElements\n",
-    nodeDataSections(mesh),
+    dataSections(mesh),
   ];
 }
 

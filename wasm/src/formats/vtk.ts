@@ -4,8 +4,9 @@
  * the number of nodes before each cell, because Gmsh reads no other. The title holds the names, if all fit.
  */
 import { inPieces, type Steps, stepwise } from "../base/steps.js";
-import type { Mesh, MeshGroup } from "../mesh/mesh.js";
+import type { Mesh, MeshGroup, NodeData } from "../mesh/mesh.js";
 import type { Part } from "./bytes.js";
+import { cellDataOf } from "./element-data.js";
 import type { Note } from "./file-format.js";
 import { noteNames } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -39,19 +40,24 @@ export function* writeVtk(mesh: WrittenMesh, note: Note): Generator<Part, void> 
     perCell(regions),
     "SCALARS patch int 1\nLOOKUP_TABLE default\n",
     perCell(patches),
+    ...numberFields(yield* cellDataOf(mesh), count),
     ...pointData(mesh),
   ];
 }
 
-/** Writes the values at the nodes. In their names, blanks and other separators are encoded like %20. */
 function pointData({ points, nodeData }: Mesh): Part[] {
-  if (nodeData.size === 0) return [];
   const count = points.length / 3;
-  const arrays = [...nodeData].flatMap(([name, { components, values }]): Part[] => [
+  return nodeData.size === 0 ? [] : [`POINT_DATA ${count}\n`, ...numberFields(nodeData, count)];
+}
+
+/** Writes values of `count` nodes or cells. In their names, blanks and other separators are encoded like %20. */
+function numberFields(data: ReadonlyMap<string, NodeData>, count: number): Part[] {
+  if (data.size === 0) return [];
+  const arrays = [...data].flatMap(([name, { components, values }]): Part[] => [
     `${nameWord(name)} ${components} ${count} double\n`,
     numberRows(values, components, (row) => coordinates(row).replaceAll("NaN", "nan")),
   ]);
-  return [`POINT_DATA ${count}\nFIELD numbers ${nodeData.size}\n`, ...arrays];
+  return [`FIELD numbers ${data.size}\n`, ...arrays];
 }
 
 function nameWord(name: string): string {

@@ -7,8 +7,9 @@
  */
 import { zlibSync } from "fflate";
 import { PAUSE, type Steps } from "../base/steps.js";
-import type { MeshGroup, Mesh } from "../mesh/mesh.js";
+import type { MeshGroup, Mesh, NodeData } from "../mesh/mesh.js";
 import { IS_LITTLE_ENDIAN, type Part, widened } from "./bytes.js";
+import { cellDataOf } from "./element-data.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, usedGroups } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
@@ -44,6 +45,7 @@ function* fileIn(mesh: WrittenMesh, note: Note, spool: Spool): Generator<Part, v
   const { points } = mesh;
   const { count, types, regions, patches } = vtkCellData(mesh);
   const { connectivity, offsets } = yield* cellNodes(mesh);
+  const cellData = yield* cellDataOf(mesh);
   const perCell = { count, width: 4 };
   const arrays: readonly DataArray[] = [
     { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', ...doubles(points) },
@@ -57,10 +59,8 @@ function* fileIn(mesh: WrittenMesh, note: Note, spool: Spool): Generator<Part, v
     },
     { attributes: 'type="Int32" Name="region"', ...perCell, values: regions },
     { attributes: 'type="Int32" Name="patch"', ...perCell, values: patches },
-    ...[...mesh.nodeData].map(([name, { components, values }]) => ({
-      attributes: `type="Float64" Name="${inQuotes(name)}"${components === 1 ? "" : ` NumberOfComponents="${components}"`}`,
-      ...doubles(values),
-    })),
+    ...namedArrays(cellData),
+    ...namedArrays(mesh.nodeData),
   ];
   const packed = new Map<DataArray, PackedArray>();
   for (const array of arrays.toReversed()) packed.set(array, yield* compressed(array, spool));
@@ -75,8 +75,8 @@ function* fileIn(mesh: WrittenMesh, note: Note, spool: Spool): Generator<Part, v
     `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${count}">`,
     `<Points>${pointTag}</Points>`,
     `<Cells>${connectivityTag}${offsetTag}${typeTag}</Cells>`,
-    `<CellData Scalars="region">${regionTag}${patchTag}</CellData>`,
-    ...(dataTags.length > 0 ? [`<PointData>${dataTags.join("")}</PointData>`] : []),
+    `<CellData Scalars="region">${regionTag}${patchTag}${dataTags.slice(0, cellData.size).join("")}</CellData>`,
+    ...(mesh.nodeData.size > 0 ? [`<PointData>${dataTags.slice(cellData.size).join("")}</PointData>`] : []),
     "</Piece>",
     "</UnstructuredGrid>",
     '<AppendedData encoding="raw">',
@@ -85,6 +85,13 @@ function* fileIn(mesh: WrittenMesh, note: Note, spool: Spool): Generator<Part, v
   yield head;
   for (const { header, bytes } of packed.values()) yield [header, spool.take(bytes)];
   yield "\n</AppendedData>\n</VTKFile>\n";
+}
+
+function namedArrays(data: ReadonlyMap<string, NodeData>): DataArray[] {
+  return [...data].map(([name, { components, values }]) => ({
+    attributes: `type="Float64" Name="${inQuotes(name)}"${components === 1 ? "" : ` NumberOfComponents="${components}"`}`,
+    ...doubles(values),
+  }));
 }
 
 function doubles(values: Float64Array) {

@@ -45,11 +45,17 @@ export function* checkFileMesh(mesh: Mesh): Steps<Diagnostic[]> {
   return [packageDiagnostic("invalid-arrays", `the mesh is invalid: ${what}`, remedy)];
 }
 
-function* faultIn({ points, nodeData, ...rest }: Partial<Mesh>): Steps<string | undefined> {
+function* faultIn({
+  points,
+  nodeData,
+  elementData = new Map(),
+  ...rest
+}: Partial<Mesh>): Steps<string | undefined> {
   if (!isArrayOf(Float64Array, points) || points.length % 3 !== 0 || isDetached(points)) {
     return "points is not a Float64Array with x y z per node";
   }
   if (!isA("Map", nodeData)) return "nodeData is not a Map";
+  if (!isA("Map", elementData)) return "elementData is not a Map";
   const count = points.length / 3;
   const wild = yield* firstOf(points, (value) => !Number.isFinite(value));
   if (wild >= 0) return `node ${Math.floor(wild / 3)} has a coordinate that is not finite`;
@@ -58,6 +64,12 @@ function* faultIn({ points, nodeData, ...rest }: Partial<Mesh>): Steps<string | 
   );
   if (data !== undefined)
     return `nodeData ${shown(data[0])} does not have \`components\` values for each of ${plural(count, "node")}`;
+  const elements = (rest.tetrahedra?.length ?? 0) / 4;
+  const ofElements = [...(elementData as ReadonlyMap<unknown, unknown>)].find(
+    ([name, given]) => !isData(name, given, elements),
+  );
+  if (ofElements !== undefined)
+    return `elementData ${shown(ofElements[0])} does not have \`components\` values for each of ${elements} tetrahedra`;
   return (
     (yield* faultOfCurved(count, rest.curvedEdges)) ??
     (yield* faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches)) ??
@@ -65,7 +77,7 @@ function* faultIn({ points, nodeData, ...rest }: Partial<Mesh>): Steps<string | 
   );
 }
 
-/** Returns whether the entry has a name and the stated number of values per node. */
+/** Returns whether the entry has a name and the stated number of values per node or tetrahedron. */
 function isData(name: unknown, given: unknown, count: number): boolean {
   if (typeof name !== "string" || !v.is(nodeValues, given)) return false;
   const { components, values } = given;

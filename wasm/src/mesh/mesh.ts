@@ -118,7 +118,10 @@ export interface Mesh {
   readonly regions: readonly MeshGroup[];
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;
-  /** Values of the tetrahedra by name, as in the file (VTU, VTK), without the tags of regions. They are not written. */
+  /**
+   * Values of the tetrahedra by name, as in the file (VTU, VTK, MSH), without the tags of regions. In a written file, triangles have the
+   * values of the tetrahedra behind them.
+   */
   readonly elementData?: ReadonlyMap<string, NodeData> | undefined;
   /**
    * In the result of a run, two per triangle: index in `regions` of the region from which its nodes are seen clockwise, and of
