@@ -32,6 +32,12 @@ struct SolutionMetricOptions {
   double maxSize = 0.0;      ///< largest edge length; 0 for the diagonal of the mesh's bounding box
   double maxAspect = 1e4;    ///< largest ratio of two sizes at a node, 1 to 1e6
   double growth = 0.5;  ///< limit of the growth of the metric (metric/mesh_metric.h); 0 for none
+  /// Index of the field that is an indicator of the error: its values are >= 0, one per node or element. It decides how
+  /// large elements are, and the other fields only their shape; `error` is its target.
+  std::uint32_t indicator = kNoIndicator;
+  double indicatorOrder = 2.0;  ///< the indicator falls with this power of the size, 0.1 to 20
+
+  static constexpr std::uint32_t kNoIndicator = 0xffffffffU;
 };
 
 /// Metrics as the sizes of a background grid, which has one stretching: the shorter two sizes of each node are replaced by
@@ -58,9 +64,10 @@ struct SolutionMetric {
   std::vector<double> metrics;  ///< six numbers per node: xx xy xz yy yz zz
   ReducedMetric reduced;
   double elements = 0.0;  ///< number of elements that the metric asks for
-  std::vector<double>
-      errors;  ///< per field: interpolation error of a mesh of regular unit elements
-  /// Per field: 1 if it varies by more than rounding. Others have no influence.
+  /// Per field: interpolation error of a mesh of regular unit elements; for the indicator, its largest value there.
+  std::vector<double> errors;
+  /// Per field: 1 if it varies by more than rounding, for the indicator if it is not 0 everywhere. Others have no
+  /// influence.
   std::vector<std::uint8_t> hasVariation;
 };
 
@@ -68,6 +75,7 @@ struct SolutionMetric {
 /// recovered (solution/recovered_hessian.h) and scaled for the norm (Loseille & Alauzet 2011, Continuous mesh framework);
 /// the metrics of several fields are intersected; sizes, aspect and growth are limited. If a number of elements is asked
 /// for, the metric is scaled until the limited metric asks for it. If no field varies, the metric is the same everywhere.
+/// With an indicator, sizes follow from it and from those of the mesh (solution/indicator_density.h).
 /// `mesh` needs positive volumes; values are finite. A unit of work is about a step of the front.
 class SolutionSizer : public SlicedTool<SolutionMetric> {
  public:

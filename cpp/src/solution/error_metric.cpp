@@ -9,6 +9,7 @@
 #include "metric/mesh_metric.h"
 #include "metric/metric.h"
 #include "metric/principal_axes.h"
+#include "solution/power.h"
 #include "topology/mesh_access.h"
 
 namespace tetrafront {
@@ -37,10 +38,6 @@ NormConstants constantsOf(ErrorNorm norm) {
       break;
   }
   return {0.0, 3.0 / 16.0};
-}
-
-double powerOf(double value, double exponent) {
-  return value > 0.0 ? exponential(exponent * logarithm(value)) : 0.0;
 }
 
 /// Returns the square root of the sum of the squares of all components at a node.

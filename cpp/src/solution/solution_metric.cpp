@@ -14,6 +14,8 @@
 #include "metric/mesh_metric.h"
 #include "metric/metric.h"
 #include "solution/error_metric.h"
+#include "solution/indicator_density.h"
+#include "solution/power.h"
 #include "solution/recovered_hessian.h"
 #include "solution/reduced_metric.h"
 #include "tetrafront/solution.h"
@@ -121,14 +123,25 @@ class MetricScaling {
     }
   }
 
+  /// Gives all metrics densities, one per node, times `factor`, and keeps their axes and ratios.
+  void setDensities(std::vector<double> densities, double factor) {
+    densities_ = std::move(densities);
+    for (double& density : densities_) density *= factor;
+  }
+
   /// Computes the limited metric, with all metrics times `factor`.
   Task<> limit(Work& work, double factor) {
     limited_ = unlimited_;
+    const double denser = factor * std::sqrt(factor);
     co_await work.forEachId<NodeId>(
         countNodes(mesh_),
         [&](NodeId node) {
-          const SymmetricTensor metric = tensorAt(unlimited_, node.index()).scaledBy(factor);
-          putTensor(limited_, node.index(), bounded(metric, bounds_));
+          const std::size_t i = node.index();
+          const SymmetricTensor own = tensorAt(unlimited_, i);
+          const SymmetricTensor metric = densities_.empty()
+                                             ? own.scaledBy(factor)
+                                             : withDensity(own, densities_[i] * denser, bounds_);
+          putTensor(limited_, i, bounded(metric, bounds_));
         },
         kNodesPerUnit);
     if (options_.growth > 0.0) {
@@ -164,6 +177,7 @@ class MetricScaling {
   const SolutionMetricOptions& options_;
   MetricBounds bounds_;
   std::vector<double> unlimited_;
+  std::vector<double> densities_;  ///< per node; empty if those of the metrics count
   std::vector<double> limited_;
 };
 
@@ -173,41 +187,94 @@ double magnitudeOf(std::span<const double> values) {
   return magnitude;
 }
 
-/// Returns the metric of each field, for itself.
-Task<std::vector<FieldMetric>> metricsOfFields(Work& work, const SizingInput& input,
-                                               const MeshEdges& edges) {
+/// Returns the values of each field.
+std::vector<SampledValues> samplesOf(const SizingInput& input) {
   const auto& [mesh, fields, options] = input;
-  const std::size_t count = fields.components.size();
-  std::vector<FieldMetric> all;
+  std::vector<SampledValues> all;
   std::size_t first = 0;
-  for (std::size_t f = 0; f < count; ++f) {
-    work.beginShare(1.0, static_cast<double>(count - f));
+  for (std::size_t f = 0; f < fields.components.size(); ++f) {
     const bool isPerElement = fields.isPerElement[f] != 0;
     const std::size_t samples = isPerElement ? countTetrahedra(mesh) : countNodes(mesh);
     const std::size_t numbers = samples * fields.components[f];
     const auto values = std::span(fields.values).subspan(first, numbers);
+    all.push_back({values, fields.components[f], isPerElement});
     first += numbers;
-    const SampledValues sampled{values, fields.components[f], isPerElement};
-    const std::vector<double> hessians = co_await recoverHessians(work, mesh, edges, sampled);
-    const std::vector<double> noise = noiseOf(mesh, edges, magnitudeOf(values));
-    all.push_back(fieldMetric(mesh, hessians, noise, options));
+  }
+  return all;
+}
+
+/// Returns the metric of each field, for itself; that of the indicator has no variation.
+Task<std::vector<FieldMetric>> metricsOfFields(Work& work, const SizingInput& input,
+                                               const MeshEdges& edges) {
+  const VolumeMesh& mesh = input.mesh;
+  const std::vector<SampledValues> samples = samplesOf(input);
+  std::vector<FieldMetric> all;
+  for (std::size_t f = 0; f < samples.size(); ++f) {
+    work.beginShare(1.0, static_cast<double>(samples.size() - f));
+    if (f == input.options.indicator) {
+      all.emplace_back();
+      continue;
+    }
+    const std::vector<double> hessians = co_await recoverHessians(work, mesh, edges, samples[f]);
+    const std::vector<double> noise = noiseOf(mesh, edges, magnitudeOf(samples[f].values));
+    all.push_back(fieldMetric(mesh, hessians, noise, input.options));
   }
   co_return all;
 }
 
-/// Returns the factor of the metric of a field with which it alone, without limits, has the error or the number.
-double factorFor(const FieldMetric& field, const SolutionMetricOptions& options) {
-  if (!(options.elements > 0.0)) return scaleForError(field, options.norm, options.error);
-  const double root = cubeRoot(options.elements / kElementsPerComplexity / field.complexity);
+bool hasIndicator(const SizingInput& input) {
+  return input.options.indicator < input.fields.components.size();
+}
+
+IndicatorDensity densityIn(const SizingInput& input) {
+  if (!hasIndicator(input)) return {};
+  const auto& [mesh, fields, options] = input;
+  return indicatorDensity(mesh, samplesOf(input)[options.indicator], options.indicatorOrder);
+}
+
+/// Returns the factor of the metric of a field with which it alone, without limits, has the error or the number. With an
+/// indicator, fields only need to have one number.
+double factorFor(const FieldMetric& field, const SizingInput& input) {
+  const SolutionMetricOptions& options = input.options;
+  double elements = options.elements;
+  if (hasIndicator(input)) elements = static_cast<double>(countTetrahedra(input.mesh));
+  if (!(elements > 0.0)) return scaleForError(field, options.norm, options.error);
+  const double root = cubeRoot(elements / kElementsPerComplexity / field.complexity);
   return root * root;
 }
 
+/// Combines the metrics of the fields and the densities of the indicator; returns whether sizes follow from them.
+bool combine(const SizingInput& input, std::span<const FieldMetric> fields,
+             const IndicatorDensity& indicator, MetricScaling& scaling) {
+  const SolutionMetricOptions& options = input.options;
+  for (const FieldMetric& field : fields)
+    if (field.hasVariation) scaling.add(field, factorFor(field, input));
+  const bool isIndicated = indicator.largest > 0.0;
+  const bool isVaried = hasIndicator(input) ? isIndicated : !scaling.isEmpty();
+  if (!isVaried || scaling.isEmpty()) scaling.setUniform();
+  if (isIndicated) {
+    const double factor = options.elements > 0.0 ? options.elements / indicator.elements
+                                                 : powerOf(indicator.largest / options.error,
+                                                           3.0 / options.indicatorOrder);
+    scaling.setDensities(indicator.densities, factor);
+  }
+  return isVaried;
+}
+
 /// Completes a result that has its metrics.
-void describe(const VolumeMesh& mesh, std::span<const FieldMetric> fields, ErrorNorm norm,
-              SolutionMetric& result) {
-  for (const FieldMetric& field : fields) {
-    const bool varies = field.hasVariation;
-    result.errors.push_back(varies ? expectedError(mesh, field, result.metrics, norm) : 0.0);
+void describe(const SizingInput& input, std::span<const FieldMetric> fields,
+              const IndicatorDensity& indicator, SolutionMetric& result) {
+  const auto& [mesh, _, options] = input;
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const bool isIndicator = f == options.indicator;
+    const bool varies = isIndicator ? indicator.largest > 0.0 : fields[f].hasVariation;
+    double error = 0.0;
+    if (isIndicator) {
+      error = largestIndicator(indicator, options.indicatorOrder, result.metrics);
+    } else if (varies) {
+      error = expectedError(mesh, fields[f], result.metrics, options.norm);
+    }
+    result.errors.push_back(error);
     result.hasVariation.push_back(varies ? 1 : 0);
   }
   result.reduced = reducedMetric(result.metrics);
@@ -219,22 +286,20 @@ Task<SolutionMetric> sizeFromSolution(Work& work, const SizingInput& input) {
   const MeshEdges edges = co_await edgesOf(work, input.mesh);
   work.beginPart(0.5);
   const std::vector<FieldMetric> fields = co_await metricsOfFields(work, input, edges);
+  const IndicatorDensity indicator = densityIn(input);
   MetricScaling scaling(input.mesh, edges, options);
-  for (const FieldMetric& field : fields)
-    if (field.hasVariation) scaling.add(field, factorFor(field, options));
-  const bool isUniform = scaling.isEmpty();
-  if (isUniform) scaling.setUniform();
+  const bool isVaried = combine(input, fields, indicator, scaling);
   work.beginPart(1.0);
   if (options.elements > 0.0) {
     co_await scaling.scaleTo(work, options.elements);
   } else {
     // Without variation, every mesh has the error 0: the largest size will do.
-    co_await scaling.limit(work, isUniform ? 0.0 : 1.0);
+    co_await scaling.limit(work, isVaried ? 1.0 : 0.0);
   }
   SolutionMetric result;
   result.elements = scaling.elements();
   result.metrics = std::move(scaling.limited());
-  describe(input.mesh, fields, options.norm, result);
+  describe(input, fields, indicator, result);
   co_return result;
 }
 

@@ -164,6 +164,85 @@ describe("sizeFromSolution", () => {
   });
 });
 
+describe("an indicator of the error", () => {
+  const eta = (values: Float64Array, isPerElement = true): FieldValues => ({
+    name: "eta",
+    components: 1,
+    values,
+    isPerElement,
+  });
+
+  test("gives the optimal sizes for an error h² |f″| on a uniform mesh", async () => {
+    const mesh = unitCube(8);
+    const second: Field = ([x]) => Math.exp(3 * x);
+    const values = atNodes(mesh, second).map((value) => value / 64);
+    const options = { indicator: "eta", elements: 20_000, growth: Infinity, maxSize: 10 };
+    const sizes = await mesher.sizeFromSolution(mesh, [eta(values, false)], options);
+    expect(Math.abs(sizes.elements / 20_000 - 1)).toBeLessThan(0.05);
+    const [first = 0] = sizes.metrics;
+    for (let node = 0; node < values.length; node++) {
+      // Sizes are proportional to 1 / √|f″| everywhere, in all directions.
+      const expected = Math.sqrt((values[0] ?? 0) / (values[node] ?? 0) / first);
+      for (const axis of [
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+      ] as const)
+        expect(sizeAlong(sizes.metrics, node, axis) / expected).toBeCloseTo(1, 9);
+    }
+    // The sizes of the mesh itself: ten elements per unit cube of the metric.
+    const own = await mesher.sizeFromSolution(
+      mesh,
+      [
+        eta(
+          values.map(() => 2),
+          false,
+        ),
+      ],
+      {
+        indicator: "eta",
+        error: 2,
+      },
+    );
+    expect(own.elements).toBeCloseTo(mesh.tetrahedra.length / 4, 6);
+    expect(own.expectedErrors[0]).toBeCloseTo(2, 9);
+  });
+
+  test("leaves the shape to the other fields", async () => {
+    const mesh = unitCube(6);
+    const thin = scalar(mesh, ([x, y, z]) => x * x + y * y + 25 * z * z, "u");
+    const values = new Float64Array(mesh.tetrahedra.length / 4).fill(1);
+    const options = { indicator: "eta", elements: 3000 };
+    const { metrics } = await mesher.sizeFromSolution(mesh, [thin, eta(values)], options);
+    expect(sizeAlong(metrics, 40, [1, 0, 0]) / sizeAlong(metrics, 40, [0, 0, 1])).toBeCloseTo(5, 3);
+  });
+
+  test("says what is wrong with it", async () => {
+    const mesh = unitCube(2);
+    const count = mesh.tetrahedra.length / 4;
+    const sizesOf = (field: FieldValues, options = {}) =>
+      mesher.sizeFromSolution(mesh, [field], { indicator: "eta", elements: 100, ...options });
+    await expect(sizesOf(eta(new Float64Array(count).fill(-1, 3, 4)))).rejects.toThrow(
+      /indicator "eta" is -1 at tetrahedron 3 .*magnitude/,
+    );
+    await expect(sizesOf(eta(new Float64Array(count).fill(NaN, 5, 6)))).rejects.toThrow(
+      /"eta" is NaN at tetrahedron 5/,
+    );
+    await expect(sizesOf({ ...eta(new Float64Array(3 * count)), components: 3 })).rejects.toThrow(
+      /"eta" has 3 numbers per tetrahedron/,
+    );
+    await expect(sizesOf({ ...eta(new Float64Array(count)), name: "u" })).rejects.toThrow(
+      /no field is named "eta"/i,
+    );
+    const alone = { indicator: undefined, indicatorOrder: 3 };
+    await expect(sizesOf(eta(new Float64Array(count)), alone)).rejects.toThrow(/no indicator/);
+    const zero = await sizesOf(eta(new Float64Array(count)));
+    expect(zero.diagnostics.map(({ message }) => message)).toEqual([
+      'The indicator "eta" is 0 everywhere, so no sizes follow from it',
+    ]);
+  });
+});
+
 describe("transferSolution", () => {
   test("keeps the integrals if it is conservative", async () => {
     const [from, to] = [unitCube(5), unitCube(4)];
@@ -252,6 +331,27 @@ describe("the command line", () => {
     ]);
     const start = await meshIn("start.vtu");
     expect(start.nodeData.get("T")?.values.length).toBe(start.points.length / 3);
+  });
+
+  test("makes sizes from an indicator of the elements in a Gmsh file", async () => {
+    const mesh = unitCube(6);
+    const values = Float64Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => 1 + t);
+    const elementData = new Map([["eta", { components: 1, values }]]);
+    for (const { fileName, bytes } of await writeMesh({ ...mesh, elementData }, "solution.msh"))
+      save(fileName, bytes);
+    const args = ["--indicator", "eta", "--indicator-order", "3.5", "-n", "4000", "-o", "grid.vtu"];
+    const made = await run("sizes", "solution.msh", ...args);
+    expect([made.code, made.stderr]).toEqual([0, expect.stringMatching(/expected largest "eta" \d/)]);
+    const grid = await meshIn("grid.vtu");
+    expect(grid.elementData).toBeUndefined();
+    const { metrics } = await mesher.sizeFromSolution(
+      mesh,
+      [{ name: "eta", components: 1, values, isPerElement: true }],
+      { indicator: "eta", indicatorOrder: 3.5, elements: 4000 },
+    );
+    expect(grid.nodeData.get("metric")?.values).toEqual(metrics);
+    const byField = await run("sizes", "solution.msh", "--field", "eta", "-n", "4000", "-o", "grid.vtu");
+    expect([byField.code, byField.stderr]).toEqual([0, expect.stringMatching(/error of "eta"/)]);
   });
 
   test("names the fields of a file without the one asked for", async () => {

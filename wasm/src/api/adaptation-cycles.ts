@@ -134,11 +134,11 @@ async function followed(
   progress: WholeProgress,
 ): Promise<Omit<AdaptationCycle, "cycle" | "mesh">> {
   const { cycles: _c, resume: _r, fields: names, leastQuality, sweeps, conservative, ...sizing } = options;
+  const { norm = DEFAULT_NORM, indicator } = sizing;
   const { fields, mesh } = solution;
-  const deciding = namedFields(fields, names);
+  const deciding = decidingFields(fields, { fields: names, indicator });
   const sizes = await mesher.sizeFromSolution(mesh, deciding, sizing, progress.next(SHARES.sizes));
-  const { norm = DEFAULT_NORM } = sizing;
-  const errors = await estimatedErrors(mesher, mesh, { fields: deciding, norm }, () =>
+  const errors = await estimatedErrors(mesher, mesh, { fields: deciding, norm, indicator }, () =>
     progress.next(SHARES.sizes),
   );
   const control = progress.next(SHARES.adapt);
@@ -179,16 +179,29 @@ function checkedSolution(solved: unknown, mesh: Mesh): SolvedFields {
   };
 }
 
-/** Returns the fields with these names, by default all. Rejects a name that no field has. */
-function namedFields(
+/**
+ * Returns the names of the fields that decide the sizes: of all by default, of the indicator alone if there is one. The indicator
+ * is the last.
+ */
+export function decidingNames(
   fields: readonly FieldValues[],
-  names: readonly string[] | undefined,
+  { fields: names, indicator }: Pick<CycleOptions, "fields" | "indicator">,
+): readonly string[] {
+  if (indicator === undefined) return names ?? fields.map(({ name = "" }) => name);
+  return [...(names ?? []).filter((name) => name !== indicator), indicator];
+}
+
+/** Returns the fields that decide the sizes. Rejects a name that no field has. */
+function decidingFields(
+  fields: readonly FieldValues[],
+  options: Pick<CycleOptions, "fields" | "indicator">,
 ): readonly FieldValues[] {
-  return (names ?? fields.map(({ name = "" }) => name)).flatMap((name) => {
+  return decidingNames(fields, options).flatMap((name) => {
     const field = fields.find((one) => one.name === name);
     if (field !== undefined) return [field];
     const known = listed(fields.map((one) => `"${one.name ?? ""}"`));
-    refuse([invalidOption("fields", `the solution has no field "${name}"`, `Use one of ${known}.`)]);
+    const option = name === options.indicator ? "indicator" : "fields";
+    refuse([invalidOption(option, `the solution has no field "${name}"`, `Use one of ${known}.`)]);
     return [];
   });
 }

@@ -196,7 +196,10 @@ export interface InspectionOptions extends Pick<SizeOptions, "innerShells"> {
 export interface SolutionSizeOptions {
   /** Target number of elements, 1 to 1e9; the metric asks for it within 5 % if the limits permit. */
   readonly elements?: number | undefined;
-  /** Target interpolation error of each field, in the unit of the field and the norm: for `l2`, times the square root of volume. */
+  /**
+   * Target interpolation error of each field, in the unit of the field and the norm: for `l2`, times the square root of volume.
+   * With an indicator: its target in every element.
+   */
   readonly error?: number | undefined;
   /** Norm of the interpolation error: `l1`, `l2`, `l4`, or `max` for the largest error. Default `l2`. */
   readonly norm?: ErrorNorm | undefined;
@@ -214,6 +217,18 @@ export interface SolutionSizeOptions {
    * limit.
    */
   readonly growth?: number | undefined;
+  /**
+   * Name of a field that is your own indicator of the error, for example a residual: one number >= 0 per node or element. The size
+   * of each element is multiplied by (target / indicator)^(1 / order), so that all get the same indicator: `error`, or the one
+   * with which there are `elements`. Elements are as wide in all directions; with other fields, they have the shape that these
+   * ask for. Default: the interpolation error of the fields.
+   */
+  readonly indicator?: string | undefined;
+  /**
+   * Power of the size with which the indicator of an element falls, 0.1 to 20. Default 2: the error of linear elements, as a value
+   * per volume. 3.5 for its L2 norm over the element.
+   */
+  readonly indicatorOrder?: number | undefined;
 }
 
 /** Options of `transferSolution`. */
@@ -226,7 +241,7 @@ export interface TransferOptions {
 export interface CycleOptions extends SolutionSizeOptions, AdaptOptions, TransferOptions {
   /** Number of cycles, 1 to 1000. Default 3. */
   readonly cycles?: number | undefined;
-  /** Names of the fields that decide the sizes. Default: all fields of the solution. */
+  /** Names of the fields that decide the sizes. Default: all fields of the solution; with an `indicator`, it alone. */
   readonly fields?: readonly string[] | undefined;
   /**
    * Last cycle that is done, and the mesh that it made, with fields as `nodeData`: the next cycle begins with it. The model is then

@@ -25,11 +25,19 @@ const NORMS: Readonly<Record<ErrorNorm, { readonly power: number; readonly unitE
 /** Largest error for which the metric of `sizeFromSolution` is |H| itself. */
 const UNIT_ERROR = 3 / 16;
 
-/** Returns the estimated error of each field; 0 for a linear field. */
+/** What is estimated. */
+interface Estimated {
+  readonly fields: readonly FieldValues[];
+  readonly norm: ErrorNorm;
+  /** Name of the field that is the error itself. */
+  readonly indicator?: string | undefined;
+}
+
+/** Returns the estimated error of each field; 0 for a linear field. Of the indicator, the largest value. */
 export async function estimatedErrors(
   mesher: Pick<Mesher, "sizeFromSolution">,
   mesh: VolumeInput,
-  { fields, norm }: { readonly fields: readonly FieldValues[]; readonly norm: ErrorNorm },
+  { fields, norm, indicator }: Estimated,
   controlOf: () => RunControl,
 ): Promise<number[]> {
   const errors: number[] = [];
@@ -42,6 +50,10 @@ export async function estimatedErrors(
   } as const;
   for (const field of fields) {
     const control = controlOf();
+    if (field.name === indicator) {
+      errors.push(field.values.reduce((largest, value) => Math.max(largest, value), 0));
+      continue;
+    }
     const { metrics, diagnostics } = await mesher.sizeFromSolution(mesh, [field], unlimited, control);
     const isLinear = diagnostics.some(({ code }) => code === "constant-field");
     errors.push(isLinear ? 0 : await inSteps(errorNorm(mesh, metrics, norm), control.signal));

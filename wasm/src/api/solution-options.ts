@@ -23,6 +23,8 @@ export const DEFAULT_NORM: ErrorNorm = "l2";
 /** Largest ratio of two sizes at a node that the options permit. */
 export const MAX_ASPECT = 1e6;
 const MAX_ELEMENTS = 1e9;
+const MIN_ORDER = 0.1;
+const MAX_ORDER = 20;
 /** The engine's word for no limit is 0, so a growth of 0 is a tiny one. */
 const LEAST_GROWTH = 1e-9;
 
@@ -50,6 +52,13 @@ const sizeSchema = objectWith({
     SOLUTION_SIZE_DEFAULTS.maxAspect,
   ),
   growth: growthOption(SOLUTION_SIZE_DEFAULTS.growth),
+  indicator: option("indicator", "the name of a field", v.string(), undefined),
+  indicatorOrder: option(
+    "order of the indicator",
+    `a number from ${MIN_ORDER} to ${MAX_ORDER}`,
+    within(MIN_ORDER, MAX_ORDER),
+    undefined,
+  ),
 } satisfies EntriesOf<SolutionSizeOptions>);
 
 const transferSchema = objectWith({
@@ -71,6 +80,10 @@ export function checkSolutionSizeOptions(options: SolutionSizeOptions): Diagnost
     const message = `the smallest size is ${minSize}, but the largest is ${maxSize}`;
     wrong.push(invalidOption("minSize", message, "Use a smallest size that is at most the largest."));
   }
+  if (options.indicatorOrder !== undefined && options.indicator === undefined) {
+    const remedy = "Name the field with the option indicator, or omit the order.";
+    wrong.push(invalidOption("indicatorOrder", "an order is given, but no indicator", remedy));
+  }
   return wrong;
 }
 
@@ -78,10 +91,14 @@ export function checkTransferOptions(options: TransferOptions): Diagnostic[] {
   return checkAgainst(options, transferSchema);
 }
 
-/** Converts valid options. */
-export function engineSolutionOptions(options: SolutionSizeOptions): EngineSolutionOptions {
+/** Converts valid options. `indicator`: the index of its field, if there is one. */
+export function engineSolutionOptions(
+  options: SolutionSizeOptions,
+  indicator: number = SOLUTION_SIZE_DEFAULTS.indicator,
+): EngineSolutionOptions {
   const { norm, isotropic, growth, ...sizes } = v.parse(sizeSchema, options);
   const { elements = 0, error = 0, minSize = 0, maxSize = 0, maxAspect } = sizes;
+  const { indicatorOrder = SOLUTION_SIZE_DEFAULTS.indicatorOrder } = sizes;
   return {
     norm: NORM_NUMBERS[norm],
     elements,
@@ -91,5 +108,7 @@ export function engineSolutionOptions(options: SolutionSizeOptions): EngineSolut
     maxSize,
     maxAspect,
     growth: growth === Infinity ? 0 : Math.max(growth, LEAST_GROWTH),
+    indicator,
+    indicatorOrder,
   };
 }

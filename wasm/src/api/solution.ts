@@ -5,7 +5,7 @@ import { short } from "../base/short.js";
 import { doubles } from "../calls/schemas.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { refuse } from "../diagnostics/mesher-error.js";
-import { invalidArrays, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { invalidArrays, invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { RunControl } from "../engine/control.js";
 import type { EngineClient } from "../engine/engine-client.js";
 import { countOf, numbered } from "../formats/groups.js";
@@ -34,7 +34,8 @@ export async function sizeFromSolution(
   refuse(checkImproveInput(mesh));
   refuse([...checkElements(mesh, "mesh"), ...checkSolutionSizeOptions(options)]);
   refuse(checkFields(mesh, fields));
-  const asked = [volumeOf(mesh), packed(fields), engineSolutionOptions(options)] as const;
+  const indicator = indicatorAmong(fields, options.indicator);
+  const asked = [volumeOf(mesh), packed(fields), engineSolutionOptions(options, indicator)] as const;
   const found = await client.ask("sizeFromSolution", asked, control);
   const { metrics, elements } = found;
   const { sizes, stretchings, directions } = found.reduced;
@@ -49,7 +50,10 @@ export async function sizeFromSolution(
     metrics,
     elements,
     expectedErrors: [...found.errors],
-    diagnostics: [...constantFields(fields, found.hasVariation), ...missedCount(options.elements, elements)],
+    diagnostics: [
+      ...constantFields(fields, found.hasVariation, indicator),
+      ...missedCount(options.elements, elements),
+    ],
   };
 }
 
@@ -159,9 +163,43 @@ function nameOf({ name }: FieldValues, index: number): string {
   return name === undefined ? `field ${index + 1}` : `the field "${name}"`;
 }
 
-function constantFields(fields: readonly FieldValues[], hasVariation: Uint8Array): Diagnostic[] {
+/** Returns the index of the indicator, if there is one. Rejects a name that no field has, and values that are no indicator. */
+function indicatorAmong(fields: readonly FieldValues[], name: string | undefined): number | undefined {
+  if (name === undefined) return undefined;
+  const index = fields.findIndex((field) => field.name === name);
+  const field = fields[index];
+  const remedy = "Pass a field with this name, with its values at the nodes or of the elements.";
+  refuse(
+    field === undefined
+      ? [invalidOption("indicator", `no field is named "${name}"`, remedy)]
+      : checkIndicator(field),
+  );
+  return index;
+}
+
+function checkIndicator({ name = "", components, values, isPerElement = false }: FieldValues): Diagnostic[] {
+  const word = isPerElement ? "tetrahedron" : "node";
+  if (components !== 1) {
+    const message = `the indicator "${name}" has ${components} numbers per ${word}`;
+    return [invalidArrays(message, "Use a field with one number per node or element.")];
+  }
+  const at = values.findIndex((value) => value < 0);
+  if (at < 0) return [];
+  const message = `the indicator "${name}" is ${values[at]} at ${word} ${at} (counted from 0)`;
+  return [invalidArrays(message, "Use the magnitude of the error, which is at least 0.")];
+}
+
+function constantFields(
+  fields: readonly FieldValues[],
+  hasVariation: Uint8Array,
+  indicator: number | undefined,
+): Diagnostic[] {
   return fields.flatMap((field, f) => {
     if (hasVariation[f] === 1) return [];
+    if (f === indicator) {
+      const message = `the indicator "${field.name ?? ""}" is 0 everywhere, so no sizes follow from it`;
+      return [packageDiagnostic("constant-field", message, "Use an indicator that is above 0.", "warning")];
+    }
     const message = `${nameOf(field, f)} is linear, so elements of any size represent it, and no sizes follow from it`;
     return [packageDiagnostic("constant-field", message, "Use a field that bends.", "warning")];
   });
@@ -185,5 +223,6 @@ export function completeVolume(mesh: VolumeInput): Mesh {
     tetrahedronRegion,
     regions: regions.length > 0 ? regions : numbered("region", countOf(tetrahedronRegion)),
     nodeData: mesh.nodeData ?? new Map(),
+    elementData: undefined,
   };
 }

@@ -1,6 +1,11 @@
 /** `tetrafront adapt --solver`: adapts the mesh of a model to the solution of a solver, cycle by cycle. */
 import path from "node:path";
-import { adaptationCycles, checkCycleOptions, DEFAULT_CYCLES } from "../api/adaptation-cycles.js";
+import {
+  adaptationCycles,
+  checkCycleOptions,
+  decidingNames,
+  DEFAULT_CYCLES,
+} from "../api/adaptation-cycles.js";
 import type { Mesher } from "../api/mesher-interface.js";
 import type { CycleOptions } from "../api/option-types.js";
 import { plural } from "../base/plural.js";
@@ -70,7 +75,7 @@ export function cycleOptions(options: CycleCommandOptions): CycleOptions {
 /** Options that only the cycles have. */
 const ONLY_CYCLES = [
   "solver", "cycles", "field", "elements", "error", "norm", "isotropic", "minSize", "maxSize", "maxAspect", "gradation",
-  "conservative", "meshFormat", "solutionFormat", "folder", "resume",
+  "indicator", "indicatorOrder", "conservative", "meshFormat", "solutionFormat", "folder", "resume",
 ] as const; // prettier-ignore
 
 /** Throws an InvalidInput if an option of the cycles is given without a solver. */
@@ -160,7 +165,8 @@ class CycleRun {
     const { chosen, isQuiet } = this.#task;
     let { list, mesh } = begin;
     const { length: done } = list.cycles;
-    if (!isQuiet) for (const line of tableLines(list.cycles)) print(line);
+    const lines = () => tableLines(list.cycles, chosen.indicator);
+    if (!isQuiet) for (const line of lines()) print(line);
     const options = done === 0 ? chosen : { ...chosen, resume: { cycle: done, mesh } };
     const solve = (given: Mesh, { cycle }: SolveContext) => this.#solve(given, cycle, control.signal);
     try {
@@ -170,8 +176,7 @@ class CycleRun {
         list = { ...list, cycles: [...list.cycles, await this.#kept(step, total)] };
         await this.#folder.write(list);
         mesh = step.next.mesh;
-        if (!isQuiet)
-          for (const line of tableLines(list.cycles).slice(list.cycles.length === 1 ? 0 : -1)) print(line);
+        if (!isQuiet) for (const line of lines().slice(list.cycles.length === 1 ? 0 : -1)) print(line);
         began = performance.now();
       }
     } catch (failure) {
@@ -191,7 +196,7 @@ class CycleRun {
     await this.#keep(this.#folder.file("mesh", cycle + 1, KEPT), next.mesh);
     printDiagnostics(input, sizes.diagnostics, { isQuiet });
     const solver = this.#solverSeconds;
-    return reportOf(step, { solver, adaptation: total - solver }, this.#task.chosen.fields);
+    return reportOf(step, { solver, adaptation: total - solver }, this.#task.chosen);
   }
 
   async #keep(file: string, mesh: Mesh): Promise<void> {
@@ -212,7 +217,13 @@ class CycleRun {
     const began = performance.now();
     await runSolver(solver, files, signal);
     this.#solverSeconds = (performance.now() - began) / 1000;
-    return readSolution(files.solution, mesh, this.#task.chosen.fields ?? []);
+    return readSolution(files.solution, mesh, this.#namedFields());
+  }
+
+  /** Returns the names of the fields that the options name. */
+  #namedFields(): readonly string[] {
+    const { fields = [], indicator } = this.#task.chosen;
+    return decidingNames([], { fields, indicator });
   }
 
   /** Returns a failure about the solution as one about its file. */
@@ -306,9 +317,9 @@ async function readSolution(file: string, mesh: Mesh, names: readonly string[]):
 function reportOf(
   { cycle, solution, estimatedErrors, sizes, next }: AdaptationCycle,
   seconds: CycleReport["seconds"],
-  chosen: CycleOptions["fields"],
+  chosen: CycleOptions,
 ): CycleReport {
-  const names = chosen ?? solution.fields.map(({ name = "" }) => name);
+  const names = decidingNames(solution.fields, chosen);
   const byName = (errors: readonly number[]) =>
     Object.fromEntries(names.map((name, f) => [name, errors[f] ?? 0]));
   const { lengths: _, ...adapted } = next.after;
@@ -328,12 +339,13 @@ function reportOf(
 const WIDTH = 11;
 
 /** Returns the table of cycles, with its head. */
-function tableLines(cycles: readonly CycleReport[]): string[] {
+function tableLines(cycles: readonly CycleReport[], indicator: string | undefined): string[] {
   const [first] = cycles;
   if (first === undefined) return [];
   const names = Object.keys(first.estimatedErrors);
   const columns = [
-    ...["cycle", "elements", ...names.map((name) => `error of ${name}`)],
+    ...["cycle", "elements"],
+    ...names.map((name) => `${name === indicator ? "largest" : "error of"} ${name}`),
     ...["adapted to", "unit edges", "least quality", "solver s", "adapt s"],
   ];
   const line = (words: readonly string[]) =>

@@ -216,6 +216,7 @@ Examples
   tetrafront adapt part.step --background metric.vtu -o adapted.vtu --quality 0.4
   tetrafront adapt part.step --solver 'python solve.py {mesh} {solution}' --cycles 5 --elements 20000 -o adapted.vtu
   tetrafront adapt part.step --solver ./solve --mesh-format mesh --field p --error 0.01 -o adapted.vtu --resume
+  tetrafront adapt part.step --solver ./solve --indicator residual --elements 20000 -o adapted.vtu
 `;
 
 export const improveHelp = () => `
@@ -347,11 +348,20 @@ Sizes
   Elements are small where the fields bend, and thin across their layers. --elements sets their number, --error the
   interpolation error of each field, in the norm. --min-size, --max-size, --max-aspect and --gradation limit
   the sizes. If they exclude the number of elements, a warning states which number they permit.
+
+Indicator
+  --indicator names a field that is your own estimate of the error, for example a residual: one number of at least 0
+  per node or element. The size of each element is multiplied by (target / indicator)^(1 / order), so that all
+  elements get the same indicator: --error, or the one with which there are --elements. --indicator-order is the power
+  of the size with which the indicator falls: 2 (the default) for the error of linear elements, 3.5 for its L2 norm
+  over each element. Elements are as wide in all directions; with --field, they have the shape that the fields ask
+  for.
 ${EXIT_CODES_HELP}
 
 Examples
   tetrafront sizes solution.vtu --field temperature --elements 50000 -o background.vtu
   tetrafront sizes flow.vtu --field velocity --field pressure --error 0.01 --norm L4 -o background.vtu
+  tetrafront sizes flow.vtu --indicator residual --field velocity --elements 50000 -o background.vtu
   tetrafront mesh body.json -o finer.vtu --background background.vtu
 `;
 

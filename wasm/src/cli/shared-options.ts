@@ -60,6 +60,14 @@ export const withSolutionSizes = (command: Command): Command =>
   command
     .option("-n, --elements <count>", "number of elements; either this or --error")
     .option("-e, --error <value>", "interpolation error of each field, in its unit and the norm")
+    .option(
+      "--indicator <name>",
+      "field that estimates the error of each node or element; it decides how large elements are, and --field their shape (default: the interpolation error)",
+    )
+    .option(
+      "--indicator-order <power>",
+      `power of the size with which the indicator falls (default ${SOLUTION_SIZE_DEFAULTS.indicatorOrder})`,
+    )
     .option("--norm <norm>", "norm of the error: L1, L2, L4 or max (default L2)")
     .option("--isotropic", "one size at each node")
     .option("--min-size <length>", "smallest size (default: no limit)")

@@ -1,5 +1,6 @@
 /** `tetrafront sizes` and `tetrafront transfer`: a background grid from a solution, and a solution on another mesh. */
 import path from "node:path";
+import { decidingNames } from "../api/adaptation-cycles.js";
 import { checkGradation, growthOf } from "../api/mesh-options.js";
 import type { SolutionSizeOptions } from "../api/option-types.js";
 import { checkSolutionSizeOptions } from "../api/solution-options.js";
@@ -37,6 +38,8 @@ export interface SolutionSizeCommandOptions {
   readonly maxSize?: string;
   readonly maxAspect?: string;
   readonly gradation?: string;
+  readonly indicator?: string;
+  readonly indicatorOrder?: string;
 }
 
 export interface SizesCommandOptions extends FieldCommandOptions, SolutionSizeCommandOptions {}
@@ -52,14 +55,16 @@ export async function sizesOfFile(input: string, options: SizesCommandOptions): 
     const chosen = sizeOptions(options);
     const name = await checkedOutput([input], options);
     const mesh = await readElements(input, options);
-    const fields = fieldsOf(input, mesh, options.field);
+    const { field: names, indicator } = options;
+    const named = indicator === undefined ? names : decidingNames([], { fields: names, indicator });
+    const fields = fieldsOf(input, mesh, named);
     const made = await withRun(isQuiet, (mesher, controlOf) =>
       mesher.sizeFromSolution(mesh, fields, chosen, controlOf("solution")),
     );
     const { output } = options;
     await writeMeshTo({ input, output, name, isQuiet }, made.mesh);
     printDiagnostics(input, made.diagnostics, { isQuiet });
-    if (!isQuiet) print(`${input}: ${sizesText(made, fields)} -> ${output}`);
+    if (!isQuiet) print(`${input}: ${sizesText(made, fields, indicator)} -> ${output}`);
     return ExitCode.meshed;
   } catch (failure) {
     return reportFailure(failure, input);
@@ -110,6 +115,8 @@ export function sizeOptions(options: SolutionSizeCommandOptions): SolutionSizeOp
     maxSize: numberIn(maxSize),
     maxAspect: numberIn(maxAspect),
     growth: ratio === undefined ? undefined : growthOf(ratio),
+    indicator: options.indicator,
+    indicatorOrder: numberIn(options.indicatorOrder),
   };
   refuseOptions(checkSolutionSizeOptions(chosen));
   return chosen;
@@ -211,9 +218,13 @@ function fieldsAtNodes(
 function sizesText(
   { elements, expectedErrors, metrics }: SolutionSizes,
   fields: readonly FieldValues[],
+  indicator: string | undefined,
 ): string {
-  const parts = expectedErrors.map((error, f) => `"${fields[f]?.name ?? ""}" ${short(error, 3)}`);
-  return `a metric at ${plural(metrics.length / 6, "node")} for about ${short(elements, 4)} elements; expected error of ${parts.join(", ")}`;
+  const parts = expectedErrors.map((error, f) => {
+    const name = fields[f]?.name ?? "";
+    return `${name === indicator ? "largest" : "error of"} "${name}" ${short(error, 3)}`;
+  });
+  return `a metric at ${plural(metrics.length / 6, "node")} for about ${short(elements, 4)} elements; expected ${parts.join(", ")}`;
 }
 
 function transferLines(

@@ -43,7 +43,7 @@ export interface AdaptationCycle {
   readonly solution: SolvedFields;
   /**
    * Per field that decides the sizes: its interpolation error on the elements of the solution's mesh, estimated from its second
-   * derivatives, in the norm of the options.
+   * derivatives, in the norm of the options; of an indicator, its largest value. The indicator is the last one.
    */
   readonly estimatedErrors: readonly number[];
   /** The metric of the next mesh, and the errors to expect on it. */

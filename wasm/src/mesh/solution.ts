@@ -21,7 +21,10 @@ export interface SolutionSizes {
   readonly metrics: Float64Array;
   /** About how many elements a mesh that follows the metric has. */
   readonly elements: number;
-  /** Per field: its interpolation error on regular elements that follow the metric, in the norm that was asked for. */
+  /**
+   * Per field: its interpolation error on regular elements that follow the metric, in the norm that was asked for; for an indicator, its
+   * largest value on them.
+   */
   readonly expectedErrors: readonly number[];
   /** Warnings: fields that do not vary, limits that exclude the number of elements. */
   readonly diagnostics: readonly Diagnostic[];
