@@ -24,6 +24,7 @@ export {
   type ProjectBackgroundNode,
   type ProjectBody,
   type ProjectBodyPatch,
+  type ProjectCondition,
   type ProjectExpression,
   type ProjectGroup,
   type ProjectLine,
@@ -31,6 +32,7 @@ export {
   type ProjectParameter,
   type ProjectPatch,
   type ProjectPoint,
+  type ProjectProblem,
   type ProjectSource,
   type SourceId,
 } from "./project/project-types.js";

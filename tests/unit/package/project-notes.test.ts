@@ -1,4 +1,4 @@
-/** Groups, parameters and expressions of projects. */
+/** Groups, parameters, expressions and problems of projects. */
 import type { ReadError } from "tetrafront";
 import { liveNotes, parseProject, readProject, writeProject, type Project } from "tetrafront/project";
 import { describe, expect, test } from "vitest";
@@ -209,6 +209,60 @@ describe("rejected with their path:", () => {
     const found = firstError(notedCube(notes));
     expect(found.path).toBe(path);
     expect(found.message).toMatch(message);
+  });
+});
+
+const PROBLEM = {
+  kind: "heat",
+  conductivity: 2,
+  velocity: [0, 1, 0],
+  conditions: [
+    { patch: 1, kind: "value", value: 20 },
+    { patch: 1, kind: "fixed" },
+    { patch: 2, kind: "traction", traction: [0, 0, -1] },
+  ],
+} as const satisfies Project["problem"];
+
+describe("the problem of a project", () => {
+  const withProblem = (change: object = {}) => ({ ...cubeProject(), problem: { ...PROBLEM, ...change } });
+
+  test("is read back unchanged, with a condition per line", () => {
+    const text = writeProject(withProblem());
+    expect(readProject(text)).toEqual({ success: true, value: withProblem() });
+    expect(text).toContain('\n      {"patch":1,"kind":"value","value":20},\n');
+  });
+
+  test.each<[string, object, string, RegExp]>([
+    [
+      "a missing patch",
+      { conditions: [{ patch: 99, kind: "value" }] },
+      "conditions[0].patch",
+      /no patch .* 99/,
+    ],
+    [
+      "two conditions of one kind of problem",
+      {
+        conditions: [
+          { patch: 2, kind: "value" },
+          { patch: 2, kind: "flux" },
+        ],
+      },
+      "conditions[1]",
+      /another condition .* patch 2/,
+    ],
+    ["an unknown field", { density: 1 }, "", /"density"/],
+    ["a material that cannot be", { poissonRatio: 0.5 }, "poissonRatio", /0\.5/],
+  ])("rejects %s", (_, change, path, message) => {
+    const found = firstError(withProblem(change));
+    expect(found.path).toBe(path === "" ? "problem" : `problem.${path}`);
+    expect(found.message).toMatch(message);
+  });
+
+  test("loses the conditions of patches that are removed", () => {
+    const project = withProblem();
+    expect(liveNotes(project).problem).toBe(project.problem);
+    const without = { ...project, patches: project.patches.filter(({ id }) => id !== 1) };
+    expect(liveNotes(without).problem).toEqual({ ...PROBLEM, conditions: [PROBLEM.conditions[2]] });
   });
 });
 

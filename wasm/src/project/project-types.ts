@@ -24,6 +24,11 @@ export const GROUP_KINDS = ["point", "line", "patch", "body", "source"] as const
 /** Kinds of entities whose numbers may have expressions. */
 export const EXPRESSION_KINDS = ["point", "body", "background-node", "source"] as const;
 
+/** Kinds of problems: heat conduction, linear elasticity, advection with diffusion. */
+export const PROBLEM_KINDS = ["heat", "elasticity", "advection"] as const;
+/** Conditions on a patch: two of heat and advection, two of elasticity. */
+export const CONDITION_KINDS = ["value", "flux", "fixed", "traction"] as const;
+
 /** The id of a point; positive, unique among points. */
 export type PointId = number;
 /** The id of a line; positive, unique among lines. */
@@ -217,6 +222,37 @@ export type ProjectExpression =
     }
   | { readonly kind: "meshing"; readonly field: "size"; readonly expression: string };
 
+/** What happens on a patch, drawn or of a body. */
+export interface ProjectCondition {
+  readonly patch: PatchId;
+  readonly kind: (typeof CONDITION_KINDS)[number];
+  /** Temperature or concentration (`value`), or inward flux per unit of area (`flux`). Default 0. */
+  readonly value?: number | undefined;
+  /** Force per unit of area (`traction`). Default 0 0 0. */
+  readonly traction?: readonly [number, number, number] | undefined;
+}
+
+/**
+ * A problem that a solver solves on the mesh, in units that fit together. Meshing ignores it. A patch has at most one condition of heat
+ * and advection and one of elasticity; only those of `kind` have an effect.
+ */
+export interface ProjectProblem {
+  readonly kind: (typeof PROBLEM_KINDS)[number];
+  /** Of heat. Default 1. */
+  readonly conductivity?: number | undefined;
+  /** Of advection. Default 0.01. */
+  readonly diffusivity?: number | undefined;
+  /** Of advection. Default 1 0 0. */
+  readonly velocity?: readonly [number, number, number] | undefined;
+  /** Of heat or concentration, per unit of volume. Default 0. */
+  readonly source?: number | undefined;
+  /** Default 210000. */
+  readonly youngsModulus?: number | undefined;
+  /** Above -1 and below 0.5. Default 0.3. */
+  readonly poissonRatio?: number | undefined;
+  readonly conditions: readonly ProjectCondition[];
+}
+
 /** A model as the app edits and saves it: points, lines, patches, bodies, sizes. */
 export interface Project {
   readonly $schema?: string | undefined;
@@ -235,6 +271,7 @@ export interface Project {
   readonly groups?: readonly ProjectGroup[] | undefined;
   readonly parameters?: readonly ProjectParameter[] | undefined;
   readonly expressions?: readonly ProjectExpression[] | undefined;
+  readonly problem?: ProjectProblem | undefined;
 }
 
 /** Returns all patches in the order of `trianglePatch`: first those drawn, then those of the bodies. */

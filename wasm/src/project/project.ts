@@ -7,7 +7,12 @@ import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.
 import type { ReadError, ReadResult } from "../diagnostics/read-error.js";
 import { truncatedAt } from "../formats/read-result.js";
 import { parsedProject } from "./schema.js";
-import { type Project, PROJECT_FORMAT, type ProjectBackground } from "./project-types.js";
+import {
+  type Project,
+  PROJECT_FORMAT,
+  type ProjectBackground,
+  type ProjectProblem,
+} from "./project-types.js";
 import { PROJECT_VERSION, upgraded } from "./versions.js";
 
 /** Largest number of reported errors; the first ones usually cause the rest. */
@@ -74,7 +79,8 @@ export function writeProject(project: Project): string {
 }
 
 function projectText(project: Project): string {
-  const { points, lines, patches, bodies, background, groups, parameters, expressions, ...rest } = project;
+  const { points, lines, patches, bodies, background, groups, parameters, expressions, problem, ...rest } =
+    project;
   const { $schema, format, version, name, description, units, meshing } = rest;
   const head = Object.entries({ $schema, format, version, name, description, units, meshing })
     .filter(([, value]) => value !== undefined)
@@ -85,6 +91,7 @@ function projectText(project: Project): string {
     ...Object.entries({ points, lines, patches, bodies }).flatMap(([key, list]) => listText(key, list)),
     `  "background": ${backgroundText(background)}`,
     ...Object.entries({ groups, parameters, expressions }).flatMap(([key, list]) => listText(key, list)),
+    ...(problem === undefined ? [] : [`  "problem": ${problemText(problem)}`]),
   ];
   return `{\n${[...head, ...body].join(",\n")}\n}\n`;
 }
@@ -98,6 +105,7 @@ const writableProject = v.object({
   groups: v.optional(entities),
   parameters: v.optional(entities),
   expressions: v.optional(entities),
+  problem: v.optional(v.looseObject({ conditions: entities })),
   background: v.object({ nodes: entities, tetrahedra: entities, sources: v.optional(entities) }),
 });
 
@@ -106,6 +114,13 @@ function backgroundText({ nodes, tetrahedra, sources, coverageMargin }: ProjectB
   if (sources !== undefined) parts.push(`"sources": ${rows(sources, "    ")}`);
   if (coverageMargin !== undefined) parts.push(`"coverageMargin": ${JSON.stringify(coverageMargin)}`);
   return `{\n${parts.map((part) => `    ${part}`).join(",\n")}\n  }`;
+}
+
+function problemText({ conditions, ...rest }: ProjectProblem): string {
+  const parts = Object.entries(rest)
+    .filter(([, value]) => value !== undefined)
+    .map(([key, value]) => `"${key}": ${JSON.stringify(value)}`);
+  return `{\n    ${[...parts, `"conditions": ${rows(conditions, "    ")}`].join(",\n    ")}\n  }`;
 }
 
 /** Writes one entity per line. As an element of a list, a value that JSON cannot store becomes null. */

@@ -22,7 +22,8 @@ import {
   SOURCE_TYPES,
 } from "../generated/constants.js";
 import { checkBodyArrays } from "./body-arrays.js";
-import { checkNotes, expressionSchema, groupSchema, parameterSchema } from "./notes.js";
+import { checkNotes, expressionSchema, groupSchema, parameterSchema, Subjects } from "./notes.js";
+import { checkProblem, problemSchema } from "./problem-schema.js";
 import {
   color,
   described,
@@ -237,6 +238,7 @@ const documentSchema = v.pipe(
     groups: v.optional(described(WORDS.groups, listOf(groupSchema))),
     parameters: v.optional(described(WORDS.parameters, listOf(parameterSchema))),
     expressions: v.optional(described(WORDS.expressions, listOf(expressionSchema))),
+    problem: v.optional(described(WORDS.problem, problemSchema)),
   }),
   v.readonly(),
 );
@@ -276,6 +278,10 @@ export function checkReferences(project: Document, report: Report): void {
   );
   checkSources(project.background.sources ?? [], report);
   checkNotes(project, report);
+  const { problem } = project;
+  if (problem === undefined) return;
+  const subjects = new Subjects(project);
+  checkProblem({ problem, hasPatch: (patch) => subjects.has("patch", patch) }, report);
 }
 
 /** Reports duplicate ids of bodies, and of patches among all patches. */
