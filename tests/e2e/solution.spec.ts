@@ -1,4 +1,4 @@
-/** Fields at the nodes of a mesh: solved in the page, in cycles, or read from a file. */
+/** Fields of a mesh: solved in the page, in cycles, or read from a file. */
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
 import { createMesher, writeMesh } from "tetrafront";
@@ -86,9 +86,17 @@ test("cycles can be stopped and keep what is solved; a problem without a held pa
   expect(count).toBeGreaterThanOrEqual(2);
   expect(count).toBeLessThan(6);
   await expect(page.getByTestId("cycle-0")).toBeVisible();
+
+  // The problem is kept with the project.
+  await page.reload();
+  await page.getByRole("tab", { name: "Solution" }).click();
+  await expect(page.getByRole("spinbutton", { name: "Source" })).toHaveValue("5");
+  await expect(page.getByRole("group", { name: /^Condition on/ })).toHaveCount(1);
 });
 
-test("a mesh file with values at its nodes is coloured by them and adapted to them", async ({ page }) => {
+test("a mesh file with values at its nodes and of its elements is coloured by them and adapted to them", async ({
+  page,
+}) => {
   test.slow();
   const mesher = await createMesher();
   const { mesh } = await mesher.fillSurface(sphereSurface(8), { size: 0.3 });
@@ -98,13 +106,15 @@ test("a mesh file with values at its nodes is coloured by them and adapted to th
     ["layer", { components: 1, values: heights }],
     ["position", { components: 3, values: mesh.points.slice() }],
   ]);
-  const [file] = await writeMesh({ ...mesh, nodeData }, "ball.vtu");
+  const power = Float64Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => t);
+  const elementData = new Map([["power", { components: 1, values: power }]]);
+  const [file] = await writeMesh({ ...mesh, nodeData, elementData }, "ball.vtu");
   const app = new AppPage(page);
   await app.openCube();
   await dropBytes(page, file?.bytes ?? new Uint8Array(), "ball.vtu");
   const before = mesh.tetrahedra.length / 4;
   await expect(app.viewport).toHaveAttribute("data-tets", String(before));
-  await expect(page.getByRole("region", { name: "Notices" })).toContainText("at its nodes: layer, position");
+  await expect(page.getByRole("region", { name: "Notices" })).toContainText("fields: layer, position, power");
   await page.getByRole("tab", { name: "Solution" }).click();
   await page.getByTestId("field").click();
   await page.getByRole("option", { name: "position" }).click();
@@ -112,8 +122,16 @@ test("a mesh file with values at its nodes is coloured by them and adapted to th
   await page.getByTestId("field-component").click();
   await page.getByRole("option", { name: "z" }).click();
   await expect(page.getByTestId("field-legend")).toContainText("position, z");
+  // Values of elements have flat colours, and no lines.
+  await page.getByTestId("field").click();
+  await page.getByRole("option", { name: "power (elements)" }).click();
+  await expect(page.getByTestId("field-legend")).toContainText("power");
+  await expect(page.getByTestId("field-lines")).toBeHidden();
+  await app.drawn();
+  expect(await app.colours()).toBeGreaterThan(60);
   await page.getByTestId("field").click();
   await page.getByRole("option", { name: "layer" }).click();
+  await expect(page.getByTestId("field-lines")).toBeVisible();
 
   await page.getByTestId("adapt-to-field").click();
   const dialog = page.getByRole("dialog");
@@ -126,6 +144,8 @@ test("a mesh file with values at its nodes is coloured by them and adapted to th
   await expect(app.viewport).toHaveAttribute("data-busy", "false");
   expect((await app.mesh()).tets).toBeGreaterThan(2500);
   await expect(page.getByTestId("field-legend")).toContainText("layer");
+  await page.getByTestId("field").click();
+  await expect(page.getByRole("option", { name: "power (elements)" })).toBeVisible();
 });
 
 test("isosurface, arrows, lines and the deformed shape change the picture, on a phone too", async ({

@@ -66,7 +66,8 @@ async function openMesh(app: App, { name, fileName, read, mesh }: OpenedMeshFile
     finishOpening(app, app.showMesh(project, shown));
     app.view.setLayer("mesh", true);
     app.shell.setState({ rightTab: "quality", drawer: "right" });
-    const fields = [...mesh.mesh.nodeData.keys()];
+    const { nodeData, elementData = new Map() } = mesh.mesh;
+    const fields = [...new Set([...nodeData.keys(), ...elementData.keys()])];
     const notes = fields.length > 0 ? [strings.files.meshFields(fields)] : [];
     showNotes(app, [...read.notes, ...notes, strings.files.meshNotSaved]);
   } catch (error) {

@@ -2,16 +2,38 @@
 import type { App } from "../app/app";
 import { adaptToField, runCycles, type CycleSettings, type Target } from "../session/adaptation";
 import { failureText } from "../session/failure-text";
-import { defaultSetup, type ProblemSetup } from "../session/problem-setup";
+import { patchesOf, problemWith, setupIn, type ProblemSetup } from "../session/problem-setup";
 import { isStale } from "../session/run";
 import type { FieldShapes, MeshField } from "../session/solutions";
 import { SolveError } from "../solve/problem";
+import { stepNames } from "../strings";
 import { solutionStrings as texts } from "../strings/solution";
 import { FieldView } from "../viewer/field-view";
 import { generateMesh } from "./mesh-actions";
 
-/** Returns the problem that the user has stated, at first the usual one. */
-export const setupOf = ({ solutions }: App): ProblemSetup => solutions.state.getState().setup ?? defaultSetup;
+/** Keeps a problem in the project, as a step of undo; changes of one number that follow each other are one step. */
+export function setUpProblem({ documents }: App, setup: ProblemSetup): void {
+  const { project } = documents.state.getState().history.present;
+  documents.edit({
+    label: stepNames.setProblem,
+    mergeKey: "problem",
+    replace: { problem: problemWith(setup, project) },
+  });
+}
+
+/** Returns the problem with conditions by the names that the patches have in the shown mesh. */
+function setupOf({ documents, run }: App): ProblemSetup {
+  const { project } = documents.state.getState().history.present;
+  const patches = run.state.getState().mesh?.mesh.patches ?? [];
+  // Patches that were renamed since have their earlier names in the mesh.
+  const isOfProject = patches.length === patchesOf(project).length;
+  return isOfProject
+    ? setupIn(
+        project,
+        patches.map(({ name }) => name),
+      )
+    : setupIn(project);
+}
 
 /**
  * Solves the problem on a mesh of the present model, and adapts the mesh in cycles. Generates a mesh first if there is none. If this

@@ -8,6 +8,7 @@ import { loadModel } from "../session/gallery";
 import {
   defaultCondition,
   defaultSetup,
+  problemWith,
   type PatchCondition,
   type ProblemSetup,
 } from "../session/problem-setup";
@@ -60,8 +61,8 @@ const examples: Readonly<Record<SolvedExample, Example>> = {
 /** Opens an example as a new document, meshes it, and solves it in cycles, which the panel lists. Rejects if it cannot be opened. */
 export async function openSolvedExample(app: App, name: SolvedExample): Promise<void> {
   const { project, setup, field, elements } = examples[name];
-  openProject(app, await project(app));
-  app.solutions.setUp(setup);
+  const model = await project(app);
+  openProject(app, { ...model, problem: problemWith(setup, model) });
   app.solutions.choose({ name: field, component: 0, label: field });
   app.view.setLayer("mesh", true);
   app.shell.setState({ rightTab: "solution", drawer: "right" });

@@ -264,7 +264,7 @@ function sizeParts({ background, meshing = {} }: Project): readonly (string | nu
 /** Returns the key of everything that a project file holds. */
 export const documentKey = remembering((project: Project): string => {
   const { points, lines, patches, bodies: _bodies, background, meshing: _meshing, ...rest } = project;
-  const { groups = noNotes, parameters = noNotes, expressions = noNotes, ...head } = rest;
+  const { groups = noNotes, parameters = noNotes, expressions = noNotes, problem, ...head } = rest;
   const { points: ofPoints, lines: ofLines, patches: ofPatches, sources: ofSources } = hashesOf;
   return [
     JSON.stringify(head, Object.keys(head).sort()),
@@ -276,6 +276,7 @@ export const documentKey = remembering((project: Project): string => {
     hashesOf.groups(groups),
     hashesOf.parameters(parameters),
     hashesOf.expressions(expressions),
+    ...(problem ? [hashText(JSON.stringify(problem, inOrder))] : []),
     ...bodiesOf(project).map(bodyKey),
   ].join(" ");
 });

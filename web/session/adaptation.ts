@@ -1,13 +1,19 @@
 /** Solves a problem on the shown mesh and adapts the mesh to the solution, cycle by cycle: what the package offers, with a solver of the app. */
 import type { CycleOptions, MeshAdaptation, Mesher, MeshResult } from "tetrafront";
 import { estimatedErrors, inspectedResult, meshWithBoundary } from "tetrafront/internal";
-import type { NodeField } from "../solve/problem";
 import { SolveClient } from "../solve/solve-client";
 import { solutionStrings as texts } from "../strings/solution";
 import { problemOf, type ProblemSetup } from "./problem-setup";
 import type { MeshRun, WorkControl } from "./run";
 import { shownParts, type ShownMesh } from "./shown-mesh";
-import { nodeDataOf, type MeshField, type SolvedMesh, type Solutions } from "./solutions";
+import {
+  chosenField,
+  dataOf,
+  type FieldChoice,
+  type MeshField,
+  type SolvedMesh,
+  type Solutions,
+} from "./solutions";
 
 export type Norm = NonNullable<CycleOptions["norm"]>;
 
@@ -166,8 +172,7 @@ class Cycles {
     solutions.list(this.#solved);
     const [first] = solved.fields;
     const { choice } = solutions.state.getState();
-    const isKnown = solved.fields.some(({ name }) => name === choice?.name);
-    if (!isKnown && first) solutions.choose(firstChoice(first));
+    if (!chosenField(solved.fields, choice) && first) solutions.choose(firstChoice(first));
     this.#control.show(solved);
   }
 
@@ -202,10 +207,15 @@ interface AdaptedMesh extends AdaptedResult {
 }
 
 /** Returns the values of a field that are shown first. */
-export const firstChoice = ({ name, components }: Pick<NodeField, "name" | "components">) => ({
+export const firstChoice = ({
+  name,
+  components,
+  isPerElement = false,
+}: Omit<MeshField, "values">): FieldChoice => ({
   name,
   component: components === 1 ? 0 : ("magnitude" as const),
   label: name,
+  isPerElement,
 });
 
 /** Returns an adapted mesh in the form in which a run returns its mesh, without the metric that it was made with. */
@@ -276,10 +286,10 @@ export async function adaptToField(
       {},
       part(0.9, 1, texts.transferring),
     );
-    const moved = fields.map(({ name = "", components, values }) => ({ name, components, values }));
+    const moved = fields.map(({ name = "", ...field }) => ({ ...field, name }));
     signal.throwIfAborted();
     // The mesh keeps its fields when the list is forgotten, for example by undo and redo.
-    const withFields = { ...made.mesh, mesh: { ...made.mesh.mesh, nodeData: nodeDataOf(moved) } };
+    const withFields = { ...made.mesh, mesh: { ...made.mesh.mesh, ...dataOf(moved) } };
     const adapted = { ...made, mesh: withFields, fields: moved, estimatedError: null };
     listed = [...meshes.slice(0, (at ?? 0) + 1), adapted];
     solutions.list(listed);

@@ -1,3 +1,6 @@
+import { patchNames } from "tetrafront/internal";
+import type { Project, ProjectCondition, ProjectProblem } from "tetrafront/project";
+import { recordsOf } from "../document/entities";
 import type { Problem, ProblemKind, ScalarCondition, ElasticCondition, Vector } from "../solve/problem";
 
 /** What happens on a patch. Only the entries that its kind uses count. */
@@ -9,6 +12,12 @@ export interface PatchCondition {
   /** Force per unit of area. */
   readonly traction: Vector;
 }
+
+/** Returns all patches of a project in the order in which a mesh has them. */
+export const patchesOf = (project: Project): readonly { readonly id: number }[] => [
+  ...project.patches,
+  ...recordsOf(project, "body-patch"),
+];
 
 /** A problem as the user states it: conditions by the names of patches. */
 export interface ProblemSetup {
@@ -32,6 +41,49 @@ export const defaultSetup: ProblemSetup = {
   poissonRatio: 0.3,
   conditions: [],
 };
+
+/**
+ * Returns the problem of a project, at first the usual one. `names`: names of its patches in their order, as conditions have them;
+ * several patches may have one name.
+ */
+export function setupIn(
+  project: Project,
+  names: readonly (string | undefined)[] = patchNames(project),
+): ProblemSetup {
+  const { problem } = project;
+  if (!problem) return defaultSetup;
+  const nameOf = new Map(patchesOf(project).map(({ id }, p) => [id, names[p]]));
+  const conditions: PatchCondition[] = [];
+  for (const { patch: id, kind, value = 0, traction = atRest } of problem.conditions) {
+    const patch = nameOf.get(id);
+    const isKnown = conditions.some((one) => one.patch === patch && isElastic(one) === isElastic({ kind }));
+    if (patch !== undefined && !isKnown) conditions.push({ patch, kind, value, traction });
+  }
+  const given = Object.entries(problem).filter(([, value]) => value !== undefined);
+  return { ...defaultSetup, ...Object.fromEntries(given), conditions };
+}
+
+const atRest: Vector = [0, 0, 0];
+
+/** Returns a problem in the form in which a project keeps it: conditions by the ids of patches. */
+export function problemWith(setup: ProblemSetup, project: Project): ProjectProblem {
+  const names = patchNames(project);
+  const patches = patchesOf(project);
+  const conditions = setup.conditions.flatMap(({ patch, kind, value, traction }) =>
+    patches
+      .filter((_, p) => names[p] === patch)
+      .map(({ id }): ProjectCondition => ({
+        patch: id,
+        kind,
+        ...((kind === "value" || kind === "flux") && { value }),
+        ...(kind === "traction" && { traction }),
+      })),
+  );
+  return { ...setup, conditions };
+}
+
+const isElastic = ({ kind }: Pick<PatchCondition, "kind">): boolean =>
+  kind === "fixed" || kind === "traction";
 
 /** Returns a condition with which a patch begins. */
 export const defaultCondition = (kind: ProblemKind, patch: string): PatchCondition => ({

@@ -2,15 +2,16 @@ import type { Mesh, MeshResult } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { lengthAt } from "../document/vectors";
 import type { DocumentStore } from "./document-store";
-import type { ProblemSetup } from "./problem-setup";
 import type { MeshRun } from "./run";
 import { shownParts, type ShownMesh } from "./shown-mesh";
 
-/** Values at the nodes of a mesh: all components of the first node, then those of the next. */
+/** Values at the nodes or of the elements of a mesh: all components of the first one, then those of the next. */
 export interface MeshField {
   readonly name: string;
   readonly components: number;
   readonly values: Float64Array;
+  /** Default: at the nodes. */
+  readonly isPerElement?: boolean | undefined;
 }
 
 /** A mesh with fields: one cycle of an adaptation, or a mesh from a file. */
@@ -28,17 +29,20 @@ export interface FieldChoice {
   readonly component: number | "magnitude";
   /** What a reader calls the values. */
   readonly label: string;
+  /** Whether it is a field of the elements. Default: at the nodes. */
+  readonly isPerElement?: boolean | undefined;
 }
 
 /** Values that the view shows as colours. */
 export interface ShownField {
-  /** Those of the mesh at whose nodes the values are. Compared by identity. */
+  /** Those of the mesh that the values are of. Compared by identity. */
   readonly tetrahedra: Uint32Array;
   /** The field that they are of. Another solution on the same mesh has other fields. */
   readonly source: MeshField;
   readonly choice: FieldChoice;
-  /** One per node. */
+  /** One per node or element. */
   readonly values: Float32Array<ArrayBuffer>;
+  readonly isPerElement: boolean;
   readonly range: readonly [low: number, high: number];
   /** Number of values at which lines are drawn; 0 for none. */
   readonly lines: number;
@@ -59,8 +63,6 @@ export interface FieldShapes {
 }
 
 export interface SolutionState {
-  /** The problem that the user has stated; null before that. */
-  readonly setup: ProblemSetup | null;
   readonly meshes: readonly SolvedMesh[];
   /** Index of the shown mesh in `meshes`; null if it is none of them. */
   readonly at: number | null;
@@ -73,7 +75,6 @@ export interface SolutionState {
 }
 
 const nothing: SolutionState = {
-  setup: null,
   meshes: [],
   at: null,
   choice: null,
@@ -83,7 +84,7 @@ const nothing: SolutionState = {
   failure: null,
 };
 
-/** The fields at the nodes of the shown mesh, and the meshes that an adaptation has made. */
+/** The fields of the shown mesh, and the meshes that an adaptation has made. */
 export class Solutions {
   readonly state: StoreApi<SolutionState> = createStore<SolutionState>(() => nothing);
   readonly #run: MeshRun;
@@ -123,10 +124,6 @@ export class Solutions {
     this.#set({ shapes: { ...this.state.getState().shapes, ...change } });
   }
 
-  setUp(setup: ProblemSetup): void {
-    this.state.setState({ setup });
-  }
-
   fail(failure: string | null): void {
     this.state.setState({ failure });
   }
@@ -136,7 +133,7 @@ export class Solutions {
     const { meshes, at } = this.state.getState();
     const solved = at === null ? undefined : meshes[at];
     if (solved?.mesh.mesh.tetrahedra !== mesh.tetrahedra) return mesh;
-    return { ...mesh, nodeData: nodeDataOf(solved.fields) };
+    return { ...mesh, ...dataOf(solved.fields) };
   }
 
   /** Forgets listed meshes if another mesh is shown; that may have fields of its file. */
@@ -164,22 +161,42 @@ function indexIn(meshes: readonly SolvedMesh[], shown: MeshResult | null): numbe
   return index < 0 ? null : index;
 }
 
-const fieldsOf = ({ nodeData }: Mesh): readonly MeshField[] =>
-  [...nodeData].map(([name, data]) => ({ ...data, name }));
+const fieldsOf = ({ nodeData, elementData = new Map() }: Mesh): readonly MeshField[] => [
+  ...Array.from(nodeData, ([name, data]) => ({ ...data, name })),
+  ...Array.from(elementData, ([name, data]) => ({ ...data, name, isPerElement: true })),
+];
 
 /** Returns fields in the form in which a mesh has them. */
-export const nodeDataOf = (fields: readonly MeshField[]): Mesh["nodeData"] =>
-  new Map(fields.map(({ name, components, values }) => [name, { components, values }]));
+export function dataOf(fields: readonly MeshField[]): Pick<Mesh, "nodeData" | "elementData"> {
+  const data = (ofElements: boolean): Mesh["nodeData"] =>
+    new Map(
+      fields
+        .filter(({ isPerElement = false }) => isPerElement === ofElements)
+        .map(({ name, components, values }) => [name, { components, values }]),
+    );
+  return { nodeData: data(false), elementData: data(true) };
+}
 
-/** Returns the first field of vectors: the chosen one if it is one. */
+/** Returns the chosen field. One of the elements may have the name of one at the nodes. */
+export function chosenField(fields: readonly MeshField[], choice: FieldChoice | null): MeshField | undefined {
+  return fields.find(
+    ({ name, isPerElement = false }) =>
+      name === choice?.name && isPerElement === (choice.isPerElement ?? false),
+  );
+}
+
+/** Returns the first field of vectors at the nodes: the chosen one if it is one. */
 export function vectorField({ fields }: SolvedMesh, choice: FieldChoice | null): MeshField | undefined {
-  const vectors = fields.filter(({ components }) => components === 3);
+  const vectors = fields.filter(({ components, isPerElement }) => components === 3 && isPerElement !== true);
   return vectors.find(({ name }) => name === choice?.name) ?? vectors[0];
 }
 
-/** Returns the displacements of a solution. */
+/** Returns the displacements of the nodes of a solution. */
 export const displacementsIn = ({ fields }: SolvedMesh): MeshField | undefined =>
-  fields.find(({ name, components }) => components === 3 && /displacement/i.test(name));
+  fields.find(
+    ({ name, components, isPerElement }) =>
+      components === 3 && isPerElement !== true && /displacement/i.test(name),
+  );
 
 /** Largest displacement as it is drawn, relative to the diagonal of the mesh. */
 const drawnDeformation = 0.08;
@@ -212,7 +229,7 @@ const atRest = { offsets: null, enlargement: 1 } as const;
 function shownField(state: SolutionState): ShownField | null {
   const { meshes, at, choice, lines, shown, shapes } = state;
   const solved = at === null ? undefined : meshes[at];
-  const field = solved?.fields.find(({ name }) => name === choice?.name);
+  const field = chosenField(solved?.fields ?? [], choice);
   if (!solved || !field || !choice) return null;
   const { tetrahedra } = solved.mesh.mesh;
   const displacements = shapes.deformed ? displacementsIn(solved) : undefined;
@@ -227,10 +244,13 @@ function shownField(state: SolutionState): ShownField | null {
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  return { tetrahedra, source: field, choice, values, range: [low, high], lines, ...moved };
+  const { isPerElement = false } = field;
+  // Without any value, all have one colour.
+  const range: ShownField["range"] = low <= high ? [low, high] : [0, 0];
+  return { tetrahedra, source: field, choice, values, isPerElement, range, lines, ...moved };
 }
 
-/** Returns one value per node. */
+/** Returns one value per node or element. */
 function valuesOf(
   { components, values }: MeshField,
   component: FieldChoice["component"],

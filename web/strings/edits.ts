@@ -9,6 +9,7 @@ export const stepNames = {
   scale: (entity: string) => `Scale ${entity}`,
   rename: (entity: string) => `Rename ${entity}`,
   renameProject: "Rename project",
+  setProblem: "Change problem",
   setTangent: (id: number) => `Change tangent of line ${id}`,
   smooth: (count: number) => (count === 1 ? "Make patch smooth" : `Make ${count} patches smooth`),
   setLineType: (id: number) => `Change type of line ${id}`,

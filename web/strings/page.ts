@@ -179,7 +179,7 @@ export const pageStrings = {
     meshNotSaved:
       "Projects contain the surface of an opened mesh, not its elements. Download the mesh to keep it.",
     meshFields: (names: readonly string[]) =>
-      `The mesh has values at its nodes: ${names.join(", ")}. The tab Solution shows them.`,
+      `The mesh has fields: ${names.join(", ")}. The tab Solution shows them.`,
     noCadLibrary:
       "The library that reads CAD files is not kept in this browser, and there is no network. Open a CAD file once with a network, or use Keep for offline use in the Help menu.",
     keptTriangles:

@@ -13,7 +13,8 @@ const firstMesh = "First mesh";
 
 export const solutionStrings = {
   title: "Solution",
-  intro: "Solve an example problem on the mesh of this model, or open a mesh file with values at its nodes.",
+  intro:
+    "Solve an example problem on the mesh of this model, or open a mesh file with values at its nodes or of its elements.",
   problem: "Problem",
   kind: "Kind",
   kinds: {
@@ -61,6 +62,7 @@ export const solutionStrings = {
     `${cycle === 0 ? firstMesh : `Cycle ${cycle} of ${cycles}`}: ${text.toLowerCase()}`,
   field: "Field",
   noField: "None",
+  ofElements: (name: string) => `${name} (elements)`,
   component: "Component",
   magnitude: "Magnitude",
   axes: ["x", "y", "z"],

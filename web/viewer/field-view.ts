@@ -78,7 +78,7 @@ export class FieldView {
   #drawIsosurface({ meshes, at, shown, shapes }: SolutionState): void {
     const solved = at === null ? undefined : meshes[at];
     const { isosurface: position } = shapes;
-    const isShown = position !== null && shown && solved;
+    const isShown = position !== null && shown?.isPerElement === false && solved;
     this.#wanted = isShown ? { mesh: solved.mesh, shown, position } : null;
     if (this.#wanted === null) {
       this.#layer.setIsosurface(null);

@@ -90,7 +90,7 @@ function previewState({ previews }: SessionStores, read: Read): { readonly previ
 
 function fieldState({ solutions }: SessionStores, read: Read) {
   const { shown, shapes } = read(solutions.state);
-  return { shownField: shown, hasIsosurface: shown !== null && shapes.isosurface !== null };
+  return { shownField: shown, hasIsosurface: shown?.isPerElement === false && shapes.isosurface !== null };
 }
 
 function runState({ documents, run }: SessionStores, read: Read) {

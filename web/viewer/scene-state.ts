@@ -49,7 +49,7 @@ export interface ShownState extends ViewState {
   readonly shownSizes: ShownSizes | null;
   /** Stripes or curvatures that are shown on the patches, instead of the mesh; null for none. */
   readonly shownSmoothness: ShownSmoothness | null;
-  /** Values at the nodes of the mesh that are shown as its colours; null for none. */
+  /** Values of the mesh that are shown as its colours; null for none. */
   readonly shownField: ShownField | null;
   /** An isosurface of these values is shown. */
   readonly hasIsosurface: boolean;

@@ -127,7 +127,9 @@ function refusal(errors: readonly ReadError[]): Answer<SurfaceProtocol["read"]["
   return { answer: { success: false, reasons } };
 }
 
-/** Reads the mesh of a file, with the values at its nodes; its boundary is the surface of a body. */
+const none: Mesh["nodeData"] = new Map();
+
+/** Reads the mesh of a file, with the values at its nodes and of its elements; its boundary is the surface of a body. */
 async function readVolume(
   file: Mesh,
   fileName: string,
@@ -138,7 +140,8 @@ async function readVolume(
   // Nothing is said of the triangles: the mesh itself is shown.
   const { treatment } = await treatmentOf(outer, fileName);
   const made = newBody({ ...createBody(outer, head), ...treatment });
-  const values = [...mesh.nodeData.values()].map((data) => data.values);
+  const { nodeData, elementData = none } = mesh;
+  const values = [...nodeData.values(), ...elementData.values()].map((data) => data.values);
   const parts: readonly unknown[] = Object.values(mesh);
   const arrays = [...parts, ...values].filter((part) => ArrayBuffer.isView(part));
   const buffers = new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer));

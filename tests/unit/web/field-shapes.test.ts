@@ -94,7 +94,12 @@ describe("the faces of a mesh with a field", () => {
 
   it("have the position of each corner's own value on the scale", () => {
     const queries = new MeshQueries({ mesh });
-    queries.setField({ values: nodeValues((x) => 10 + x), range: [10, 14], offsets: null });
+    queries.setField({
+      values: nodeValues((x) => 10 + x),
+      range: [10, 14],
+      isPerElement: false,
+      offsets: null,
+    });
     const { corners, values } = queries.facesOf(options);
     expect(values).toHaveLength(corners.length / 3);
     values.forEach((value, i) => expect(value).toBeCloseTo((corners[3 * i] ?? 0) / 4, 6));
@@ -102,18 +107,30 @@ describe("the faces of a mesh with a field", () => {
 
   it("have the colour in the middle if all values are equal", () => {
     const queries = new MeshQueries({ mesh });
-    queries.setField({ values: nodeValues(() => 7), range: [7, 7], offsets: null });
+    queries.setField({ values: nodeValues(() => 7), range: [7, 7], isPerElement: false, offsets: null });
     expect(new Set(queries.facesOf(options).values)).toEqual(new Set([0.5]));
+  });
+
+  it("have one colour per element if the values are those of elements", () => {
+    const queries = new MeshQueries({ mesh });
+    const count = mesh.tetrahedra.length / 4;
+    const values = Float32Array.from({ length: count }, (_, t) => 2 * t);
+    queries.setField({ values, range: [0, 2 * count], isPerElement: true, offsets: null });
+    const drawn = queries.facesOf({ ...options, cut: { axis: "x", position: 0.5, flipped: false } });
+    expect(drawn.faces.length).toBeGreaterThan(0);
+    drawn.faces.forEach((face, i) => {
+      for (let k = 0; k < 3; ++k) expect(drawn.values[3 * i + k]).toBeCloseTo((face >> 2) / count, 6);
+    });
   });
 
   it("are moved by offsets of the nodes; the cut is that of the mesh at rest", () => {
     const queries = new MeshQueries({ mesh });
     const cut = { axis: "x", position: 0.5, flipped: false } as const;
     const values = nodeValues((x) => x);
-    queries.setField({ values, range: [0, 4], offsets: null });
+    queries.setField({ values, range: [0, 4], isPerElement: false, offsets: null });
     const atRest = queries.facesOf({ ...options, cut });
     const offsets = Float32Array.from(mesh.points, (_, i) => (i % 3 === 2 ? 5 : 0));
-    queries.setField({ values, range: [0, 4], offsets });
+    queries.setField({ values, range: [0, 4], isPerElement: false, offsets });
     const moved = queries.facesOf({ ...options, cut });
     expect(moved.faces).toEqual(atRest.faces);
     expect([...moved.corners]).toEqual(Array.from(atRest.corners, (x, i) => x + (i % 3 === 2 ? 5 : 0)));

@@ -1,6 +1,7 @@
 import { Select, Text } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import { useMemo } from "react";
+import { patchNames } from "tetrafront/internal";
 import {
   conditionKinds,
   defaultCondition,
@@ -13,8 +14,7 @@ import { solutionStrings as texts } from "../../strings/solution";
 import { NumberField } from "../../ui/fields/number-field";
 import { PositionFields } from "../../ui/fields/position-fields";
 import { IconButton } from "../../ui/icon-button";
-import { useProject, useRun } from "../shared/app-context";
-import { patchNamesOf } from "./patch-names";
+import { useProject } from "../shared/app-context";
 import styles from "./solution.module.css";
 
 export interface SetupProps {
@@ -113,9 +113,8 @@ function ConditionRow({ kind, condition, onChange, onRemove }: ConditionRowProps
   );
 }
 
-/** The names of the patches of the mesh, or of the model before there is one; each once. */
+/** The names of the patches of the model; each once. */
 function usePatchNames(): readonly string[] {
   const project = useProject();
-  const patches = useRun((state) => state.mesh?.mesh.patches);
-  return useMemo(() => patchNamesOf(project, patches), [project, patches]);
+  return useMemo(() => [...new Set(patchNames(project))], [project]);
 }

@@ -1,7 +1,7 @@
 import { Button, Select } from "@mantine/core";
 import { useStore } from "zustand";
 import { firstChoice } from "../../session/adaptation";
-import type { FieldChoice, MeshField } from "../../session/solutions";
+import { chosenField, type FieldChoice, type MeshField } from "../../session/solutions";
 import { solutionStrings as texts } from "../../strings/solution";
 import { FieldRow } from "../../ui/fields/field-row";
 import { SectionTitle } from "../../ui/frames/section-title";
@@ -19,7 +19,7 @@ export function FieldSection() {
   const busy = useRun((state) => state.busy);
   const stale = useStale();
   const fields = meshes[at ?? meshes.length - 1]?.fields ?? [];
-  const field = fields.find(({ name }) => name === choice?.name);
+  const field = chosenField(fields, choice);
   return (
     <section aria-label={texts.field}>
       <SectionTitle>{texts.field}</SectionTitle>
@@ -31,7 +31,10 @@ export function FieldSection() {
           allowDeselect={false}
           data={[
             { value: none, label: texts.noField },
-            ...fields.map(({ name }, index) => ({ value: String(index), label: name })),
+            ...fields.map(({ name, isPerElement }, index) => ({
+              value: String(index),
+              label: isPerElement === true ? texts.ofElements(name) : name,
+            })),
           ]}
           value={field ? String(fields.indexOf(field)) : none}
           onChange={(value) => {
@@ -61,7 +64,8 @@ interface ComponentChoiceProps {
   readonly choice: FieldChoice;
 }
 
-function ComponentChoice({ field: { name, components }, choice }: ComponentChoiceProps) {
+function ComponentChoice({ field, choice }: ComponentChoiceProps) {
+  const { name, components, isPerElement } = field;
   const { solutions } = useApp();
   const label = (index: number): string =>
     components === 3 ? (texts.axes[index] ?? "") : texts.number(index);
@@ -81,8 +85,13 @@ function ComponentChoice({ field: { name, components }, choice }: ComponentChoic
         onChange={(value) =>
           solutions.choose(
             value === null || value === "magnitude"
-              ? { name, component: "magnitude", label: name }
-              : { name, component: Number(value), label: texts.choice(name, label(Number(value))) },
+              ? firstChoice(field)
+              : {
+                  name,
+                  component: Number(value),
+                  label: texts.choice(name, label(Number(value))),
+                  isPerElement,
+                },
           )
         }
       />

@@ -1,16 +1,15 @@
 import { Button, Select, Text } from "@mantine/core";
-import { useState } from "react";
-import { useStore } from "zustand";
-import { setupOf, solveInCycles } from "../../commands/solution-actions";
+import { useMemo, useState } from "react";
+import { setUpProblem, solveInCycles } from "../../commands/solution-actions";
 import type { CycleSettings } from "../../session/adaptation";
-import { withAxis, type ProblemSetup } from "../../session/problem-setup";
+import { setupIn, withAxis, type ProblemSetup } from "../../session/problem-setup";
 import type { ProblemKind } from "../../solve/problem";
 import { solutionStrings as texts } from "../../strings/solution";
 import { FieldRow } from "../../ui/fields/field-row";
 import { NumberRow } from "../../ui/fields/number-row";
 import { PositionRow } from "../../ui/fields/position-row";
 import { SectionTitle } from "../../ui/frames/section-title";
-import { useApp, useRun } from "../shared/app-context";
+import { useApp, useProject, useRun } from "../shared/app-context";
 import { aboveZero } from "../shared/size-fields";
 import { ConditionList, type SetupProps } from "./condition-list";
 import styles from "./solution.module.css";
@@ -20,9 +19,9 @@ const kinds: readonly ProblemKind[] = ["heat", "elasticity", "advection"];
 /** States a problem, and solves it once or in cycles. */
 export function ProblemForm() {
   const app = useApp();
-  useStore(app.solutions.state, (state) => state.setup);
-  const setup = setupOf(app);
-  const change = (part: Partial<ProblemSetup>): void => app.solutions.setUp({ ...setup, ...part });
+  const project = useProject();
+  const setup = useMemo(() => setupIn(project), [project]);
+  const change = (part: Partial<ProblemSetup>): void => setUpProblem(app, { ...setup, ...part });
   return (
     <section aria-label={texts.problem}>
       <SectionTitle>{texts.problem}</SectionTitle>

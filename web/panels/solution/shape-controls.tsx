@@ -29,20 +29,26 @@ export function ShapeControls() {
         }
       />
     );
+  // Colours of elements are flat: no line or surface has one value.
+  const isContinuous = shown?.isPerElement !== true;
   const deformed = shown?.offsets ? texts.deformedBy(shown.enlargement) : texts.deformed;
   return (
     <>
-      <Switch
-        size="xs"
-        my={6}
-        label={texts.lines}
-        checked={lines > 0}
-        disabled={!shown}
-        data-testid="field-lines"
-        onChange={(event) => solutions.setLines(event.currentTarget.checked ? lineCount : 0)}
-      />
-      {toggle("isosurface", texts.isosurface, true)}
-      {shapes.isosurface !== null && shown && <IsosurfaceSlider at={shapes.isosurface} range={shown.range} />}
+      {isContinuous && (
+        <Switch
+          size="xs"
+          my={6}
+          label={texts.lines}
+          checked={lines > 0}
+          disabled={!shown}
+          data-testid="field-lines"
+          onChange={(event) => solutions.setLines(event.currentTarget.checked ? lineCount : 0)}
+        />
+      )}
+      {toggle("isosurface", texts.isosurface, isContinuous)}
+      {shapes.isosurface !== null && shown && isContinuous && (
+        <IsosurfaceSlider at={shapes.isosurface} range={shown.range} />
+      )}
       {toggle("arrows", texts.arrows, solved !== undefined && vectorField(solved, choice) !== undefined)}
       {toggle("deformed", deformed, solved !== undefined && displacementsIn(solved) !== undefined)}
     </>

@@ -62,7 +62,7 @@ function SmoothnessLegend({ shown: { by, range } }: { readonly shown: ShownSmoot
   );
 }
 
-/** Returns the values at the nodes that the view shows; null if it shows none. */
+/** Returns the values of the mesh that the view shows; null if it shows none. */
 function useFieldShown(): ShownField | null {
   const app = useApp();
   const field = useStore(app.solutions.state, (state) => state.shown);
@@ -71,7 +71,10 @@ function useFieldShown(): ShownField | null {
   const isOfMesh = useRun(
     ({ mesh, unoptimized }) => unoptimized === null && mesh?.mesh.tetrahedra === field?.tetrahedra,
   );
-  const hasIsosurface = useStore(app.solutions.state, ({ shapes }) => shapes.isosurface !== null);
+  const hasIsosurface = useStore(
+    app.solutions.state,
+    ({ shapes, shown }) => shapes.isosurface !== null && shown?.isPerElement === false,
+  );
   return (isVisible || hasIsosurface) && hasMesh && isOfMesh ? field : null;
 }
 

@@ -239,7 +239,8 @@ export class MeshLayer implements HittableLayer {
   #setScale(): void {
     const { shading, field } = this.#drawn.request;
     const byRegion = shading === "region" && !field;
-    setNumber(this.#material, "lines", field?.lines ?? 0);
+    // Each element has one colour.
+    setNumber(this.#material, "lines", field?.isPerElement === false ? field.lines : 0);
     setTexture(this.#material, "ramp", byRegion ? this.#palette : this.#ramp);
     setNumber(this.#material, "hues", byRegion ? (this.#palette?.image.width ?? 0) : 0);
   }

@@ -23,7 +23,7 @@ import {
   extentAlong,
   hideBeyond,
   hideRegions,
-  type NodeValues,
+  type FieldValues,
   writeCorners,
 } from "./visible-faces";
 
@@ -79,7 +79,7 @@ export class MeshQueries {
   readonly #centroids = new Map<CutAxis, Float32Array>();
   readonly #extents = new Map<CutAxis, readonly [number, number]>();
   readonly #qualities = new Map<QualityMeasure, Float32Array>();
-  #field: NodeValues | null = null;
+  #field: FieldValues | null = null;
   /** The mesh with its nodes where they are drawn. */
   #moved: QueriedMesh["mesh"] | null = null;
 
@@ -90,7 +90,7 @@ export class MeshQueries {
   }
 
   /** Sets the values that colours can show. */
-  setField(field: NodeValues): void {
+  setField(field: FieldValues): void {
     this.#field = field;
     const { offsets } = field;
     const { points } = this.#mesh;

@@ -5,7 +5,7 @@ import { copyForTransfer } from "../../workers/transfer";
 import { WorkerClient } from "../../workers/worker-client";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { MeshQueryProtocol, PictureSize } from "./mesh-query-protocol";
-import type { NodeValues } from "./visible-faces";
+import type { FieldValues } from "./visible-faces";
 import type { SerializedTree } from "../triangle-boxes";
 
 const startWorker = (): Worker =>
@@ -30,7 +30,7 @@ export class MeshQueryClient {
   /** The mesh that the worker has a copy of, or will have. */
   #sent: SentMesh | null = null;
   /** The values that were sent with it last. */
-  #sentField: NodeValues | null = null;
+  #sentField: FieldValues | null = null;
   /** Settles when nothing is copied any more: meshes are sent one after the other. */
   #copying: Promise<void> = Promise.resolve();
 
@@ -39,8 +39,8 @@ export class MeshQueryClient {
     this.#worker.start();
   }
 
-  /** Returns the triangles to draw. With values at the nodes, their colours show these. */
-  facesOf(mesh: QueriedMesh, options: ViewOptions, field: NodeValues | null = null): Promise<DrawnFaces> {
+  /** Returns the triangles to draw. With a field, their colours show its values. */
+  facesOf(mesh: QueriedMesh, options: ViewOptions, field: FieldValues | null = null): Promise<DrawnFaces> {
     return this.#query(mesh, () => {
       if (field && this.#sentField !== field) this.#sendField(field);
       return this.#worker.call("faces", { ...options, byField: field !== null });
@@ -50,7 +50,7 @@ export class MeshQueryClient {
   /** Returns where values at the nodes have a level: x y z of three corners per triangle, relative to `origin`. */
   isosurface(
     mesh: QueriedMesh,
-    field: NodeValues,
+    field: FieldValues,
     level: number,
     origin: Position,
   ): Promise<Float32Array<ArrayBuffer>> {
@@ -111,11 +111,11 @@ export class MeshQueryClient {
     }
   }
 
-  #sendField(field: NodeValues): void {
+  #sendField(field: FieldValues): void {
     this.#sentField = field;
-    const { values, range, offsets } = field;
+    const { values, isPerElement, range, offsets } = field;
     // If this call fails, the query after it fails too.
-    this.#worker.call("setField", { values, range, offsets }).catch(() => undefined);
+    this.#worker.call("setField", { values, isPerElement, range, offsets }).catch(() => undefined);
   }
 
   /** Copies a mesh in slices and posts it, after the one before. */

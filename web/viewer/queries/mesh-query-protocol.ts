@@ -2,7 +2,7 @@ import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mes
 import type { Position } from "../../document/position";
 import type { Cut } from "../../document/selection";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
-import type { NodeValues } from "./visible-faces";
+import type { FieldValues } from "./visible-faces";
 import type { SerializedTree } from "../triangle-boxes";
 
 /** In pixels. */
@@ -16,7 +16,7 @@ export interface MeshQueryProtocol {
   /** Sets the mesh that all later queries are about; null for none. */
   readonly setMesh: { readonly argument: QueriedMesh | null; readonly answer: null };
   /** Sets the values at the nodes of the mesh that colours can show. */
-  readonly setField: { readonly argument: NodeValues; readonly answer: null };
+  readonly setField: { readonly argument: FieldValues; readonly answer: null };
   /** Where these values have a level, as `MeshQueries.isosurface` says. */
   readonly isosurface: {
     readonly argument: { readonly level: number; readonly origin: Position };

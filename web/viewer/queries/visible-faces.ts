@@ -90,9 +90,10 @@ export function writeCorners(
   }
 }
 
-/** One value per node, and the values at the two ends of the colour scale. */
-export interface NodeValues {
+/** One value per node or element, and the values at the two ends of the colour scale. */
+export interface FieldValues {
   readonly values: Float32Array<ArrayBuffer>;
+  readonly isPerElement: boolean;
   readonly range: readonly [low: number, high: number];
   /** x y z per node by which it is drawn away from its position; null for none. */
   readonly offsets: Float32Array<ArrayBuffer> | null;
@@ -106,7 +107,7 @@ export function cornerValues(
   tetrahedra: Uint32Array,
   faces: Uint32Array,
   shares: Uint8Array,
-  { values, range: [low, high] }: NodeValues,
+  { values, isPerElement, range: [low, high] }: FieldValues,
 ): Float32Array<ArrayBuffer> {
   const positions = new Float32Array(3 * faces.length);
   const scale = high > low ? 1 / (high - low) : 0;
@@ -115,8 +116,9 @@ export function cornerValues(
     const face = faces[i] ?? 0;
     for (let k = 0; k < 3; ++k) {
       const node = tetrahedra[(face & ~3) + (faceNodes[3 * (face & 3) + k] ?? 0)] ?? 0;
+      const value = values[isPerElement ? face >> 2 : node] ?? 0;
       // If all values are equal, they have the colour in the middle.
-      ofFace[k] = scale === 0 ? 0.5 : ((values[node] ?? 0) - low) * scale;
+      ofFace[k] = scale === 0 ? 0.5 : (value - low) * scale;
     }
     for (let k = 0; k < 3; ++k)
       positions[3 * i + k] =
