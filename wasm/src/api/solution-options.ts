@@ -81,7 +81,7 @@ export function checkSolutionSizeOptions(options: SolutionSizeOptions): Diagnost
     wrong.push(invalidOption("minSize", message, "Use a smallest size that is at most the largest."));
   }
   if (options.indicatorOrder !== undefined && options.indicator === undefined) {
-    const remedy = "Name the field with the option indicator, or omit the order.";
+    const remedy = "Set indicator, or omit the order.";
     wrong.push(invalidOption("indicatorOrder", "an order is given, but no indicator", remedy));
   }
   return wrong;

@@ -168,7 +168,7 @@ function indicatorAmong(fields: readonly FieldValues[], name: string | undefined
   if (name === undefined) return undefined;
   const index = fields.findIndex((field) => field.name === name);
   const field = fields[index];
-  const remedy = "Pass a field with this name, with its values at the nodes or of the elements.";
+  const remedy = "Pass a field with this name.";
   refuse(
     field === undefined
       ? [invalidOption("indicator", `no field is named "${name}"`, remedy)]
@@ -181,7 +181,7 @@ function checkIndicator({ name = "", components, values, isPerElement = false }:
   const word = isPerElement ? "tetrahedron" : "node";
   if (components !== 1) {
     const message = `the indicator "${name}" has ${components} numbers per ${word}`;
-    return [invalidArrays(message, "Use a field with one number per node or element.")];
+    return [invalidArrays(message, "Use a field with one component.")];
   }
   const at = values.findIndex((value) => value < 0);
   if (at < 0) return [];

@@ -54,26 +54,26 @@ function* faultIn({
   if (!isArrayOf(Float64Array, points) || points.length % 3 !== 0 || isDetached(points)) {
     return "points is not a Float64Array with x y z per node";
   }
-  if (!isA("Map", nodeData)) return "nodeData is not a Map";
-  if (!isA("Map", elementData)) return "elementData is not a Map";
   const count = points.length / 3;
   const wild = yield* firstOf(points, (value) => !Number.isFinite(value));
   if (wild >= 0) return `node ${Math.floor(wild / 3)} has a coordinate that is not finite`;
-  const data = [...(nodeData as ReadonlyMap<unknown, unknown>)].find(
-    ([name, given]) => !isData(name, given, count),
-  );
-  if (data !== undefined)
-    return `nodeData ${shown(data[0])} does not have \`components\` values for each of ${plural(count, "node")}`;
-  const elements = (rest.tetrahedra?.length ?? 0) / 4;
-  const ofElements = [...(elementData as ReadonlyMap<unknown, unknown>)].find(
-    ([name, given]) => !isData(name, given, elements),
-  );
-  if (ofElements !== undefined)
-    return `elementData ${shown(ofElements[0])} does not have \`components\` values for each of ${elements} tetrahedra`;
   return (
+    faultOfData("nodeData", nodeData, count, "node") ??
     (yield* faultOfCurved(count, rest.curvedEdges)) ??
     (yield* faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches)) ??
-    (yield* faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions))
+    (yield* faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions)) ??
+    faultOfData("elementData", elementData, (rest.tetrahedra?.length ?? 0) / 4, "tetrahedron")
+  );
+}
+
+function faultOfData(name: string, data: unknown, count: number, word: string): string | undefined {
+  if (!isA("Map", data)) return `${name} is not a Map`;
+  const wrong = [...(data as ReadonlyMap<unknown, unknown>)].find(
+    ([key, given]) => !isData(key, given, count),
+  );
+  return (
+    wrong &&
+    `${name} ${shown(wrong[0])} does not have \`components\` values for each of ${plural(count, word)}`
   );
 }
 

@@ -52,7 +52,7 @@ export function checkProblem(
     const path: Path = ["problem", "conditions", c];
     if (!hasPatch(patch)) report([...path, "patch"], `there is no patch with the id ${patch}`);
     const key = `${patch} ${ELASTIC.includes(kind)}`;
-    if (seen.has(key)) report(path, `another condition of this kind of problem is on patch ${patch}`);
+    if (seen.has(key)) report(path, `another condition is on patch ${patch}`);
     seen.add(key);
   });
 }
