@@ -74,6 +74,19 @@ describe("adapt", () => {
     expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
   });
 
+  test("follows an indicator of the solver's, and reports its largest value", async () => {
+    const solve: Solve = (mesh) => {
+      const eta = Float64Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => 1 + (t % 3));
+      return [layerOn(mesh), { name: "eta", components: 1, values: eta, isPerElement: true }];
+    };
+    const [cycle] = await all(mesher.adapt(box, solve, { ...options, cycles: 1, indicator: "eta" }));
+    expect(cycle?.estimatedErrors).toEqual([3]);
+    expect(cycle?.sizes.expectedErrors).toHaveLength(1);
+    expect(Math.abs((cycle?.next.after.tetrahedra ?? 0) / 1500 - 1)).toBeLessThan(0.5);
+    const missing = all(mesher.adapt(box, solve, { ...options, cycles: 1, indicator: "residual" }));
+    await expect(missing).rejects.toThrow(/no field "residual".*"u", "eta"/s);
+  });
+
   test("the estimated error of a quadratic field is near its interpolation error", async () => {
     const solve: Solve = ({ points }) => {
       const values = Float64Array.from(
