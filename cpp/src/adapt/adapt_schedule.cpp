@@ -1,6 +1,7 @@
 #include "adapt/adapt_schedule.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/sort.h"
@@ -68,11 +69,12 @@ std::vector<AdaptEdge> listEdges(const AdaptMesh& mesh) {
 }
 
 AdaptSchedule::AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide,
-                             MetricBackground& background, const Badness& badness,
+                             MetricBackground& background, Badness& badness,
                              std::uint32_t sweeps, const bool& isStopped)
     : mesh_(mesh),
       background_(background),
       badness_(badness),
+      goal_(badness.floor()),
       sweeps_(sweeps),
       isStopped_(isStopped),
       context_{mesh, guide, background, badness},
@@ -221,6 +223,29 @@ Task<> AdaptSchedule::moveAll(Work& work, MoveEffort effort) {
   }
 }
 
+/// Sets the floor to the largest quality up to the goal that nearly all elements reach, but to no less than half of the goal, and
+/// never lower than before. Where the shape of the boundary keeps many elements poor, a high floor would sacrifice edges, and the
+/// poorest elements too, for the many that it cannot help.
+void AdaptSchedule::raiseFloor() {
+  constexpr double kFewBelow = 0.002;
+  constexpr int kSteps = 10;
+  std::array<std::size_t, kSteps> below{};
+  for (const AdaptElement& element : mesh_.elements) {
+    if (!element.isAlive() || element.quality >= goal_) continue;
+    const double step = std::floor(2.0 * kSteps * element.quality / goal_ - kSteps);
+    ++below[static_cast<std::size_t>(std::clamp(step, 0.0, kSteps - 1.0))];
+  }
+  const double few = kFewBelow * static_cast<double>(mesh_.elementCount());
+  double floor = 0.5 * goal_;
+  std::size_t count = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    count += below[static_cast<std::size_t>(i)];
+    if (static_cast<double>(count) > few) break;
+    floor = goal_ * (0.5 + 0.5 * (i + 1) / kSteps);
+  }
+  badness_.setFloor(std::max(floor, badness_.floor()));
+}
+
 Task<> AdaptSchedule::improve(Work& work) {
   constexpr double kAboveFloor = 0.1;
   constexpr std::uint32_t kStrictSweeps = 2;
@@ -228,7 +253,9 @@ Task<> AdaptSchedule::improve(Work& work) {
   constexpr std::uint32_t kLeastSweeps = 4;
   constexpr double kSlowFall = 0.9;
   std::size_t before = 0;
+  badness_.setFloor(0.5 * goal_);
   for (std::uint32_t sweep = 0; sweep < sweeps_ && !isStopped_; ++sweep) {
+    raiseFloor();
     work.beginPart(static_cast<double>(sweep + 1) / sweeps_);
     std::size_t count = co_await improveEdges(work);
     count += poorElements(badness_.floor()).size();

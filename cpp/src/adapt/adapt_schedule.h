@@ -29,7 +29,7 @@ class AdaptSchedule {
  public:
   /// All must outlive this. `sweeps`: number of sweeps at most. When `isStopped` becomes true, the work ends soon.
   AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide, MetricBackground& background,
-                const Badness& badness, std::uint32_t sweeps, const bool& isStopped);
+                Badness& badness, std::uint32_t sweeps, const bool& isStopped);
 
   /// Computes the metrics of all nodes and the qualities of all elements.
   Task<> measureAll(Work& work);
@@ -51,6 +51,7 @@ class AdaptSchedule {
   Task<std::size_t> collapseShort(Work& work);
   Task<std::size_t> swapPoor(Work& work, double limit);
   Task<> moveAll(Work& work, MoveEffort effort);
+  void raiseFloor();
   Task<std::size_t> improveEdges(Work& work);
   Task<> improveElements(Work& work, double limit);
   bool improveEdge(const AdaptEdge& edge);
@@ -60,7 +61,8 @@ class AdaptSchedule {
 
   AdaptMesh& mesh_;
   MetricBackground& background_;
-  const Badness& badness_;
+  Badness& badness_;
+  double goal_;  ///< the floor that is asked for
   std::uint32_t sweeps_;
   const bool& isStopped_;
   AdaptContext context_;

@@ -24,6 +24,10 @@ class Badness {
       : floor_(floor), soft_(std::max(kSoft, floor + 0.05)), aim_(aim) {}
 
   [[nodiscard]] double floor() const { return floor_; }
+  void setFloor(double floor) {
+    floor_ = floor;
+    soft_ = std::max(kSoft, floor + 0.05);
+  }
 
   /// Cost of an edge by its metric length > 0. Up to 0.35 doublings from 1 it is free; at the bounds it jumps to about 1.
   [[nodiscard]] double ofEdge(double length) const {

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "adapt/adapt_result.h"
 #include "adapt/adapt_schedule.h"
 #include "adapt/adapt_start.h"
 #include "adapt/metric_background.h"
+#include "adapt/true_boundary.h"
 #include "base/diagnostics.h"
 #include "base/tool_job.h"
 #include "field/check_background_grid.h"
 #include "geom/coordinates.h"
 #include "metric/metric.h"
+#include "model/model_numbers.h"
 #include "optimize/given_mesh.h"
 #include "quality/verify_mesh.h"
 #include "topology/mesh_access.h"
@@ -26,7 +29,9 @@ struct AdapterInput {
   AdaptInput mesh;
   MetricMesh background;
   AdaptOptions options;
-  bool isStopped = false;
+  bool isStopped = false;  ///< the member that makeToolJob() sets
+  std::vector<double> model;
+  ModelTriangles modelTriangles;
 };
 
 bool areCoordinates(std::span<const double> points) {
@@ -109,7 +114,12 @@ class Adaptation {
     ReferenceSurface reference(faces.boundary, {});
     work.beginPart(0.05);
     co_await reference.prepare(work);
-    const BoundaryGuide guide(reference, faces.isFixed);
+    const std::optional<ReadModel> model =
+        input_.model.empty() ? std::nullopt : readModel(input_.model);
+    std::optional<TrueBoundary> truth;
+    if (model) truth.emplace(reference, *model, input_.modelTriangles);
+    co_await work.yield();
+    const BoundaryGuide guide(reference, faces.isFixed, truth ? &*truth : nullptr);
     AdaptStart start = makeStart(given, faces, guide);
     work.beginPart(0.98);
     co_await adapt(work, start.mesh, guide, background);
@@ -121,7 +131,7 @@ class Adaptation {
  private:
   Task<> adapt(Work& work, AdaptMesh& mesh, const BoundaryGuide& guide,
                MetricBackground& background) {
-    const Badness badness(input_.options.leastQuality);
+    Badness badness(input_.options.leastQuality);
     AdaptSchedule schedule(mesh, guide, background, badness, input_.options.sweeps,
                            input_.isStopped);
     work.beginPart(0.01);
@@ -182,8 +192,11 @@ Task<MeshAdaptation> runAdaptation(Work& work, AdapterInput& input) {
 
 }  // namespace
 
-MeshAdapter::MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options)
+MeshAdapter::MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options,
+                         std::vector<double> model, ModelTriangles modelTriangles)
     : SlicedTool(makeToolJob<MeshAdaptation>(
-          AdapterInput{std::move(input), std::move(background), options, false}, runAdaptation)) {}
+          AdapterInput{std::move(input), std::move(background), options, false, std::move(model),
+                       std::move(modelTriangles)},
+          runAdaptation)) {}
 
 }  // namespace tetrafront
