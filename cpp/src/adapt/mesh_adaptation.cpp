@@ -136,11 +136,13 @@ class Adaptation {
                            input_.isStopped);
     work.beginPart(0.01);
     co_await schedule.measureAll(work);
-    out_.before = measureInMetric(mesh);
-    work.beginPart(1.0);
+    work.beginPart(0.015);
+    out_.before = co_await measureInMetric(work, mesh);
+    work.beginPart(0.99);
     co_await schedule.run(work);
     out_.isPartial = input_.isStopped;
-    out_.after = measureInMetric(mesh);
+    work.beginPart(1.0);
+    out_.after = co_await measureInMetric(work, mesh);
   }
 
   /// Returns the patches of the kept triangles, in the order of the surface of the given mesh.
