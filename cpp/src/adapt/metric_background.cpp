@@ -68,8 +68,8 @@ Task<> MetricBackground::findBends(Work& work) {
   work.beginPart(0.2);
   const MeshEdges edges = co_await edgesOf(work, mesh);
   work.beginPart(0.95);
-  const std::vector<double> hessians =
-      co_await recoverHessians(work, mesh, edges, {values, kTensorNumbers, false});
+  const SampledValues samples{values, kTensorNumbers, false};
+  const std::vector<double> hessians = co_await recoverHessians(work, mesh, edges, samples);
   work.beginPart(1.0);
   bends_.resize(nodes);
   co_await work.forEachBlock(nodes, [&](std::size_t first, std::size_t last) {
