@@ -86,7 +86,7 @@ Task<bool> AdaptSchedule::hasNearlyUnitEdges(Work& work) const {
     if (edge.length > 1.0) added += edge.length * edge.length * edge.length;
   }
   const auto count = static_cast<double>(edges.size());
-  co_return out <= kNearlyUnit * count && added <= kFewAdded * count;
+  co_return out <= kNearlyUnit* count&& added <= kFewAdded* count;
 }
 
 /// Returns the index of the smallest of the descending sizes that the mesh can begin with: nearly all edges are short.
@@ -249,6 +249,7 @@ void AdaptSchedule::raiseFloor() {
 Task<> AdaptSchedule::improve(Work& work) {
   constexpr double kAboveFloor = 0.1;
   constexpr std::uint32_t kStrictSweeps = 2;
+  constexpr std::uint32_t kSweepsInPlace = 2;
   // The sweeps end when the number of edges out of bounds and of poor elements hardly falls any more.
   constexpr std::uint32_t kMinSweeps = 4;
   constexpr double kSlowFall = 0.9;
@@ -265,6 +266,7 @@ Task<> AdaptSchedule::improve(Work& work) {
     if (isRaised) {
       for (AdaptElement& element : mesh_.elements) element.tried = 0;
     }
+    staysInPlace_ = isNear_ && sweep < kSweepsInPlace;
     work.beginPart(static_cast<double>(sweep + 1) / sweeps_);
     std::size_t count = co_await improveEdges(work);
     const std::vector<Poor> poor = co_await poorElements(work, badness_.floor());
@@ -275,7 +277,7 @@ Task<> AdaptSchedule::improve(Work& work) {
     before = count;
     co_await improveElements(
         work, badness_.floor() + (isNear_ || sweep < kStrictSweeps ? 0.0 : kAboveFloor));
-    co_await moveAll(work, MoveEffort::kSearch);
+    if (!staysInPlace_) co_await moveAll(work, MoveEffort::kSearch);
   }
 }
 
@@ -302,10 +304,11 @@ bool AdaptSchedule::improveEdge(const AdaptEdge& edge) {
   const double length = mesh_.lengthOf(edge.a, edge.b);
   if (badness_.ofEdge(length) < kOutOfBounds) return false;
   if (operations_.removeEdge(edge.a, edge.b, element, Acceptance::kBadness, random_)) return true;
+  if (staysInPlace_ && length > 1.0) return false;
   const bool isDivided = length > 1.0
                              ? operations_.split(edge.a, edge.b, element, Acceptance::kBadness)
                              : operations_.collapse(edge.a, edge.b, element, Acceptance::kBadness);
-  if (isDivided) return true;
+  if (isDivided || staysInPlace_) return isDivided;
   mover_.move(edge.a, MoveEffort::kLong, random_);
   mover_.move(edge.b, MoveEffort::kLong, random_);
   return false;
@@ -340,8 +343,9 @@ bool AdaptSchedule::improveElement(TetId id) {
   if (operations_.peel(id)) return true;
   for (const TetEdge& e : kTetEdges) {
     if (operations_.collapse(nodes[e.from], nodes[e.to], id, kFalls)) return true;
-    if (operations_.split(nodes[e.from], nodes[e.to], id, kFalls)) return true;
+    if (!staysInPlace_ && operations_.split(nodes[e.from], nodes[e.to], id, kFalls)) return true;
   }
+  if (staysInPlace_) return false;
   if (mesh_.element(id).quality < badness_.floor() && operations_.insert(id)) return true;
   bool isMoved = false;
   for (const NodeId node : nodes)

@@ -55,6 +55,8 @@ class AdaptSchedule {
   double goal_;  ///< the floor that is asked for
   std::uint32_t sweeps_;
   bool isNear_ = false;  ///< the mesh is adapted except in some places
+  /// Neither moves a node nor adds one: the metrics of the nodes stay those that are given.
+  bool staysInPlace_ = false;
   const bool& isStopped_;
   AdaptContext context_;
   AdaptOperations operations_;

@@ -25,6 +25,10 @@
 namespace tetrafront {
 namespace {
 
+/// Cosine of the smallest angle of a crease where the boundary approximates the faces of a model: these are smooth, so only coarse
+/// triangles have angles inside a patch.
+constexpr double kCreaseInFace = 0.5;
+
 /// What MeshAdapter was given.
 struct AdapterInput {
   AdaptInput mesh;
@@ -122,11 +126,13 @@ class Adaptation {
         co_await findStartFaces(work, given, input_.mesh.triangles, input_.mesh.trianglePatch);
     const std::vector<std::uint8_t> isRepeated = nodesInSeveralSets(given, faces);
     for (std::size_t i = 0; i < isRepeated.size(); ++i) faces.isFixed[i] |= isRepeated[i];
-    ReferenceSurface reference(faces.boundary, {});
-    work.beginPart(0.05);
-    co_await reference.prepare(work);
     const std::optional<ReadModel> model =
         input_.model.empty() ? std::nullopt : readModel(input_.model);
+    FeatureRules rules;
+    if (model) rules.creaseCosine = kCreaseInFace;
+    ReferenceSurface reference(faces.boundary, rules);
+    work.beginPart(0.05);
+    co_await reference.prepare(work);
     std::optional<TrueBoundary> truth;
     if (model) truth.emplace(reference, *model, input_.modelTriangles);
     co_await work.yield();

@@ -1,14 +1,10 @@
 #pragma once
 
-/// @file The metric that an adaptation follows: given at the nodes of a background mesh. Between them, the logarithms are
-/// interpolated: linearly, less the error that their second derivatives predict. On a curved boundary, an edge of unit length can
-/// leave the layer of thin elements at the boundary, so linear interpolation alone would take the sizes of other layers.
+/// @file The metric that an adaptation follows: given at the nodes of a background mesh, and interpolated between them by the
+/// logarithms.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
+#include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "base/task.h"
@@ -29,25 +25,19 @@ class MetricBackground {
   [[nodiscard]] SymmetricTensor at(const Vec3& position, GridTetId& at) const;
 
   /// Makes all sizes at least `size`; 0 for the given ones.
-  void limitSizes(double size) { least_ = std::max(size, minSize_); }
+  void limitSizes(double size);
 
   [[nodiscard]] double minSize() const { return minSize_; }
   [[nodiscard]] double maxSize() const { return maxSize_; }
 
  private:
-  /// Per product x x, y y, z z, x y, x z, y z of the offset from a node: what the logarithm loses there by linear interpolation.
-  using Bend = std::array<SymmetricTensor, 6>;
-
   explicit MetricBackground(GridLocator locator) : locator_(std::move(locator)) {}
-  void readLogarithms(std::span<const double> metrics, std::size_t first, std::size_t last);
-  Task<> findBends(Work& work);
 
   GridLocator locator_;
-  std::vector<SymmetricTensor> logarithms_;  ///< per node
-  std::vector<Bend> bends_;                  ///< per node
+  std::vector<SymmetricTensor> given_;       ///< logarithms per node
+  std::vector<SymmetricTensor> logarithms_;  ///< with limited sizes
   double minSize_ = 0.0;
   double maxSize_ = 0.0;
-  double least_ = 0.0;  ///< the limit of all sizes
 };
 
 }  // namespace tetrafront

@@ -12,7 +12,7 @@ namespace tetrafront {
 namespace {
 
 /// Largest distance between a triangle or a segment and its face or edge / its longest edge.
-constexpr double kReachPerEdge = 0.25;
+constexpr double kReachPerEdge = 0.4;
 
 /// Distance of the middle of a segment from its edge / its length, up to which the segment counts as straight: above the rounding
 /// of coordinates, and far below any bend that matters.
@@ -21,9 +21,16 @@ constexpr double kStraight = 1e-10;
 /// Largest distance of the model's own triangles from its faces / diagonal.
 constexpr double kSagPerDiagonal = 0.02;
 
-bool isWithin(double reach, const Vec3& one, const Vec3& other) {
-  const Vec3 off = one - other;
-  return glm::dot(off, off) <= reach * reach;
+/// Returns the place nearest to `position`, if it is within reach of its foot, and otherwise to the foot; the foot if there is none.
+/// `find(from, reach)`: returns the nearest place, if any.
+template <class Find>
+Vec3 nearestOr(const Vec3& foot, const Vec3& position, double reach, Find find) {
+  const Vec3 off = position - foot;
+  if (glm::dot(off, off) <= reach * reach) {
+    if (const auto place = find(position, reach)) return place->position;
+  }
+  const auto place = find(foot, reach);
+  return place ? place->position : foot;
 }
 
 }  // namespace
@@ -88,11 +95,12 @@ Vec3 TrueBoundary::onPatch(SmoothPatchId patch, TriangleId triangle, const Vec3&
   const std::span<const std::uint32_t> faces(faces_.data() + begin,
                                              faceBegins_[patch.index() + 1] - begin);
   if (faces.empty()) return foot;
-  const double reach = reachOf(triangle);
-  const std::optional<FacePlace> place =
-      index_.nearestOnFace(isWithin(reach, foot, position) ? position : foot,
-                           reference_.normalOf(triangle), reach, faces);
-  return place ? place->position : foot;
+  const Vec3& normal = reference_.normalOf(triangle);
+  return nearestOr(foot, position, reachOf(triangle), [&](const Vec3& from, double reach) {
+    // Near an apex the normals of a face and of a triangle differ.
+    const std::optional<FacePlace> place = index_.nearestOnFace(from, normal, reach, faces);
+    return place ? place : index_.nearestOnFace(from, Vec3(0.0), reach, faces);
+  });
 }
 
 Vec3 TrueBoundary::onLine(FeatureLineId id, std::size_t segment, const Vec3& foot,
@@ -100,10 +108,10 @@ Vec3 TrueBoundary::onLine(FeatureLineId id, std::size_t segment, const Vec3& foo
   const std::uint32_t edge = edges_[segmentBegins_[id.index()] + segment];
   if (edge == kNoIndex) return foot;
   const std::vector<Vec3>& points = reference_.line(id).points();
-  const double reach = kReachPerEdge * glm::length(points[segment + 1] - points[segment]);
-  const std::optional<EdgePlace> place = index_.nearestOnEdge(
-      isWithin(reach, foot, position) ? position : foot, Vec3(0.0), reach, edge);
-  return place ? place->position : foot;
+  const double length = glm::length(points[segment + 1] - points[segment]);
+  return nearestOr(foot, position, kReachPerEdge * length, [&](const Vec3& from, double reach) {
+    return index_.nearestOnEdge(from, Vec3(0.0), reach, edge);
+  });
 }
 
 }  // namespace tetrafront

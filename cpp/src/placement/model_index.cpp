@@ -153,6 +153,7 @@ void ModelIndex::addSegments(std::uint32_t edge) {
 std::optional<FacePlace> ModelIndex::nearestOnFace(const Vec3& position, const Vec3& normal,
                                                    double reach,
                                                    std::span<const std::uint32_t> only) const {
+  const bool isAny = normal == Vec3(0.0);
   double least = (reach + sag_) * (reach + sag_);
   std::uint32_t nearest = TrimmedFace::kNone;
   triangleTree_.visitNear(position, least, [&](std::uint32_t item) {
@@ -164,7 +165,7 @@ std::optional<FacePlace> ModelIndex::nearestOnFace(const Vec3& position, const V
     const double squared = squaredDistanceToTriangle(position, a, b, c);
     if (!(squared < least)) return;
     const Vec3 across = glm::cross(b - a, c - a);
-    if (!(glm::dot(across, normal) >= kSimilarNormal * glm::length(across))) return;
+    if (!isAny && !(glm::dot(across, normal) >= kSimilarNormal * glm::length(across))) return;
     least = squared;
     nearest = indexed_[item];
   });

@@ -34,8 +34,8 @@ class ModelIndex {
   /// triangles.
   ModelIndex(const ReadModel& read, const ModelTriangles& triangles, double sag);
 
-  /// Returns the place on a face, at most `reach` away, whose normal is similar to a unit normal. `only`: the faces that are asked
-  /// for, ascending; empty: all.
+  /// Returns the place on a face, at most `reach` away, whose normal is similar to a unit normal; zero: any. `only`: the faces
+  /// that are asked for, ascending; empty: all.
   [[nodiscard]] std::optional<FacePlace> nearestOnFace(
       const Vec3& position, const Vec3& normal, double reach,
       std::span<const std::uint32_t> only = {}) const;
