@@ -47,7 +47,8 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<SecondOrderBuilder, Doubles, Indices, Indices, Indices, Doubles>("SecondOrder",
                                                                                 "curveEdges");
   registerTypes<AdaptInput, MetricMesh, AdaptOptions, MeshAdaptation>();
-  registerTool<MeshAdapter, AdaptInput, MetricMesh, AdaptOptions>("Adaptation", "adaptMesh");
+  registerTool<MeshAdapter, AdaptInput, MetricMesh, AdaptOptions, Doubles, ModelTriangles>(
+      "Adaptation", "adaptMesh");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

@@ -7,10 +7,10 @@
 
 #include "model/model_numbers.h"
 #include "model/parametric.h"
+#include "support/meshed_models.h"
 #include "support/random.h"
 #include "support/slices.h"
 #include "support/trimmed_models.h"
-#include "surface/trimmed_mesher.h"
 #include "tetrafront/node_placement.h"
 
 namespace tetrafront::testing {
@@ -19,52 +19,14 @@ namespace {
 constexpr double kSize = 0.25;
 constexpr double kReach = 0.1;
 
-SurfaceMesh meshOfModel(const TrimmedModel& model, double size) {
-  const SizeField field = SizeField::uniform(size);
-  TrimmedMesher mesher(model, field);
-  while (mesher.advance(1U << 30U) == MeshStatus::kRunning) {
-  }
-  EXPECT_TRUE(mesher.diagnostics().empty());
-  return mesher.takeMesh();
-}
-
 Vec3 positionAt(const std::vector<double>& points, std::size_t node) {
   return {points[3 * node], points[3 * node + 1], points[3 * node + 2]};
-}
-
-/// Triangles with a node per corner. The parameters of a centroid are found by a search over the whole face, and those of
-/// corners beside them, so that no triangle extends over a period.
-ModelTriangles trianglesOf(const TrimmedModel& model, double size) {
-  const SurfaceMesh mesh = meshOfModel(model, size);
-  std::vector<ParameterBox> boxes;
-  for (const TrimmedFace& face : model.faces) boxes.push_back(FaceLoops(model, face).box());
-  ModelTriangles triangles;
-  for (std::uint32_t t = 0; t < mesh.trianglePatch.size(); ++t) {
-    const std::uint32_t face = mesh.trianglePatch[t];
-    const FaceSurface& surface = model.surfaces[model.faces[face].surface];
-    const auto corner = [&](std::uint32_t k) {
-      return positionAt(mesh.points, mesh.triangles[3 * t + k]);
-    };
-    const Vec2 middle =
-        closestParameters(surface, boxes[face], (corner(0) + corner(1) + corner(2)) / 3.0);
-    const Vec2 extent = boxes[face].high - boxes[face].low;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const Vec3 position = corner(k);
-      const Vec2 uv = closestParametersFrom(
-          surface, {boxes[face].low - extent, boxes[face].high + extent}, position, middle);
-      triangles.points.insert(triangles.points.end(), {position.x, position.y, position.z});
-      triangles.parameters.insert(triangles.parameters.end(), {uv.x, uv.y});
-      triangles.triangles.push_back(3 * t + k);
-    }
-    triangles.faces.push_back(face);
-  }
-  return triangles;
 }
 
 NodePlacement placed(const TrimmedSolid& solid, const SurfaceMesh& mesh, std::uint32_t budget,
                      double modelSize = 0.2) {
   NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, numbersOf(solid.model),
-                    trianglesOf(solid.model, modelSize), kReach);
+                    modelTriangles(solid.model, modelSize), kReach);
   while (!placer.advance(budget)) {
   }
   return placer.result();
@@ -94,7 +56,7 @@ TEST(NodePlacement, MovesNodesOntoFacesAndEdges) {
 TEST(NodePlacement, FindsTheFacesBehindCoarseTriangles) {
   const TrimmedSolid solid = trimmedCylinder(1.0, 0.2);
   const SurfaceMesh mesh = meshOfModel(solid.model, 0.03);
-  const ModelTriangles coarse = trianglesOf(solid.model, 1.0);
+  const ModelTriangles coarse = modelTriangles(solid.model, 1.0);
   NodePlacer placer(mesh.points, mesh.triangles, mesh.trianglePatch, numbersOf(solid.model), coarse,
                     0.2);
   while (!placer.advance(1U << 30U)) {
@@ -177,7 +139,7 @@ TEST(ModelNumbers, AreReadAsTheyWereWritten) {
 TEST(ModelNumbers, DamagedNumbersAttractNoNode) {
   const TrimmedSolid solid = nurbsCylinder(1.0, 2.0);
   const SurfaceMesh mesh = meshOfModel(solid.model, 2.0 * kSize);
-  const ModelTriangles triangles = trianglesOf(solid.model, 0.4);
+  const ModelTriangles triangles = modelTriangles(solid.model, 0.4);
   const std::vector<double> numbers = numbersOf(solid.model);
   // Whatever is wrong with a number, all positions stay finite.
   for (std::size_t i = 0; i < numbers.size(); i += 7) {

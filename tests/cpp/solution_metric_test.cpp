@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -14,30 +13,18 @@
 #include "solution/quadratic_fit.h"
 #include "solution/recovered_hessian.h"
 #include "support/random.h"
+#include "support/sampled_fields.h"
 #include "support/tet_grids.h"
 #include "tetrafront/solution.h"
 
 namespace tetrafront::testing {
 namespace {
 
-using Function = std::function<double(const Vec3&)>;
-
-Vec3 nodeOf(const VolumeMesh& mesh, std::size_t node) {
-  return {mesh.points[3 * node], mesh.points[3 * node + 1], mesh.points[3 * node + 2]};
-}
-
-std::vector<double> atNodes(const VolumeMesh& mesh, const Function& function) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < mesh.points.size() / 3; ++i)
-    values.push_back(function(nodeOf(mesh, i)));
-  return values;
-}
-
-std::vector<double> atCentroids(const VolumeMesh& mesh, const Function& function) {
+std::vector<double> atCentroids(const VolumeMesh& mesh, const Field& function) {
   std::vector<double> values;
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); t += 4) {
     Vec3 sum(0.0);
-    for (std::size_t k = 0; k < 4; ++k) sum += nodeOf(mesh, mesh.tetrahedra[t + k]);
+    for (std::size_t k = 0; k < 4; ++k) sum += nodePosition(mesh, mesh.tetrahedra[t + k]);
     values.push_back(function(0.25 * sum));
   }
   return values;
@@ -102,8 +89,8 @@ TEST(SolutionMetricTest, HessiansOfQuadraticFunctionsAreExactAtEveryNode) {
     const std::size_t nodes = mesh.points.size() / 3;
     std::vector<double> values;
     for (std::size_t i = 0; i < nodes; ++i) {
-      values.push_back(first(nodeOf(mesh, i)));
-      values.push_back(second(nodeOf(mesh, i)));
+      values.push_back(first(nodePosition(mesh, i)));
+      values.push_back(second(nodePosition(mesh, i)));
     }
     const std::vector<double> hessians = recovered(mesh, values, 2, false);
     const double allowance = 1e-11 * 100.0 / (thickness * thickness);
@@ -141,7 +128,7 @@ TEST(SolutionMetricTest, HessiansOfSmoothFunctionsConverge) {
     double sum = 0.0;
     const std::size_t nodes = mesh.points.size() / 3;
     for (std::size_t i = 0; i < nodes; ++i) {
-      const Vec3 x = nodeOf(mesh, i);
+      const Vec3 x = nodePosition(mesh, i);
       sum += std::fabs(hessians[6 * i] + 9.0 * function(x) - 9.0 * x.z * x.z * x.z) +
              std::fabs(hessians[6 * i + 5] - 6.0 * x.z);
     }
@@ -311,7 +298,7 @@ TEST(SolutionMetricTest, TheComponentsOfAVectorMayBeRotated) {
   SolutionFields fields{{}, {2}, {0}};
   SolutionFields rotated = fields;
   for (std::size_t i = 0; i < mesh.points.size() / 3; ++i) {
-    const Vec3 x = nodeOf(mesh, i);
+    const Vec3 x = nodePosition(mesh, i);
     const double u = std::sin(4.0 * x.x);
     const double v = x.y * x.y * x.z;
     fields.values.insert(fields.values.end(), {u, v});

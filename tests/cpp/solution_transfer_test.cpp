@@ -5,30 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include "solution/clipped_tetrahedra.h"
 #include "solution/mesh_locator.h"
 #include "support/random.h"
+#include "support/sampled_fields.h"
 #include "support/tet_grids.h"
 #include "tetrafront/solution.h"
 
 namespace tetrafront::testing {
 namespace {
-
-using Field = std::function<double(const Vec3&)>;
-
-Vec3 cornerOf(const VolumeMesh& mesh, std::size_t node) {
-  return {mesh.points[3 * node], mesh.points[3 * node + 1], mesh.points[3 * node + 2]};
-}
-
-std::vector<double> sampledAtNodes(const VolumeMesh& mesh, const Field& field) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < mesh.points.size() / 3; ++i)
-    values.push_back(field(cornerOf(mesh, i)));
-  return values;
-}
 
 TransferredSolution transferred(const VolumeMesh& from, const VolumeMesh& to,
                                 const SolutionFields& fields, bool isConservative) {
@@ -105,8 +92,8 @@ TEST(SolutionTransferTest, LinearFieldsAreExact) {
   const VolumeMesh from = cubeOfTetrahedra(5, 0.15, 1);
   const VolumeMesh to = cubeOfTetrahedra(7, 0.15, 2);
   const Field linear = [](const Vec3& x) { return 3.0 - 2.0 * x.x + x.y + 0.25 * x.z; };
-  const SolutionFields fields{sampledAtNodes(from, linear), {1}, {0}};
-  const std::vector<double> expected = sampledAtNodes(to, linear);
+  const SolutionFields fields{atNodes(from, linear), {1}, {0}};
+  const std::vector<double> expected = atNodes(to, linear);
   for (const bool isConservative : {false, true}) {
     const TransferredSolution result = transferred(from, to, fields, isConservative);
     for (std::size_t i = 0; i < expected.size(); ++i)
@@ -117,7 +104,7 @@ TEST(SolutionTransferTest, LinearFieldsAreExact) {
 
 TEST(SolutionTransferTest, ASolutionStaysOnItsOwnMesh) {
   const VolumeMesh mesh = cubeOfTetrahedra(5, 0.15);
-  const SolutionFields fields{sampledAtNodes(mesh, wave), {1}, {0}};
+  const SolutionFields fields{atNodes(mesh, wave), {1}, {0}};
   const TransferredSolution interpolated = transferred(mesh, mesh, fields, false);
   const TransferredSolution projected = transferred(mesh, mesh, fields, true);
   for (std::size_t i = 0; i < fields.values.size(); ++i) {
@@ -131,13 +118,13 @@ TEST(SolutionTransferTest, IntegralsAreKept) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const VolumeMesh from = cubeOfTetrahedra(6, 0.15, seed);
     const VolumeMesh to = cubeOfTetrahedra(5, 0.15, seed + 10);
-    SolutionFields fields{sampledAtNodes(from, wave), {1, 3, 1}, {0, 0, 1}};
+    SolutionFields fields{atNodes(from, wave), {1, 3, 1}, {0, 0, 1}};
     for (std::size_t i = 0; i < from.points.size() / 3; ++i) {
-      const Vec3 x = cornerOf(from, i);
+      const Vec3 x = nodePosition(from, i);
       for (const double value : {jump(x), 1e6 + wave(x), x.x * x.y}) fields.values.push_back(value);
     }
     for (std::size_t t = 0; t < from.tetrahedra.size(); t += 4)
-      fields.values.push_back(1.0 + jump(cornerOf(from, from.tetrahedra[t])));
+      fields.values.push_back(1.0 + jump(nodePosition(from, from.tetrahedra[t])));
     const TransferredSolution result = transferred(from, to, fields, true);
     ASSERT_EQ(result.integralsBefore.size(), 5U);
     for (std::size_t c = 0; c < 5; ++c)
@@ -160,8 +147,8 @@ TEST(SolutionTransferTest, TheErrorFallsWithTheSecondOrder) {
     const int n = level == 0 ? 6 : 12;
     const VolumeMesh from = cubeOfTetrahedra(n, 0.1, 1);
     const VolumeMesh to = cubeOfTetrahedra(n + 1, 0.1, 2);
-    const SolutionFields fields{sampledAtNodes(from, wave), {1}, {0}};
-    const std::vector<double> exact = sampledAtNodes(to, wave);
+    const SolutionFields fields{atNodes(from, wave), {1}, {0}};
+    const std::vector<double> exact = atNodes(to, wave);
     for (const bool isConservative : {false, true}) {
       const TransferredSolution result = transferred(from, to, fields, isConservative);
       double sum = 0.0;
@@ -179,14 +166,14 @@ TEST(SolutionTransferTest, NodesOutsideTakeTheNearestValue) {
   VolumeMesh to = cubeOfTetrahedra(5, 0.1, 2);
   for (double& coordinate : to.points) coordinate = 0.5 + 1.02 * (coordinate - 0.5);
   const Field field = [](const Vec3& x) { return x.x + 2.0 * x.y; };
-  SolutionFields fields{sampledAtNodes(from, field), {1, 1}, {0, 1}};
+  SolutionFields fields{atNodes(from, field), {1, 1}, {0, 1}};
   fields.values.insert(fields.values.end(), from.tetrahedra.size() / 4, 7.0);
   for (const bool isConservative : {false, true}) {
     const TransferredSolution result = transferred(from, to, fields, isConservative);
     EXPECT_EQ(result.outside, surfaceNodeCount(5));
     EXPECT_NEAR(result.farthest, 0.01 * std::sqrt(3.0), 1e-9);
     for (std::size_t i = 0; i < to.points.size() / 3; ++i)
-      EXPECT_NEAR(result.values[i], field(glm::clamp(cornerOf(to, i), 0.0, 1.0)), 0.05);
+      EXPECT_NEAR(result.values[i], field(glm::clamp(nodePosition(to, i), 0.0, 1.0)), 0.05);
     for (std::size_t t = to.points.size() / 3; t < result.values.size(); ++t)
       EXPECT_NEAR(result.values[t], 7.0, 1e-12);
   }
@@ -200,14 +187,14 @@ TEST(SolutionTransferTest, EveryPositionIsLocatedInAnElementAroundIt) {
   for (int i = 0; i < 2000; ++i) {
     Vec3 x = Vec3(0.5) + random.inBox(0.5);
     // Also nodes, and points of faces between the cubes.
-    if (i % 3 == 0) x = cornerOf(mesh, static_cast<std::size_t>(random.integer(0, 300)));
+    if (i % 3 == 0) x = nodePosition(mesh, static_cast<std::size_t>(random.integer(0, 300)));
     if (i % 3 == 1) x.z = 0.5;
     const MeshLocator::Location location = locator.locate(x);
     Vec3 sum(0.0);
     for (std::size_t k = 0; k < 4; ++k) {
       EXPECT_GE(location.weights[k], 0.0);
-      sum +=
-          location.weights[k] * cornerOf(mesh, mesh.tetrahedra[4 * location.element.index() + k]);
+      sum += location.weights[k] *
+             nodePosition(mesh, mesh.tetrahedra[4 * location.element.index() + k]);
     }
     EXPECT_NEAR(glm::length(sum - x), 0.0, 1e-9);
     EXPECT_EQ(location.distance, 0.0);

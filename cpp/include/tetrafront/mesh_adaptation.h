@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "tetrafront/node_placement.h"
 #include "tetrafront/sliced_tool.h"
 #include "tetrafront/status.h"
 
@@ -82,7 +83,11 @@ struct MeshAdaptation {
 /// result is the mesh as it then was, which is valid, too.
 class MeshAdapter : public SlicedTool<MeshAdaptation> {
  public:
-  MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options);
+  /// `model`: numbers of the TrimmedModels whose faces the boundary approximates (see model/model_numbers.h), or empty;
+  /// `modelTriangles`: near these faces. New nodes on curved patches and lines are on their faces and edges. Faces that cannot be
+  /// evaluated, or are not near, count as missing: the given triangles are followed there.
+  MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options,
+              std::vector<double> model = {}, ModelTriangles modelTriangles = {});
 };
 
 }  // namespace tetrafront

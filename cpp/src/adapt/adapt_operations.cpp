@@ -21,6 +21,9 @@ constexpr double kLongestCollapsed = 1.45;
 /// A swap for quality must gain this factor.
 constexpr double kSwapGain = 1.02;
 
+/// Least gain of quality that is not rounding, where edges are removed for quality.
+constexpr double kRoundedGain = 1e-9;
+
 /// Least quality after a disturbance.
 constexpr double kMinDisturbed = 1e-3;
 
@@ -195,7 +198,7 @@ bool AdaptOperations::removeEdge(NodeId a, NodeId b, TetId element, Acceptance a
   findRing(a, b);
   plan.allowance =
       allowanceFor(acceptance, shell_.elements, context_.badness.ofEdge(mesh.lengthOf(a, b)));
-  double best = acceptance == Acceptance::kBadness ? kMinGain : 1e-9;
+  double best = acceptance == Acceptance::kBadness ? kMinGain : kRoundedGain;
   NodeId chosen{};
   for (const NodeId node : ring_) {
     if (!shell_.isInside &&

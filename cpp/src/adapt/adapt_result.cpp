@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
-#include "adapt/adapt_schedule.h"
 #include "adapt/badness.h"
+#include "adapt/edge_list.h"
 #include "geom/exponential.h"
 #include "topology/mesh_access.h"
 
@@ -18,8 +19,7 @@ std::size_t lengthClass(double length) {
   return static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(kLengthClasses - 1)));
 }
 
-void measureEdges(const AdaptMesh& mesh, MetricStatistics& out) {
-  const std::vector<AdaptEdge> edges = listEdges(mesh);
+void measureEdges(std::span<const AdaptEdge> edges, MetricStatistics& out) {
   out.edges = static_cast<std::uint32_t>(edges.size());
   if (edges.empty()) return;
   out.shortest = edges[0].length;
@@ -72,9 +72,11 @@ class ResultNodes {
 
 }  // namespace
 
-MetricStatistics measureInMetric(const AdaptMesh& mesh) {
+Task<MetricStatistics> measureInMetric(Work& work, const AdaptMesh& mesh) {
   MetricStatistics out;
-  measureEdges(mesh, out);
+  const std::vector<AdaptEdge> edges = co_await listEdges(work, mesh);
+  measureEdges(edges, out);
+  co_await work.yield();
   double sum = 0.0;
   out.leastQuality = 1.0;
   for (const AdaptElement& element : mesh.elements) {
@@ -85,7 +87,7 @@ MetricStatistics measureInMetric(const AdaptMesh& mesh) {
   }
   out.meanQuality = sum / std::max(1U, out.tetrahedra);
   for (const AdaptNode& node : mesh.nodes) out.nodes += node.element.isNone() ? 0 : 1;
-  return out;
+  co_return out;
 }
 
 AdaptedMesh takeAdapted(const AdaptStart& start, const GivenMesh& given, const BoundaryGuide& guide,

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "adapt/adapt_start.h"
+#include "base/task.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/mesh_adaptation.h"
 
 namespace tetrafront {
 
 /// Measures lengths and qualities in the metrics of the nodes.
-[[nodiscard]] MetricStatistics measureInMetric(const AdaptMesh& mesh);
+Task<MetricStatistics> measureInMetric(Work& work, const AdaptMesh& mesh);
 
 /// An adapted mesh of parts, with its boundary and the kept triangles.
 struct AdaptedMesh {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/sort.h"
 
@@ -37,43 +38,10 @@ constexpr double kFewAdded = 0.5;
 /// Work of a change, in units of an element.
 constexpr std::size_t kUnitsPerChange = 8;
 
-}  // namespace
+/// Elements that are only read, per unit.
+constexpr std::size_t kVisitsPerUnit = 8;
 
-std::vector<AdaptEdge> listEdges(const AdaptMesh& mesh) {
-  struct Item {
-    NodeId high;
-    TetId element;
-  };
-  std::vector<std::uint32_t> begins(mesh.nodes.size() + 1, 0);
-  const auto forEach = [&mesh](auto visit) {
-    for (const TetId id : IdRange<TetId>(mesh.elements.size())) {
-      const AdaptElement& element = mesh.element(id);
-      if (!element.isAlive()) continue;
-      for (const TetEdge& e : kTetEdges) {
-        const NodeId a = element.nodes[e.from];
-        const NodeId b = element.nodes[e.to];
-        visit(std::min(a, b), std::max(a, b), id);
-      }
-    }
-  };
-  forEach([&](NodeId low, NodeId /*high*/, TetId /*id*/) { ++begins[low.index() + 1]; });
-  for (std::size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
-  std::vector<Item> items(begins.back());
-  std::vector<std::uint32_t> next(begins.begin(), begins.end() - 1);
-  forEach([&](NodeId low, NodeId high, TetId id) { items[next[low.index()]++] = {high, id}; });
-  std::vector<AdaptEdge> edges;
-  edges.reserve(items.size() / 4);
-  for (const NodeId low : IdRange<NodeId>(mesh.nodes.size())) {
-    const std::span<Item> own(items.data() + begins[low.index()],
-                              items.data() + begins[low.index() + 1]);
-    sortFew(own, [](const Item& a, const Item& b) { return a.high < b.high; });
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      if (i > 0 && own[i].high == own[i - 1].high) continue;
-      edges.push_back({mesh.lengthOf(low, own[i].high), low, own[i].high, own[i].element});
-    }
-  }
-  return edges;
-}
+}  // namespace
 
 AdaptSchedule::AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide,
                              MetricBackground& background, Badness& badness, std::uint32_t sweeps,
@@ -89,7 +57,8 @@ AdaptSchedule::AdaptSchedule(AdaptMesh& mesh, const BoundaryGuide& guide,
       mover_(context_) {}
 
 Task<> AdaptSchedule::run(Work& work) {
-  isNear_ = hasNearlyUnitEdges();
+  work.beginPart(0.01);
+  isNear_ = co_await hasNearlyUnitEdges(work);
   work.beginPart(0.4);
   if (!isNear_) co_await approach(work);
   work.beginPart(1.0);
@@ -107,8 +76,8 @@ Task<> AdaptSchedule::measureAll(Work& work) {
   });
 }
 
-bool AdaptSchedule::hasNearlyUnitEdges() const {
-  const std::vector<AdaptEdge> edges = listEdges(mesh_);
+Task<bool> AdaptSchedule::hasNearlyUnitEdges(Work& work) const {
+  const std::vector<AdaptEdge> edges = co_await listEdges(work, mesh_);
   double out = 0.0;
   double added = 0.0;
   for (const AdaptEdge& edge : edges) {
@@ -117,7 +86,7 @@ bool AdaptSchedule::hasNearlyUnitEdges() const {
     if (edge.length > 1.0) added += edge.length * edge.length * edge.length;
   }
   const auto count = static_cast<double>(edges.size());
-  return out <= kNearlyUnit * count && added <= kFewAdded * count;
+  co_return out <= kNearlyUnit* count&& added <= kFewAdded* count;
 }
 
 /// Returns the index of the smallest of the descending sizes that the mesh can begin with: nearly all edges are short.
@@ -127,7 +96,7 @@ Task<std::size_t> AdaptSchedule::firstStage(Work& work, const std::vector<double
   for (std::size_t stage = sizes.size() - 1; stage > 0; --stage) {
     background_.limitSizes(sizes[stage]);
     co_await measureAll(work);
-    const std::vector<AdaptEdge> edges = listEdges(mesh_);
+    const std::vector<AdaptEdge> edges = co_await listEdges(work, mesh_);
     const auto isLong = [](const AdaptEdge& edge) { return edge.length > kFarTooLong; };
     const auto count = static_cast<double>(std::ranges::count_if(edges, isLong));
     if (count <= kFewLong * static_cast<double>(edges.size())) co_return stage;
@@ -158,7 +127,7 @@ Task<> AdaptSchedule::adaptStage(Work& work, int passes) {
     std::size_t edgeCount = 0;
     double limit = kLongEdge;
     {
-      const std::vector<AdaptEdge> edges = listEdges(mesh_);
+      const std::vector<AdaptEdge> edges = co_await listEdges(work, mesh_);
       edgeCount = edges.size();
       for (const AdaptEdge& edge : edges) limit = std::max(limit, 0.5 * edge.length);
     }
@@ -174,9 +143,11 @@ Task<> AdaptSchedule::adaptStage(Work& work, int passes) {
 }
 
 Task<std::size_t> AdaptSchedule::splitLong(Work& work, double limit) {
-  std::vector<AdaptEdge> edges = listEdges(mesh_);
+  std::vector<AdaptEdge> edges = co_await listEdges(work, mesh_);
   std::erase_if(edges, [limit](const AdaptEdge& edge) { return edge.length < limit; });
-  stableSort(edges, [](const AdaptEdge& a, const AdaptEdge& b) { return a.length > b.length; });
+  SlicedSort sort{std::span<AdaptEdge>(edges),
+                  [](const AdaptEdge& a, const AdaptEdge& b) { return a.length > b.length; }};
+  co_await work.finish(sort);
   std::size_t count = 0;
   for (const AdaptEdge& edge : edges) {
     if (isStopped_) break;
@@ -189,9 +160,11 @@ Task<std::size_t> AdaptSchedule::splitLong(Work& work, double limit) {
 }
 
 Task<std::size_t> AdaptSchedule::collapseShort(Work& work) {
-  std::vector<AdaptEdge> edges = listEdges(mesh_);
+  std::vector<AdaptEdge> edges = co_await listEdges(work, mesh_);
   std::erase_if(edges, [](const AdaptEdge& edge) { return edge.length > kShortEdge; });
-  stableSort(edges, [](const AdaptEdge& a, const AdaptEdge& b) { return a.length < b.length; });
+  SlicedSort sort{std::span<AdaptEdge>(edges),
+                  [](const AdaptEdge& a, const AdaptEdge& b) { return a.length < b.length; }};
+  co_await work.finish(sort);
   std::size_t count = 0;
   for (const AdaptEdge& edge : edges) {
     if (isStopped_) break;
@@ -203,19 +176,25 @@ Task<std::size_t> AdaptSchedule::collapseShort(Work& work) {
   co_return count;
 }
 
-std::vector<AdaptSchedule::Poor> AdaptSchedule::poorElements(double limit) const {
+Task<std::vector<AdaptSchedule::Poor>> AdaptSchedule::poorElements(Work& work, double limit) const {
   std::vector<Poor> poor;
-  for (const TetId id : IdRange<TetId>(mesh_.elements.size())) {
-    const AdaptElement& element = mesh_.element(id);
-    if (element.isAlive() && element.quality < limit) poor.push_back({element.quality, id});
-  }
-  stableSort(poor, [](const Poor& a, const Poor& b) { return a.quality < b.quality; });
-  return poor;
+  co_await work.forEachId<TetId>(
+      mesh_.elements.size(),
+      [&](TetId id) {
+        const AdaptElement& element = mesh_.element(id);
+        if (element.isAlive() && element.quality < limit) poor.push_back({element.quality, id});
+      },
+      kVisitsPerUnit);
+  SlicedSort sort{std::span<Poor>(poor),
+                  [](const Poor& a, const Poor& b) { return a.quality < b.quality; }};
+  co_await work.finish(sort);
+  co_return poor;
 }
 
 Task<std::size_t> AdaptSchedule::swapPoor(Work& work, double limit) {
   std::size_t count = 0;
-  for (const Poor& poor : poorElements(limit)) {
+  const std::vector<Poor> all = co_await poorElements(work, limit);
+  for (const Poor& poor : all) {
     if (isStopped_) break;
     const AdaptElement& element = mesh_.element(poor.element);
     if (!element.isAlive() || element.quality != poor.quality) continue;
@@ -270,6 +249,7 @@ void AdaptSchedule::raiseFloor() {
 Task<> AdaptSchedule::improve(Work& work) {
   constexpr double kAboveFloor = 0.1;
   constexpr std::uint32_t kStrictSweeps = 2;
+  constexpr std::uint32_t kSweepsInPlace = 2;
   // The sweeps end when the number of edges out of bounds and of poor elements hardly falls any more.
   constexpr std::uint32_t kMinSweeps = 4;
   constexpr double kSlowFall = 0.9;
@@ -286,26 +266,30 @@ Task<> AdaptSchedule::improve(Work& work) {
     if (isRaised) {
       for (AdaptElement& element : mesh_.elements) element.tried = 0;
     }
+    staysInPlace_ = isNear_ && sweep < kSweepsInPlace;
     work.beginPart(static_cast<double>(sweep + 1) / sweeps_);
     std::size_t count = co_await improveEdges(work);
-    count += poorElements(badness_.floor()).size();
+    const std::vector<Poor> poor = co_await poorElements(work, badness_.floor());
+    count += poor.size();
     if (!isRaised && sweep >= kMinSweeps &&
         static_cast<double>(count) > kSlowFall * static_cast<double>(before))
       break;
     before = count;
     co_await improveElements(
         work, badness_.floor() + (isNear_ || sweep < kStrictSweeps ? 0.0 : kAboveFloor));
-    co_await moveAll(work, MoveEffort::kSearch);
+    if (!staysInPlace_) co_await moveAll(work, MoveEffort::kSearch);
   }
 }
 
 /// Returns the number of edges that were out of bounds.
 Task<std::size_t> AdaptSchedule::improveEdges(Work& work) {
-  std::vector<AdaptEdge> edges = listEdges(mesh_);
+  std::vector<AdaptEdge> edges = co_await listEdges(work, mesh_);
   std::erase_if(
       edges, [this](const AdaptEdge& edge) { return badness_.ofEdge(edge.length) < kOutOfBounds; });
   const auto ratio = [](const AdaptEdge& edge) { return std::max(edge.length, 1.0 / edge.length); };
-  stableSort(edges, [&](const AdaptEdge& a, const AdaptEdge& b) { return ratio(a) > ratio(b); });
+  SlicedSort sort{std::span<AdaptEdge>(edges),
+                  [&](const AdaptEdge& a, const AdaptEdge& b) { return ratio(a) > ratio(b); }};
+  co_await work.finish(sort);
   for (const AdaptEdge& edge : edges) {
     if (isStopped_) break;
     improveEdge(edge);
@@ -320,10 +304,11 @@ bool AdaptSchedule::improveEdge(const AdaptEdge& edge) {
   const double length = mesh_.lengthOf(edge.a, edge.b);
   if (badness_.ofEdge(length) < kOutOfBounds) return false;
   if (operations_.removeEdge(edge.a, edge.b, element, Acceptance::kBadness, random_)) return true;
+  if (staysInPlace_ && length > 1.0) return false;
   const bool isDivided = length > 1.0
                              ? operations_.split(edge.a, edge.b, element, Acceptance::kBadness)
                              : operations_.collapse(edge.a, edge.b, element, Acceptance::kBadness);
-  if (isDivided) return true;
+  if (isDivided || staysInPlace_) return isDivided;
   mover_.move(edge.a, MoveEffort::kLong, random_);
   mover_.move(edge.b, MoveEffort::kLong, random_);
   return false;
@@ -336,7 +321,8 @@ bool AdaptSchedule::isWorthTrying(const AdaptElement& element) const {
 }
 
 Task<> AdaptSchedule::improveElements(Work& work, double limit) {
-  for (const Poor& poor : poorElements(limit)) {
+  const std::vector<Poor> all = co_await poorElements(work, limit);
+  for (const Poor& poor : all) {
     if (isStopped_) break;
     const AdaptElement& element = mesh_.element(poor.element);
     if (!element.isAlive() || element.quality > limit || !isWorthTrying(element)) continue;
@@ -357,8 +343,9 @@ bool AdaptSchedule::improveElement(TetId id) {
   if (operations_.peel(id)) return true;
   for (const TetEdge& e : kTetEdges) {
     if (operations_.collapse(nodes[e.from], nodes[e.to], id, kFalls)) return true;
-    if (operations_.split(nodes[e.from], nodes[e.to], id, kFalls)) return true;
+    if (!staysInPlace_ && operations_.split(nodes[e.from], nodes[e.to], id, kFalls)) return true;
   }
+  if (staysInPlace_) return false;
   if (mesh_.element(id).quality < badness_.floor() && operations_.insert(id)) return true;
   bool isMoved = false;
   for (const NodeId node : nodes)

@@ -8,22 +8,11 @@
 #include <vector>
 
 #include "adapt/adapt_operations.h"
+#include "adapt/edge_list.h"
 #include "adapt/node_mover.h"
 #include "base/task.h"
 
 namespace tetrafront {
-
-/// An edge in use and its length.
-struct AdaptEdge {
-  double length;
-  NodeId a;
-  NodeId b;
-  TetId element;  ///< one that had it when the edges were listed
-  std::uint32_t unused = 0;
-};
-
-/// Lists all edges, by their lower nodes.
-[[nodiscard]] std::vector<AdaptEdge> listEdges(const AdaptMesh& mesh);
 
 class AdaptSchedule {
  public:
@@ -43,7 +32,7 @@ class AdaptSchedule {
     std::uint32_t unused = 0;
   };
 
-  [[nodiscard]] bool hasNearlyUnitEdges() const;
+  Task<bool> hasNearlyUnitEdges(Work& work) const;
   Task<> approach(Work& work);
   Task<> improve(Work& work);
   Task<std::size_t> firstStage(Work& work, const std::vector<double>& sizes);
@@ -58,7 +47,7 @@ class AdaptSchedule {
   bool improveEdge(const AdaptEdge& edge);
   bool improveElement(TetId id);
   [[nodiscard]] bool isWorthTrying(const AdaptElement& element) const;
-  [[nodiscard]] std::vector<Poor> poorElements(double limit) const;
+  Task<std::vector<Poor>> poorElements(Work& work, double limit) const;
 
   AdaptMesh& mesh_;
   MetricBackground& background_;
@@ -66,6 +55,8 @@ class AdaptSchedule {
   double goal_;  ///< the floor that is asked for
   std::uint32_t sweeps_;
   bool isNear_ = false;  ///< the mesh is adapted except in some places
+  /// Neither moves a node nor adds one: the metrics of the nodes stay those that are given.
+  bool staysInPlace_ = false;
   const bool& isStopped_;
   AdaptContext context_;
   AdaptOperations operations_;

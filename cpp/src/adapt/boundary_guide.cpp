@@ -23,6 +23,13 @@ bool bounds(const FeatureLine& line, SmoothPatchId patch) {
   return contains(line.patches, patch.value);
 }
 
+/// Returns the index of the segment of a line at an arc.
+std::size_t segmentAt(const FeatureLine& line, double arc) {
+  const std::vector<double>& arcs = line.arcs();
+  const auto above = static_cast<std::size_t>(std::ranges::upper_bound(arcs, arc) - arcs.begin());
+  return std::min(arcs.size() - 2, std::max<std::size_t>(above, 1) - 1);
+}
+
 /// Returns the item lists of nodes as offsets and items, from pairs of node and item in ascending order.
 template <class Pair, class Visit>
 std::vector<std::uint32_t> listBegins(const std::vector<Pair>& pairs, std::size_t count,
@@ -46,8 +53,8 @@ Vec3 projectedOn(const Vec3& origin, const Vec3& normal, Vec3 position) {
 }  // namespace
 
 BoundaryGuide::BoundaryGuide(const ReferenceSurface& reference,
-                             std::span<const std::uint8_t> isFixed)
-    : reference_(reference), places_(countNodes(reference.mesh())) {
+                             std::span<const std::uint8_t> isFixed, const TrueBoundary* truth)
+    : reference_(reference), truth_(truth), places_(countNodes(reference.mesh())) {
   findFixed(isFixed);
   findLineNodes();
   findNormals();
@@ -184,6 +191,14 @@ double BoundaryGuide::arcOn(FeatureLineId line, const Place& place, double near)
   return best;
 }
 
+Vec3 BoundaryGuide::onTrueLine(FeatureLineId id, double arc, const Vec3& position) const {
+  const FeatureLine& line = reference_.line(id);
+  const Vec3 foot = line.at(arc);
+  return truth_ == nullptr ? foot : truth_->onLine(id, segmentAt(line, arc), foot, position);
+}
+
+double BoundaryGuide::sag() const { return truth_ == nullptr ? 0.0 : truth_->sag(); }
+
 Place BoundaryGuide::onLine(FeatureLineId id, const Place& a, const Place& b, double part,
                             Vec3& position) const {
   const FeatureLine& line = reference_.line(id);
@@ -202,7 +217,7 @@ Place BoundaryGuide::onLine(FeatureLineId id, const Place& a, const Place& b, do
   double arc = first + part * way;
   if (line.isClosed() && arc < 0.0) arc += line.length();
   if (line.isClosed() && arc >= line.length()) arc -= line.length();
-  position = line.at(arc);
+  position = onTrueLine(id, arc, line.at(arc));
   return {.kind = PlaceKind::kLine, .entity = id.value, .arc = arc};
 }
 
@@ -213,9 +228,12 @@ Place BoundaryGuide::onPatch(SmoothPatchId patch, const Place& hint, Vec3& posit
       reference_.nearest(position, patch, reference_.diagonal(), isHint ? hint.near : TriangleId{});
   if (!found.triangle.isNone()) place.near = found.triangle;
   const SmoothPatch& smooth = reference_.patch(patch);
-  position = smooth.isPlanar
-                 ? projectedOn(cornersOf(reference_.mesh(), place.near)[0], smooth.normal, position)
-                 : found.position;
+  if (smooth.isPlanar) {
+    position = projectedOn(cornersOf(reference_.mesh(), place.near)[0], smooth.normal, position);
+  } else {
+    position = truth_ == nullptr ? found.position
+                                 : truth_->onPatch(patch, place.near, found.position, position);
+  }
   return place;
 }
 
@@ -230,9 +248,7 @@ double BoundaryGuide::nearestArc(const FeatureLine& line, const Vec3& position,
     const Vec3 off = a + t * along - position;
     return std::pair(glm::dot(off, off), arcs[s] + t * (arcs[s + 1] - arcs[s]));
   };
-  const auto first = std::ranges::upper_bound(arcs, start) - arcs.begin();
-  std::size_t at =
-      std::min<std::size_t>(segments - 1, first > 0 ? static_cast<std::size_t>(first) - 1 : 0);
+  std::size_t at = segmentAt(line, start);
   auto best = footOn(at);
   for (bool goesOn = true; goesOn;) {
     goesOn = false;
@@ -258,7 +274,7 @@ bool BoundaryGuide::follow(Place& place, Vec3& position) const {
   }
   const FeatureLine& line = reference_.line(FeatureLineId(place.entity));
   place.arc = nearestArc(line, position, place.arc);
-  position = line.at(place.arc);
+  position = onTrueLine(FeatureLineId(place.entity), place.arc, position);
   return line.isClosed() || (place.arc > 0.0 && place.arc < line.length());
 }
 

@@ -7,14 +7,17 @@
 #include <vector>
 
 #include "adapt/adapt_mesh.h"
+#include "adapt/true_boundary.h"
 #include "remesh/reference_surface.h"
 
 namespace tetrafront {
 
 class BoundaryGuide {
  public:
-  /// `reference` must be prepared and outlive this. `isFixed`: per node of its mesh, 1 if it stays; or empty.
-  BoundaryGuide(const ReferenceSurface& reference, std::span<const std::uint8_t> isFixed);
+  /// `reference` must be prepared and outlive this. `isFixed`: per node of its mesh, 1 if it stays; or empty. `truth`: what the
+  /// reference approximates; null if its triangles are the boundary.
+  BoundaryGuide(const ReferenceSurface& reference, std::span<const std::uint8_t> isFixed,
+                const TrueBoundary* truth = nullptr);
 
   /// Returns the place of a node of the reference mesh.
   [[nodiscard]] const Place& placeOf(NodeId node) const { return places_[node.index()]; }
@@ -44,6 +47,9 @@ class BoundaryGuide {
 
   [[nodiscard]] const ReferenceSurface& reference() const { return reference_; }
 
+  /// Largest distance between the boundary and the reference, nearly; 0 if the reference is the boundary.
+  [[nodiscard]] double sag() const;
+
  private:
   void findFixed(std::span<const std::uint8_t> isFixed);
   void findLineNodes();
@@ -52,11 +58,14 @@ class BoundaryGuide {
     return std::span(fixedPatches_)
         .subspan(patchBegins_[fixed], patchBegins_[fixed + 1] - patchBegins_[fixed]);
   }
+  /// Returns the position of a line, at an arc, that is nearest to a position.
+  [[nodiscard]] Vec3 onTrueLine(FeatureLineId id, double arc, const Vec3& position) const;
   [[nodiscard]] double arcOn(FeatureLineId line, const Place& place, double near) const;
   [[nodiscard]] double nearestArc(const FeatureLine& line, const Vec3& position,
                                   double start) const;
 
   const ReferenceSurface& reference_;
+  const TrueBoundary* truth_;
   std::vector<Place> places_;
   // Patches and lines of the fixed nodes.
   std::vector<std::uint32_t> patchBegins_;

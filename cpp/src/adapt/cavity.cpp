@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "adapt/rules.h"
+
 namespace tetrafront {
 namespace {
-
-/// Elements below this quality count as flat: they could never be improved.
-constexpr double kFlat = 1e-4;
 
 constexpr std::size_t kLargestGrown = 60;
 constexpr int kGrowthRounds = 7;
@@ -45,7 +44,7 @@ bool Cavity::collectHull(const StarPlan& plan, bool& hasGrown) {
       if (kind != HullKind::kStarred) continue;
       const NodeQuad corners{nodes[0], nodes[1], nodes[2], plan.apex};
       const double quality = mesh_.qualityOf(corners);
-      if (quality < kFlat) {
+      if (quality < kFlatQuality) {
         if (!plan.mayGrow || !beyond.isElement() || elements.size() > kLargestGrown) return false;
         elements.push_back(beyond.element());
         taken_.mark(beyond.element().index());
@@ -136,7 +135,8 @@ bool Cavity::keepsLinks() {
   return true;
 }
 
-/// The starred part of the hull must be a disc, or a sphere if it is the whole hull: Euler's number tells.
+/// The starred part of the hull must be a disc, or a sphere if it is the whole hull. The Euler characteristic
+/// (nodes - edges + faces) is 1 for a disc and 2 for a sphere.
 bool Cavity::isDisc() {
   seen_.clear(mesh_.nodes.size());
   std::size_t nodes = 0;
@@ -149,8 +149,8 @@ bool Cavity::isDisc() {
     const bool second = rim.count > 1 && hull_[rim.faces[1]].kind == HullKind::kStarred;
     edges += first || second ? 1 : 0;
   }
-  const std::size_t euler = made_.size() == hull_.size() ? 2 : 1;
-  return nodes + made_.size() == edges + euler;
+  const std::size_t characteristic = made_.size() == hull_.size() ? 2 : 1;
+  return nodes + made_.size() == edges + characteristic;
 }
 
 /// Returns whether a new face of the boundary, over an edge of a replaced one, lies on its patch.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "adapt/adapt_result.h"
@@ -10,11 +11,13 @@
 #include "adapt/adapt_start.h"
 #include "adapt/metric_background.h"
 #include "adapt/restart.h"
+#include "adapt/true_boundary.h"
 #include "base/diagnostics.h"
 #include "base/tool_job.h"
 #include "field/check_background_grid.h"
 #include "geom/coordinates.h"
 #include "metric/metric.h"
+#include "model/model_numbers.h"
 #include "optimize/given_mesh.h"
 #include "quality/verify_mesh.h"
 #include "topology/mesh_access.h"
@@ -22,12 +25,18 @@
 namespace tetrafront {
 namespace {
 
+/// Cosine of the smallest angle of a crease where the boundary approximates the faces of a model: these are smooth, so only coarse
+/// triangles have angles inside a patch.
+constexpr double kCreaseInFace = 0.5;
+
 /// What MeshAdapter was given.
 struct AdapterInput {
   AdaptInput mesh;
   MetricMesh background;
   AdaptOptions options;
-  bool isStopped = false;
+  bool isStopped = false;  ///< the member that makeToolJob() sets
+  std::vector<double> model;
+  ModelTriangles modelTriangles;
 };
 
 bool areCoordinates(std::span<const double> points) {
@@ -117,10 +126,17 @@ class Adaptation {
         co_await findStartFaces(work, given, input_.mesh.triangles, input_.mesh.trianglePatch);
     const std::vector<std::uint8_t> isRepeated = nodesInSeveralSets(given, faces);
     for (std::size_t i = 0; i < isRepeated.size(); ++i) faces.isFixed[i] |= isRepeated[i];
-    ReferenceSurface reference(faces.boundary, {});
+    const std::optional<ReadModel> model =
+        input_.model.empty() ? std::nullopt : readModel(input_.model);
+    FeatureRules rules;
+    if (model) rules.creaseCosine = kCreaseInFace;
+    ReferenceSurface reference(faces.boundary, rules);
     work.beginPart(0.05);
     co_await reference.prepare(work);
-    const BoundaryGuide guide(reference, faces.isFixed);
+    std::optional<TrueBoundary> truth;
+    if (model) truth.emplace(reference, *model, input_.modelTriangles);
+    co_await work.yield();
+    const BoundaryGuide guide(reference, faces.isFixed, truth ? &*truth : nullptr);
     AdaptStart start = makeStart(given, faces, placesOnReference(guide));
     work.beginPart(0.06);
     out_.before = co_await measure(work, start.mesh, guide, background);
@@ -149,7 +165,8 @@ class Adaptation {
     Badness badness(input_.options.leastQuality);
     AdaptSchedule schedule(mesh, guide, background, badness, 0, input_.isStopped);
     co_await schedule.measureAll(work);
-    co_return measureInMetric(mesh);
+    MetricStatistics found = co_await measureInMetric(work, mesh);
+    co_return found;
   }
 
   Task<> adapt(Work& work, AdaptMesh& mesh, const BoundaryGuide& guide,
@@ -159,7 +176,8 @@ class Adaptation {
                            input_.isStopped);
     co_await schedule.run(work);
     out_.isPartial = input_.isStopped;
-    out_.after = measureInMetric(mesh);
+    work.beginPart(1.0);
+    out_.after = co_await measureInMetric(work, mesh);
   }
 
   /// Returns the patches of the kept triangles, in the order of the surface of the given mesh.
@@ -211,8 +229,11 @@ Task<MeshAdaptation> runAdaptation(Work& work, AdapterInput& input) {
 
 }  // namespace
 
-MeshAdapter::MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options)
+MeshAdapter::MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options,
+                         std::vector<double> model, ModelTriangles modelTriangles)
     : SlicedTool(makeToolJob<MeshAdaptation>(
-          AdapterInput{std::move(input), std::move(background), options, false}, runAdaptation)) {}
+          AdapterInput{std::move(input), std::move(background), options, false, std::move(model),
+                       std::move(modelTriangles)},
+          runAdaptation)) {}
 
 }  // namespace tetrafront

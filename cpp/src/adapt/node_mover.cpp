@@ -4,14 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "adapt/rules.h"
 #include "metric/metric.h"
 #include "metric/principal_axes.h"
 
 namespace tetrafront {
 namespace {
-
-/// Elements below this quality are refused.
-constexpr double kFlatAfterMove = 1e-4;
 
 /// Least fall of the badness that counts: of one attempt, and of the whole move.
 constexpr double kAttemptGain = 1e-9;
@@ -48,8 +46,8 @@ double NodeMover::badnessAround(NodeId node, double limit) {
   for (const TetId id : ball_) {
     const double quality = mesh.qualityOf(mesh.element(id).nodes);
     qualities_.push_back(quality);
-    sum += quality < kFlatAfterMove ? kForbidden
-                                    : badness.ofElement(quality) + Badness::pullOfElement(quality);
+    sum += quality < kFlatQuality ? kForbidden
+                                  : badness.ofElement(quality) + Badness::pullOfElement(quality);
     if (sum > limit) return sum;
   }
   for (const NodeId other : neighbours_) {

@@ -19,6 +19,9 @@ namespace {
 /// move nodes by about half as much.
 constexpr double kOnBoundary = 1e-7;
 
+/// Largest distance of a node of the boundary from the triangles that approximate it / their sag in their middles.
+constexpr double kReachPerSag = 2.0;
+
 /// Largest difference between the volumes of the two bodies, as a part of one: more than chords of a curved boundary differ.
 constexpr double kSameVolume = 0.05;
 
@@ -34,6 +37,7 @@ class PlaceFinder {
       : boundary_(boundary),
         guide_(guide),
         tolerance_(kOnBoundary * guide.reference().diagonal()),
+        reach_(std::max(tolerance_, kReachPerSag * guide.sag())),
         nodes_(countNodes(boundary)) {
     places_.nodes.resize(countNodes(boundary));
   }
@@ -82,7 +86,7 @@ class PlaceFinder {
   bool findTriangles(NodeId node) {
     const ReferenceSurface& reference = guide_.reference();
     const Vec3 at = pointOf(boundary_, node);
-    const Vec3 margin(tolerance_);
+    const Vec3 margin(reach_);
     const std::size_t begin = near_.size();
     const auto isKnown = [&](TriangleId t) {
       return std::find(near_.begin() + static_cast<std::ptrdiff_t>(begin), near_.end(), t) !=
@@ -90,13 +94,23 @@ class PlaceFinder {
     };
     reference.tree().visitOverlaps(Box::of(at - margin, at + margin, at), [&](std::uint32_t piece) {
       const TriangleId t = reference.pieces()[piece].triangle;
-      if (reference.squaredDistance(at, t) <= tolerance_ * tolerance_ && !isKnown(t))
+      if (reference.squaredDistance(at, t) <= reach_ * reach_ && !isKnown(t) && isOnPatch(at, t))
         near_.push_back(t);
     });
     Found& found = nodes_[node.index()];
     found.begin = static_cast<std::uint32_t>(begin);
     found.end = static_cast<std::uint32_t>(near_.size());
     return found.end > found.begin;
+  }
+
+  /// Returns whether a position near a triangle of the reference is on the boundary that this approximates.
+  [[nodiscard]] bool isOnPatch(const Vec3& position, TriangleId triangle) const {
+    if (reach_ == tolerance_) return true;
+    const SmoothPatchId patch = guide_.reference().patchOf(triangle);
+    Vec3 nearest = position;
+    const Place hint{.kind = PlaceKind::kPatch, .entity = patch.value, .near = triangle};
+    static_cast<void>(guide_.onPatch(patch, hint, nearest));
+    return isAt(nearest, position);
   }
 
   [[nodiscard]] bool isNear(NodeId node, SmoothPatchId patch) const {
@@ -193,6 +207,7 @@ class PlaceFinder {
   const SurfaceMesh& boundary_;
   const BoundaryGuide& guide_;
   double tolerance_;
+  double reach_;  ///< of the reference triangles around a node of the boundary
   std::vector<Found> nodes_;
   std::vector<TriangleId> near_;
   BoundaryPlaces places_;

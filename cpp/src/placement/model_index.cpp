@@ -150,18 +150,22 @@ void ModelIndex::addSegments(std::uint32_t edge) {
   }
 }
 
-std::optional<Vec3> ModelIndex::nearestOnFace(const Vec3& position, const Vec3& normal,
-                                              double reach) const {
+std::optional<FacePlace> ModelIndex::nearestOnFace(const Vec3& position, const Vec3& normal,
+                                                   double reach,
+                                                   std::span<const std::uint32_t> only) const {
+  const bool isAny = normal == Vec3(0.0);
   double least = (reach + sag_) * (reach + sag_);
   std::uint32_t nearest = TrimmedFace::kNone;
   triangleTree_.visitNear(position, least, [&](std::uint32_t item) {
+    if (!only.empty() && !std::ranges::binary_search(only, triangles_->faces[indexed_[item]]))
+      return;
     const auto [a, b, c] =
         std::array{pointOf(nodesOf(indexed_[item])[0]), pointOf(nodesOf(indexed_[item])[1]),
                    pointOf(nodesOf(indexed_[item])[2])};
     const double squared = squaredDistanceToTriangle(position, a, b, c);
     if (!(squared < least)) return;
     const Vec3 across = glm::cross(b - a, c - a);
-    if (!(glm::dot(across, normal) >= kSimilarNormal * glm::length(across))) return;
+    if (!isAny && !(glm::dot(across, normal) >= kSimilarNormal * glm::length(across))) return;
     least = squared;
     nearest = indexed_[item];
   });
@@ -176,7 +180,7 @@ std::optional<Vec3> ModelIndex::nearestOnFace(const Vec3& position, const Vec3& 
   const Vec3 place =
       evaluate(surface, closestParametersFrom(surface, boxes_[face], position, start)).position;
   if (!(glm::length(place - position) <= reach)) return std::nullopt;
-  return place;
+  return FacePlace{face, place};
 }
 
 std::optional<EdgePlace> ModelIndex::nearestOnEdge(const Vec3& position, const Vec3& direction,

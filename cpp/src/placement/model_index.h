@@ -16,6 +16,12 @@
 
 namespace tetrafront {
 
+/// A place on a face of the model.
+struct FacePlace {
+  std::uint32_t face = 0;
+  Vec3 position{0.0};
+};
+
 /// A place on an edge of the model, or at its vertex.
 struct EdgePlace {
   std::uint32_t edge = 0;
@@ -28,9 +34,11 @@ class ModelIndex {
   /// triangles.
   ModelIndex(const ReadModel& read, const ModelTriangles& triangles, double sag);
 
-  /// Returns the place on a face, at most `reach` away, whose normal is similar to a unit normal.
-  [[nodiscard]] std::optional<Vec3> nearestOnFace(const Vec3& position, const Vec3& normal,
-                                                  double reach) const;
+  /// Returns the place on a face, at most `reach` away, whose normal is similar to a unit normal; zero: any. `only`: the faces
+  /// that are asked for, ascending; empty: all.
+  [[nodiscard]] std::optional<FacePlace> nearestOnFace(
+      const Vec3& position, const Vec3& normal, double reach,
+      std::span<const std::uint32_t> only = {}) const;
 
   /// Returns the place on an edge, at most `reach` away, whose tangent is similar to a unit direction or its opposite; zero:
   /// any. Seams of closed faces are no edges here. `only`: the edge that is asked for.

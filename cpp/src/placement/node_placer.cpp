@@ -65,6 +65,11 @@ struct MeshEdge {
   Vec3 normal{0.0};  ///< mean of the normals of its triangles
 };
 
+Vec3 unit(const Vec3& vector) {
+  const double length = glm::length(vector);
+  return length > 0.0 ? vector / length : Vec3(0.0);
+}
+
 class Placement {
  public:
   Placement(const PlacementInput& input, const ModelIndex& index)
@@ -100,6 +105,11 @@ class Placement {
   [[nodiscard]] Vec3 normalOf(TriangleId triangle) const;
   [[nodiscard]] std::optional<Vec3> placeOf(const Vec3& position, Node& node) const;
   [[nodiscard]] std::optional<Vec3> middleOf(const MeshEdge& edge) const;
+  [[nodiscard]] std::optional<Vec3> nearestOnFace(const Vec3& position, const Vec3& normal,
+                                                  double reach) const {
+    const std::optional<FacePlace> place = index_.nearestOnFace(position, unit(normal), reach);
+    return place ? std::optional(place->position) : std::nullopt;
+  }
   void unfold();
   [[nodiscard]] bool isFolded(TriangleId triangle) const;
   [[nodiscard]] bool isPinched(const MeshEdge& edge) const;
@@ -131,11 +141,6 @@ std::array<Vec3, 3> cornersAt(const SurfaceMesh& mesh, std::span<const Vec3> poi
 
 Vec3 areaVectorOf(const std::array<Vec3, 3>& corners) {
   return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-}
-
-Vec3 unit(const Vec3& vector) {
-  const double length = glm::length(vector);
-  return length > 0.0 ? vector / length : Vec3(0.0);
 }
 
 Vec3 Placement::normalOf(TriangleId triangle) const {
@@ -204,7 +209,7 @@ void Placement::addDirections() {
 std::optional<Vec3> Placement::placeOf(const Vec3& position, Node& node) const {
   const double reach = std::min(kReach * node.longest, reach_);
   if (node.kind == NodeKind::kOnFace) {
-    return index_.nearestOnFace(position, unit(node.normal), reach);
+    return nearestOnFace(position, node.normal, reach);
   }
   if (node.kind == NodeKind::kAtCorner) {
     const std::optional<Vec3> vertex =
@@ -214,7 +219,7 @@ std::optional<Vec3> Placement::placeOf(const Vec3& position, Node& node) const {
   const Vec3 direction = node.kind == NodeKind::kOnLine ? node.direction : Vec3(0.0);
   std::optional<EdgePlace> place = index_.nearestOnEdge(position, direction, reach);
   if (!place) place = index_.nearestOnEdge(position, Vec3(0.0), reach);
-  if (!place) return index_.nearestOnFace(position, unit(node.normal), reach);
+  if (!place) return nearestOnFace(position, node.normal, reach);
   node.edge = place->edge;
   return place->position;
 }
@@ -358,7 +363,7 @@ std::optional<Vec3> Placement::middleOf(const MeshEdge& edge) const {
   const Vec3 chord = points_[edge.high.index()] - points_[edge.low.index()];
   const Vec3 middle = points_[edge.low.index()] + 0.5 * chord;
   const double reach = kReach * glm::length(chord);
-  if (!edge.isLine) return index_.nearestOnFace(middle, unit(edge.normal), reach);
+  if (!edge.isLine) return nearestOnFace(middle, edge.normal, reach);
   std::optional<std::uint32_t> only;
   if (low.edge == high.edge && low.edge != TrimmedFace::kNone) only = low.edge;
   const std::optional<EdgePlace> place = index_.nearestOnEdge(middle, unit(chord), reach, only);

@@ -5,6 +5,7 @@ import { createMesher, type Mesh, type Mesher, readMesh, type VolumeInput, write
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 import { defectsOf, meshVolume, NO_DEFECTS } from "../../support/check-mesh.js";
+import { pinSolid, stepFile } from "../../support/step-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
@@ -93,4 +94,29 @@ test("the command adapts a volume mesh, and meshes a surface first", async () =>
     if (!read.success) throw new Error(read.errors[0].message);
     expect(meshVolume(read.value)).toBeCloseTo(1, 6);
   }
+});
+
+test("nodes on the boundary of an adapted CAD file are on its faces", async () => {
+  const [radius, height, size] = [5, 4, 1.2];
+  save("pin.step", stepFile([pinSolid("pin", [0, 0, 0], radius, height)]));
+  const values = new Float64Array(box.points.length / 3).fill(size);
+  const background: Mesh = {
+    ...box,
+    points: box.points.map((x) => 14 * (x - 0.5)),
+    nodeData: new Map([["size", { components: 1, values }]]),
+  };
+  const [file] = await writeMesh(background, "sizes.vtu");
+  save("sizes.vtu", file?.bytes ?? "");
+  const { code, stderr } = await run("adapt", "pin.step", "--background", "sizes.vtu", "-o", "pin.vtu");
+  expect(`${code} ${stderr}`).toMatch(/^0 .*adapted: /s);
+  const read = await readMesh(readFileSync(inFolder("pin.vtu")), { fileName: "pin.vtu" });
+  if (!read.success) throw new Error(read.errors[0].message);
+  const { points, triangles } = read.value;
+  const off = [...new Set(triangles)].map((node) => {
+    const [x = 0, y = 0, z = 0] = points.subarray(3 * node, 3 * node + 3);
+    return Math.min(Math.abs(z), Math.abs(z - height), Math.abs(Math.hypot(x, y) - radius));
+  });
+  expect(off.length).toBeGreaterThan(50);
+  expect(Math.max(...off)).toBeLessThan(1e-9 * radius);
+  expect(meshVolume(read.value) / (Math.PI * radius ** 2 * height)).toBeCloseTo(1, 1);
 });

@@ -137,6 +137,8 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
     { points, tetrahedra, regions: none, triangles: none, trianglePatch: none },
     { points, tetrahedra, metrics: unitMetrics(points.length / 3) },
     { leastQuality: 0.5, sweeps: 1 },
+    new Float64Array(),
+    noTriangles,
   ],
   checkRun: () => [model, noBodies, grid, options],
   sizeFromSolution: () => [mesh, atNodes, engineSolutionOptions({ elements: 1000 })],

@@ -15,6 +15,7 @@ import { checkImproveInput, checkMesh, unreadableMesh } from "./input-checks.js"
 import { checkAdaptOptions } from "./mesh-options.js";
 import { backgroundMetrics, wrongMetrics } from "./node-sizes.js";
 import type { AdaptOptions } from "./option-types.js";
+import { modelOf } from "./true-faces.js";
 
 type EngineAdaptation = AnswerOf<"adaptMesh">;
 
@@ -29,6 +30,7 @@ export async function adaptMesh(
   const metrics = backgroundMetrics(background);
   refuse(wrongMetrics(metrics));
   const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
+  const { numbers, ...shown } = modelOf(mesh);
   const given = [
     {
       points: mesh.points.slice(),
@@ -39,6 +41,8 @@ export async function adaptMesh(
     },
     { points: background.points.slice(), tetrahedra: background.tetrahedra.slice(), metrics },
     { leastQuality, sweeps },
+    numbers,
+    shown,
   ] as const;
   const found = await client.ask("adaptMesh", given, control);
   if (!found.isReadable) refuse([unreadableMesh()]);
@@ -63,7 +67,7 @@ function plain({ lengths, ...rest }: EngineAdaptation["after"]): MetricStatistic
 
 function adaptedMesh(found: EngineAdaptation, given: VolumeInput): Mesh {
   const { points, tetrahedra, triangles, trianglePatch, regions: tetrahedronRegion, metrics } = found;
-  const { regions = [], patches = [] } = given;
+  const { regions = [], patches = [], trueFaces, unit } = given;
   return {
     points,
     triangles,
@@ -72,5 +76,7 @@ function adaptedMesh(found: EngineAdaptation, given: VolumeInput): Mesh {
     tetrahedronRegion,
     regions: regions.length > 0 ? regions : numbered("region", countOf(tetrahedronRegion)),
     nodeData: new Map([["metric", { components: 6, values: metrics }]]),
+    ...(trueFaces && { trueFaces }),
+    ...(unit && { unit }),
   };
 }

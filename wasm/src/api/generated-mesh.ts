@@ -35,7 +35,7 @@ export function namedMesh(
   const isSame = given !== undefined && given.triangles.length === triangles.length;
   const own = isSame ? patchesIn(given) : undefined;
   const kept = own !== undefined && hasNamedPatches(own) ? own : undefined;
-  const { surfaceRegions, trueEdges, unit } = (isSame ? given : undefined) ?? {};
+  const { surfaceRegions, trueEdges, trueFaces, unit } = (isSame ? given : undefined) ?? {};
   const word = project === undefined ? "shell" : "patch";
   const { trianglePatch, patches } = kept ?? {
     trianglePatch: surface.trianglePatch,
@@ -62,6 +62,7 @@ export function namedMesh(
     triangleRegions: indicesOf(surface.triangleRegions, NO_REGION),
     nodeData: new Map(),
     ...(trueEdges && { trueEdges }),
+    ...(trueFaces && { trueFaces }),
     ...(unit && { unit }),
   };
   return { mesh, indices };

@@ -7,7 +7,7 @@ import type { EngineClient } from "../engine/engine-client.js";
 import { enclosedVolumes } from "../formats/sixfold-volume.js";
 import { NO_REGION } from "../generated/constants.js";
 import type { NodePlacement } from "../mesh/inspection.js";
-import type { CurvedEdges, Mesh, SurfaceInput, TrueFaces } from "../mesh/mesh.js";
+import type { CurvedEdges, Mesh, PartialMesh, SurfaceInput, TrueFaces } from "../mesh/mesh.js";
 
 export interface PlacedSurface {
   readonly mesh: Mesh;
@@ -79,12 +79,20 @@ function bendOf({
 }
 
 /** Returns the numbers of the true faces for a remeshing; none if they were moved or scaled since they were read. */
-export function modelNumbers({ trueFaces = [] }: SurfaceInput): Float64Array {
+export function modelNumbers(surface: SurfaceInput): Float64Array {
+  return modelOf(surface).numbers;
+}
+
+/**
+ * Returns the true faces of a mesh as the engine reads them, and the triangles near them, in new arrays; none if they were moved
+ * or scaled since they were read.
+ */
+export function modelOf({ trueFaces = [] }: PartialMesh): ReturnType<typeof joined> {
   const areMoved = trueFaces.some(({ placement = {} }) => {
     const { position, rotation, scale = 1 } = placement;
     return position !== undefined || rotation !== undefined || scale !== 1;
   });
-  return areMoved ? new Float64Array() : joined(trueFaces).numbers;
+  return joined(areMoved ? [] : trueFaces);
 }
 
 /** Returns the faces of all solids as those of one, in new arrays: the engine's worker gets the arrays of a question. */

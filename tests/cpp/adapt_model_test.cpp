@@ -1,0 +1,128 @@
+/// A mesh of a CAD model that is adapted has its nodes on the faces and edges of the model, not on the triangles of the mesh.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "support/given_meshes.h"
+#include "support/meshed_models.h"
+#include "support/slices.h"
+#include "support/trimmed_models.h"
+#include "tetrafront/mesh_adaptation.h"
+
+namespace tetrafront::testing {
+namespace {
+
+constexpr double kFirstSize = 0.25;
+constexpr double kModelSize = 0.16;
+
+struct MeshedSolid {
+  AdaptInput mesh;
+  std::vector<double> numbers;
+  ModelTriangles triangles;
+};
+
+MeshedSolid meshedSolid(const TrimmedSolid& solid) {
+  const SurfaceMesh surface = meshOfModel(solid.model, kFirstSize);
+  const VolumeMesh mesh = meshed(surface, {});
+  return {{mesh.points, mesh.tetrahedra, {}, surface.triangles, surface.trianglePatch},
+          numbersOf(solid.model),
+          modelTriangles(solid.model, 0.2)};
+}
+
+/// The same size everywhere, or half of it along z.
+MetricMesh sizes(const std::vector<double>& points, const std::vector<std::uint32_t>& elements,
+                 double stretching) {
+  MetricMesh background{points, elements, {}};
+  const double m = 1.0 / (kModelSize * kModelSize);
+  for (std::size_t i = 0; i < points.size(); i += 3)
+    background.metrics.insert(background.metrics.end(),
+                              {m, 0.0, 0.0, m, 0.0, m * stretching * stretching});
+  return background;
+}
+
+MeshAdaptation adapted(const MeshedSolid& given, const MetricMesh& background,
+                       std::uint32_t budget = 1U << 20) {
+  MeshAdapter adapter(given.mesh, background, {}, given.numbers, given.triangles);
+  slicesOf(adapter, budget);
+  return adapter.result();
+}
+
+/// Largest distance of a node from the faces of its triangles.
+double farthestFromFaces(const TrimmedSolid& solid, const MeshAdaptation& made) {
+  double farthest = 0.0;
+  for (std::size_t c = 0; c < made.triangles.size(); ++c) {
+    const Position at = positionOf(made.points, made.triangles[c]);
+    farthest =
+        std::max(farthest, solid.distances[made.trianglePatch[c / 3]](Vec3(at[0], at[1], at[2])));
+  }
+  return farthest;
+}
+
+double volumeOf(const MeshAdaptation& made) {
+  double sixfold = 0.0;
+  for (std::size_t t = 0; t < made.triangles.size(); t += 3) {
+    const Position a = positionOf(made.points, made.triangles[t]);
+    const Position b = positionOf(made.points, made.triangles[t + 1]);
+    const Position c = positionOf(made.points, made.triangles[t + 2]);
+    sixfold += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return sixfold / 6.0;
+}
+
+TEST(AdaptModel, HasItsNodesOnTheFacesAndEdges) {
+  for (const TrimmedSolid& solid : {trimmedCone(0.6, 0.0, 1.0), trimmedPlate(2.0, 0.5, 0.5),
+                                    trimmedTorus(1.0, 0.4), nurbsSphere(0.7), revolvedProfile()}) {
+    SCOPED_TRACE(solid.name);
+    const MeshedSolid given = meshedSolid(solid);
+    const MeshAdaptation made =
+        adapted(given, sizes(given.mesh.points, given.mesh.tetrahedra, 1.0));
+    ASSERT_TRUE(made.diagnostics.empty());
+    EXPECT_GT(made.after.nodes, 2 * made.before.nodes);
+    EXPECT_LT(farthestFromFaces(solid, made), 1e-9);
+    EXPECT_GT(made.after.unitEdges, 0.98);
+    EXPECT_GT(made.after.leastQuality, 0.2);
+    EXPECT_NEAR(volumeOf(made), solid.volume, 0.03 * solid.volume);
+    const std::set<std::uint32_t> patches(made.trianglePatch.begin(), made.trianglePatch.end());
+    EXPECT_EQ(patches.size(), solid.model.faces.size());
+  }
+}
+
+/// The second adaptation begins with the first one's mesh, whose nodes are off the triangles of the model's mesh.
+TEST(AdaptModel, BeginsWithABackgroundThatFillsTheModel) {
+  for (const TrimmedSolid& solid : {trimmedCylinder(0.7, 0.7), trimmedPlate(1.5, 0.4, 0.5)}) {
+    SCOPED_TRACE(solid.name);
+    const MeshedSolid given = meshedSolid(solid);
+    const MeshAdaptation made =
+        adapted(given, sizes(given.mesh.points, given.mesh.tetrahedra, 2.0));
+    const MeshAdaptation next = adapted(given, sizes(made.points, made.tetrahedra, 2.0));
+    ASSERT_TRUE(next.diagnostics.empty());
+    std::set<Position> known;
+    for (std::uint32_t i = 0; 3 * i < made.points.size(); ++i)
+      known.insert(positionOf(made.points, i));
+    std::size_t kept = 0;
+    for (std::uint32_t i = 0; 3 * i < next.points.size(); ++i)
+      kept += known.count(positionOf(next.points, i));
+    EXPECT_GT(4 * kept, next.points.size()) << "three of four nodes";
+    EXPECT_LT(farthestFromFaces(solid, next), 1e-9);
+  }
+}
+
+TEST(AdaptModel, DoesNotDependOnTheSlices) {
+  const MeshedSolid given = meshedSolid(trimmedCylinder(0.5, 0.5));
+  const MetricMesh background = sizes(given.mesh.points, given.mesh.tetrahedra, 1.0);
+  const MeshAdaptation one = adapted(given, background);
+  const MeshAdaptation other = adapted(given, background, 7);
+  EXPECT_EQ(one.points, other.points);
+  EXPECT_EQ(one.tetrahedra, other.tetrahedra);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
