@@ -5,23 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "metric/metric.h"
 #include "solution/indicator_density.h"
 #include "support/random.h"
+#include "support/sampled_fields.h"
 #include "support/tet_grids.h"
 #include "tetrafront/solution.h"
 
 namespace tetrafront::testing {
 namespace {
 
-Vec3 positionOf(const VolumeMesh& mesh, std::size_t node) {
-  return {mesh.points[3 * node], mesh.points[3 * node + 1], mesh.points[3 * node + 2]};
-}
-
 double volumeOfElement(const VolumeMesh& mesh, std::size_t t) {
-  const auto at = [&](std::size_t k) { return positionOf(mesh, mesh.tetrahedra[4 * t + k]); };
+  const auto at = [&](std::size_t k) { return nodePosition(mesh, mesh.tetrahedra[4 * t + k]); };
   return glm::dot(glm::cross(at(1) - at(0), at(2) - at(0)), at(3) - at(0)) / 6.0;
 }
 
@@ -59,16 +57,15 @@ TEST(SolutionIndicatorTest, TheErrorOfAUniformMeshGivesTheOptimalSizes) {
   const auto second = [](const Vec3& x) { return std::exp(4.0 * x.x - x.y); };
   const auto antiderivative = [](double a) { return (std::exp(1.5 * a) - 1.0) / (1.5 * a); };
   const double integral = antiderivative(4.0) * antiderivative(-1.0);
-  SolutionFields fields{{}, {1}, {0}};
-  for (std::size_t i = 0; i < mesh.points.size() / 3; ++i)
-    fields.values.push_back(1e-4 * second(positionOf(mesh, i)));
+  const auto error = [&](const Vec3& x) { return 1e-4 * second(x); };
+  const SolutionFields fields{atNodes(mesh, error), {1}, {0}};
   SolutionMetricOptions options = indicatedBy(0);
   options.elements = 1e5;
   const SolutionMetric metric = sizedBy(mesh, fields, options);
   EXPECT_NEAR(metric.elements / 1e5, 1.0, 0.01);
   const double scale = std::cbrt(10.0 * integral / 1e5);
   for (std::size_t i = 0; i < mesh.points.size() / 3; ++i) {
-    const double optimal = scale / std::sqrt(second(positionOf(mesh, i)));
+    const double optimal = scale / std::sqrt(second(nodePosition(mesh, i)));
     ASSERT_NEAR(sizeAt(metric, i) / optimal, 1.0, 0.02);
   }
 }
@@ -117,11 +114,11 @@ TEST(SolutionIndicatorTest, FieldsGiveTheShapeAndTheIndicatorTheSize) {
   const std::size_t nodes = mesh.points.size() / 3;
   SolutionFields fields{{}, {1, 1}, {0, 0}};
   for (std::size_t i = 0; i < nodes; ++i) {
-    const Vec3 x = positionOf(mesh, i);
+    const Vec3 x = nodePosition(mesh, i);
     fields.values.push_back(1e3 * (x.x * x.x + x.y * x.y + 16.0 * x.z * x.z));
   }
   for (std::size_t i = 0; i < nodes; ++i)
-    fields.values.push_back(1.0 + 7.0 * positionOf(mesh, i).x);
+    fields.values.push_back(1.0 + 7.0 * nodePosition(mesh, i).x);
   SolutionMetricOptions options = indicatedBy(1);
   options.error = 0.1;
   const SolutionMetric shaped = sizedBy(mesh, fields, options);
