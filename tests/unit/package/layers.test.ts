@@ -48,14 +48,13 @@ test("layers are as high as asked for, and the body is the given one", async () 
   expect(after.leastQuality).toBeGreaterThan(0.3);
   expect(made.largestAspect).toBeGreaterThan(10);
   expect(cycles).toBeGreaterThan(1);
-  expect(layers).toEqual([
-    {
-      patch: WALL,
-      triangles: mesh.trianglePatch.filter((patch) => patch === 0).length,
-      meanFirstHeight: expect.closeTo(0.01, 2),
-      thickness: expect.closeTo(0.01 * (1 + 1.5 + 1.5 ** 2 + 1.5 ** 3), 9),
-    },
-  ]);
+  expect(layers).toHaveLength(1);
+  const [own] = layers;
+  expect(own?.patch).toBe(WALL);
+  expect(own?.triangles).toBe(mesh.trianglePatch.filter((patch) => patch === 0).length);
+  expect(own?.meanFirstHeight).toBeGreaterThan(0.0075);
+  expect(own?.meanFirstHeight).toBeLessThan(0.0125);
+  expect(own?.thickness).toBeCloseTo(0.01 * (1 + 1.5 + 1.5 ** 2 + 1.5 ** 3), 9);
   const [lowest = 0] = lowestHeights(mesh);
   expect(lowest).toBeGreaterThan(0.004);
   expect(lowest).toBeLessThan(0.013);
@@ -82,8 +81,6 @@ test.each([
   [{ count: 0 }, /number of the layers of wall: cold is 0/],
 ])("layers with %o are refused", async (change, message) => {
   await expect(mesher.addLayers(box, [{ ...LAYERS, ...change }])).rejects.toThrow(message);
-});
-  expect(JSON.stringify((refused as { diagnostics: unknown }).diagnostics)).toMatch(message);
 });
 
 test("layers that come twice for a patch are refused", async () => {
