@@ -30,6 +30,7 @@
 #include "tetrafront/remesh.h"
 #include "tetrafront/size_proposals.h"
 #include "tetrafront/solution.h"
+#include "tetrafront/wall_layers.h"
 #include "tetrafront/status.h"
 #include "tetrafront/surface_tools.h"
 #include "volume/rules.h"
@@ -306,6 +307,8 @@ void printModule() {
                                "the choice to the engine.");
   printDefaults<ImproveOptions>("IMPROVE_DEFAULTS", "Defaults of an improvement.");
   printDefaults<AdaptOptions>("ADAPT_DEFAULTS", "Defaults of an adaptation.");
+  printDefaults<LayerOptions>("LAYER_DEFAULTS", "Defaults of layers along walls.");
+  printDefaults<PatchLayers>("PATCH_LAYERS_DEFAULTS", "Defaults of the layers of one patch.");
   printDefaults<PlaneOptions>("PLANE_DEFAULTS", "Defaults of the fill of a polygon.");
   printDefaults<ProposalOptions>("PROPOSAL_DEFAULTS",
                                  "Defaults of size proposals; 0 leaves a size to the engine.");

@@ -14,6 +14,15 @@
 #include "tetrafront/size_samples.h"
 #include "tetrafront/solution.h"
 #include "tetrafront/surface_tools.h"
+#include "tetrafront/wall_layers.h"
+
+namespace tetrafront::border {
+
+/// Structs in arguments cross as columns.
+template <>
+inline constexpr bool kInColumns<PatchLayers> = true;
+
+}  // namespace tetrafront::border
 
 EMSCRIPTEN_BINDINGS(tools) {
   using namespace emscripten;
@@ -49,6 +58,9 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTypes<AdaptInput, MetricMesh, AdaptOptions, MeshAdaptation>();
   registerTool<MeshAdapter, AdaptInput, MetricMesh, AdaptOptions, Doubles, ModelTriangles>(
       "Adaptation", "adaptMesh");
+  registerTypes<std::vector<PatchLayers>, LayerOptions, LayeredMesh>();
+  registerTool<LayerMaker, AdaptInput, MetricMesh, AdaptOptions, std::vector<PatchLayers>,
+               LayerOptions>("Layers", "addLayers");
   registerTool<CoveringGridBuilder, Model, double, CoverShape>("Cover", "cover");
   registerTool<SizeProposer, Model, ProposalOptions>("Proposal", "propose");
   registerTool<SizeSampler, Model, BodySurfaces, BackgroundGrid, MeshOptions, Doubles>(

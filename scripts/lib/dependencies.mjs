@@ -18,6 +18,7 @@ const ENGINE = [
   ["preview"],
   ["repair", "remesh"],
   ["adapt"],
+  ["layers"],
 ];
 
 /**
@@ -42,6 +43,7 @@ const PUBLIC_HEADERS = {
   "mesh_inspection.h": "quality",
   "plane_fill.h": "surface",
   "mesh_adaptation.h": "adapt",
+  "wall_layers.h": "layers",
   "mesh_improvement.h": "optimize",
   "second_order.h": "curved",
   "covering_grid.h": "preview",

@@ -20,6 +20,7 @@ export {
   type CoverOptions,
   type CycleOptions,
   type AdaptOptions,
+  type LayerOptions,
   type ImproveOptions,
   type InspectionOptions,
   type MeshOptions,
@@ -83,6 +84,7 @@ export type {
   SurfaceRepair,
 } from "./mesh/inspection.js";
 export type { MeshAdaptation, MetricStatistics } from "./mesh/adaptation.js";
+export type { LayeredMesh, LayersMade, PatchLayers } from "./mesh/layered-mesh.js";
 export type {
   AdaptationCycle,
   Solution,

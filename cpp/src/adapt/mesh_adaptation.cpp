@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "adapt/adapt_input.h"
 #include "adapt/adapt_result.h"
 #include "adapt/adapt_schedule.h"
 #include "adapt/adapt_start.h"
@@ -15,8 +16,6 @@
 #include "base/diagnostics.h"
 #include "base/tool_job.h"
 #include "field/check_background_grid.h"
-#include "geom/coordinates.h"
-#include "metric/metric.h"
 #include "model/model_numbers.h"
 #include "optimize/given_mesh.h"
 #include "quality/verify_mesh.h"
@@ -39,52 +38,8 @@ struct AdapterInput {
   ModelTriangles modelTriangles;
 };
 
-bool areCoordinates(std::span<const double> points) {
-  return points.size() % 3 == 0 &&
-         std::ranges::all_of(points, [](double x) { return std::fabs(x) <= kLargestCoordinate; });
-}
-
-bool areIndices(std::span<const std::uint32_t> nodes, std::size_t perItem, std::size_t points) {
-  return nodes.size() % perItem == 0 &&
-         std::ranges::all_of(nodes, [points](std::uint32_t node) { return node < points; });
-}
-
-bool areMetrics(std::span<const double> metrics, std::size_t nodes) {
-  if (metrics.size() != kTensorNumbers * nodes) return false;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    if (!isMetric(tensorAt(metrics, i))) return false;
-  }
-  return true;
-}
-
 bool isUsable(const AdapterInput& input) {
-  const AdaptInput& mesh = input.mesh;
-  const MetricMesh& background = input.background;
-  const std::size_t nodes = mesh.points.size() / 3;
-  const std::size_t gridNodes = background.points.size() / 3;
-  return areCoordinates(mesh.points) && areCoordinates(background.points) &&
-         areIndices(mesh.tetrahedra, 4, nodes) && areIndices(mesh.triangles, 3, nodes) &&
-         areIndices(background.tetrahedra, 4, gridNodes) && !mesh.tetrahedra.empty() &&
-         !background.tetrahedra.empty() &&
-         (mesh.regions.empty() || 4 * mesh.regions.size() == mesh.tetrahedra.size()) &&
-         (mesh.trianglePatch.empty() || 3 * mesh.trianglePatch.size() == mesh.triangles.size()) &&
-         areMetrics(background.metrics, gridNodes) && input.options.leastQuality >= 0.0 &&
-         input.options.leastQuality <= 1.0;
-}
-
-/// Returns the background as a grid that only locates positions.
-BackgroundGrid gridOf(const MetricMesh& mesh) {
-  BackgroundGrid grid;
-  grid.nodes.resize(mesh.points.size() / 3);
-  for (std::size_t i = 0; i < grid.nodes.size(); ++i) {
-    const double* const at = &mesh.points[3 * i];
-    grid.nodes[i] = {.position = Vec3(at[0], at[1], at[2]), .size = 1.0};
-  }
-  grid.tetrahedra.resize(mesh.tetrahedra.size() / 4);
-  for (std::size_t t = 0; t < grid.tetrahedra.size(); ++t) {
-    for (std::size_t k = 0; k < 4; ++k) grid.tetrahedra[t][k] = mesh.tetrahedra[4 * t + k];
-  }
-  return grid;
+  return isUsable(input.mesh) && isUsable(input.background) && isUsable(input.options);
 }
 
 /// Returns whether a mesh has one region, no face that is kept inside and no node where it touches itself.
@@ -114,7 +69,7 @@ class Adaptation {
     const GivenMesh given = co_await prepareGivenMesh(work, mesh, input_.mesh.triangles);
     out_.diagnostics = given.diagnostics;
     if (anyError(out_.diagnostics)) co_return std::move(out_);
-    const BackgroundGrid grid = gridOf(input_.background);
+    const BackgroundGrid grid = locatorGridOf(input_.background);
     work.beginPart(0.025);
     out_.diagnostics = co_await checkBackgroundGrid(work, grid);
     if (anyError(out_.diagnostics)) co_return std::move(out_);

@@ -72,6 +72,8 @@ const methods: Readonly<Record<string, Call>> = {
   improveMesh: (signal) => mesher.improveMesh({ points, tetrahedra }, {}, { signal }),
   curveMesh: (signal) => mesher.curveMesh(block, noEdges, { signal }),
   adaptMesh: (signal) => mesher.adaptMesh(block, sized, {}, { signal }),
+  addLayers: (signal) =>
+    mesher.addLayers(block, [{ patch: "floor, cold", firstHeight: 0.1 }], {}, { signal }),
   sizeFromSolution: (signal) => mesher.sizeFromSolution(block, [field], { elements: 100 }, { signal }),
   transferSolution: (signal) => mesher.transferSolution(block, block, [field], {}, { signal }),
 };
@@ -138,6 +140,7 @@ test("no argument is accessed if the signal was aborted before the call", async 
     improveMesh: mesher.improveMesh(untouched, untouched, aborted),
     curveMesh: mesher.curveMesh(untouched, untouched, aborted),
     adaptMesh: mesher.adaptMesh(untouched, untouched, untouched, aborted),
+    addLayers: mesher.addLayers(untouched, untouched, untouched, aborted),
     sizeFromSolution: mesher.sizeFromSolution(untouched, untouched, untouched, aborted),
     transferSolution: mesher.transferSolution(untouched, untouched, untouched, untouched, aborted),
   };

@@ -249,6 +249,12 @@ const methods: Readonly<Record<Exclude<keyof Mesher, "dispose">, Arguments>> = {
     options: { sweeps: 1 },
     control: { ...control, partial: true },
   },
+  addLayers: {
+    mesh: block,
+    layers: [{ patch: "floor, cold", firstHeight: 0.1, growth: 1.2, count: 2 }],
+    options: { cycles: 1, sweeps: 1 },
+    control: { ...control, partial: true },
+  },
   transferSolution: {
     from: block,
     to: block,

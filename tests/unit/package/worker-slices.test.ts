@@ -140,6 +140,18 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
     new Float64Array(),
     noTriangles,
   ],
+  addLayers: () => [
+    { points, tetrahedra, regions: none, triangles: none, trianglePatch: none },
+    { points: new Float64Array(), tetrahedra: none, metrics: new Float64Array() },
+    { leastQuality: 0.5, sweeps: 1 },
+    {
+      patch: Uint32Array.of(0),
+      firstHeight: Float64Array.of(0.1),
+      growth: Float64Array.of(1.2),
+      count: Uint32Array.of(3),
+    },
+    { maxAspect: 10, growth: 0.5, cycles: 1 },
+  ],
   checkRun: () => [model, noBodies, grid, options],
   sizeFromSolution: () => [mesh, atNodes, engineSolutionOptions({ elements: 1000 })],
   transferSolution: () => [mesh, mesh, atNodes, true],

@@ -32,13 +32,7 @@ export async function adaptMesh(
   const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
   const { numbers, ...shown } = modelOf(mesh);
   const given = [
-    {
-      points: mesh.points.slice(),
-      tetrahedra: mesh.tetrahedra.slice(),
-      regions: mesh.tetrahedronRegion?.slice() ?? new Uint32Array(),
-      triangles: mesh.triangles?.slice() ?? new Uint32Array(),
-      trianglePatch: mesh.trianglePatch?.slice() ?? new Uint32Array(),
-    },
+    adaptInputOf(mesh),
     { points: background.points.slice(), tetrahedra: background.tetrahedra.slice(), metrics },
     { leastQuality, sweeps },
     numbers,
@@ -47,10 +41,28 @@ export async function adaptMesh(
   const found = await client.ask("adaptMesh", given, control);
   if (!found.isReadable) refuse([unreadableMesh()]);
   refuse(describeAll(found.diagnostics, nameByIndex));
-  return described(found, mesh);
+  return describedAdaptation(found, mesh);
 }
 
-function described(found: EngineAdaptation, given: VolumeInput): MeshAdaptation {
+/** Returns a copy of a mesh as the engine adapts it. */
+export function adaptInputOf({
+  points,
+  tetrahedra,
+  tetrahedronRegion,
+  triangles,
+  trianglePatch,
+}: VolumeInput) {
+  return {
+    points: points.slice(),
+    tetrahedra: tetrahedra.slice(),
+    regions: tetrahedronRegion?.slice() ?? new Uint32Array(),
+    triangles: triangles?.slice() ?? new Uint32Array(),
+    trianglePatch: trianglePatch?.slice() ?? new Uint32Array(),
+  };
+}
+
+/** Returns what the engine made of a mesh, with the names of its patches and regions. */
+export function describedAdaptation(found: EngineAdaptation, given: VolumeInput): MeshAdaptation {
   const { isPartial, before, after } = found;
   return {
     mesh: adaptedMesh(found, given),

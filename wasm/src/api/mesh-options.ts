@@ -142,7 +142,8 @@ const improveSchema = objectWith({
   ),
 } satisfies EntriesOf<ImproveOptions>);
 
-const adaptSchema = objectWith({
+/** Entries of the options of every adaptation. */
+export const adaptEntries = {
   leastQuality: option("least quality", "a number from 0 to 1", within(0, 1), ADAPT_DEFAULTS.leastQuality),
   sweeps: option(
     "number of sweeps",
@@ -150,7 +151,9 @@ const adaptSchema = objectWith({
     wholeWithin(0, 100),
     ADAPT_DEFAULTS.sweeps,
   ),
-} satisfies EntriesOf<AdaptOptions>);
+} satisfies EntriesOf<AdaptOptions>;
+
+const adaptSchema = objectWith(adaptEntries);
 
 export function checkAdaptOptions(options: AdaptOptions): Diagnostic[] {
   return checkAgainst(options, adaptSchema);

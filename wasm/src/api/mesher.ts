@@ -1,6 +1,7 @@
 /** Implements the mesher: each call in the file of its subject. */
 import { adaptMesh } from "./adaptation.js";
 import { adaptationCycles } from "./adaptation-cycles.js";
+import { addLayers } from "./layers.js";
 import { throwIfCancelled, untilCancelled } from "../calls/cancelling.js";
 import type { AbortControl, PartialControl, RunControl } from "../engine/control.js";
 import { refuse } from "../diagnostics/mesher-error.js";
@@ -13,6 +14,7 @@ import type {
   SurfaceRepair,
 } from "../mesh/inspection.js";
 import type { MeshAdaptation } from "../mesh/adaptation.js";
+import type { LayeredMesh, PatchLayers } from "../mesh/layered-mesh.js";
 import type { AdaptationCycle, Solve } from "../mesh/adaptation-cycle.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
 import type { CurvedEdges, Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
@@ -43,6 +45,7 @@ import type {
   CoverOptions,
   CycleOptions,
   AdaptOptions,
+  LayerOptions,
   ImproveOptions,
   InspectionOptions,
   MeshOptions,
@@ -256,6 +259,15 @@ class WorkerMesher implements Mesher {
     control: PartialControl = {},
   ): Promise<MeshAdaptation> {
     return adaptMesh(this.#client, { mesh, background }, options, control);
+  }
+
+  async addLayers(
+    mesh: VolumeInput,
+    layers: readonly PatchLayers[],
+    options: LayerOptions = {},
+    control: PartialControl = {},
+  ): Promise<LayeredMesh> {
+    return addLayers(this.#client, { mesh, layers }, options, control);
   }
 
   async curveMesh(mesh: Mesh, curvedEdges?: CurvedEdges, control: RunControl = {}): Promise<CurvedMesh> {

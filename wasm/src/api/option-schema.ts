@@ -17,7 +17,7 @@ import { type BackgroundArrays, checkBackground, hasSourcesOnly } from "../proje
 import type { MeshOptions } from "./option-types.js";
 
 /** Words for an option in messages: its name, and the values that it accepts. */
-interface OptionWords {
+export interface OptionWords {
   readonly label: string;
   readonly expected: string;
 }

@@ -7,7 +7,7 @@ import type {
   Interior,
   Optimization,
 } from "../generated/constants.js";
-import type { ElementOrder, Mesh } from "../mesh/mesh.js";
+import type { ElementOrder, Mesh, VolumeInput } from "../mesh/mesh.js";
 import type { PreparedBody } from "../mesh/prepared-body.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 
@@ -156,6 +156,18 @@ export interface AdaptOptions {
   readonly leastQuality?: number | undefined;
   /** Number of sweeps over all edges and elements at most, 0 to 100. Default 12; 4 are faster and nearly as good. */
   readonly sweeps?: number | undefined;
+}
+
+/** Options of `addLayers`. */
+export interface LayerOptions extends AdaptOptions {
+  /** A mesh with the sizes along the walls and elsewhere, as for `adaptMesh`. Default: the sizes of the mesh. */
+  readonly background?: VolumeInput | undefined;
+  /** Largest size along a wall / size across it, 1 to 1e6. Default 1000. Single elements may have a larger aspect. */
+  readonly maxAspect?: number | undefined;
+  /** Growth of the sizes per unit of distance, beyond the layers and along the walls, 0.01 to 10. Default 0.5. */
+  readonly growth?: number | undefined;
+  /** Number of adaptations at most, 1 to 100. Default 8; fewer are made if the number of elements settles. */
+  readonly cycles?: number | undefined;
 }
 
 /** Options of `splitPatches`. */

@@ -1,10 +1,11 @@
-/** `tetrafront adapt`: adapts a mesh, or the mesh of a model, to the metric of a background mesh. */
+/** `tetrafront adapt`: adapts a mesh, or the mesh of a model, to a metric, to layers along patches or to a solution. */
 import { checkAdaptOptions } from "../api/mesh-options.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { MeshAdaptation, MetricStatistics } from "../mesh/adaptation.js";
+import type { LayeredMesh, PatchLayers } from "../mesh/layered-mesh.js";
 import type { Mesh } from "../mesh/mesh.js";
 import { withBoundary, writableName, writeMeshTo } from "./convert.js";
 import { refuseFolder, STANDARD_STREAM, writeToStandardOutput } from "./files.js";
@@ -14,12 +15,14 @@ import { ExitCode, failedOutcome, InvalidInput, jsonPieces, print, printDiagnost
 import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
 import { withRun } from "./run.js";
 import type { CycleReport } from "./cycle-folder.js";
+import { layerLimitsIn, layersIn, layersOf, layersText } from "./layers.js";
 import { type CycleCommandOptions, cycleOptions, refuseCycleOptions, runCycles } from "./cycles.js";
 import type { UnitOptions } from "./units.js";
 
 /** Options as commander passes them. */
 export interface AdaptCommandOptions extends UnitOptions, CycleCommandOptions {
   readonly background?: string;
+  readonly layers?: readonly string[];
   readonly threads?: string;
   readonly from?: string;
   readonly to?: string;
@@ -28,9 +31,12 @@ export interface AdaptCommandOptions extends UnitOptions, CycleCommandOptions {
 }
 
 /** Result of the command, as printed by `--json`. */
-interface Outcome extends Partial<Pick<MeshAdaptation, "isPartial" | "before" | "after">> {
-  /** What each cycle made, and the folder of its files. */
-  readonly cycles?: readonly CycleReport[];
+interface Outcome
+  extends
+    Partial<Pick<MeshAdaptation, "isPartial" | "before" | "after">>,
+    Partial<Pick<LayeredMesh, "layers" | "largestAspect">> {
+  /** What each cycle with a solver made, or the number of cycles for layers; and the folder of the files of cycles. */
+  readonly cycles?: readonly CycleReport[] | number;
   readonly folder?: string;
   /** The written file, if any. */
   readonly output: string | null;
@@ -54,22 +60,29 @@ export async function adaptFile(input: string, options: AdaptCommandOptions): Pr
 }
 
 async function adaptAndWrite(input: string, options: AdaptCommandOptions): Promise<Outcome> {
-  const { background, solver } = options;
-  if (background !== undefined) {
-    if (solver !== undefined) {
-      const message = "--background and --solver exclude each other";
-      refuseOptions([invalidOption("--solver", message, "Use one of them.")]);
-    }
-    refuseCycleOptions(options);
-    return adaptOnce(input, { ...options, background });
+  const { background, solver, layers } = options;
+  if (solver !== undefined) {
+    refuseBeside("--background", background);
+    refuseBeside("--layers", layers);
+    return adaptInCycles(input, { ...options, solver });
   }
-  if (solver === undefined) {
-    const message = "neither --background nor --solver is given";
+  if (layers !== undefined) {
+    refuseCycleOptions(options, ["cycles", "maxAspect", "gradation"]);
+    return adaptOnce(input, options, layersIn(layers));
+  }
+  if (background === undefined) {
+    const message = "none of --background, --layers and --solver is given";
     const remedy =
-      "Add --background with a metric, or --solver with the command of a solver and --elements or --error.";
+      "Add --background with a metric, --layers for layers along patches, or --solver with the command of a solver and --elements or --error.";
     refuseOptions([invalidOption("--background", message, remedy)]);
   }
-  return adaptInCycles(input, { ...options, solver: solver ?? "" });
+  refuseCycleOptions(options);
+  return adaptOnce(input, options, []);
+}
+
+function refuseBeside(word: string, given: unknown): void {
+  if (given === undefined) return;
+  refuseOptions([invalidOption("--solver", `${word} and --solver exclude each other`, "Use one of them.")]);
 }
 
 /** Adapts the mesh of a model to the solution of a solver, cycle by cycle. */
@@ -90,29 +103,50 @@ async function adaptInCycles(
   return { output, cycles, folder, diagnostics: notes, exitCode: ExitCode.meshed };
 }
 
-/** Adapts the mesh of a model to the metric of a background mesh. */
+/** Adapts the mesh of a model to the metric of a background mesh, or to layers. */
 async function adaptOnce(
   input: string,
-  options: AdaptCommandOptions & { readonly background: string },
+  options: AdaptCommandOptions,
+  layers: readonly PatchLayers[],
 ): Promise<Outcome> {
   const { output } = options;
   const isQuiet = options.quiet === true || options.json === true;
   const chosen = { leastQuality: numberIn(options.quality), sweeps: numberIn(options.sweeps) };
   refuseOptions(checkAdaptOptions(chosen));
+  const limits = { ...chosen, ...(layers.length > 0 && layerLimitsIn(options)) };
   const name = await checkPaths(input, options);
-  const background = await readMeshFile(options.background);
-  requireTetrahedra(options.background, background);
+  const background = await readBackground(options);
   const given = await readOrMesh(input, options, { isQuiet, isRemeshed: false });
-  const made = await withRun(isQuiet, (mesher, controlOf) =>
-    mesher.adaptMesh(given, background, chosen, { ...controlOf("adapt"), partial: true }),
-  );
+  const made = await withRun(isQuiet, (mesher, controlOf): Promise<MeshAdaptation | LayeredMesh> => {
+    const control = { ...controlOf("adapt"), partial: true };
+    if (layers.length === 0 && background !== undefined)
+      return mesher.adaptMesh(given, background, chosen, control);
+    return mesher.addLayers(given, layersOf(input, given, layers), { ...limits, background }, control);
+  });
   const { mesh, isPartial, before, after, diagnostics } = made;
   const notes = await writeMeshTo({ input, output, name, isQuiet }, mesh);
   printDiagnostics(input, diagnostics, { isQuiet });
   if (isPartial) print(`${input}: stopped; the mesh made so far is valid, and was written`);
+  const isLayered = "layers" in made;
   if (!isQuiet) print(`${input}: ${adaptationText(before, after)} -> ${output}`);
+  if (!isQuiet && isLayered) print(`${input}: ${layersText(made)}`);
   const exitCode = isPartial ? ExitCode.notCompleted : ExitCode.meshed;
-  return { output, isPartial, before, after, diagnostics: [...notes, ...diagnostics], exitCode };
+  return {
+    output,
+    isPartial,
+    before,
+    after,
+    ...(isLayered && { layers: made.layers, largestAspect: made.largestAspect, cycles: made.cycles }),
+    diagnostics: [...notes, ...diagnostics],
+    exitCode,
+  };
+}
+
+async function readBackground({ background: file }: AdaptCommandOptions): Promise<Mesh | undefined> {
+  if (file === undefined) return undefined;
+  const background = await readMeshFile(file);
+  requireTetrahedra(file, background);
+  return background;
 }
 
 /** Checks the output before any work; returns a name whose extension selects its format. */

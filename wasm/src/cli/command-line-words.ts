@@ -34,6 +34,7 @@ const CALLS: ReadonlyMap<string, string> = new Map([
   ["inspectSurface", "tetrafront check"],
   ["improveMesh", "tetrafront improve"],
   ["adaptMesh", "tetrafront adapt"],
+  ["addLayers", "tetrafront adapt --layers"],
 ]);
 
 const OPTION_OR_CALL = /`([a-zA-Z]+(?:: (?:"[^"`]*"|[^"`]+))?)`,? or `[a-zA-Z]+\(\)`/g;

@@ -78,9 +78,12 @@ const ONLY_CYCLES = [
   "indicator", "indicatorOrder", "conservative", "meshFormat", "solutionFormat", "folder", "resume",
 ] as const; // prettier-ignore
 
-/** Throws an InvalidInput if an option of the cycles is given without a solver. */
-export function refuseCycleOptions(options: Partial<CycleCommandOptions>): void {
-  const given = ONLY_CYCLES.find((name) => options[name] !== undefined);
+/** Throws an InvalidInput if an option of the cycles is given without a solver. `others`: those that have another meaning then. */
+export function refuseCycleOptions(
+  options: Partial<CycleCommandOptions>,
+  others: readonly (typeof ONLY_CYCLES)[number][] = [],
+): void {
+  const given = ONLY_CYCLES.find((name) => options[name] !== undefined && !others.includes(name));
   if (given === undefined) return;
   const word = `--${given.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
   const remedy = "Add --solver with the command of a solver, or omit it.";

@@ -1,6 +1,7 @@
 /** Help texts below the options of each command. */
 import type { Contents } from "../formats/file-format.js";
 import { FILE_FORMATS } from "../formats/file-formats.js";
+import { LAYER_DEFAULTS } from "../generated/constants.js";
 
 /** Returns one line per format that can read, or write, any of the contents. */
 function formatLines(list: "readable" | "writable", ...contents: readonly Contents[]): string {
@@ -187,6 +188,13 @@ Background
   A volume mesh with the metric at its nodes: "metric" with xx, xy, xz, yy, yz and zz, or "size" and optionally
   "stretching" and "direction". An edge e has the target length if e M e = 1. The file must cover the model.
 
+Layers
+  --layers PATCH:FIRST:GROWTH:COUNT makes thin elements along a patch: COUNT layers, the first one FIRST high, each GROWTH
+  times as high as the one below. Along the patch, sizes are those of --background or of the mesh itself, at most
+  --max-aspect (default ${LAYER_DEFAULTS.maxAspect}) times those across it, and smaller where the patch is curved; the triangles of a curved
+  patch must follow it more closely than the first height. Beyond the layers, sizes grow by --gradation. In corners and
+  gaps where several layers meet, elements are small in the directions of all.
+
 Solver
   --solver runs cycles: the solver computes fields on a mesh, the sizes follow from them as in \`tetrafront sizes\`, the
   mesh is adapted, and the fields are transferred to the next mesh, as start values. In the command, {mesh} is the file
@@ -207,13 +215,14 @@ ${formatLines("writable", "volume")}
 
 Result
   Nearly all edges have a length from 0.71 to 1.41 in the metric. Patches, regions, sharp edges and corners stay;
-  interfaces between regions stay triangle for triangle. With --background, Ctrl-C ends the work early; the mesh made so
+  interfaces between regions stay triangle for triangle. With --background or --layers, Ctrl-C ends the work early; the mesh made so
   far is valid and is written. With --solver, it ends the solver too, and the cycles that are done are kept.
 ${EXIT_CODES_HELP}
 
 Examples
   tetrafront adapt mesh.vtu --background metric.vtu -o adapted.vtu
   tetrafront adapt part.step --background metric.vtu -o adapted.vtu --quality 0.4
+  tetrafront adapt channel.json --layers floor:0.001:1.2:10 --layers roof:0.002:1.3:6 -o layered.vtu
   tetrafront adapt part.step --solver 'python solve.py {mesh} {solution}' --cycles 5 --elements 20000 -o adapted.vtu
   tetrafront adapt part.step --solver ./solve --mesh-format mesh --field p --error 0.01 -o adapted.vtu --resume
   tetrafront adapt part.step --solver ./solve --indicator residual --elements 20000 -o adapted.vtu

@@ -4,6 +4,7 @@ import { Command, CommanderError, Option } from "commander";
 import {
   FRONT_ORDERS,
   ADAPT_DEFAULTS,
+  LAYER_DEFAULTS,
   IMPROVE_DEFAULTS,
   INSPECTION_DEFAULTS,
   MESH_DEFAULTS,
@@ -58,6 +59,7 @@ import { withUnits } from "./units.js";
 import {
   backgroundOption,
   fieldOption,
+  layersOption,
   formatOption,
   fromOption,
   innerShellsOption,
@@ -296,16 +298,20 @@ function addAdapt(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("adapt")
     .description(
-      "Adapt a mesh, or the mesh of a model, to the metric of a background mesh, or in cycles to the solution of a solver.",
+      "Adapt a mesh, or the mesh of a model, to the metric of a background mesh, to layers along patches, or in cycles to the solution of a solver.",
     )
     .argument("<model>", "volume mesh, CAD file, surface or project")
     .requiredOption("-o, --output <file>", "output file")
-    .option("-b, --background <file>", "volume mesh with the metric at its nodes; either this or --solver")
+    .option("-b, --background <file>", "volume mesh with the metric at its nodes; not with --solver")
+    .addOption(layersOption())
     .option(
       "--solver <command>",
       "command that reads {mesh} and writes {solution}; run once per cycle, with --elements or --error",
     )
-    .option("--cycles <count>", `number of cycles with the solver (default ${DEFAULT_CYCLES})`)
+    .option(
+      "--cycles <count>",
+      `number of cycles with the solver (default ${DEFAULT_CYCLES}), or for layers at most (default ${LAYER_DEFAULTS.cycles})`,
+    )
     .option("--resume", "continue an earlier run with its folder")
     .option("--folder <folder>", "folder for the files of the cycles (default: named after the output)")
     .option("--mesh-format <format>", "format of the meshes for the solver (default vtu)")

@@ -55,6 +55,11 @@ export const fieldOption = (): Option =>
   new Option("-f, --field <name>", "field to use; repeatable (default: all)").argParser(
     (name: string, before: string[] | undefined) => [...(before ?? []), name],
   );
+export const layersOption = (): Option =>
+  new Option(
+    "--layers <patch:first:growth:count>",
+    "layers along a patch, or * for all: height of the first, ratio of the next, and their number; repeatable",
+  ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]);
 /** Adds the options of sizes that follow from a solution. */
 export const withSolutionSizes = (command: Command): Command =>
   command

@@ -28,6 +28,7 @@ export const CALLS = {
   transferSolution: { module: "tools" },
   improveMesh: { module: "engine" },
   adaptMesh: { module: "tools" },
+  addLayers: { module: "tools" },
   checkRun: { module: "engine" },
 } as const;
 
