@@ -7,10 +7,12 @@
 #include <span>
 #include <utility>
 
+#include "base/free_memory.h"
 #include "base/ids.h"
 #include "field/grid_access.h"
 #include "field/grid_gradation.h"
 #include "field/tensor_limits.h"
+#include "metric/metric.h"
 #include "topology/face_table.h"
 #include "topology/tetrahedron.h"
 
@@ -50,20 +52,37 @@ class GridLocatorBuilder {
     low_ = glm::min(low_, node.position);
     high_ = glm::max(high_, node.position);
     isStretched_ = isStretched_ || node.stretching != 1.0;
+    hasSecond_ = hasSecond_ || secondOf(made_.grid_, id).stretching != 1.0;
   }
 
   void endExtent() {
     const Vec3 extent = high_ - low_;
     made_.slack_ = kBorderRounding * std::max({extent.x, extent.y, extent.z});
+    isStretched_ = isStretched_ || hasSecond_;
+    if (!hasSecond_) freeMemory(made_.grid_.secondStretchings);
     if (isStretched_) made_.tensors_.reserve(nodeCount());
     made_.sizes_.reserve(nodeCount());
     made_.frames_.reserve(tetrahedronCount());
   }
 
   [[nodiscard]] bool isStretched() const { return isStretched_; }
+  [[nodiscard]] bool hasSecondStretching() const { return hasSecond_; }
 
   void addTensor(GridNodeId node) {
-    made_.tensors_.push_back(sizeTensor(nodeOf(made_.grid_, node)));
+    const BackgroundNode& own = nodeOf(made_.grid_, node);
+    made_.tensors_.push_back(hasSecond_ ? sizeTensor(own, secondOf(made_.grid_, node))
+                                        : sizeTensor(own));
+  }
+
+  void takeLogarithm(GridNodeId node) {
+    SymmetricTensor& tensor = made_.tensors_[node.index()];
+    tensor = logarithmOf(tensor);
+  }
+
+  /// The tensors, which hold everything, are logarithms from now on.
+  void endLogarithms() {
+    made_.isLogarithmic_ = true;
+    freeMemory(made_.grid_.secondStretchings);
   }
 
   Task<> limitGrowth(Work& work) {
@@ -128,6 +147,7 @@ class GridLocatorBuilder {
   double growth_;
   GridLocator made_;
   bool isStretched_ = false;
+  bool hasSecond_ = false;
   Vec3 low_{std::numeric_limits<double>::max()};
   Vec3 high_{-std::numeric_limits<double>::max()};
 };
@@ -150,6 +170,12 @@ Task<GridLocator> buildGridLocator(Work& work, const BackgroundGrid& grid, doubl
   work.beginPart(0.4);
   co_await work.forEachId<GridNodeId>(
       nodes, [&](GridNodeId node) { builder.addSize(node); }, kGridVisitsPerUnit);
+  if (builder.hasSecondStretching()) {
+    work.beginPart(0.45);
+    co_await work.forEachId<GridNodeId>(
+        nodes, [&](GridNodeId node) { builder.takeLogarithm(node); }, kGridVisitsPerUnit);
+    builder.endLogarithms();
+  }
 
   work.beginPart(0.5);
   co_await work.forEachId<GridTetId>(

@@ -15,7 +15,7 @@
 #include "metric/metric.h"
 #include "solution/error_metric.h"
 #include "solution/recovered_hessian.h"
-#include "solution/reduced_metric.h"
+#include "solution/front_sizes.h"
 #include "tetrafront/solution.h"
 #include "topology/mesh_access.h"
 
@@ -210,7 +210,7 @@ void describe(const VolumeMesh& mesh, std::span<const FieldMetric> fields, Error
     result.errors.push_back(varies ? expectedError(mesh, field, result.metrics, norm) : 0.0);
     result.hasVariation.push_back(varies ? 1 : 0);
   }
-  result.reduced = reducedMetric(result.metrics);
+  result.frontSizes = frontSizesOf(result.metrics);
 }
 
 Task<SolutionMetric> sizeFromSolution(Work& work, const SizingInput& input) {
