@@ -66,7 +66,6 @@ class GridLocatorBuilder {
   }
 
   [[nodiscard]] bool isStretched() const { return isStretched_; }
-  [[nodiscard]] bool hasSecondStretching() const { return hasSecond_; }
 
   void addTensor(GridNodeId node) {
     const BackgroundNode& own = nodeOf(made_.grid_, node);
@@ -74,22 +73,12 @@ class GridLocatorBuilder {
                                         : sizeTensor(own));
   }
 
-  void takeLogarithm(GridNodeId node) {
-    SymmetricTensor& tensor = made_.tensors_[node.index()];
-    tensor = logarithmOf(tensor);
-  }
-
-  /// The tensors, which hold everything, are logarithms from now on.
-  void endLogarithms() {
-    made_.isLogarithmic_ = true;
-    freeMemory(made_.grid_.secondStretchings);
-  }
-
   Task<> limitGrowth(Work& work) {
     return isStretched_ ? limitTensors(work, made_.grid_, growth_, made_.tensors_)
                         : limitSizes(work, made_.grid_, growth_);
   }
 
+  /// The last step that needs the tensor of the node: with second stretchings, its logarithm replaces it.
   void addSize(GridNodeId node) {
     double& size = nodeOf(made_.grid_, node).size;
     if (isStretched_ && growth_ > 0.0) {
@@ -97,6 +86,9 @@ class GridLocatorBuilder {
       size = std::min(size, std::min({sizes[0], sizes[1], sizes[2]}));
     }
     made_.sizes_.push_back(size);
+    if (!hasSecond_) return;
+    SymmetricTensor& tensor = made_.tensors_[node.index()];
+    tensor = logarithmOf(tensor);
   }
 
   void addFrame(GridTetId tet) {
@@ -136,6 +128,8 @@ class GridLocatorBuilder {
 
   [[nodiscard]] GridLocator take(BoxTree tree) {
     made_.tree_ = std::move(tree);
+    made_.isLogarithmic_ = hasSecond_;
+    freeMemory(made_.grid_.secondStretchings);
     return std::move(made_);
   }
 
@@ -170,12 +164,6 @@ Task<GridLocator> buildGridLocator(Work& work, const BackgroundGrid& grid, doubl
   work.beginPart(0.4);
   co_await work.forEachId<GridNodeId>(
       nodes, [&](GridNodeId node) { builder.addSize(node); }, kGridVisitsPerUnit);
-  if (builder.hasSecondStretching()) {
-    work.beginPart(0.45);
-    co_await work.forEachId<GridNodeId>(
-        nodes, [&](GridNodeId node) { builder.takeLogarithm(node); }, kGridVisitsPerUnit);
-    builder.endLogarithms();
-  }
 
   work.beginPart(0.5);
   co_await work.forEachId<GridTetId>(
