@@ -252,6 +252,8 @@ void printNumbers() {
   printNumber("MAX_GRADATION", kMaxGradation,
               "Largest ratio of the sizes of neighbouring elements.");
   printNumber("MAX_STRETCHING", kMaxStretching, "Largest stretching.");
+  printNumber("MAX_DIRECTION_COSINE", kMaxDirectionCosine,
+              "Largest cosine of the angle between the two directions of a background node.");
   printNumber("MAX_HOLE_EDGES", kMaxHoleEdges,
               "Largest number of edges of a hole that a repair fills.");
   printNumber("MIN_REMESH_ANGLE", kMinRemeshAngle,
@@ -317,6 +319,7 @@ void printModule() {
   printType<Model>("ModelArrays", "A drawn model.");
   printType<BodySurfaces>("BodySurfaceArrays", "The surfaces of all bodies, in one.");
   printType<BackgroundGrid>("GridArrays", "A background grid.");
+  printType<FrontSizes>("FrontSizes", "Sizes of the front from metrics.");
   printType<std::vector<Diagnostic>>("DiagnosticArrays", "Diagnostics of an answer.");
 }
 

@@ -39,6 +39,8 @@ inline constexpr bool kInColumns = false;
 template <>
 inline constexpr bool kInColumns<BackgroundNode> = true;
 template <>
+inline constexpr bool kInColumns<SecondStretching> = true;
+template <>
 inline constexpr bool kInColumns<Diagnostic> = true;
 template <>
 inline constexpr bool kInColumns<Line> = true;

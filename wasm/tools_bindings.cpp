@@ -36,7 +36,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTypes<SurfaceInspection, MeshInspection, SurfaceRepair, SurfaceRefinement, SurfaceRemesh,
                 PatchSplit, SizeProposal, RegionLocation, SurfaceSizeProposal, SizeSamples,
                 CurvatureSamples, NodePlacement, SecondOrderMesh, SolutionMetric,
-                TransferredSolution, ReducedMetric>();
+                TransferredSolution, FrontSizes>();
 
   registerTool<SurfaceInspector, Doubles, Indices, InspectionOptions, Indices>("Inspection",
                                                                                "inspectSurface");
@@ -69,7 +69,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<MeshGridBuilder, VolumeMesh, Doubles>("BackgroundFromMesh", "backgroundFromMesh");
   registerTool<SolutionSizer, VolumeMesh, SolutionFields, SolutionMetricOptions>(
       "SolutionSizing", "sizeFromSolution");
-  registerTool<MetricReducer, Doubles>("MetricReduction", "reduceMetrics");
+  registerTool<FrontSizer, Doubles>("FrontSizing", "frontSizesOf");
   registerTool<SolutionTransferrer, VolumeMesh, VolumeMesh, SolutionFields, bool>(
       "SolutionTransfer", "transferSolution");
   function("memoryBytes", &memoryBytes);

@@ -45,12 +45,14 @@ SizeField octreeField() {
   return field;
 }
 
-SizeField stretchedField() {
+SizeField stretchedField(double second = 1.0) {
   BackgroundGrid grid = gridOf(cubeOfTetrahedra(4, 0.15, 7));
   for (BackgroundNode& node : grid.nodes) {
     node.size = 0.1 + 0.05 * node.position.x;
     node.stretching = 3.0;
     node.direction = node.position + Vec3(0.1);
+    const Vec3 across = glm::cross(node.direction, Vec3(1.0, 2.0, -1.0));
+    grid.secondStretchings.push_back({second, across});
   }
   return SizeField::fromGrid(GridLocator(grid));
 }
@@ -79,7 +81,8 @@ void expectSame(const SymmetricTensor& a, const SymmetricTensor& b) {
 
 TEST(SizeFieldBytes, GiveTheSameSizesEverywhere) {
   Random random(72);
-  for (const SizeField& field : {SizeField::uniform(0.3), octreeField(), stretchedField()}) {
+  for (const SizeField& field :
+       {SizeField::uniform(0.3), octreeField(), stretchedField(), stretchedField(2.0)}) {
     const SizeField read = fieldOf(bytesOf(field));
     EXPECT_EQ(read.isStretched(), field.isStretched());
     EXPECT_EQ(read.isRaised(), field.isRaised());

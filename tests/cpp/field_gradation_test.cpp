@@ -170,6 +170,40 @@ TEST(GridGradationTest, LimitsEveryAxisOfStretchedNodes) {
   }
 }
 
+/// Thin elements along a layer stay thin beside each other; across it, sizes grow as without stretching.
+TEST(GridGradationTest, SecondStretchingsGrowInRatio) {
+  BackgroundGrid grid = gridOf(cubeOfTetrahedra(6));
+  const auto isInLayer = [](const BackgroundNode& node) { return node.position.x < 0.01; };
+  for (BackgroundNode& node : grid.nodes) {
+    node.size = isInLayer(node) ? 0.01 : 1.0;
+    node.stretching = isInLayer(node) ? 30.0 : 1.0;
+    node.direction = Vec3(0.0, 1.0, 0.0);
+    grid.secondStretchings.push_back({node.stretching, Vec3(0.0, 0.0, 1.0)});
+  }
+  const GridLocator locator(grid, kGrowth);
+  const auto tensorNear = [&](double x) {
+    return locator.tensorAt(locator.locate(Vec3(x, 0.5, 0.5), GridTetId(0U)));
+  };
+  const SymmetricTensor layer = tensorNear(0.0);
+  EXPECT_NEAR(layer.xx, 0.01, 1e-9);
+  EXPECT_NEAR(layer.yy, 0.3, 1e-9);
+  EXPECT_NEAR(layer.zz, 0.3, 1e-9);
+  const double growth = 1.0 + kGrowth / 6.0 / 0.01;
+  const SymmetricTensor beside = tensorNear(1.0 / 6.0);
+  EXPECT_NEAR(beside.xx, 0.01 * growth, 1e-9);
+  EXPECT_NEAR(beside.yy, std::min(1.0, 0.3 * growth), 1e-9);
+  // Along the layer, the thin size of the nodes beside may not grow faster than the long one.
+  for (GridNodeId node(0U); node.index() < grid.nodes.size(); node = GridNodeId(node.value + 1)) {
+    if (grid.nodes[node.index()].position.y < 0.99) continue;
+    grid.nodes[node.index()].size = 1.0;
+    grid.nodes[node.index()].stretching = 1.0;
+    grid.secondStretchings[node.index()].stretching = 1.0;
+  }
+  const GridLocator ended(grid, kGrowth);
+  const SymmetricTensor end = ended.tensorAt(ended.locate(Vec3(0.0, 1.0, 0.5), GridTetId(0U)));
+  EXPECT_NEAR(end.xx, 0.01 * (1.0 + kGrowth / 6.0 / 0.3), 1e-9);
+}
+
 TEST(GridGradationTest, SizesOfStretchedGridsFollowTheirTensors) {
   BackgroundGrid grid = roughGrid(3, 8);
   for (BackgroundNode& node : grid.nodes) node.stretching = 4.0;

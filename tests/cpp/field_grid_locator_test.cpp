@@ -255,6 +255,62 @@ TEST(BackgroundGridCheckTest, RejectsSizesThatVanishAgainstTheGrid) {
   EXPECT_EQ(found[1].values, std::vector{1e-13});
 }
 
+/// A grid of thin sizes whose normals turn about z along x.
+BackgroundGrid turningGrid() {
+  BackgroundGrid grid = cubeGrid(3);
+  for (BackgroundNode& node : grid.nodes) {
+    node.size = 0.01;
+    node.stretching = 20.0;
+    node.direction = Vec3(std::sin(node.position.x), std::cos(node.position.x), 0.0);
+    grid.secondStretchings.push_back({7.0, Vec3(0.0, 0.0, -3.0)});
+  }
+  return grid;
+}
+
+TEST(GridLocatorTest, SecondStretchingsAreThoseOfTheNodes) {
+  const BackgroundGrid grid = turningGrid();
+  const GridLocator locator(grid);
+  for (const BackgroundNode& node : grid.nodes) {
+    const auto location = locator.locate(node.position, GridTetId(0U));
+    const SymmetricTensor h = locator.tensorAt(location);
+    const Vec3 along = node.direction;
+    const Vec3 across(along.y, -along.x, 0.0);
+    EXPECT_LT(glm::length(h * along - 0.2 * along), 1e-12);
+    EXPECT_LT(glm::length(h * across - 0.01 * across), 1e-12);
+    EXPECT_LT(glm::length(h * Vec3(0.0, 0.0, 1.0) - Vec3(0.0, 0.0, 0.07)), 1e-12);
+    EXPECT_NEAR(locator.sizeAt(location), 0.01, 1e-15);
+  }
+}
+
+/// Between thin elements of different directions, the logarithmic mean stays thin, and its volume is theirs. The
+/// linear mean is thicker.
+TEST(GridLocatorTest, SecondStretchingsStayThinBetweenNodes) {
+  const BackgroundGrid grid = turningGrid();
+  const GridLocator locator(grid);
+  double thickest = 0.0;
+  double thickestLinear = 0.0;
+  Random random(433);
+  const auto smallestOf = [](const SymmetricTensor& h) {
+    const auto values = principalAxes(h).values;
+    return std::min({values[0], values[1], values[2]});
+  };
+  for (int i = 0; i < 300; ++i) {
+    const auto location = locator.locate(Vec3(0.5) + random.inBox(0.5), GridTetId(0U));
+    const SymmetricTensor h = locator.tensorAt(location);
+    SymmetricTensor linear = SymmetricTensor::isotropic(0.0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t node = grid.tetrahedra[location.tetrahedron.index()][k];
+      linear.accumulate(sizeTensor(grid.nodes[node], grid.secondStretchings[node]),
+                        location.weights[k]);
+    }
+    EXPECT_NEAR(h.determinant() / (0.01 * 0.2 * 0.07), 1.0, 1e-9);
+    thickest = std::max(thickest, smallestOf(h));
+    thickestLinear = std::max(thickestLinear, smallestOf(linear));
+  }
+  EXPECT_LT(thickest, 0.0112);
+  EXPECT_GT(thickestLinear, 0.013);
+}
+
 TEST(BackgroundGridCheckTest, RejectsInvalidStretching) {
   BackgroundGrid grid = cubeGrid(2);
   grid.nodes[1].stretching = 0.5;
@@ -264,6 +320,32 @@ TEST(BackgroundGridCheckTest, RejectsInvalidStretching) {
   grid.nodes[4].direction = Vec3(0.0);  // not stretched, so its direction does not matter
   grid.nodes[5].stretching = 1e200;
   EXPECT_EQ(codesOf(grid), std::vector(4, DiagnosticCode::kStretchingOutOfRange));
+}
+
+TEST(BackgroundGridCheckTest, RejectsInvalidSecondStretching) {
+  BackgroundGrid grid = cubeGrid(2);
+  grid.secondStretchings.assign(grid.nodes.size(), {});
+  const auto expectOnly = [&](std::uint32_t node, double cosine) {
+    const std::vector<Diagnostic> found = checkBackgroundGrid(grid);
+    ASSERT_EQ(codesOf(grid), std::vector(1, DiagnosticCode::kSecondStretchingOutOfRange));
+    EXPECT_EQ(found[0].entities.at(0).index, node);
+    EXPECT_NEAR(found[0].values.at(1), cosine, 1e-12);
+    grid.secondStretchings[node] = {};
+  };
+  EXPECT_TRUE(codesOf(grid).empty());
+  grid.secondStretchings[4].stretching = 0.5;
+  expectOnly(4, 0.0);
+  grid.secondStretchings[5] = {3.0, Vec3(0.0)};
+  expectOnly(5, 0.0);
+  grid.secondStretchings[6].stretching = std::numeric_limits<double>::quiet_NaN();
+  expectOnly(6, 0.0);
+  // Without a first stretching, any second direction will do.
+  grid.secondStretchings[7] = {3.0, Vec3(1.0, 1.0, 0.0)};
+  EXPECT_TRUE(codesOf(grid).empty());
+  grid.nodes[7].stretching = 2.0;
+  expectOnly(7, std::sqrt(0.5));
+  grid.secondStretchings[7] = {3.0, Vec3(0.005, -1.0, 0.0)};
+  EXPECT_TRUE(codesOf(grid).empty());
 }
 
 TEST(BackgroundGridCheckTest, ReportsEverythingAtOnce) {

@@ -157,7 +157,7 @@ TEST(SolutionMetricTest, TheNumberOfElementsIsReachedWithinFivePercent) {
         EXPECT_NEAR(metric.elements / elements, 1.0, 0.05);
         // The number is an integral over the mesh, here once more by its nodes' shares.
         EXPECT_NEAR(metric.elements / (10.0 * complexityOf(mesh, metric.metrics)), 1.0, 1e-12);
-        for (std::size_t i = 0; i < metric.reduced.sizes.size(); ++i) {
+        for (std::size_t i = 0; i < metric.frontSizes.sizes.size(); ++i) {
           const StretchedSize sizes = stretchedSizeOf(tensorAt(metric.metrics, i));
           EXPECT_LE(sizes.size * sizes.stretching, 0.5 * (1.0 + 1e-6));
           if (isIsotropic) {
@@ -186,7 +186,7 @@ TEST(SolutionMetricTest, TheErrorOfAQuadraticFunctionGivesItsMetric) {
     EXPECT_NEAR(metric.errors[0], 0.002, 1e-8);
     // Volume 1: the norm is the error of every element, c times the square of the length in |H|.
     const double factor = unitErrors[norm] / 0.002;
-    for (std::size_t i = 0; i < metric.reduced.sizes.size(); ++i)
+    for (std::size_t i = 0; i < metric.frontSizes.sizes.size(); ++i)
       expectHessian(metric.metrics, i, hessian.scaledBy(factor), 1e-6 * factor);
   }
 }
@@ -262,13 +262,13 @@ TEST(SolutionMetricTest, AConstantFieldAsksForOneSize) {
     const SolutionMetric metric = sized(mesh, oneField(values), options);
     EXPECT_EQ(metric.hasVariation[0], 0);
     EXPECT_NEAR(metric.elements, 5000.0, 50.0);
-    for (const double size : metric.reduced.sizes)
-      EXPECT_NEAR(size, metric.reduced.sizes[0], 1e-12);
+    for (const double size : metric.frontSizes.sizes)
+      EXPECT_NEAR(size, metric.frontSizes.sizes[0], 1e-12);
     options.elements = 0.0;
     options.error = 1e-3;
     options.maxSize = 0.4;
     const SolutionMetric largest = sized(mesh, oneField(values), options);
-    for (std::size_t i = 0; i < largest.reduced.sizes.size(); ++i)
+    for (std::size_t i = 0; i < largest.frontSizes.sizes.size(); ++i)
       EXPECT_NEAR(stretchedSizeOf(tensorAt(largest.metrics, i)).size, 0.4, 1e-12);
   }
 }
@@ -285,7 +285,7 @@ TEST(SolutionMetricTest, SeveralFieldsAreAllFollowed) {
   const SolutionMetric metric = sized(mesh, both, options);
   EXPECT_NEAR(metric.elements / 50'000.0, 1.0, 0.05);
   std::array<double, 2> smallest{1.0, 1.0};
-  for (std::size_t i = 0; i < metric.reduced.sizes.size(); ++i) {
+  for (std::size_t i = 0; i < metric.frontSizes.sizes.size(); ++i) {
     const SymmetricTensor own = tensorAt(metric.metrics, i);
     smallest[0] = std::min(smallest[0], 1.0 / std::sqrt(own.xx));
     smallest[1] = std::min(smallest[1], 1.0 / std::sqrt(own.zz));
@@ -312,38 +312,71 @@ TEST(SolutionMetricTest, TheComponentsOfAVectorMayBeRotated) {
     ASSERT_NEAR(a.metrics[i], b.metrics[i], 1e-6 * (1.0 + std::fabs(a.metrics[i])));
 }
 
-TEST(SolutionMetricTest, OneStretchingKeepsTheNumberOfElements) {
+/// The front makes 6 sqrt 2 elements per cube of its size, the metric asks for 10 per unit of complexity.
+TEST(SolutionMetricTest, SizesOfTheFrontAreThoseOfTheMetric) {
   const VolumeMesh mesh = cubeOfTetrahedra(10, 0.1);
   SolutionMetricOptions options;
   options.elements = 20'000.0;
   const SolutionMetric metric = sized(mesh, oneField(atNodes(mesh, layers)), options);
-  for (std::size_t i = 0; i < metric.reduced.sizes.size(); ++i) {
-    const double volume = metric.reduced.sizes[i] * metric.reduced.sizes[i] *
-                          metric.reduced.sizes[i] * metric.reduced.stretchings[i];
-    // The front makes 6 sqrt 2 elements per unit of 1 / volume.
-    EXPECT_NEAR(std::sqrt(72.0) / volume / (10.0 * densityOf(tensorAt(metric.metrics, i))), 1.0,
-                1e-6);
-    EXPECT_GE(metric.reduced.stretchings[i], 1.0);
+  const FrontSizes& front = metric.frontSizes;
+  ASSERT_EQ(front.secondStretchings.size(), front.sizes.size());
+  const double perLength = std::cbrt(std::sqrt(72.0) / 10.0);
+  const auto at = [](const std::vector<double>& values, std::size_t i) {
+    return Vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+  };
+  for (std::size_t i = 0; i < front.sizes.size(); ++i) {
+    const SymmetricTensor own = tensorAt(metric.metrics, i);
+    const double size = front.sizes[i];
+    const Vec3 first = size * front.stretchings[i] * at(front.directions, i);
+    const Vec3 second = size * front.secondStretchings[i] * at(front.secondDirections, i);
+    const Vec3 across = size * glm::cross(at(front.directions, i), at(front.secondDirections, i));
+    for (const Vec3& edge : {first, second, across})
+      EXPECT_NEAR(metricLength(own, edge), perLength, 1e-6);
+    EXPECT_GE(front.stretchings[i], front.secondStretchings[i]);
+    EXPECT_GE(front.secondStretchings[i], 1.0);
   }
+}
+
+/// Metrics that are long in one direction need one stretching.
+TEST(SolutionMetricTest, OneStretchingIsEnoughForLongElements) {
+  std::vector<double> metrics(6 * 5);
+  Random random(4833);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const SymmetricTensor metric =
+        metricOf({.size = 0.2, .stretching = 7.0, .direction = random.inBox()});
+    putTensor(metrics, i, metric);
+  }
+  const auto converted = [&] {
+    FrontSizer sizer(metrics);
+    while (!sizer.advance(1)) {
+    }
+    return sizer.result();
+  };
+  EXPECT_TRUE(converted().secondStretchings.empty());
+  EXPECT_NEAR(converted().stretchings[3], 7.0, 1e-9);
+  EXPECT_NEAR(converted().sizes[3], 0.2 * std::cbrt(std::sqrt(72.0) / 10.0), 1e-12);
+  putTensor(metrics, 4, metricOf({.size = 0.2, .stretching = 7.0, .secondStretching = 1.01}));
+  EXPECT_NEAR(converted().secondStretchings[4], 1.01, 1e-9);
+  EXPECT_EQ(converted().secondDirections.size(), 15U);
 }
 
 TEST(SolutionMetricTest, MetricsThatAreNotPositiveAreNamed) {
   std::vector<double> metrics;
   for (int i = 0; i < 20; ++i) metrics.insert(metrics.end(), {4.0, 0.0, 0.0, 4.0, 0.0, 4.0});
-  const auto reduced = [&] {
-    MetricReducer reducer(metrics);
-    while (!reducer.advance(1)) {
+  const auto converted = [&] {
+    FrontSizer sizer(metrics);
+    while (!sizer.advance(1)) {
     }
-    return reducer.result();
+    return sizer.result();
   };
-  EXPECT_EQ(reduced().invalidNode, ReducedMetric::kNoNode);
-  EXPECT_EQ(reduced().sizes.size(), 20U);
-  EXPECT_NEAR(reduced().sizes[7], 0.5 * std::cbrt(std::sqrt(72.0) / 10.0), 1e-15);
+  EXPECT_EQ(converted().invalidNode, FrontSizes::kNoNode);
+  EXPECT_EQ(converted().sizes.size(), 20U);
+  EXPECT_NEAR(converted().sizes[7], 0.5 * std::cbrt(std::sqrt(72.0) / 10.0), 1e-15);
   metrics[6 * 12 + 1] = 4.0;
-  EXPECT_EQ(reduced().invalidNode, 12U);
-  EXPECT_TRUE(reduced().sizes.empty());
+  EXPECT_EQ(converted().invalidNode, 12U);
+  EXPECT_TRUE(converted().sizes.empty());
   metrics[6 * 3] = std::nan("");
-  EXPECT_EQ(reduced().invalidNode, 3U);
+  EXPECT_EQ(converted().invalidNode, 3U);
 }
 
 TEST(SolutionMetricTest, LimitsThatExcludeTheNumberAreKept) {

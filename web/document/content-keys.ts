@@ -18,7 +18,7 @@ import type { DocumentContent } from "./edit";
 import { bodiesOf } from "./entities";
 import { addReal, Hash, hashText, listHasher } from "./hash";
 import { textKey } from "./long-texts";
-import { numbersPerNode, packedNodes, packedTetrahedra, partsOf } from "./packed-grid";
+import { numbersPerNode, packedNodes, packedSeconds, packedTetrahedra, partsOf } from "./packed-grid";
 import { forEachInSlices } from "./slices";
 
 /**
@@ -32,6 +32,7 @@ function hashNodes(nodes: Project["background"]["nodes"]): string {
   const hash = new Hash();
   const packed = packedNodes(nodes);
   for (let first = 0; first < packed.length; first += numbersPerNode) addNode(hash, packed, first);
+  for (const number of packedSeconds(nodes) ?? []) addReal(hash, number);
   return hash.text;
 }
 
@@ -59,6 +60,8 @@ export async function prepareKeys({
   const ofNodes = new Hash();
   const packed = packedNodes(nodes);
   await forEachInSlices(nodes.length, (i) => addNode(ofNodes, packed, numbersPerNode * i));
+  const seconds = packedSeconds(nodes) ?? new Float64Array();
+  await forEachInSlices(seconds.length, (i) => addReal(ofNodes, seconds[i] ?? 0));
   gridHashes.set(nodes, ofNodes.text);
   const ofTetrahedra = new Hash();
   const ids = packedTetrahedra(tetrahedra);

@@ -32,7 +32,9 @@ export function uniformSize({ background }: Project): number | undefined {
   if (known) return known.size;
   const { nodes } = background;
   const size = nodes[0]?.size;
-  const isUniform = nodes.every((node) => node.size === size && (node.stretching ?? 1) === 1);
+  const isUniform = nodes.every(
+    (node) => node.size === size && (node.stretching ?? 1) === 1 && (node.secondStretching ?? 1) === 1,
+  );
   const found = { size: isUniform ? size : undefined };
   uniformSizes.set(background, found);
   return found.size;

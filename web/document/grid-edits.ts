@@ -5,7 +5,7 @@ import type { ProjectEdit } from "./edit";
 import { recordOf } from "./draft-records";
 import type { Entity } from "./entities";
 import type { Position } from "./position";
-import { add, dot, mean, scale, unit } from "./vectors";
+import { add, dot, mean, orthogonalTo, scale, unit } from "./vectors";
 
 /** Edits of the background grid in the view: shapes of glyphs, and nodes that split tetrahedra. */
 
@@ -14,9 +14,12 @@ export interface NodeShape {
   readonly size: number;
   readonly stretching: number;
   readonly direction: Position;
+  /** 1 without a second stretching. */
+  readonly secondStretching: number;
+  readonly secondDirection: Position;
 }
 
-/** Sets size, stretching and direction of a node; a stretching of 1 leaves no direction. */
+/** Sets size, stretching and direction of a node; a stretching of 1 leaves no direction. A second direction stays orthogonal to it. */
 export function setNodeShape(id: number, { size, stretching, direction }: NodeShape): ProjectEdit {
   return {
     label: stepNames.setNodeShape(id),
@@ -27,6 +30,7 @@ export function setNodeShape(id: number, { size, stretching, direction }: NodeSh
       if (stretching > 1) {
         node.stretching = stretching;
         node.direction = [...direction];
+        if (node.secondDirection) node.secondDirection = [...orthogonalTo(direction, node.secondDirection)];
       } else {
         delete node.stretching;
         delete node.direction;
@@ -95,33 +99,63 @@ function swapped([a, b, c, d]: Corners, gone: number, by: number): Corners {
   return [of(a), of(b), of(c), of(d)];
 }
 
-/** Returns a node at the mean position with the mean size; stretched along the mean direction if all are stretched. */
+/** Returns a node at the mean position with the mean size; stretched along the mean directions if all are stretched. */
 function middleOf(id: number, corners: readonly ProjectBackgroundNode[]): ProjectBackgroundNode {
-  const meanOf = (values: readonly number[]): number =>
-    values.reduce((sum, value) => sum + value, 0) / values.length;
   const position = mean(corners.map((node) => node.position)) as [number, number, number];
-  const size = meanOf(corners.map((node) => node.size));
-  const node = { id, position, size };
-  const axes = corners.flatMap(({ stretching = 1, direction }) => {
+  const node = { id, position, size: meanOf(corners.map(({ size }) => size)) };
+  const first = meanStretching(corners.map(({ stretching, direction }) => ({ stretching, direction })));
+  if (!first) return node;
+  const second = meanStretching(
+    corners.map(({ secondStretching: stretching, secondDirection: direction }) => ({
+      stretching,
+      direction,
+    })),
+  );
+  return {
+    ...node,
+    ...first,
+    ...(second && {
+      secondStretching: second.stretching,
+      secondDirection: orthogonalTo(first.direction, second.direction),
+    }),
+  };
+}
+
+const meanOf = (values: readonly number[]): number =>
+  values.reduce((sum, value) => sum + value, 0) / values.length;
+
+type Stretching = Pick<ProjectBackgroundNode, "stretching" | "direction">;
+
+/** Returns the mean stretching and direction; undefined if not all are stretched. */
+function meanStretching(
+  all: readonly Stretching[],
+): { readonly stretching: number; readonly direction: [number, number, number] } | undefined {
+  const axes = all.flatMap(({ stretching = 1, direction }) => {
     const axis = stretching > 1 && direction ? unit(direction) : null;
     return axis ? [axis] : [];
   });
   const [first] = axes;
-  if (!first || axes.length < corners.length) return node;
+  if (!first || axes.length < all.length) return undefined;
   // Opposite directions are the same axis.
   const sum = axes.reduce((total, axis) => add(total, scale(axis, dot(axis, first) < 0 ? -1 : 1)), [
     0, 0, 0,
   ] as Position);
   const direction = (unit(sum) ?? first) as [number, number, number];
-  return { ...node, stretching: meanOf(corners.map(({ stretching = 1 }) => stretching)), direction };
+  return { stretching: meanOf(all.map(({ stretching = 1 }) => stretching)), direction };
 }
 
 /** Returns a number of three significant digits: a drag needs no more. */
 export const rounded = (value: number): number => Number(value.toPrecision(3));
 
 /** Returns the shape of a node, with the direction that a stretching would get. */
-export function shapeOfNode({ size, stretching = 1, direction }: ProjectBackgroundNode): NodeShape {
-  return { size, stretching, direction: direction ?? [1, 0, 0] };
+export function shapeOfNode({
+  size,
+  stretching = 1,
+  direction = [1, 0, 0],
+  secondStretching = 1,
+  secondDirection = [0, 1, 0],
+}: ProjectBackgroundNode): NodeShape {
+  return { size, stretching, direction, secondStretching, secondDirection };
 }
 
 export function shapeOfSource({ positions, size, distance = 0 }: ProjectSource): SourceShape {

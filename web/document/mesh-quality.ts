@@ -30,7 +30,12 @@ export type QualitySpace = "metric" | "space";
 
 /** Returns whether the background grid asks for stretched elements. */
 export function asksForStretching({ background, meshing }: Project): boolean {
-  return meshing?.size === undefined && background.nodes.some(({ stretching = 1 }) => stretching > 1);
+  return (
+    meshing?.size === undefined &&
+    background.nodes.some(
+      ({ stretching = 1, secondStretching = 1 }) => stretching > 1 || secondStretching > 1,
+    )
+  );
 }
 
 /** The part of a mesh that quality in space depends on. */

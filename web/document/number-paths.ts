@@ -99,6 +99,7 @@ const angle: Range = [1, 180];
 const ranges: Readonly<Record<string, Range>> = {
   size: aboveZero,
   stretching: [1, LIMITS.stretching],
+  secondStretching: [1, LIMITS.stretching],
   growth: [0, LIMITS.growth],
   "placement.scale": aboveZero,
   "remeshing.size": aboveZero,
@@ -116,7 +117,7 @@ export function isAllowed({ field }: NumberPath, value: number): boolean {
   const isOfFeature = field.startsWith("features.");
   // The kernel says which numbers of features fit together.
   if (isOfFeature && /\.(count|sides)$/.test(field)) return Number.isInteger(value) && value > 0;
-  if (isOfFeature || /position|direction/.test(field)) return Math.abs(value) <= LIMITS.length;
+  if (isOfFeature || /position|[dD]irection/.test(field)) return Math.abs(value) <= LIMITS.length;
   // A rotation is a unit quaternion: its parts do not change one by one.
   if (field.startsWith("placement.rotation")) return false;
   const [min, max] = ranges[field] ?? [0, LIMITS.length];

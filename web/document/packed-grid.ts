@@ -14,20 +14,33 @@ export interface PackedGrid {
   readonly nodes: Float64Array;
   /** Four node ids per tetrahedron. */
   readonly tetrahedra: Float64Array;
+  /** Per node: second stretching, second direction x y z; NaN for a missing value. Absent if no node has any. */
+  readonly seconds?: Float64Array | undefined;
 }
 
 export const numbersPerNode = 9;
+export const numbersPerSecond = 4;
 
 const nodesOf = new WeakMap<Nodes, Float64Array>();
+const secondsOf = new WeakMap<Nodes, { readonly seconds: Float64Array | undefined }>();
 const tetrahedraOf = new WeakMap<Tetrahedra, Float64Array>();
 const arraysOf = new WeakMap<
   Float64Array,
-  { readonly nodes: Float64Array; readonly arrays: BackgroundArrays }
+  {
+    readonly nodes: Float64Array;
+    readonly seconds: Float64Array | undefined;
+    readonly arrays: BackgroundArrays;
+  }
 >();
 
 /** Returns the same array every time for the same list. */
 export function packedNodes(nodes: Nodes): Float64Array {
   return remembered(nodesOf, nodes, packNodes);
+}
+
+/** Returns the second stretchings and directions of nodes; undefined if no node has any. The same array every time for the same list. */
+export function packedSeconds(nodes: Nodes): Float64Array | undefined {
+  return remembered(secondsOf, nodes, (list) => ({ seconds: packSeconds(list) })).seconds;
 }
 
 /** Returns the same array every time for the same list. */
@@ -36,7 +49,12 @@ export function packedTetrahedra(tetrahedra: Tetrahedra): Float64Array {
 }
 
 export function packedGrid({ nodes, tetrahedra }: ProjectBackground): PackedGrid {
-  return { nodes: packedNodes(nodes), tetrahedra: packedTetrahedra(tetrahedra) };
+  const seconds = packedSeconds(nodes);
+  return {
+    nodes: packedNodes(nodes),
+    tetrahedra: packedTetrahedra(tetrahedra),
+    ...(seconds && { seconds }),
+  };
 }
 
 function remembered<In extends object, Out>(
@@ -65,6 +83,21 @@ function packNodes(nodes: Nodes): Float64Array {
   return packed;
 }
 
+function packSeconds(nodes: Nodes): Float64Array | undefined {
+  if (
+    nodes.every(({ secondStretching, secondDirection }) => secondStretching === undefined && !secondDirection)
+  ) {
+    return undefined;
+  }
+  const packed = new Float64Array(numbersPerSecond * nodes.length).fill(NaN);
+  nodes.forEach(({ secondStretching, secondDirection }, i) => {
+    const first = numbersPerSecond * i;
+    if (secondStretching !== undefined) packed[first] = secondStretching;
+    if (secondDirection !== undefined) packed.set(secondDirection, first + 1);
+  });
+  return packed;
+}
+
 function packTetrahedra(tetrahedra: Tetrahedra): Float64Array {
   const packed = new Float64Array(4 * tetrahedra.length);
   let out = 0;
@@ -80,7 +113,20 @@ export function partsOf(
   return { stretching: !Number.isNaN(nodes[first + 5]), direction: !Number.isNaN(nodes[first + 6]) };
 }
 
-function nodeAt(packed: Float64Array, i: number): ProjectBackgroundNode {
+/** Returns the second stretching and direction of node i, as far as it has them. */
+function secondAt(
+  seconds: Float64Array | undefined,
+  i: number,
+): Pick<ProjectBackgroundNode, "secondStretching" | "secondDirection"> {
+  const [stretching = NaN, x = NaN, y = NaN, z = NaN] =
+    seconds?.subarray(numbersPerSecond * i, numbersPerSecond * (i + 1)) ?? [];
+  return {
+    ...(Number.isNaN(stretching) ? {} : { secondStretching: stretching }),
+    ...(Number.isNaN(x) ? {} : { secondDirection: [x, y, z] as const }),
+  };
+}
+
+function nodeAt({ nodes: packed, seconds }: PackedGrid, i: number): ProjectBackgroundNode {
   const first = numbersPerNode * i;
   const number = (k: number): number => packed[first + k] ?? 0;
   const { stretching, direction } = partsOf(packed, first);
@@ -90,6 +136,7 @@ function nodeAt(packed: Float64Array, i: number): ProjectBackgroundNode {
     size: number(4),
     ...(stretching ? { stretching: number(5) } : {}),
     ...(direction ? { direction: [number(6), number(7), number(8)] as const } : {}),
+    ...secondAt(seconds, i),
   };
 }
 
@@ -100,25 +147,27 @@ function nodeAt(packed: Float64Array, i: number): ProjectBackgroundNode {
 export async function unpackGrid(grid: PackedGrid): Promise<{ nodes: Nodes; tetrahedra: Tetrahedra }> {
   const nodes: ProjectBackgroundNode[] = [];
   const tetrahedra: Tetrahedra[number][] = [];
-  await forEachInSlices(grid.nodes.length / numbersPerNode, (i) => nodes.push(nodeAt(grid.nodes, i)));
+  await forEachInSlices(grid.nodes.length / numbersPerNode, (i) => nodes.push(nodeAt(grid, i)));
   await forEachInSlices(grid.tetrahedra.length / 4, (t) => {
     const id = (corner: number): number => grid.tetrahedra[4 * t + corner] ?? 0;
     tetrahedra.push([id(0), id(1), id(2), id(3)]);
   });
   nodesOf.set(nodes, grid.nodes);
+  secondsOf.set(nodes, { seconds: grid.seconds });
   tetrahedraOf.set(tetrahedra, grid.tetrahedra);
   const positionOf = positionFinder(grid.nodes);
   const positions = new Uint32Array(grid.tetrahedra.length);
   await forEachInSlices(positions.length, (i) => (positions[i] = positionOf(grid.tetrahedra[i] ?? 0)));
   await nextTurn();
-  const arrays = { ...nodeArrays(grid.nodes), tetrahedra: positions };
-  arraysOf.set(grid.tetrahedra, { nodes: grid.nodes, arrays });
+  const arrays = { ...nodeArrays(grid.nodes), ...secondArrays(grid.seconds), tetrahedra: positions };
+  arraysOf.set(grid.tetrahedra, { nodes: grid.nodes, seconds: grid.seconds, arrays });
   return { nodes, tetrahedra };
 }
 
 /** Returns a grid that the engine has made, with ids from 1. */
 export function packArrays(arrays: BackgroundArrays): PackedGrid {
   const { points, sizes, stretchings, directions, tetrahedra } = arrays;
+  const seconds = secondsFrom(arrays);
   const nodes = new Float64Array(numbersPerNode * sizes.length).fill(NaN);
   for (let i = 0; i < sizes.length; ++i) {
     const first = numbersPerNode * i;
@@ -130,19 +179,43 @@ export function packArrays(arrays: BackgroundArrays): PackedGrid {
     nodes[first + 5] = stretching;
     if (directions) nodes.set(directions.subarray(3 * i, 3 * i + 3), first + 6);
   }
-  return { nodes, tetrahedra: Float64Array.from(tetrahedra, (node) => node + 1) };
+  return {
+    nodes,
+    tetrahedra: Float64Array.from(tetrahedra, (node) => node + 1),
+    ...(seconds && { seconds }),
+  };
+}
+
+function secondsFrom({
+  sizes,
+  secondStretchings,
+  secondDirections,
+}: BackgroundArrays): Float64Array | undefined {
+  if (secondStretchings === undefined || secondStretchings.every((stretching) => stretching === 1)) {
+    return undefined;
+  }
+  const seconds = new Float64Array(numbersPerSecond * sizes.length).fill(NaN);
+  secondStretchings.forEach((stretching, i) => {
+    if (stretching === 1) return;
+    seconds[numbersPerSecond * i] = stretching;
+    if (secondDirections) {
+      seconds.set(secondDirections.subarray(3 * i, 3 * i + 3), numbersPerSecond * i + 1);
+    }
+  });
+  return seconds;
 }
 
 /** Returns the grid in the engine's form, without its sources. */
 export function engineGrid(background: ProjectBackground): BackgroundArrays {
-  const { nodes, tetrahedra } = packedGrid(background);
+  const { nodes, tetrahedra, seconds } = packedGrid(background);
   const known = arraysOf.get(tetrahedra);
-  if (known?.nodes === nodes) return { ...known.arrays, coverageMargin: background.coverageMargin };
+  if (known?.nodes === nodes && known.seconds === seconds)
+    return { ...known.arrays, coverageMargin: background.coverageMargin };
   // If only sizes or positions have changed, the node indices of the tetrahedra are still valid.
   const positions =
     known && sameIds(known.nodes, nodes) ? known.arrays.tetrahedra : nodePositions(nodes, tetrahedra);
-  const arrays = { ...nodeArrays(nodes), tetrahedra: positions };
-  arraysOf.set(tetrahedra, { nodes, arrays });
+  const arrays = { ...nodeArrays(nodes), ...secondArrays(seconds), tetrahedra: positions };
+  arraysOf.set(tetrahedra, { nodes, seconds, arrays });
   return { ...arrays, coverageMargin: background.coverageMargin };
 }
 
@@ -168,6 +241,24 @@ function nodeArrays(nodes: Float64Array): Omit<BackgroundArrays, "tetrahedra"> {
       directions[3 * i + k] = direction ? (nodes[first + 6 + k] ?? 0) : Number(k === 0);
   }
   return { points, sizes, stretchings, directions };
+}
+
+/** Returns the engine's form of second stretchings; nothing if all are 1. */
+function secondArrays(
+  seconds: Float64Array | undefined,
+): Pick<BackgroundArrays, "secondStretchings" | "secondDirections"> {
+  if (seconds === undefined) return {};
+  const count = seconds.length / numbersPerSecond;
+  const secondStretchings = new Float64Array(count);
+  const secondDirections = new Float64Array(3 * count);
+  for (let i = 0; i < count; ++i) {
+    const { secondStretching = 1, secondDirection = [0, 1, 0] } = secondAt(seconds, i);
+    secondStretchings[i] = secondStretching;
+    secondDirections.set(secondDirection, 3 * i);
+  }
+  return secondStretchings.every((stretching) => stretching === 1)
+    ? {}
+    : { secondStretchings, secondDirections };
 }
 
 function nodePositions(nodes: Float64Array, tetrahedra: Float64Array): Uint32Array {

@@ -1,5 +1,6 @@
 import type { Project, ProjectBackground, ProjectMeshing } from "tetrafront/project";
 import { stepNames } from "../strings";
+import { frameAlong, orthogonalTo } from "./vectors";
 import { nounOf, recordOf, type Axis, type ProjectDraft } from "./draft-records";
 import type { DraftEdit, ProjectEdit } from "./edit";
 
@@ -32,6 +33,33 @@ export function setNodeStretching(id: number, stretching: number): DraftEdit {
   };
 }
 
+export function setNodeSecondStretching(id: number, stretching: number): DraftEdit {
+  return {
+    label: stepNames.setNode("second stretching", id),
+    mergeKey: `second-stretching-${id}`,
+    change: ({ project }) => {
+      const node = recordOf(project.background.nodes, id);
+      if (!node) return;
+      node.secondStretching = stretching;
+      node.secondDirection ??= [...frameAlong(node.direction ?? [1, 0, 0]).x];
+    },
+  };
+}
+
+export function setNodeSecondDirection(id: number, axis: Axis, value: number): DraftEdit {
+  return {
+    label: stepNames.setNode("second direction", id),
+    mergeKey: `second-direction-${id}-${axis}`,
+    change: ({ project }) => {
+      const node = recordOf(project.background.nodes, id);
+      if (!node) return;
+      node.secondDirection ??= [0, 1, 0];
+      node.secondDirection[axis] = value;
+    },
+  };
+}
+
+/** Sets a component of the direction of a node. A second direction stays orthogonal to it. */
 export function setNodeDirection(id: number, axis: Axis, value: number): DraftEdit {
   return {
     label: stepNames.setNode("direction", id),
@@ -41,6 +69,8 @@ export function setNodeDirection(id: number, axis: Axis, value: number): DraftEd
       if (!node) return;
       node.direction ??= [1, 0, 0];
       node.direction[axis] = value;
+      if (node.secondDirection)
+        node.secondDirection = [...orthogonalTo(node.direction, node.secondDirection)];
     },
   };
 }

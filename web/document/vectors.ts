@@ -90,6 +90,19 @@ export function frameAlong(direction: Position, origin: Position = zero): Frame 
   return { origin, x, y: cross(z, x), z };
 }
 
+/**
+ * Returns a direction orthogonal to another one: the given one if it is up to rounding, else its part across, else any. The given
+ * one without another one.
+ */
+export function orthogonalTo(other: Position | undefined, given: Position): Position {
+  const axis = other && unit(other);
+  const direction = unit(given);
+  if (!axis || !direction) return given;
+  const along = dot(axis, direction);
+  if (Math.abs(along) < rounding) return given;
+  return unit(addScaled(direction, axis, -along)) ?? frameAlong(axis).x;
+}
+
 /** Returns the axis of coordinates that lies in the plane of z and x of the frame along a direction of length 1. */
 export function axisBeside(z: Position): Position {
   const smallest = [0, 1, 2].reduce((best, axis) =>

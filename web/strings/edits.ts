@@ -17,8 +17,10 @@ export const stepNames = {
   splitLine: (id: number) => `Split line ${id}`,
   setPatchType: (id: number) => `Change type of patch ${id}`,
   setPatchLoops: (id: number) => `Change loops of patch ${id}`,
-  setNode: (field: "size" | "stretching" | "direction", id: number) =>
-    `Set ${field} of background node ${id}`,
+  setNode: (
+    field: "size" | "stretching" | "direction" | "second stretching" | "second direction",
+    id: number,
+  ) => `Set ${field} of background node ${id}`,
   setSource: (field: "size" | "distance" | "growth", id: number) => `Set ${field} of source ${id}`,
   setNodeShape: (id: number) => `Shape background node ${id}`,
   setSourceShape: (id: number) => `Shape source ${id}`,

@@ -35,6 +35,8 @@ export const panelStrings = {
     size: "Size",
     stretching: "Stretching",
     direction: "Direction",
+    secondStretching: "Second stretching",
+    secondDirection: "Second direction",
     type: "Type",
     points: "Points",
     outerLoop: "Outer loop",

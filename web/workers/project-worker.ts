@@ -15,7 +15,9 @@ serveCalls<ProjectProtocol>({
     const drawn = { ...result.value, background: { ...background, nodes: [], tetrahedra: [] } };
     const value = bodies.length > 0 ? { ...drawn, bodies: [] } : drawn;
     const grid = packedGrid(background);
-    const ofGrid = [grid.nodes.buffer as ArrayBuffer, grid.tetrahedra.buffer as ArrayBuffer];
+    const ofGrid = [grid.nodes, grid.tetrahedra, ...(grid.seconds ? [grid.seconds] : [])].map(
+      ({ buffer }) => buffer as ArrayBuffer,
+    );
     const transfer = [...ofGrid, ...buffersOfPacked(bodies)];
     return { answer: { result: { success: true, value }, grid, bodies }, transfer };
   },

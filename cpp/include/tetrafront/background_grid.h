@@ -18,6 +18,18 @@ struct BackgroundNode {
   Vec3 direction{1.0, 0.0, 0.0};  ///< stretching direction, of any length
 };
 
+/// Second stretching of a background node, along a direction orthogonal to its first one: elements may be thin in one
+/// direction and wide in two.
+struct SecondStretching {
+  double stretching = 1.0;  ///< target length along `direction` / size of the node, >= 1
+  /// Of any length. If the first stretching is above 1 too, the cosine of the angle between the two directions is at most
+  /// kMaxDirectionCosine, and the part orthogonal to the first direction counts.
+  Vec3 direction{0.0, 1.0, 0.0};
+};
+
+/// Two directions of a node with a smaller cosine than this are orthogonal, up to the rounding of typed decimals.
+inline constexpr double kMaxDirectionCosine = 0.01;
+
 enum class SourceType : std::uint8_t {
   kPoint = 0,     ///< uses points[0]
   kSegment = 1,   ///< uses points[0] and points[1]
@@ -49,6 +61,10 @@ struct BackgroundGrid {
   /// tetrahedron, >= 0. 0 suits a grid around a model. gridFromMesh() sets it, because a mesh does not quite reach
   /// the curved patches from which it was generated.
   double coverageMargin = 0.0;
+
+  /// One per node, or none if no node has a second stretching. If any is above 1, metrics are interpolated and limited as
+  /// such (field/grid_locator.h); otherwise sizes are.
+  std::vector<SecondStretching> secondStretchings{};
 };
 
 }  // namespace tetrafront

@@ -96,6 +96,10 @@ constexpr DiagnosticValues valuesOf(DiagnosticCode code) {
       return {{"size", "The invalid size, as given."}};
     case DiagnosticCode::kStretchingOutOfRange:
       return {{"stretching", "The invalid stretching, as given."}};
+    case DiagnosticCode::kSecondStretchingOutOfRange:
+      return {
+          {"stretching", "The second stretching, as given."},
+          {"cosine", "Cosine of the angle between the two directions; 0 without two directions."}};
     case DiagnosticCode::kOutsideBackgroundGrid:
       return {optional(count("Number of positions outside, if they were counted."))};
     case DiagnosticCode::kTooManyElements:

@@ -40,29 +40,31 @@ struct SolutionMetricOptions {
   static constexpr std::uint32_t kNoIndicator = 0xffffffffU;
 };
 
-/// Metrics as the sizes of a background grid, which has one stretching: the shorter two sizes of each node are replaced by
-/// their geometric mean, so the number of elements per volume is kept. The front's sizes are shorter than the lengths of
-/// the edges that it makes, so they are 0.947 of the lengths in the metric, with which it makes as many elements.
-struct ReducedMetric {
-  std::vector<double> sizes;
-  std::vector<double> stretchings;
-  std::vector<double> directions;       ///< x y z per node, of length 1
-  std::uint32_t invalidNode = kNoNode;  ///< the first node whose metric is not positive definite
+/// Metrics as the sizes of a background grid. The front's sizes are shorter than the lengths of the edges that it makes, so
+/// they are 0.947 of the lengths in the metric, with which it makes as many elements. If the two shorter sizes are the
+/// same at all nodes, up to rounding, there is no second stretching.
+struct FrontSizes {
+  std::vector<double> sizes;              ///< per node: the smallest size
+  std::vector<double> stretchings;        ///< per node: largest size / smallest size
+  std::vector<double> directions;         ///< x y z of the largest size per node, of length 1
+  std::vector<double> secondStretchings;  ///< per node: middle size / smallest size; or empty
+  std::vector<double> secondDirections;   ///< x y z per node, of length 1; or empty
+  std::uint32_t invalidNode = kNoNode;    ///< the first node whose metric is not positive definite
 
   static constexpr std::uint32_t kNoNode = 0xffffffffU;
 };
 
-/// Reduces metrics, six numbers per node: xx xy xz yy yz zz. If one is not positive definite, or has an aspect above
+/// Converts metrics, six numbers per node: xx xy xz yy yz zz. If one is not positive definite, or has an aspect above
 /// 1e6, the result has no sizes. A unit of work is eight nodes.
-class MetricReducer : public SlicedTool<ReducedMetric> {
+class FrontSizer : public SlicedTool<FrontSizes> {
  public:
-  explicit MetricReducer(std::vector<double> metrics);
+  explicit FrontSizer(std::vector<double> metrics);
 };
 
 /// A metric at the nodes of a mesh.
 struct SolutionMetric {
   std::vector<double> metrics;  ///< six numbers per node: xx xy xz yy yz zz
-  ReducedMetric reduced;
+  FrontSizes frontSizes;
   double elements = 0.0;  ///< number of elements that the metric asks for
   /// Per field: interpolation error of a mesh of regular unit elements; for the indicator, its largest value there.
   std::vector<double> errors;

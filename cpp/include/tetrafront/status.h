@@ -91,6 +91,8 @@ enum class DiagnosticCode : std::uint16_t {
   /// Loft, line: a section that does not run from a point of the fourth line to a point of the second, beyond the section
   /// before it.
   kMisplacedSection = 30,
+  /// Background node: invalid second stretching, or directions that are not orthogonal.
+  kSecondStretchingOutOfRange = 31,
   // Closed boundary
   kOpenEdge = 40,       ///< line (and its patch) or triangle with one triangle only at an edge
   kDanglingSheet = 41,  ///< triangle (and its patch) with the same region on both sides

@@ -51,6 +51,24 @@ void checkNode(const BackgroundNode& node, GridNodeId id, double smallest,
     report(diagnose<DiagnosticCode::kStretchingOutOfRange>(node.stretching));
 }
 
+/// Reports an invalid second stretching, and directions that are not orthogonal.
+void checkSecond(const BackgroundNode& node, const SecondStretching& second, GridNodeId id,
+                 std::vector<Diagnostic>& found) {
+  const bool isInRange = second.stretching >= 1.0 && second.stretching <= kMaxStretching;
+  const bool isStretched = second.stretching > 1.0;
+  const bool hasDirection = isFinite(second.direction) && second.direction != Vec3(0.0);
+  const bool areBoth = isStretched && hasDirection && node.stretching > 1.0 &&
+                       isFinite(node.direction) && node.direction != Vec3(0.0);
+  const double cosine =
+      areBoth
+          ? std::fabs(glm::dot(glm::normalize(node.direction), glm::normalize(second.direction)))
+          : 0.0;
+  if (isInRange && (!isStretched || hasDirection) && cosine <= kMaxDirectionCosine) return;
+  found.push_back(diagnose<DiagnosticCode::kSecondStretchingOutOfRange>(second.stretching, cosine)
+                      .about({entityOf(id)}));
+  if (isFinite(node.position)) found.back() = std::move(found.back()).at(node.position);
+}
+
 /// Reports sizes that are too small. checkSizeSources() reports those that are not positive.
 void checkSourceSize(const SizeSource& source, SourceId id, double smallest,
                      std::vector<Diagnostic>& found) {
@@ -125,6 +143,7 @@ Task<std::vector<Diagnostic>> checkBackgroundGrid(Work& work, const BackgroundGr
   }
   const std::size_t nodes = grid.nodes.size();
   const std::size_t tetrahedra = grid.tetrahedra.size();
+  const bool hasSecond = !grid.secondStretchings.empty();
   GridExtent extent;
   work.beginPart(0.05);
   co_await work.forEachId<GridNodeId>(
@@ -132,7 +151,11 @@ Task<std::vector<Diagnostic>> checkBackgroundGrid(Work& work, const BackgroundGr
   const double smallest = extent.smallestSize();
   work.beginPart(0.15);
   co_await work.forEachId<GridNodeId>(
-      nodes, [&](GridNodeId node) { checkNode(nodeOf(grid, node), node, smallest, found); },
+      nodes,
+      [&](GridNodeId node) {
+        checkNode(nodeOf(grid, node), node, smallest, found);
+        if (hasSecond) checkSecond(nodeOf(grid, node), secondOf(grid, node), node, found);
+      },
       kCheckedPerUnit);
   for (const SourceId id : IdRange<SourceId>(grid.sources.size())) {
     checkSourceSize(grid.sources[id.index()], id, smallest, found);

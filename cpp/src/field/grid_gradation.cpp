@@ -112,12 +112,27 @@ class WaitingNodes {
   IndexedHeap heap_;
 };
 
-void limitAlong(const GridEdge& edge, double growth, std::vector<SymmetricTensor>& tensors) {
-  const SymmetricTensor grown = SymmetricTensor::isotropic(growth * edge.length);
+/// Returns the largest tensor beside one at the other end of an edge.
+SymmetricTensor grownUniformly(const SymmetricTensor& tensor, double growth) {
+  SymmetricTensor largest = tensor;
+  largest.accumulate(SymmetricTensor::isotropic(growth), 1.0);
+  return largest;
+}
+
+/// Returns the largest tensor with the directions and ratios of one at the other end of an edge.
+SymmetricTensor grownInRatio(const SymmetricTensor& tensor, const Vec3& along, double growth) {
+  return tensor.scaledBy(1.0 + growth * glm::length(tensor.inverse() * along));
+}
+
+void limitAlong(const BackgroundGrid& grid, const GridEdge& edge, double growth,
+                std::vector<SymmetricTensor>& tensors) {
+  const bool keepsRatios = !grid.secondStretchings.empty();
+  const Vec3 along = positionOf(grid, edge.b) - positionOf(grid, edge.a);
   const auto lower = [&](GridNodeId node, GridNodeId by) {
-    SymmetricTensor largest = tensors[by.index()];
-    largest.accumulate(grown, 1.0);
-    tensors[node.index()] = limitedBy(tensors[node.index()], largest);
+    const SymmetricTensor& other = tensors[by.index()];
+    tensors[node.index()] =
+        limitedBy(tensors[node.index()], keepsRatios ? grownInRatio(other, along, growth)
+                                                     : grownUniformly(other, growth * edge.length));
   };
   lower(edge.a, edge.b);
   lower(edge.b, edge.a);
@@ -175,7 +190,7 @@ Task<> limitTensors(Work& work, const BackgroundGrid& grid, double growth,
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     work.beginPart(0.6 + 0.4 * (sweep + 1) / kSweeps);
     co_await forEachEdge(work, edges,
-                         [&](const GridEdge& edge) { limitAlong(edge, growth, tensors); });
+                         [&](const GridEdge& edge) { limitAlong(grid, edge, growth, tensors); });
     std::ranges::reverse(edges);
   }
 }

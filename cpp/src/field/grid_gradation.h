@@ -22,7 +22,10 @@ inline constexpr std::size_t kGridVisitsPerUnit = 8;
 Task<> limitSizes(Work& work, BackgroundGrid& grid, double growth);
 
 /// Limits every axis of stretched nodes: three sweeps of H_i <= H_j + growth |x_i - x_j| I over the
-/// edges, in alternating directions, small sizes first. A limit then acts over at least three
+/// edges, in alternating directions, small sizes first. In a grid with second stretchings, the
+/// limit is (1 + growth l) H_j instead, where l is the length of the edge in target lengths of node
+/// j: directions and ratios are kept, as in metric/mesh_metric.h, so that thin elements stay thin
+/// along their layer. A limit then acts over at least three
 /// edges, and over any number of edges towards larger sizes. An exact fixpoint is not worth its
 /// cost. `growth` > 0.
 Task<> limitTensors(Work& work, const BackgroundGrid& grid, double growth,

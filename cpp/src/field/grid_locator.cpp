@@ -6,6 +6,7 @@
 
 #include "field/grid_access.h"
 #include "field/grid_locator_builder.h"
+#include "metric/metric.h"
 #include "topology/tetrahedron.h"
 
 namespace tetrafront {
@@ -176,7 +177,7 @@ SymmetricTensor GridLocator::tensorAt(const Location& location) const {
   for (std::size_t i = 0; i < 4; ++i) {
     tensor.accumulate(tensors_[nodes[i].index()], location.weights[i]);
   }
-  return tensor;
+  return isLogarithmic_ ? exponentialOf(tensor) : tensor;
 }
 
 double GridLocator::sizeAt(const Location& location) const {

@@ -39,10 +39,11 @@ class GridLocator {
   /// Interpolates the nodes' sizes linearly: the target edge length if nothing is stretched.
   [[nodiscard]] double sizeAt(const Location& location) const;
 
-  /// Interpolates the nodes' size tensors H linearly.
+  /// Interpolates the nodes' size tensors H linearly; if any node has a second stretching, their logarithms
+  /// (metric/metric.h). The linear mean of two thin elements of different directions is far thicker than both.
   [[nodiscard]] SymmetricTensor tensorAt(const Location& location) const;
 
-  /// Whether any node has a stretching other than 1.
+  /// Whether any node has a stretching or a second one other than 1.
   [[nodiscard]] bool isStretched() const { return !tensors_.empty(); }
 
   [[nodiscard]] const BackgroundGrid& grid() const { return grid_; }
@@ -50,7 +51,7 @@ class GridLocator {
   template <class Self, class Visit>
   static void visitMembers(Self& self, Visit& visit) {
     visit(self.grid_.nodes, self.grid_.tetrahedra, self.grid_.coverageMargin, self.tensors_,
-          self.frames_, self.sizes_, self.tree_, self.maxSteps_, self.slack_);
+          self.isLogarithmic_, self.frames_, self.sizes_, self.tree_, self.maxSteps_, self.slack_);
   }
 
  private:
@@ -75,6 +76,7 @@ class GridLocator {
 
   BackgroundGrid grid_;
   std::vector<SymmetricTensor> tensors_;  ///< per node; empty if nothing is stretched
+  bool isLogarithmic_ = false;            ///< `tensors_` are the logarithms of H
   std::vector<Frame> frames_;
   std::vector<double> sizes_;  ///< per node, contiguous for the cache
   BoxTree tree_;

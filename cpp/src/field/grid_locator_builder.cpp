@@ -7,10 +7,12 @@
 #include <span>
 #include <utility>
 
+#include "base/free_memory.h"
 #include "base/ids.h"
 #include "field/grid_access.h"
 #include "field/grid_gradation.h"
 #include "field/tensor_limits.h"
+#include "metric/metric.h"
 #include "topology/face_table.h"
 #include "topology/tetrahedron.h"
 
@@ -50,11 +52,14 @@ class GridLocatorBuilder {
     low_ = glm::min(low_, node.position);
     high_ = glm::max(high_, node.position);
     isStretched_ = isStretched_ || node.stretching != 1.0;
+    hasSecond_ = hasSecond_ || secondOf(made_.grid_, id).stretching != 1.0;
   }
 
   void endExtent() {
     const Vec3 extent = high_ - low_;
     made_.slack_ = kBorderRounding * std::max({extent.x, extent.y, extent.z});
+    isStretched_ = isStretched_ || hasSecond_;
+    if (!hasSecond_) freeMemory(made_.grid_.secondStretchings);
     if (isStretched_) made_.tensors_.reserve(nodeCount());
     made_.sizes_.reserve(nodeCount());
     made_.frames_.reserve(tetrahedronCount());
@@ -63,7 +68,9 @@ class GridLocatorBuilder {
   [[nodiscard]] bool isStretched() const { return isStretched_; }
 
   void addTensor(GridNodeId node) {
-    made_.tensors_.push_back(sizeTensor(nodeOf(made_.grid_, node)));
+    const BackgroundNode& own = nodeOf(made_.grid_, node);
+    made_.tensors_.push_back(hasSecond_ ? sizeTensor(own, secondOf(made_.grid_, node))
+                                        : sizeTensor(own));
   }
 
   Task<> limitGrowth(Work& work) {
@@ -71,6 +78,7 @@ class GridLocatorBuilder {
                         : limitSizes(work, made_.grid_, growth_);
   }
 
+  /// The last step that needs the tensor of the node: with second stretchings, its logarithm replaces it.
   void addSize(GridNodeId node) {
     double& size = nodeOf(made_.grid_, node).size;
     if (isStretched_ && growth_ > 0.0) {
@@ -78,6 +86,9 @@ class GridLocatorBuilder {
       size = std::min(size, std::min({sizes[0], sizes[1], sizes[2]}));
     }
     made_.sizes_.push_back(size);
+    if (!hasSecond_) return;
+    SymmetricTensor& tensor = made_.tensors_[node.index()];
+    tensor = logarithmOf(tensor);
   }
 
   void addFrame(GridTetId tet) {
@@ -117,6 +128,8 @@ class GridLocatorBuilder {
 
   [[nodiscard]] GridLocator take(BoxTree tree) {
     made_.tree_ = std::move(tree);
+    made_.isLogarithmic_ = hasSecond_;
+    freeMemory(made_.grid_.secondStretchings);
     return std::move(made_);
   }
 
@@ -128,6 +141,7 @@ class GridLocatorBuilder {
   double growth_;
   GridLocator made_;
   bool isStretched_ = false;
+  bool hasSecond_ = false;
   Vec3 low_{std::numeric_limits<double>::max()};
   Vec3 high_{-std::numeric_limits<double>::max()};
 };

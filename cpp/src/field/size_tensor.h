@@ -36,4 +36,21 @@ namespace tetrafront {
           extra * a.y * a.z};
 }
 
+/// Returns H of one node with a second stretching s2 along b, orthogonal to a:
+///
+///     H = d (I + (s - 1) a a^T + (s2 - 1) b b^T).
+[[nodiscard]] inline SymmetricTensor sizeTensor(const BackgroundNode& node,
+                                                const SecondStretching& second) {
+  SymmetricTensor tensor = sizeTensor(node);
+  if (!(second.stretching > 1.0)) return tensor;
+  Vec3 b = second.direction;
+  if (node.stretching > 1.0) {
+    const Vec3& a = node.direction;
+    b -= (glm::dot(a, b) / glm::dot(a, a)) * a;
+  }
+  const double extra = node.size * (second.stretching - 1.0) / glm::dot(b, b);
+  tensor.accumulate({b.x * b.x, b.y * b.y, b.z * b.z, b.x * b.y, b.x * b.z, b.y * b.z}, extra);
+  return tensor;
+}
+
 }  // namespace tetrafront

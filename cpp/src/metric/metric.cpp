@@ -17,8 +17,8 @@ namespace {
 constexpr double kSimilarLengths = 0.1;
 constexpr int kMeanTerms = 7;
 
-template <class Function>
-SymmetricTensor mapped(const SymmetricTensor& tensor, Function function) {
+/// Applies a function to the principal values. Not a template: one copy serves the logarithm and the exponential.
+SymmetricTensor mapped(const SymmetricTensor& tensor, double (*function)(double)) {
   PrincipalAxes principal = principalAxes(tensor);
   for (double& value : principal.values) value = function(value);
   return composed(principal);
@@ -62,12 +62,10 @@ double densityOf(const SymmetricTensor& metric) {
   return density > 0.0 ? density : 0.0;
 }
 
-SymmetricTensor logarithmOf(const SymmetricTensor& metric) {
-  return mapped(metric, [](double value) { return logarithm(value); });
-}
+SymmetricTensor logarithmOf(const SymmetricTensor& metric) { return mapped(metric, &logarithm); }
 
 SymmetricTensor exponentialOf(const SymmetricTensor& tensor) {
-  return mapped(tensor, [](double value) { return exponential(value); });
+  return mapped(tensor, &exponential);
 }
 
 SymmetricTensor meanOf(std::span<const SymmetricTensor> metrics, std::span<const double> weights) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/diagnostics.h"
+#include "field/grid_access.h"
 #include "field/size_octree_builder.h"
 #include "field/size_sites.h"
 #include "sizing/target_sizes.h"
@@ -34,14 +35,6 @@ double minTargetSize(const SurfaceMesh& surface, const BackgroundGrid& grid,
   }
   for (const SizeSource& source : grid.sources) smallest = std::min(smallest, source.size);
   return smallest;
-}
-
-/// Returns the largest size of a grid's nodes, along the direction of stretching.
-double maxGridSize(const BackgroundGrid& grid) {
-  double largest = 0.0;
-  for (const BackgroundNode& node : grid.nodes)
-    largest = std::max(largest, node.size * std::max(1.0, node.stretching));
-  return largest;
 }
 
 Vec3 centroidOf(const SurfaceMesh& surface, TriangleId triangle) {
@@ -99,7 +92,7 @@ Task<std::vector<double>> AchievableSizes::measureEdges(Work& work,
 Task<> AchievableSizes::capField(Work& work, const std::vector<Vec3>& points,
                                  const std::vector<double>& lengths) {
   if (!usesGrid_) co_return;
-  const double cap = maxGridSize(grid_);
+  const double cap = largestSizeOf(grid_);
   const auto isShorter = [&](double length) { return length > 0.0 && length < cap; };
   if (std::ranges::none_of(lengths, isShorter)) co_return;
   SizeOctreeBuilder builder(points, lengths, options_.growth, cap);

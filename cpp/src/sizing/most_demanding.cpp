@@ -127,7 +127,8 @@ std::vector<double> elementsOfNodes(const BackgroundGrid& grid, const Bounds& mo
     for (const GridNodeId id : nodesOf(grid, tet)) {
       const BackgroundNode& node = nodeOf(grid, id);
       const double volume = std::min(whole, commonVolume(box, atLeastAsThickAs(node.size, model)));
-      const double perElement = node.size * node.size * node.size * node.stretching;
+      const double perElement =
+          node.size * node.size * node.size * node.stretching * secondOf(grid, id).stretching;
       elements[id.index()] += kTetrahedraPerUnitVolume * 0.25 * volume / perElement;
     }
   }

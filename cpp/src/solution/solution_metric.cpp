@@ -17,7 +17,7 @@
 #include "solution/indicator_density.h"
 #include "solution/power.h"
 #include "solution/recovered_hessian.h"
-#include "solution/reduced_metric.h"
+#include "solution/front_sizes.h"
 #include "tetrafront/solution.h"
 #include "topology/mesh_access.h"
 
@@ -277,7 +277,7 @@ void describe(const SizingInput& input, std::span<const FieldMetric> fields,
     result.errors.push_back(error);
     result.hasVariation.push_back(varies ? 1 : 0);
   }
-  result.reduced = reducedMetric(result.metrics);
+  result.frontSizes = frontSizesOf(result.metrics);
 }
 
 Task<SolutionMetric> sizeFromSolution(Work& work, const SizingInput& input) {

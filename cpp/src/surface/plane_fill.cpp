@@ -5,6 +5,7 @@
 
 #include "base/task.h"
 #include "base/trace_bytes.h"
+#include "field/grid_access.h"
 #include "field/grid_locator_builder.h"
 #include "surface/divided_lines.h"
 #include "surface/patch_boundary.h"
@@ -62,18 +63,12 @@ SizeField fieldOf(const BackgroundGrid& grid, double size) {
   return field;
 }
 
-double largestSize(const BackgroundGrid& grid, double size) {
-  for (const BackgroundNode& node : grid.nodes)
-    size = std::max(size, node.size * std::max(1.0, node.stretching));
-  return size;
-}
-
 class PlaneFiller {
  public:
   PlaneFiller(const Model& model, const BackgroundGrid& grid, const PlaneOptions& options,
               const FrontExperiment& experiment)
       : options_(options),
-        largestSize_(largestSize(grid, options.size)),
+        largestSize_(std::max(options.size, largestSizeOf(grid))),
         model_(model),
         surface_(model_, model.patches.front(),
                  PlanarSurface(Vec3(0.0), Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 0.0))),

@@ -47,7 +47,7 @@ test("most edges of an adapted mesh have unit length, and its patches and volume
   expect(mesh.nodeData.get("metric")?.values).toHaveLength(2 * mesh.points.length);
 });
 
-test("sizes with a stretching are a metric", async () => {
+test("sizes with two stretchings are a metric", async () => {
   const count = box.points.length / 3;
   const sizes = { components: 1, values: new Float64Array(count).fill(0.3) };
   const stretching = { components: 1, values: new Float64Array(count).fill(2) };
@@ -59,10 +59,15 @@ test("sizes with a stretching are a metric", async () => {
     ["size", sizes],
     ["stretching", stretching],
     ["direction", direction],
+    ["secondStretching", { components: 1, values: new Float64Array(count).fill(3) }],
+    [
+      "secondDirection",
+      { components: 3, values: Float64Array.from({ length: 3 * count }, (_, i) => Number(i % 3 === 0)) },
+    ],
   ]);
   const { mesh } = await mesher.adaptMesh(box, { ...box, nodeData });
   const [xx, xy, , yy, , zz] = mesh.nodeData.get("metric")?.values ?? [];
-  expect(xx).toBeCloseTo(0.3 ** -2, 9);
+  expect(xx).toBeCloseTo(0.9 ** -2, 9);
   expect(yy).toBeCloseTo(0.3 ** -2, 9);
   expect(zz).toBeCloseTo(0.6 ** -2, 9);
   expect(xy).toBeCloseTo(0, 9);

@@ -317,6 +317,39 @@ describe("a background grid passed as arrays", () => {
     expect(1.8 * long.report.tetrahedra).toBeLessThan(round.report.tetrahedra);
   });
 
+  test("makes elements thin in one direction and wide in two", async () => {
+    const axis = (k: number) => Float64Array.from({ length: 12 }, (_, i) => (i % 3 === k ? 2 : 0));
+    const four = new Float64Array(4).fill(4);
+    const thin = around(0.12, {
+      stretchings: four,
+      directions: axis(0),
+      secondStretchings: four,
+      secondDirections: axis(1),
+    });
+    const surface = boxSurface(1);
+    const remeshed = (background: BackgroundArrays) => mesher.remeshSurface(surface, { background });
+    const [{ mesh: flat }, { mesh: round }] = [await remeshed(thin), await remeshed(around(0.12))];
+    const run = await mesher.fillSurface(flat, { background: thin });
+    expectDone(run);
+    const { report } = await mesher.fillSurface(round, { background: around(0.12), optimization: "none" });
+    const ratio = report.tetrahedra / run.report.tetrahedra;
+    expect(ratio).toBeGreaterThan(11);
+    expect(ratio).toBeLessThan(21);
+    // The grid of a project has the same second stretchings.
+    const project = { ...cubeProject(), background: projectBackground(thin) };
+    expect(readProject(writeProject(project))).toEqual({ success: true, value: project });
+    const { secondStretchings, secondDirections } = backgroundArrays(project.background);
+    expect({ secondStretchings, secondDirections }).toEqual({
+      secondStretchings: four,
+      secondDirections: axis(1),
+    });
+    const [byArrays, byProject] = [
+      await mesher.meshProject(cubeProject(), { background: thin }),
+      await mesher.meshProject(project),
+    ];
+    expect(byArrays.report.fingerprint).toBe(byProject.report.fingerprint);
+  });
+
   test("keeps the sources of a project and the caller's arrays", async () => {
     const source: ProjectSource = { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.08, distance: 0.3 };
     const background = around(0.5);
@@ -398,6 +431,25 @@ describe("a background grid passed as arrays", () => {
       { background: around(1, { stretchings: new Float64Array(4) }) },
       "stretching-out-of-range",
       /node 0 .*stretching 0/,
+    ],
+    [
+      "with directions that are not orthogonal",
+      {
+        background: around(1, {
+          stretchings: new Float64Array(4).fill(2),
+          directions: Float64Array.from({ length: 12 }, (_, i) => Number(i % 3 === 0)),
+          secondStretchings: new Float64Array(4).fill(3),
+          secondDirections: Float64Array.from({ length: 12 }, (_, i) => Number(i % 3 < 2)),
+        }),
+      },
+      "second-stretching-out-of-range",
+      /node 0 .*two directions at an angle of 45°/,
+    ],
+    [
+      "with too few second stretchings",
+      { background: around(1, { secondStretchings: new Float64Array(3).fill(1) }) },
+      "invalid-arrays",
+      /fit/,
     ],
     [
       "with a node index out of range",

@@ -37,6 +37,8 @@ const background: BackgroundArrays = {
   sizes: new Float64Array(8).fill(1),
   stretchings: new Float64Array(8).fill(1),
   directions: new Float64Array(24).fill(1),
+  secondStretchings: new Float64Array(8).fill(1),
+  secondDirections: new Float64Array(24).fill(1),
   tetrahedra: block.tetrahedra,
   coverageMargin: 0.1,
   sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 1 }],
@@ -47,6 +49,8 @@ const sourcesOnly = {
   sizes: new Float64Array(),
   stretchings: undefined,
   directions: undefined,
+  secondStretchings: undefined,
+  secondDirections: undefined,
   tetrahedra: new Uint32Array(),
 };
 const body: ProjectBody = {

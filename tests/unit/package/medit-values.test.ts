@@ -59,6 +59,8 @@ describe.each([".mesh", ".meshb"])("%s", (extension) => {
       ["size", 1],
       ["stretching", 1],
       ["direction", 3],
+      ["secondStretching", 1],
+      ["secondDirection", 3],
       ["metric", 6],
     ]);
     const read = await readBack(mesh, `a${extension}`);

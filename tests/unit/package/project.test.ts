@@ -129,6 +129,11 @@ describe("numbers are accepted up to the engine's limit and rejected above it, w
       LIMITS.stretching,
       (c, stretching) => Object.assign(c.background?.nodes?.[0] ?? {}, { stretching }),
     ],
+    [
+      "background.nodes[0].secondStretching",
+      LIMITS.stretching,
+      (c, secondStretching) => Object.assign(c.background?.nodes?.[0] ?? {}, { secondStretching }),
+    ],
     ["background.sources[0].size", LIMITS.length, (c, size) => addSource(c, { ...source, size })],
     ["background.sources[0].distance", LIMITS.length, (c, distance) => addSource(c, { ...source, distance })],
     ["background.sources[0].growth", LIMITS.growth, (c, growth) => addSource(c, { ...source, growth })],

@@ -94,11 +94,17 @@ describe("sizeFromSolution", () => {
     const mesh = unitCube(10);
     const sizes = await mesher.sizeFromSolution(mesh, [scalar(mesh, layer)], { elements: 6000 });
     expect(Math.abs(sizes.elements / 6000 - 1)).toBeLessThan(0.05);
-    expect([...sizes.mesh.nodeData.keys()]).toEqual(["size", "stretching", "direction", "metric"]);
+    expect([...sizes.mesh.nodeData.keys()]).toEqual([
+      "size",
+      "stretching",
+      "direction",
+      "secondStretching",
+      "secondDirection",
+      "metric",
+    ]);
     const background = await mesher.backgroundFromMesh(sizes.mesh);
-    const { tetrahedra } = await mesher.sampleSizes(cubeProject(), new Float64Array(3), { background });
-    expect(tetrahedra).not.toBeNull();
-    expect(Math.abs((tetrahedra ?? 0) / 6000 - 1)).toBeLessThan(0.4);
+    const { report } = await mesher.meshProject(cubeProject(), { background, optimization: "none" });
+    expect(Math.abs(report.tetrahedra / 6000 - 1)).toBeLessThan(0.4);
   });
 
   test("warns about fields without variation, and numbers that the limits exclude", async () => {
@@ -288,15 +294,26 @@ describe("backgroundFromMesh", () => {
       ],
     ]);
 
-  test("reduces a metric to one stretching", async () => {
+  test("keeps the three sizes of a metric", async () => {
     const mesh = unitCube(2);
     // Sizes 0.1, 0.4 and 0.8 along z, x and y.
     const nodeData = metric([1 / 0.16, 0, 0, 1 / 0.64, 0, 100], mesh);
-    const { sizes, stretchings, directions } = await mesher.backgroundFromMesh({ ...mesh, nodeData });
+    const background = await mesher.backgroundFromMesh({ ...mesh, nodeData });
+    const { sizes, stretchings, directions, secondStretchings, secondDirections } = background;
     const perLength = Math.cbrt(Math.sqrt(72) / 10);
-    expect(sizes[0]).toBeCloseTo(0.2 * perLength, 12);
-    expect(stretchings?.[0]).toBeCloseTo(4, 12);
+    expect(sizes[0]).toBeCloseTo(0.1 * perLength, 12);
+    expect(stretchings?.[0]).toBeCloseTo(8, 12);
     expect([...(directions ?? []).slice(0, 3)].map(Math.abs)).toEqual([0, 1, 0]);
+    expect(secondStretchings?.[0]).toBeCloseTo(4, 12);
+    expect([...(secondDirections ?? []).slice(0, 3)].map(Math.abs)).toEqual([1, 0, 0]);
+  });
+
+  test("has no second stretching if all elements are long in one direction", async () => {
+    const mesh = unitCube(2);
+    const nodeData = metric([100, 0, 0, 1 / 0.64, 0, 100], mesh);
+    const background = await mesher.backgroundFromMesh({ ...mesh, nodeData });
+    expect(background.stretchings?.[0]).toBeCloseTo(8, 12);
+    expect(background.secondStretchings).toBeUndefined();
   });
 
   test("rejects a metric that is not positive", async () => {

@@ -324,7 +324,16 @@ describe("backgroundFromMesh", () => {
   });
 
   test("omits what is stored at a node without a tetrahedron", async () => {
-    const data = { size, stretching: [7, 1, 2, 3, 4, 5], direction };
+    const across = direction.flatMap((_, i) =>
+      i % 3 === 0 ? [-(direction[i + 1] ?? 0), direction[i] ?? 0, 0] : [],
+    );
+    const data = {
+      size,
+      stretching: [7, 1, 2, 3, 4, 5],
+      direction,
+      secondStretching: [1, 5, 4, 3, 2, 1],
+      SecondDirection: across,
+    };
     const grid = await mesher.backgroundFromMesh({
       points: Float64Array.from(points),
       tetrahedra: Uint32Array.from(corners.flat()),
@@ -338,6 +347,8 @@ describe("backgroundFromMesh", () => {
     expect([...grid.sizes]).toEqual(size.slice(1));
     expect([...(grid.stretchings ?? [])]).toEqual([1, 2, 3, 4, 5]);
     expect([...(grid.directions ?? [])]).toEqual(direction.slice(3));
+    expect([...(grid.secondStretchings ?? [])]).toEqual([5, 4, 3, 2, 1]);
+    expect([...(grid.secondDirections ?? [])]).toEqual(across.slice(3));
   });
 
   test("derives sizes from the edges if the file has none", async () => {
@@ -349,6 +360,16 @@ describe("backgroundFromMesh", () => {
   test.each<[string, Record<string, number>, RegExp]>([
     ["three sizes per node", { size: 3 }, /`size` must have one value/],
     ["a stretching without a direction", { size: 1, stretching: 1 }, /needs `direction`/],
+    [
+      "a second stretching alone",
+      { size: 1, secondStretching: 1, secondDirection: 3 },
+      /`secondStretching` needs `stretching`/,
+    ],
+    [
+      "directions that are not orthogonal",
+      { size: 1, stretching: 1, direction: 3, secondStretching: 1, secondDirection: 3 },
+      /node 0 .*not orthogonal.*orthogonal to the first/,
+    ],
   ])("rejects %s", async (_, data, message) => {
     await expect(mesher.backgroundFromMesh(volume(data))).rejects.toThrow(message);
   });

@@ -155,7 +155,7 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   checkRun: () => [model, noBodies, grid, options],
   sizeFromSolution: () => [mesh, atNodes, engineSolutionOptions({ elements: 1000 })],
   transferSolution: () => [mesh, mesh, atNodes, true],
-  reduceMetrics: () => [unitMetrics(40_000)],
+  frontSizesOf: () => [unitMetrics(40_000)],
 };
 
 describe.each(Object.entries(queries))("%s", (call, given) => {

@@ -20,6 +20,7 @@ function variousGrid(idOf: (id: number) => number): ProjectBackground {
       id: idOf(node.id),
       ...(i % 2 === 0 ? { stretching: 3 } : {}),
       ...(i % 4 === 0 ? { direction: [0, -1, 0.5] as const } : {}),
+      ...(i % 3 === 0 ? { secondStretching: 2, secondDirection: [4, 0, 0] as const } : {}),
     })),
     tetrahedra: tetrahedra.map(([a, b, c, d]) => [idOf(a), idOf(b), idOf(c), idOf(d)] as const),
     coverageMargin: 0.25,
@@ -39,6 +40,16 @@ describe("a packed grid", () => {
     expect(documentKey({ ...same, background: { ...same.background, nodes: other } })).not.toBe(
       documentKey(project),
     );
+  });
+
+  it("has another document key with another second stretching", () => {
+    const project = { ...cubeProject(), background: variousGrid(farIds) };
+    const { nodes } = project.background;
+    const keyWith = (changed: typeof nodes) =>
+      documentKey({ ...project, background: { ...project.background, nodes: changed } });
+    const key = documentKey(project);
+    expect(keyWith(nodes.map((node) => ({ ...node, secondStretching: 3 })))).not.toBe(key);
+    expect(keyWith(nodes.map((node) => ({ ...node })))).toBe(key);
   });
 
   it("is unpacked unchanged, without the optional values that its nodes lack", async () => {

@@ -3,8 +3,15 @@ import type { Project } from "tetrafront/project";
 import { addSourceAt, emptyProject, offerTetrahedron } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
 import { offerSplit } from "../../../web/document/grid-edits";
+import {
+  setNodeDirection,
+  setNodeSecondStretching,
+  setNodeStretching,
+} from "../../../web/document/size-edits";
+import type { Affine } from "../../../web/document/transforms/affine";
+import { offerTransform } from "../../../web/document/transforms/transform";
 import type { Position } from "../../../web/document/position";
-import { distance } from "../../../web/document/vectors";
+import { distance, dot } from "../../../web/document/vectors";
 import { DocumentStore } from "../../../web/session/document-store";
 import { draggedTo, handledOf, handlesOf, type HandleRole } from "../../../web/tools/handles/size-handles";
 import { glyphEnds } from "../../../web/viewer/layers/size-glyph-layer";
@@ -147,6 +154,32 @@ it("changes size, stretching and direction of a node by its handles", () => {
   expect(at()).toEqual({ id: 2, position: [1, 0, 0], size: 2 });
 });
 
+it("a second direction stays orthogonal to the first", () => {
+  const documents = new DocumentStore(twoTetrahedra());
+  const at = () => documents.project.background.nodes[1];
+  documents.edit(setNodeStretching(2, 3));
+  documents.edit(setNodeSecondStretching(2, 2));
+  expect(at()).toMatchObject({ direction: [1, 0, 0], secondStretching: 2, secondDirection: [0, 1, 0] });
+  const cosine = () => dot(at()?.direction ?? [NaN, 0, 0], at()?.secondDirection ?? [NaN, 0, 0]);
+  drag(documents, node(2), "direction", () => [3, 2, 1]);
+  expect(cosine()).toBeCloseTo(0, 12);
+  documents.edit(setNodeDirection(2, 0, 0.3));
+  expect(cosine()).toBeCloseTo(0, 12);
+  expect(at()?.secondStretching).toBe(2);
+  // Scaled in one direction, drawn directions are no longer orthogonal.
+  const { project } = documents;
+  const columns: Affine["columns"] = [
+    [5, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  const map: Affine = { columns, offset: [0, 0, 0], similarity: null };
+  const scaled = offerTransform(project, [node(2)], map, { label: "scale", join: false });
+  if (!scaled.possible) throw new Error(scaled.reason);
+  documents.edit(scaled.creation.edit);
+  expect(cosine()).toBeCloseTo(0, 12);
+});
+
 it("changes corners, size and distance of a source by its handles", () => {
   const documents = new DocumentStore(twoTetrahedra());
   documents.edit(
@@ -177,6 +210,14 @@ it("places handles in true size, but no nearer than a few pixels", () => {
   for (const { from, position } of handlesOf(handled, 10))
     expect(distance(from, position)).toBeGreaterThan(200);
   expect(handledOf(twoTetrahedra(), [entity, node(1)])).toBeNull();
+});
+
+it("draws ellipsoids with three half axes", () => {
+  const second = { axis: [3, 0, 0], along: 1.5 } as const;
+  const ends = glyphEnds({ centre: [1, 2, 3], axis: [0, 0, 2], across: 0.5, along: 2, second });
+  for (const [x, y, z] of ends) {
+    expect(((x - 1) / 1.5) ** 2 + ((y - 2) / 0.5) ** 2 + ((z - 3) / 2) ** 2).toBeCloseTo(1, 9);
+  }
 });
 
 it("draws ellipsoids whose points satisfy their equation", () => {

@@ -188,8 +188,8 @@ export interface Mesher {
   sampleCurvature(project: Project, control?: RunControl): Promise<CurvatureSamples>;
   /**
    * Converts a mesh to a background grid, with the given sizes (one per node), else with the node values `size` of its file,
-   * and with `stretching` and `direction` if it has both, else with sizes from its own edges, which ask for about as many
-   * elements as it has. A name may differ in case if no other name then matches. Omits nodes without a tetrahedron. Rejects with
+   * and with `stretching` and `direction`, `secondStretching` and `secondDirection` if it has them, else with those of its node
+   * values `metric`, else with sizes from its own edges, which ask for about as many elements as it has. A name may differ in case if no other name then matches. Omits nodes without a tetrahedron. Rejects with
    * `invalid-input` if the arrays are inconsistent.
    */
   backgroundFromMesh(
@@ -301,7 +301,8 @@ export interface Mesher {
   ): Promise<MeshImprovement>;
   /**
    * Adapts a mesh to a metric: afterwards, nearly all edges have about unit length in it. `background` is a mesh with the metric
-   * as node values: `metric` (xx, xy, xz, yy, yz, zz), or `size` and optionally `stretching` and `direction`. The boundary
+   * as node values: `metric` (xx, xy, xz, yy, yz, zz), or `size` and optionally `stretching` and
+   * `direction`, `secondStretching` and `secondDirection`. The boundary
    * of the mesh follows its given `triangles`, whose patches, sharp edges and corners stay; interfaces between regions stay
    * triangle for triangle. The result has the metric as node values. Rejects with `invalid-input` if the mesh is invalid, as
    * `improveMesh` does, and with `invalid-arrays` if a metric is not positive definite. About 0.2 ms per element of the result. Works in

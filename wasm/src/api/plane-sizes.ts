@@ -4,6 +4,7 @@ import * as v from "valibot";
 import { LIMITS, limitText } from "../base/limits.js";
 import { objectWith } from "../calls/schemas.js";
 import { type GridArrays, MAX_LENGTH, MIN_LENGTH, SOURCE_GROWTH } from "../generated/constants.js";
+import { noSecondStretchings } from "../project/grid-arrays.js";
 import type { PlaneNode, PlaneSizes, PlaneSource, UnfilledPlane } from "./plane-types.js";
 import { anyNumber, firstOf, type PlaneLoops, positionSchema } from "./plane-loops.js";
 
@@ -54,7 +55,12 @@ export function planeField(sizes: PlaneSizes, loops: PlaneLoops): PlaneField | U
   return {
     size: "size" in given ? given.size : 0,
     // The layer may end within the polygon: sizes outside are those of its nearest point.
-    grid: { ...layer, sources: sourceArrays(sources), coverageMargin: 1e6 },
+    grid: {
+      ...layer,
+      secondStretchings: noSecondStretchings(),
+      sources: sourceArrays(sources),
+      coverageMargin: 1e6,
+    },
   };
 }
 

@@ -10,11 +10,12 @@ import type { RunControl } from "../engine/control.js";
 import type { EngineClient } from "../engine/engine-client.js";
 import { countOf, numbered } from "../formats/groups.js";
 import { sixfoldVolume } from "../formats/sixfold-volume.js";
-import type { Mesh, NodeData, VolumeInput } from "../mesh/mesh.js";
+import type { Mesh, VolumeInput } from "../mesh/mesh.js";
 import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
 import { beginCall } from "./call-checks.js";
 import { patchesIn } from "./carried-mesh.js";
 import { checkArrays, checkImproveInput, checkMesh } from "./input-checks.js";
+import { frontSizeData } from "./node-sizes.js";
 import type { SolutionSizeOptions, TransferOptions } from "./option-types.js";
 import { checkSolutionSizeOptions, checkTransferOptions, engineSolutionOptions } from "./solution-options.js";
 
@@ -38,13 +39,7 @@ export async function sizeFromSolution(
   const asked = [volumeOf(mesh), packed(fields), engineSolutionOptions(options, indicator)] as const;
   const found = await client.ask("sizeFromSolution", asked, control);
   const { metrics, elements } = found;
-  const { sizes, stretchings, directions } = found.reduced;
-  const nodeData = new Map<string, NodeData>([
-    ["size", { components: 1, values: sizes }],
-    ["stretching", { components: 1, values: stretchings }],
-    ["direction", { components: 3, values: directions }],
-    ["metric", { components: 6, values: metrics }],
-  ]);
+  const nodeData = frontSizeData(found.frontSizes).set("metric", { components: 6, values: metrics });
   return {
     mesh: { ...completeVolume(mesh), nodeData },
     metrics,

@@ -4,14 +4,14 @@ import { refuse } from "../diagnostics/mesher-error.js";
 import type { EngineClient } from "../engine/engine-client.js";
 import type { MeshInspection } from "../mesh/inspection.js";
 import type { MeshImprovement } from "../mesh/improvement.js";
-import type { NodeData, VolumeInput } from "../mesh/mesh.js";
+import type { VolumeInput } from "../mesh/mesh.js";
 import type { BackgroundArrays } from "../project/background-arrays.js";
 import { backgroundFrom } from "../project/grid-arrays.js";
 import { beginCall } from "./call-checks.js";
 import { checkImproveInput, checkMesh, checkVolume, unreadableMesh } from "./input-checks.js";
 import { describedMesh } from "./inspection.js";
 import { describedImprovement, improvementErrors } from "./improvement.js";
-import { metricsAtNodes, type NodeSizes, notPositive, sizesAtNodes } from "./node-sizes.js";
+import { frontSizeData, metricsAtNodes, type NodeSizes, notPositive, sizesAtNodes } from "./node-sizes.js";
 import type { ImproveOptions } from "./option-types.js";
 import { checkGridOptions } from "./grid-options.js";
 import { checkImproveOptions, engineImproveOptions } from "./mesh-options.js";
@@ -77,14 +77,8 @@ export class VolumeTools {
   async #sizesAtNodes(mesh: VolumeInput, control: RunControl): Promise<NodeSizes> {
     const metrics = metricsAtNodes(mesh);
     if (metrics === undefined) return sizesAtNodes(mesh);
-    const reduced = await this.#client.ask("reduceMetrics", [metrics.slice()], control);
-    const { sizes, stretchings, directions, invalidNode } = reduced;
-    if (invalidNode < metrics.length / 6) refuse([notPositive(invalidNode)]);
-    const nodeData = new Map<string, NodeData>([
-      ["size", { components: 1, values: sizes }],
-      ["stretching", { components: 1, values: stretchings }],
-      ["direction", { components: 3, values: directions }],
-    ]);
-    return sizesAtNodes({ ...mesh, nodeData });
+    const front = await this.#client.ask("frontSizesOf", [metrics.slice()], control);
+    if (front.invalidNode < metrics.length / 6) refuse([notPositive(front.invalidNode)]);
+    return sizesAtNodes({ ...mesh, nodeData: frontSizeData(front) });
   }
 }

@@ -45,7 +45,8 @@ ${formatLines("writable", "volume")}
 Element sizes
   A size is an edge length in the unit of the file. A project defines its own sizes. For a surface, sizes
   start at its edges and grow inwards by --growth up to --size. --background takes the sizes from a project,
-  or from a mesh with node values "size" (also "stretching" and "direction"; without "size", its edges).
+  or from a mesh with node values "size" (also "stretching" and "direction", "secondStretching" and
+  "secondDirection"; without "size", "metric", else its edges).
   --source limits the sizes around a position. --max-volume caps all sizes, and tetrahedra that are larger
   nonetheless are split; the boundary does not change.
 
@@ -186,7 +187,7 @@ Input
 
 Background
   A volume mesh with the metric at its nodes: "metric" with xx, xy, xz, yy, yz and zz, or "size" and optionally
-  "stretching" and "direction". An edge e has the target length if e M e = 1. The file must cover the model.
+  "stretching" and "direction" (also second ones). An edge e has the target length if e M e = 1. The file must cover the model.
 
 Layers
   --layers PATCH:FIRST:GROWTH:COUNT makes thin elements along a patch: COUNT layers, the first one FIRST high, each GROWTH
@@ -350,8 +351,8 @@ ${formatLines("readable", "volume")}
 Output
   The same mesh as a background grid, for \`tetrafront adapt\`, \`tetrafront mesh --background\` and others. Its values
   at the nodes are "metric" (xx, xy, xz, yy, yz, zz: an edge e with e M e = 1 has the target length), and the
-  same with one stretching: "size", "stretching" and "direction". There, the shorter two sizes of a node
-  are replaced by their geometric mean, which keeps the number of elements.
+  same as sizes of the front: "size", "stretching" with "direction", "secondStretching" with "secondDirection".
+  They are 0.947 of those of the metric, with which the front makes as many elements as the metric asks for.
 
 Sizes
   Elements are small where the fields bend, and thin across their layers. --elements sets their number, --error the

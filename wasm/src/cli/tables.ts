@@ -85,7 +85,9 @@ export function unusedLines(volume: Pick<Mesh, "nodeData">): string[] {
   const unused = unusedData(volume);
   if (unused.length === 0) return [];
   const names = listed(unused.map((name) => `"${name}"`));
-  return [`values at the nodes are not used: ${names}; only "size", and "stretching" with "direction", are`];
+  return [
+    `values at the nodes are not used: ${names}; only "metric", "size", and "stretching" with "direction" (also second ones) are`,
+  ];
 }
 
 /** Returns a sentence about points that a command does not use. */

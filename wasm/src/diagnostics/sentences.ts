@@ -8,6 +8,7 @@ import {
   type CheckedOption,
   type EngineCode,
   type EntityKind,
+  MAX_DIRECTION_COSINE,
   MAX_LAYERS,
   MAX_SIZE_FACTOR,
   MAX_REMESH_ANGLE,
@@ -250,6 +251,14 @@ export const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
     message: ({ main, data }) =>
       `${main} has the stretching ${short(data.stretching)} or no direction, which is invalid`,
     remedy: "Use a stretching from 1 (none) to 1e6, and a direction that is not zero.",
+  },
+  "second-stretching-out-of-range": {
+    message: ({ main, data }) =>
+      data.cosine > MAX_DIRECTION_COSINE
+        ? `${main} has two directions at an angle of ${short((180 / Math.PI) * Math.acos(Math.min(1, data.cosine)))}°, which must be orthogonal`
+        : `${main} has the second stretching ${short(data.stretching)} or no second direction, which is invalid`,
+    remedy:
+      "Use a second stretching from 1 (none) to 1e6, and a second direction that is not zero and orthogonal to the first.",
   },
   "degenerate-background-tetrahedron": {
     message: ({ the, at }) => `${the("background-tetrahedron")} has no volume${at}`,

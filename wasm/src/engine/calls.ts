@@ -24,7 +24,7 @@ export const CALLS = {
   inspectMesh: { module: "tools" },
   curveEdges: { module: "tools" },
   sizeFromSolution: { module: "tools" },
-  reduceMetrics: { module: "tools" },
+  frontSizesOf: { module: "tools" },
   transferSolution: { module: "tools" },
   improveMesh: { module: "engine" },
   adaptMesh: { module: "tools" },

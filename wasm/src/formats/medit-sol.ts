@@ -18,7 +18,7 @@ const NAMES = ["size", "vector", "metric"] as const;
 /** Where xx, xy, xz, yy, yz and zz are in a symmetric matrix of the file; the order of the file among them is the same. */
 const UPPER = [0, 1, 3, 2, 4, 5] as const;
 /** Values of a background grid that follow from its metric. */
-const REDUCED = ["size", "stretching", "direction"];
+const SIZE_NAMES = ["size", "stretching", "direction", "secondStretching", "secondDirection"];
 /** Comment with the name of a field: one word, so that programs which read words skip it. */
 const NAME_COMMENT = /^\s*field-(\d+):(\S+)\s*$/;
 
@@ -135,7 +135,7 @@ export const isSolField = (components: number): boolean => COMPONENTS.some((coun
 /** Fields to be written: those of a background grid are its metric alone, as other programs read it. */
 function writtenFields(nodeData: ReadonlyMap<string, NodeData>): readonly (readonly [string, NodeData])[] {
   const all = [...nodeData];
-  return nodeData.has("metric") ? all.filter(([name]) => !REDUCED.includes(name)) : all;
+  return nodeData.has("metric") ? all.filter(([name]) => !SIZE_NAMES.includes(name)) : all;
 }
 
 const typeOf = ({ components }: NodeData): number =>

@@ -13,8 +13,8 @@ export interface FieldValues extends NodeData {
 /** Result of `sizeFromSolution`. */
 export interface SolutionSizes {
   /**
-   * The given mesh as a background grid: its `nodeData` are `metric`, six numbers per node, and the same with one stretching,
-   * for the front: `size`, `stretching` and `direction`.
+   * The given mesh as a background grid: its `nodeData` are `metric`, six numbers per node, and the same as sizes of the front:
+   * `size`, `stretching` with `direction` and, if two sizes do not suffice, `secondStretching` with `secondDirection`.
    */
   readonly mesh: Mesh;
   /** Per node xx, xy, xz, yy, yz, zz: an edge e with eᵀ M e = 1 has the target length. */

@@ -14,6 +14,8 @@ const backgroundSchema = v.pipe(
     sizes: doubles(),
     stretchings: v.optional(doubles()),
     directions: v.optional(doubles(3)),
+    secondStretchings: v.optional(doubles()),
+    secondDirections: v.optional(doubles(3)),
     tetrahedra: integers(4),
     coverageMargin: v.optional(
       v.custom<number>((value) => Number.isFinite(value) && Number(value) >= 0, "a finite number from 0 on"),
@@ -22,8 +24,12 @@ const backgroundSchema = v.pipe(
   v.rawCheck(({ dataset, addIssue }) => {
     if (!dataset.typed) return;
     const { points, sizes, stretchings = sizes, directions = points } = dataset.value;
+    const { secondStretchings = sizes, secondDirections = points } = dataset.value;
     const count = sizes.length;
-    if (points.length !== 3 * count || stretchings.length !== count || directions.length !== 3 * count) {
+    const fits =
+      [stretchings, secondStretchings].every(({ length }) => length === count) &&
+      [points, directions, secondDirections].every(({ length }) => length === 3 * count);
+    if (!fits) {
       addIssue({ message: `its arrays do not fit its ${plural(count, "size")}` });
     }
   }),
@@ -35,7 +41,7 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
   if (problem !== undefined) {
     const where = problem.path === "" ? "" : `.${problem.path}`;
     const remedy =
-      "Pass x y z and a size per node, a stretching and x y z of its direction if needed, and four node indices per tetrahedron.";
+      "Pass x y z and a size per node, a stretching and x y z of its direction (also second ones) if needed, and four node indices per tetrahedron.";
     return [invalidArrays(`the background${where} is invalid: ${problem.message}`, remedy)];
   }
   const { sources = [] } = background;
@@ -61,6 +67,10 @@ export interface BackgroundArrays {
   readonly stretchings?: Float64Array | undefined;
   /** x y z per node, of any length except 0. Required if a stretching is above 1. */
   readonly directions?: Float64Array | undefined;
+  /** Per node: target length along its second direction / its size, at least 1. Default 1. */
+  readonly secondStretchings?: Float64Array | undefined;
+  /** x y z per node, orthogonal to its direction, of any length except 0. Required if a second stretching is above 1. */
+  readonly secondDirections?: Float64Array | undefined;
   /** Four node indices per tetrahedron, in any orientation. */
   readonly tetrahedra: Uint32Array;
   /**

@@ -37,6 +37,7 @@ export function projectGrid(background: ProjectBackground): GridArrays {
   const { nodes, tetrahedra, sources = [], coverageMargin = 0 } = background;
   return {
     nodes: nodeArrays(nodes),
+    secondStretchings: secondArrays(nodes),
     tetrahedra: nodeIndices(tetrahedra, indexFinder(nodes)),
     sources: sourceArrays(sources),
     coverageMargin,
@@ -85,6 +86,7 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
   const sources = joinedSources(grid.sources, sourceArrays(background.sources ?? []));
   if (background.sizes.length === 0 && background.tetrahedra.length === 0) return { ...grid, sources };
   const { points, sizes, stretchings, directions, tetrahedra, coverageMargin = 0 } = background;
+  const { secondStretchings, secondDirections } = background;
   return {
     nodes: {
       position: points.slice(),
@@ -92,6 +94,12 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
       stretching: stretchings?.slice() ?? new Float64Array(sizes.length).fill(1),
       direction: directions?.slice() ?? Float64Array.from(points, (_, i) => Number(i % 3 === 0)),
     },
+    secondStretchings: secondStretchings
+      ? {
+          stretching: secondStretchings.slice(),
+          direction: secondDirections?.slice() ?? Float64Array.from(points, (_, i) => Number(i % 3 === 1)),
+        }
+      : noSecondStretchings(),
     tetrahedra: tetrahedra.slice(),
     sources,
     coverageMargin,
@@ -126,12 +134,16 @@ function joined<T extends Uint8Array | Float64Array>(
  */
 export function backgroundArrays(background: ProjectBackground): BackgroundArrays {
   checkArgument("background", background, backgroundForm);
-  const { nodes, tetrahedra, coverageMargin } = projectGrid(background);
+  const { nodes, secondStretchings, tetrahedra, coverageMargin } = projectGrid(background);
   return {
     points: nodes.position,
     sizes: nodes.size,
     stretchings: nodes.stretching,
     directions: nodes.direction,
+    ...(secondStretchings.stretching.length > 0 && {
+      secondStretchings: secondStretchings.stretching,
+      secondDirections: secondStretchings.direction,
+    }),
     tetrahedra,
     coverageMargin,
     sources: background.sources,
@@ -151,6 +163,7 @@ export function backgroundFrom({ nodes, tetrahedra, coverageMargin }: GridArrays
 export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
   refuse(checkBackground(arrays));
   const { points, sizes, stretchings, directions, tetrahedra, coverageMargin = 0, sources } = arrays;
+  const { secondStretchings, secondDirections } = arrays;
   const tripleAt = (values: Float64Array, i: number): [number, number, number] => [
     values[3 * i] ?? 0,
     values[3 * i + 1] ?? 0,
@@ -162,7 +175,12 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
       const stretching = stretchings?.[i] ?? 1;
       const shape =
         stretching === 1 ? {} : { stretching, ...(directions && { direction: tripleAt(directions, i) }) };
-      return { id: i + 1, position: tripleAt(points, i), size, ...shape };
+      const secondStretching = secondStretchings?.[i] ?? 1;
+      const second =
+        secondStretching === 1
+          ? {}
+          : { secondStretching, ...(secondDirections && { secondDirection: tripleAt(secondDirections, i) }) };
+      return { id: i + 1, position: tripleAt(points, i), size, ...shape, ...second };
     }),
     tetrahedra: Array.from({ length: tetrahedra.length / 4 }, (_, t) => [
       id(4 * t),
@@ -176,7 +194,13 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
 }
 
 const triple = v.array(v.number());
-const node = v.object({ id: v.number(), position: triple, size: v.number(), direction: v.optional(triple) });
+const node = v.object({
+  id: v.number(),
+  position: triple,
+  size: v.number(),
+  direction: v.optional(triple),
+  secondDirection: v.optional(triple),
+});
 const source = v.object({
   type: v.picklist(SOURCE_TYPES),
   positions: v.array(triple),
@@ -207,6 +231,21 @@ function nodeArrays(nodes: readonly ProjectBackgroundNode[]): GridArrays["nodes"
     i++;
   }
   return arrays;
+}
+
+/** Returns the second stretchings of all nodes; empty arrays if no node has one. */
+function secondArrays(nodes: readonly ProjectBackgroundNode[]): GridArrays["secondStretchings"] {
+  const arrays = noSecondStretchings();
+  if (nodes.every(({ secondStretching = 1 }) => secondStretching === 1)) return arrays;
+  const stretching = Float64Array.from(nodes, ({ secondStretching = 1 }) => secondStretching);
+  const direction = new Float64Array(3 * nodes.length);
+  nodes.forEach(({ secondDirection = [0, 1, 0] }, i) => direction.set(secondDirection, 3 * i));
+  return { stretching, direction };
+}
+
+/** The arrays are new each time, because they are transferred. */
+export function noSecondStretchings(): GridArrays["secondStretchings"] {
+  return { stretching: new Float64Array(), direction: new Float64Array() };
 }
 
 function sourceArrays(sources: readonly ProjectSource[]): SourceArrays {

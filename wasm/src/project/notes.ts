@@ -31,7 +31,7 @@ const FEATURE_FIELD = /^features\.(\d+)\.(.+)$/;
 const NUMBER_FIELDS: Readonly<Record<ExpressionKind, RegExp>> = {
   point: /^position\.[0-2]$/,
   body: new RegExp(`^(placement\\.(scale|position\\.[0-2]|rotation\\.[0-3])|remeshing\\.(${REMESHING}))$`),
-  "background-node": /^(size|stretching|(position|direction)\.[0-2])$/,
+  "background-node": /^(size|stretching|secondStretching|(position|direction|secondDirection)\.[0-2])$/,
   source: /^(size|distance|growth|positions\.[0-2]\.[0-2])$/,
 };
 

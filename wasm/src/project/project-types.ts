@@ -154,6 +154,10 @@ export interface ProjectBackgroundNode {
   readonly stretching?: number | undefined;
   /** Direction of stretching; any length except 0. */
   readonly direction?: readonly [number, number, number] | undefined;
+  /** Target edge length along `secondDirection`, divided by `size`: elements may be thin in one direction and wide in two. */
+  readonly secondStretching?: number | undefined;
+  /** Direction of the second stretching, orthogonal to `direction`; any length except 0. */
+  readonly secondDirection?: readonly [number, number, number] | undefined;
 }
 
 /** A source: at distance r from it, the target size is at most size + growth · max(0, r - distance). */

@@ -172,6 +172,8 @@ const backgroundNodeSchema = v.pipe(
     size: described(WORDS.nodeSize, upTo(LIMITS.length)),
     stretching: v.optional(described(WORDS.stretching, upTo(LIMITS.stretching))),
     direction: v.optional(described(WORDS.direction, threeNumbers)),
+    secondStretching: v.optional(described(WORDS.secondStretching, upTo(LIMITS.stretching))),
+    secondDirection: v.optional(described(WORDS.secondDirection, threeNumbers)),
   }),
   v.readonly(),
 );

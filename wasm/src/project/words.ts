@@ -26,6 +26,8 @@ export const WORDS = {
   nodeSize: `Target edge length in model units, above 0, up to ${LENGTH}`,
   stretching: "Target edge length along `direction`, divided by `size`; 1 to 1e6",
   direction: "Direction of stretching; any length except 0",
+  secondStretching: "Target edge length along `secondDirection`, divided by `size`; 1 to 1e6",
+  secondDirection: "Direction of the second stretching, orthogonal to `direction`; any length except 0",
   positions: "Corners: one for a point, two for a segment, three for a triangle",
   sourceSize: `Target edge length at the source, in model units, above 0, up to ${LENGTH}`,
   distance: `Distance from the source up to which \`size\` applies; 0 to ${LENGTH}, default 0`,

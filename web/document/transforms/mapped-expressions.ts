@@ -64,7 +64,11 @@ export function mappedExpressions(
       mapped([x, y, z]).forEach((part, axis) => keep(`${field}.${axis}`, part));
     };
     for (const field of positions[kind]) mapPart(field, (part) => mapQuantities(typed, part));
-    if (kind === "background-node") mapPart("direction", (part) => mapQuantityDirection(typed, part));
+    if (kind === "background-node") {
+      for (const field of ["direction", "secondDirection"]) {
+        mapPart(field, (part) => mapQuantityDirection(typed, part));
+      }
+    }
     for (const field of lengths[kind]) {
       const length = quantityAt(field);
       if (length !== null) keep(field, times(typed.factor, length));

@@ -3,6 +3,7 @@ import type { Offer } from "../create";
 import { nounOf } from "../draft-records";
 import { existingIn, type Entity } from "../entities";
 import { combined, noRotation } from "../placement";
+import { orthogonalTo } from "../vectors";
 import { operationStrings, stepNames } from "../../strings";
 import {
   determinant,
@@ -150,8 +151,12 @@ function recordChanger<Item extends { readonly id: number }>(
 
 function movedNode(node: ProjectBackgroundNode, map: Affine): ProjectBackgroundNode {
   const direction = node.direction && { direction: mapDirection(map, node.direction) };
+  // A scaling of one direction turns directions towards or away from each other.
+  const second = node.secondDirection && {
+    secondDirection: orthogonalTo(direction?.direction, mapDirection(map, node.secondDirection)),
+  };
   const position = mapPosition(map, node.position);
-  return { ...node, position, size: node.size * meanFactor(map), ...direction };
+  return { ...node, position, size: node.size * meanFactor(map), ...direction, ...second };
 }
 
 export function movedSource(source: ProjectSource, map: Affine): ProjectSource {

@@ -2,7 +2,13 @@ import { LIMITS } from "tetrafront";
 import type { Project, ProjectBackgroundNode } from "tetrafront/project";
 import { moveEntity } from "../../document/edits";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
-import { setNodeDirection, setNodeSize, setNodeStretching } from "../../document/size-edits";
+import {
+  setNodeDirection,
+  setNodeSecondDirection,
+  setNodeSecondStretching,
+  setNodeSize,
+  setNodeStretching,
+} from "../../document/size-edits";
 import { NumberRow } from "../../ui/fields/number-row";
 import { PositionRow } from "../../ui/fields/position-row";
 import { Unit } from "../../ui/fields/unit";
@@ -17,14 +23,18 @@ interface NodeEditorProps {
   readonly project: Project;
 }
 
-/** The size, stretching and position of a background node. */
+const zeroRefusal =
+  (direction: readonly number[]) =>
+  (axis: 0 | 1 | 2, value: number): string | null =>
+    direction.with(axis, value).every((x) => x === 0) ? strings.fields.zeroDirection : null;
+
+/** The size, stretchings and position of a background node. */
 export function NodeEditor({ node, project }: NodeEditorProps) {
   const { documents } = useApp();
-  const { id, size, stretching = 1, direction = [1, 0, 0] as const, position } = node;
+  const { id, size, stretching = 1, secondStretching = 1, direction = [1, 0, 0] as const, position } = node;
   const own = useOwnNumbers(project, [{ kind: "background-node", id }]);
   const path = (field: string) => ({ kind: "background-node", id, field }) as const;
-  const refuseZero = (axis: 0 | 1 | 2, value: number): string | null =>
-    direction.with(axis, value).every((x) => x === 0) ? strings.fields.zeroDirection : null;
+  const refuseZero = zeroRefusal(direction);
   return (
     <>
       <NumberRow
@@ -53,7 +63,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
           documents.edit(keepingExpression(setNodeStretching(id, value), path("stretching"), expression))
         }
       />
-      {stretching !== 1 && (
+      {(stretching !== 1 || secondStretching !== 1) && (
         <PositionRow
           label={strings.inspector.direction}
           value={direction}
@@ -68,6 +78,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
           }
         />
       )}
+      {(stretching !== 1 || secondStretching !== 1) && <SecondStretching node={node} project={project} />}
       <PositionRow
         label={strings.inspector.position}
         value={position}
@@ -85,6 +96,49 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
           )
         }
       />
+    </>
+  );
+}
+
+function SecondStretching({ node, project }: NodeEditorProps) {
+  const { documents } = useApp();
+  const { id, secondStretching = 1, secondDirection = [0, 1, 0] as const } = node;
+  const path = (field: string) => ({ kind: "background-node", id, field }) as const;
+  return (
+    <>
+      <NumberRow
+        label={strings.inspector.secondStretching}
+        value={secondStretching}
+        step={0.1}
+        refuse={upTo(LIMITS.stretching, atLeastOne)}
+        testId="node-second-stretching"
+        rightSection={<Unit>×</Unit>}
+        expression={expressionOf(project, path("secondStretching"))}
+        onCommit={(value, expression) =>
+          documents.edit(
+            keepingExpression(setNodeSecondStretching(id, value), path("secondStretching"), expression),
+          )
+        }
+      />
+      {secondStretching !== 1 && (
+        <PositionRow
+          label={strings.inspector.secondDirection}
+          value={secondDirection}
+          step={0.1}
+          refuse={zeroRefusal(secondDirection)}
+          testId="second-direction"
+          expressions={positionExpressions(project, path("secondDirection"))}
+          onCommit={(axis, value, expression) =>
+            documents.edit(
+              keepingExpression(
+                setNodeSecondDirection(id, axis, value),
+                path(`secondDirection.${axis}`),
+                expression,
+              ),
+            )
+          }
+        />
+      )}
     </>
   );
 }

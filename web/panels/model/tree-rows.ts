@@ -123,8 +123,10 @@ function describe(project: Project, { kind, id }: Entity, index: number): Descri
     case "body-patch":
       return named(findRecord(project, "body-patch", id)?.name, () => "");
     case "background-node": {
-      const { size = 0, stretching = 1 } = project.background.nodes[index] ?? {};
-      const stretched = stretching === 1 ? "" : ` ×${formatShort(stretching)}`;
+      const { size = 0, stretching = 1, secondStretching = 1 } = project.background.nodes[index] ?? {};
+      const stretched = [stretching, secondStretching]
+        .map((times) => (times === 1 ? "" : ` ×${formatShort(times)}`))
+        .join("");
       return named(undefined, () => `size ${formatShort(size)}${stretched}`, "node");
     }
     case "source": {

@@ -131,15 +131,21 @@ function labelOf({ kind, shape }: Handled, role: HandleRole): string {
   return drawing.grip(name, formatPosition(positions[role.corner] ?? []));
 }
 
-/** Returns the ellipsoid of a node, or the sphere of the size of a source at its first corner. */
+/** Returns the ellipsoid of a node, with three half axes if it has a second stretching, or the sphere of the size of a source at its first corner. */
 function glyphOf(handled: Handled): Glyph {
   if (handled.kind === "source") {
     const { positions, size } = handled.shape;
     const [centre = [0, 0, 0] as const] = positions;
     return { centre, axis: [0, 0, 1], across: size / 2, along: size / 2 };
   }
-  const [across, along] = radiiOf(handled.shape);
-  return { centre: handled.centre, axis: handled.shape.direction, across, along };
+  const { centre, shape } = handled;
+  const [across, along] = radiiOf(shape);
+  const { direction, secondStretching, secondDirection } = shape;
+  const second = secondStretching > 1 && { axis: secondDirection, along: across * secondStretching };
+  if (!second) return { centre, axis: direction, across, along };
+  // Without a first stretching, the second direction need not be orthogonal to the first.
+  if (!(shape.stretching > 1)) return { centre, across, ...second };
+  return { centre, axis: direction, across, along, second };
 }
 
 /** Returns the edit of a drag that moved a handle to a position. Lengths change by the same factor as their handle's. */

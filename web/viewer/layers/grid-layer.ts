@@ -2,6 +2,7 @@ import type { Project, ProjectBackgroundNode } from "tetrafront/project";
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, type Ray } from "three";
 import { engineGrid } from "../../document/packed-grid";
 import type { Position } from "../../document/position";
+import { subtract } from "../../document/vectors";
 import type { SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
 import { uniqueEdges } from "../queries/topology";
@@ -15,8 +16,8 @@ const headLength = 0.22;
 const headSpread = 0.4;
 
 /**
- * The background grid: edges of its tetrahedra, its nodes as squares, and at stretched nodes an arrow with two heads,
- * as long as the target edge length in its direction. A grid may be large, so it is laid out only while it is shown.
+ * The background grid: edges of its tetrahedra, its nodes as squares, and at stretched nodes an arrow with two heads per
+ * stretching, as long as the target edge length in its direction. A grid may be large, so it is laid out only while it is shown.
  */
 export class GridLayer implements HittableLayer {
   readonly root = new Group();
@@ -98,30 +99,36 @@ function edgeNodes({ background }: Project): Uint32Array<ArrayBuffer> {
   return uniqueEdges(engineGrid(background).tetrahedra).slice();
 }
 
-/** Returns the segments of a shaft and two heads per stretched node, which lie in one plane. */
+/** Returns the segments of a shaft and two heads per stretching of a node; those of an arrow lie in one plane. */
 function arrowEnds({ nodes }: Background, origin: Position): Float32Array {
   const ends: number[] = [];
-  for (const { position: at, size, stretching = 1, direction = [1, 0, 0] } of nodes) {
-    const length = Math.hypot(...direction);
-    if (!(stretching > 1) || !(length > 0)) continue;
-    const half = (size * stretching) / 2;
-    const [x, y, z] = direction.map((d) => (d / length) * half) as [number, number, number];
-    // Any direction across the arrow will do.
-    const across: Position = Math.abs(z) < 0.9 * half ? [-y, x, 0] : [0, -z, y];
-    const breadth = (headLength * headSpread * half) / (Math.hypot(...across) || 1);
-    const push = (along: number, aside: number): void => {
-      [x, y, z].forEach((d, k) =>
-        ends.push((at[k] ?? 0) - (origin[k] ?? 0) + along * d + aside * breadth * (across[k] ?? 0)),
-      );
-    };
-    push(-1, 0);
-    push(1, 0);
-    for (const end of [-1, 1]) {
-      for (const aside of [-1, 1]) {
-        push(end, 0);
-        push(end * (1 - headLength), aside);
-      }
-    }
+  for (const node of nodes) {
+    const { position, size, stretching = 1, direction = [1, 0, 0] } = node;
+    const { secondStretching = 1, secondDirection = [0, 1, 0] } = node;
+    const at = subtract(position, origin);
+    pushArrow(ends, at, direction, stretching > 1 ? (size * stretching) / 2 : 0);
+    pushArrow(ends, at, secondDirection, secondStretching > 1 ? (size * secondStretching) / 2 : 0);
   }
   return Float32Array.from(ends);
+}
+
+/** Adds the ends of the segments of an arrow of a half length, unless that is 0. */
+function pushArrow(ends: number[], at: Position, direction: Position, half: number): void {
+  const length = Math.hypot(...direction);
+  if (!(half > 0) || !(length > 0)) return;
+  const [x, y, z] = direction.map((d) => (d / length) * half) as [number, number, number];
+  // Any direction across the arrow will do.
+  const across: Position = Math.abs(z) < 0.9 * half ? [-y, x, 0] : [0, -z, y];
+  const breadth = (headLength * headSpread * half) / (Math.hypot(...across) || 1);
+  const push = (along: number, aside: number): void => {
+    [x, y, z].forEach((d, k) => ends.push((at[k] ?? 0) + along * d + aside * breadth * (across[k] ?? 0)));
+  };
+  push(-1, 0);
+  push(1, 0);
+  for (const end of [-1, 1]) {
+    for (const aside of [-1, 1]) {
+      push(end, 0);
+      push(end * (1 - headLength), aside);
+    }
+  }
 }

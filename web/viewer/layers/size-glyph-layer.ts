@@ -1,19 +1,21 @@
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Points } from "three";
 import type { Position } from "../../document/position";
-import { addScaled, frameAlong, type Frame } from "../../document/vectors";
+import { addScaled, cross, frameAlong, orthogonalTo, unit, type Frame } from "../../document/vectors";
 import { setStateColors, stateCodes } from "../draw-state";
 import { createDotMaterial } from "../materials/dot-material";
 import { setColor, setNumber } from "../materials/uniforms";
 import type { SceneChanges } from "../scene-state";
 import type { Layer } from "./layer";
 
-/** An ellipsoid of revolution, with an arrow along its axis. */
+/** An ellipsoid: one of revolution, unless it has a second axis. */
 export interface Glyph {
   readonly centre: Position;
   readonly axis: Position;
   /** Radii across the axis and along it. */
   readonly across: number;
   readonly along: number;
+  /** A direction orthogonal to the axis, and the radius along it. */
+  readonly second?: { readonly axis: Position; readonly along: number } | undefined;
 }
 
 /** What is drawn: glyphs, lines to the handles, and the handles. */
@@ -99,17 +101,25 @@ export class SizeGlyphLayer implements Layer {
 const nothing: GlyphSketch = { glyphs: [], handles: [], stems: [], hovered: null };
 
 /** Returns the ends of the segments of an ellipsoid: meridians and circles across the axis. */
-export function glyphEnds({ centre, axis, across, along }: Glyph): Position[] {
-  const frame = frameAlong(axis, centre);
+export function glyphEnds({ centre, axis, across, along, second }: Glyph): Position[] {
+  const frame = second ? frameOf(centre, axis, second.axis) : frameAlong(axis, centre);
+  const aside = second?.along ?? across;
   const rings = meridians.map((share) => {
     const [cosine, sine] = circleAt(share);
-    return ring((c, s) => at(frame, across * s * cosine, across * s * sine, along * c));
+    return ring((c, s) => at(frame, aside * s * cosine, across * s * sine, along * c));
   });
   const circles = parallels.map((height) => {
-    const radius = across * Math.sqrt(1 - height * height);
-    return ring((c, s) => at(frame, radius * c, radius * s, along * height));
+    const share = Math.sqrt(1 - height * height);
+    return ring((c, s) => at(frame, aside * share * c, across * share * s, along * height));
   });
   return [...rings, ...circles].flat();
+}
+
+/** Returns the frame of an ellipsoid whose x is the second axis. */
+function frameOf(origin: Position, axis: Position, second: Position): Frame {
+  const { z, x: any } = frameAlong(axis);
+  const x = unit(orthogonalTo(z, second)) ?? any;
+  return { origin, x, y: cross(z, x), z };
 }
 
 const circleAt = (share: number): readonly [cosine: number, sine: number] => [
