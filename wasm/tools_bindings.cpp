@@ -56,8 +56,7 @@ EMSCRIPTEN_BINDINGS(tools) {
   registerTool<SecondOrderBuilder, Doubles, Indices, Indices, Indices, Doubles>("SecondOrder",
                                                                                 "curveEdges");
   registerTypes<AdaptInput, MetricMesh, AdaptOptions, MeshAdaptation>();
-  registerTool<MeshAdapter, AdaptInput, MetricMesh, AdaptOptions, Doubles, ModelTriangles>(
-      "Adaptation", "adaptMesh");
+  registerTool<MeshAdapter, AdaptInput, MetricMesh, AdaptOptions>("Adaptation", "adaptMesh");
   registerTypes<std::vector<PatchLayers>, LayerOptions, LayeredMesh>();
   registerTool<LayerMaker, AdaptInput, MetricMesh, AdaptOptions, std::vector<PatchLayers>,
                LayerOptions>("Layers", "addLayers");

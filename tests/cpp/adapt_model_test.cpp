@@ -15,6 +15,7 @@
 #include "support/slices.h"
 #include "support/trimmed_models.h"
 #include "tetrafront/mesh_adaptation.h"
+#include "tetrafront/wall_layers.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -22,16 +23,14 @@ namespace {
 constexpr double kFirstSize = 0.25;
 constexpr double kModelSize = 0.16;
 
-struct MeshedSolid {
-  AdaptInput mesh;
-  std::vector<double> numbers;
-  ModelTriangles triangles;
-};
-
-MeshedSolid meshedSolid(const TrimmedSolid& solid) {
+AdaptInput meshedSolid(const TrimmedSolid& solid) {
   const SurfaceMesh surface = meshOfModel(solid.model, kFirstSize);
   const VolumeMesh mesh = meshed(surface, {});
-  return {{mesh.points, mesh.tetrahedra, {}, surface.triangles, surface.trianglePatch},
+  return {mesh.points,
+          mesh.tetrahedra,
+          {},
+          surface.triangles,
+          surface.trianglePatch,
           numbersOf(solid.model),
           modelTriangles(solid.model, 0.2)};
 }
@@ -47,9 +46,9 @@ MetricMesh sizes(const std::vector<double>& points, const std::vector<std::uint3
   return background;
 }
 
-MeshAdaptation adapted(const MeshedSolid& given, const MetricMesh& background,
-                       std::uint32_t budget = 1U << 20) {
-  MeshAdapter adapter(given.mesh, background, {}, given.numbers, given.triangles);
+MeshAdaptation adaptedOnModel(const AdaptInput& given, const MetricMesh& background,
+                              std::uint32_t budget = 1U << 20) {
+  MeshAdapter adapter(given, background, {});
   slicesOf(adapter, budget);
   return adapter.result();
 }
@@ -81,9 +80,9 @@ TEST(AdaptModel, HasItsNodesOnTheFacesAndEdges) {
   for (const TrimmedSolid& solid : {trimmedCone(0.6, 0.0, 1.0), trimmedPlate(2.0, 0.5, 0.5),
                                     trimmedTorus(1.0, 0.4), nurbsSphere(0.7), revolvedProfile()}) {
     SCOPED_TRACE(solid.name);
-    const MeshedSolid given = meshedSolid(solid);
+    const AdaptInput given = meshedSolid(solid);
     const MeshAdaptation made =
-        adapted(given, sizes(given.mesh.points, given.mesh.tetrahedra, 1.0));
+        adaptedOnModel(given, sizes(given.points, given.tetrahedra, 1.0));
     ASSERT_TRUE(made.diagnostics.empty());
     EXPECT_GT(made.after.nodes, 2 * made.before.nodes);
     EXPECT_LT(farthestFromFaces(solid, made), 1e-9);
@@ -99,10 +98,10 @@ TEST(AdaptModel, HasItsNodesOnTheFacesAndEdges) {
 TEST(AdaptModel, BeginsWithABackgroundThatFillsTheModel) {
   for (const TrimmedSolid& solid : {trimmedCylinder(0.7, 0.7), trimmedPlate(1.5, 0.4, 0.5)}) {
     SCOPED_TRACE(solid.name);
-    const MeshedSolid given = meshedSolid(solid);
+    const AdaptInput given = meshedSolid(solid);
     const MeshAdaptation made =
-        adapted(given, sizes(given.mesh.points, given.mesh.tetrahedra, 2.0));
-    const MeshAdaptation next = adapted(given, sizes(made.points, made.tetrahedra, 2.0));
+        adaptedOnModel(given, sizes(given.points, given.tetrahedra, 2.0));
+    const MeshAdaptation next = adaptedOnModel(given, sizes(made.points, made.tetrahedra, 2.0));
     ASSERT_TRUE(next.diagnostics.empty());
     std::set<Position> known;
     for (std::uint32_t i = 0; 3 * i < made.points.size(); ++i)
@@ -115,11 +114,36 @@ TEST(AdaptModel, BeginsWithABackgroundThatFillsTheModel) {
   }
 }
 
+/// The triangles of the given mesh are further from the wall than its first layer is high.
+TEST(AdaptModel, HasLayersAlongACurvedFace) {
+  constexpr double kRadius = 0.5;
+  const TrimmedSolid solid = trimmedPlate(2.0, 0.3, kRadius);
+  const AdaptInput given = meshedSolid(solid);
+  const auto hole = static_cast<std::uint32_t>(
+      std::ranges::find_if(solid.distances,
+                           [](const auto& distance) {
+                             return std::fabs(distance(Vec3(kRadius, 0.0, 0.1))) < 1e-12;
+                           }) -
+      solid.distances.begin());
+  const PatchLayers wall{.patch = hole, .firstHeight = 0.008, .growth = 1.4, .count = 5};
+  LayerOptions options;
+  options.maxAspect = 20.0;
+  LayerMaker maker(given, {}, {}, {wall}, options);
+  slicesOf(maker, 1U << 20U);
+  const LayeredMesh made = maker.result();
+  ASSERT_TRUE(made.adaptation.diagnostics.empty());
+  EXPECT_LT(farthestFromFaces(solid, made.adaptation), 1e-9);
+  EXPECT_GT(made.adaptation.after.unitEdges, 0.98);
+  EXPECT_GT(made.adaptation.after.leastQuality, 0.3);
+  EXPECT_NEAR(made.walls[0].meanFirstHeight, wall.firstHeight, 0.25 * wall.firstHeight);
+  EXPECT_NEAR(volumeOf(made.adaptation), solid.volume, 0.002 * solid.volume);
+}
+
 TEST(AdaptModel, DoesNotDependOnTheSlices) {
-  const MeshedSolid given = meshedSolid(trimmedCylinder(0.5, 0.5));
-  const MetricMesh background = sizes(given.mesh.points, given.mesh.tetrahedra, 1.0);
-  const MeshAdaptation one = adapted(given, background);
-  const MeshAdaptation other = adapted(given, background, 7);
+  const AdaptInput given = meshedSolid(trimmedCylinder(0.5, 0.5));
+  const MetricMesh background = sizes(given.points, given.tetrahedra, 1.0);
+  const MeshAdaptation one = adaptedOnModel(given, background);
+  const MeshAdaptation other = adaptedOnModel(given, background, 7);
   EXPECT_EQ(one.points, other.points);
   EXPECT_EQ(one.tetrahedra, other.tetrahedra);
 }

@@ -32,7 +32,7 @@ struct MetricMesh {
   std::vector<double> metrics;
 };
 
-/// The mesh to adapt. Its boundary triangles are the boundary that is followed.
+/// The mesh to adapt. The boundary that is followed is its own, or the faces of a model that this approximates.
 struct AdaptInput {
   std::vector<double> points;             ///< x y z per node
   std::vector<std::uint32_t> tetrahedra;  ///< four nodes per element, in any orientation
@@ -41,6 +41,11 @@ struct AdaptInput {
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t>
       trianglePatch;  ///< one number per triangle; the lines between patches are kept
+  /// Numbers of the TrimmedModels whose faces the boundary approximates (see model/model_numbers.h), or empty. New nodes on curved
+  /// patches and lines are on their faces and edges. Faces that cannot be evaluated, or are not near, count as missing: the
+  /// triangles of the mesh are followed there.
+  std::vector<double> model;
+  ModelTriangles modelTriangles;  ///< near the faces of the model
 };
 
 /// Number of classes in MetricStatistics::lengths.
@@ -83,11 +88,7 @@ struct MeshAdaptation {
 /// result is the mesh as it then was, which is valid, too.
 class MeshAdapter : public SlicedTool<MeshAdaptation> {
  public:
-  /// `model`: numbers of the TrimmedModels whose faces the boundary approximates (see model/model_numbers.h), or empty;
-  /// `modelTriangles`: near these faces. New nodes on curved patches and lines are on their faces and edges. Faces that cannot be
-  /// evaluated, or are not near, count as missing: the given triangles are followed there.
-  MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options,
-              std::vector<double> model = {}, ModelTriangles modelTriangles = {});
+  MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options);
 };
 
 }  // namespace tetrafront

@@ -34,8 +34,6 @@ struct AdapterInput {
   MetricMesh background;
   AdaptOptions options;
   bool isStopped = false;  ///< the member that makeToolJob() sets
-  std::vector<double> model;
-  ModelTriangles modelTriangles;
 };
 
 bool isUsable(const AdapterInput& input) {
@@ -82,14 +80,14 @@ class Adaptation {
     const std::vector<std::uint8_t> isRepeated = nodesInSeveralSets(given, faces);
     for (std::size_t i = 0; i < isRepeated.size(); ++i) faces.isFixed[i] |= isRepeated[i];
     const std::optional<ReadModel> model =
-        input_.model.empty() ? std::nullopt : readModel(input_.model);
+        input_.mesh.model.empty() ? std::nullopt : readModel(input_.mesh.model);
     FeatureRules rules;
     if (model) rules.creaseCosine = kCreaseInFace;
     ReferenceSurface reference(faces.boundary, rules);
     work.beginPart(0.05);
     co_await reference.prepare(work);
     std::optional<TrueBoundary> truth;
-    if (model) truth.emplace(reference, *model, input_.modelTriangles);
+    if (model) truth.emplace(reference, *model, input_.mesh.modelTriangles);
     co_await work.yield();
     const BoundaryGuide guide(reference, faces.isFixed, truth ? &*truth : nullptr);
     AdaptStart start = makeStart(given, faces, placesOnReference(guide));
@@ -184,11 +182,8 @@ Task<MeshAdaptation> runAdaptation(Work& work, AdapterInput& input) {
 
 }  // namespace
 
-MeshAdapter::MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options,
-                         std::vector<double> model, ModelTriangles modelTriangles)
+MeshAdapter::MeshAdapter(AdaptInput input, MetricMesh background, const AdaptOptions& options)
     : SlicedTool(makeToolJob<MeshAdaptation>(
-          AdapterInput{std::move(input), std::move(background), options, false, std::move(model),
-                       std::move(modelTriangles)},
-          runAdaptation)) {}
+          AdapterInput{std::move(input), std::move(background), options, false}, runAdaptation)) {}
 
 }  // namespace tetrafront

@@ -60,8 +60,9 @@ class LayerCycles {
     if (!out_.adaptation.isReadable) co_return std::move(out_);
     current_.points = input_.mesh.points;
     current_.tetrahedra = input_.mesh.tetrahedra;
+    current_.regions = input_.mesh.regions;
     work.beginPart(0.02);
-    co_await prepareBoundary(work);
+    co_await prepareBoundary(work, input_.mesh.triangles, input_.mesh.trianglePatch);
     if (anyError(out_.adaptation.diagnostics)) co_return std::move(out_);
     work.beginPart(0.04);
     co_await prepareBackground(work);
@@ -74,17 +75,16 @@ class LayerCycles {
   }
 
  private:
-  Task<> prepareBoundary(Work& work) {
-    VolumeMesh mesh = current_;
-    mesh.regions = input_.mesh.regions;
-    mesh.regions.resize(countTetrahedra(mesh), 0);
+  /// Finds the boundary of the current mesh, which has these triangles.
+  Task<> prepareBoundary(Work& work, std::span<const std::uint32_t> triangles,
+                         std::span<const std::uint32_t> trianglePatch) {
+    current_.regions.resize(countTetrahedra(current_), 0);
     work.beginPart(0.7);
-    const GivenMesh given = co_await prepareGivenMesh(work, mesh, input_.mesh.triangles);
+    const GivenMesh given = co_await prepareGivenMesh(work, current_, triangles);
     out_.adaptation.diagnostics = given.diagnostics;
     if (anyError(given.diagnostics)) co_return;
     work.beginPart(1.0);
-    StartFaces faces =
-        co_await findStartFaces(work, given, input_.mesh.triangles, input_.mesh.trianglePatch);
+    StartFaces faces = co_await findStartFaces(work, given, triangles, trianglePatch);
     boundary_ = std::move(faces.boundary);
     // The elements are oriented from here on.
     current_ = given.mesh;
@@ -112,13 +112,14 @@ class LayerCycles {
   }
 
   Task<> repeat(Work& work) {
-    const LayerMetric layers(boundary_, input_.walls, input_.layers, base_->maxSize());
+    std::optional<LayerMetric> layers(std::in_place, boundary_, input_.walls, input_.layers,
+                                      base_->maxSize());
     const std::uint32_t cycles = input_.layers.cycles;
     for (std::uint32_t cycle = 0; cycle < cycles; ++cycle) {
       const double begin = static_cast<double>(cycle) / cycles;
       work.beginPart(begin + 0.1 / cycles);
       MetricMesh target{current_.points, current_.tetrahedra, {}};
-      co_await measure(work, layers, target.metrics);
+      co_await measure(work, *layers, target.metrics);
       work.beginPart(begin + 1.0 / cycles);
       const std::uint32_t before = countTetrahedra(current_);
       co_await adaptTo(work, std::move(target));
@@ -129,6 +130,11 @@ class LayerCycles {
       const std::uint32_t after = countTetrahedra(current_);
       const double change = std::fabs(static_cast<double>(after) - before);
       if (!isLimited_ && change < kSettled * before) break;
+      if (input_.mesh.model.empty()) continue;
+      // The walls are those of the mesh, whose nodes are on the faces of the model.
+      co_await prepareBoundary(work, out_.adaptation.triangles, out_.adaptation.trianglePatch);
+      if (anyError(out_.adaptation.diagnostics)) co_return;
+      layers.emplace(boundary_, input_.walls, input_.layers, base_->maxSize());
     }
   }
 
@@ -169,6 +175,7 @@ class LayerCycles {
     if (out_.cycles > 0) out_.adaptation.before = first;
     current_.points = out_.adaptation.points;
     current_.tetrahedra = out_.adaptation.tetrahedra;
+    current_.regions = out_.adaptation.regions;
   }
 
   MakerInput& input_;

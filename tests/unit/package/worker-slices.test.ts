@@ -103,6 +103,15 @@ const noTriangles = {
   triangles: none,
   faces: none,
 };
+const bareMesh = {
+  points,
+  tetrahedra,
+  regions: none,
+  triangles: none,
+  trianglePatch: none,
+  model: new Float64Array(),
+  modelTriangles: noTriangles,
+};
 const remeshing = engineRemeshOptions({ size: 0.2 });
 
 const atNodes = {
@@ -134,14 +143,12 @@ const queries: { readonly [Name in CallName]: () => ArgumentsOf<Name> } = {
   improveMesh: () => [points, tetrahedra, none, none, engineImproveOptions({})],
   curveEdges: () => [points, tetrahedra, none, none, new Float64Array()],
   adaptMesh: () => [
-    { points, tetrahedra, regions: none, triangles: none, trianglePatch: none },
+    bareMesh,
     { points, tetrahedra, metrics: unitMetrics(points.length / 3) },
     { leastQuality: 0.5, sweeps: 1 },
-    new Float64Array(),
-    noTriangles,
   ],
   addLayers: () => [
-    { points, tetrahedra, regions: none, triangles: none, trianglePatch: none },
+    bareMesh,
     { points: new Float64Array(), tetrahedra: none, metrics: new Float64Array() },
     { leastQuality: 0.5, sweeps: 1 },
     {

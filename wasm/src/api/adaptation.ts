@@ -30,13 +30,10 @@ export async function adaptMesh(
   const metrics = backgroundMetrics(background);
   refuse(wrongMetrics(metrics));
   const { leastQuality = ADAPT_DEFAULTS.leastQuality, sweeps = ADAPT_DEFAULTS.sweeps } = options;
-  const { numbers, ...shown } = modelOf(mesh);
   const given = [
     adaptInputOf(mesh),
     { points: background.points.slice(), tetrahedra: background.tetrahedra.slice(), metrics },
     { leastQuality, sweeps },
-    numbers,
-    shown,
   ] as const;
   const found = await client.ask("adaptMesh", given, control);
   if (!found.isReadable) refuse([unreadableMesh()]);
@@ -45,19 +42,17 @@ export async function adaptMesh(
 }
 
 /** Returns a copy of a mesh as the engine adapts it. */
-export function adaptInputOf({
-  points,
-  tetrahedra,
-  tetrahedronRegion,
-  triangles,
-  trianglePatch,
-}: VolumeInput) {
+export function adaptInputOf(mesh: VolumeInput) {
+  const { points, tetrahedra, tetrahedronRegion, triangles, trianglePatch } = mesh;
+  const { numbers: model, ...modelTriangles } = modelOf(mesh);
   return {
     points: points.slice(),
     tetrahedra: tetrahedra.slice(),
     regions: tetrahedronRegion?.slice() ?? new Uint32Array(),
     triangles: triangles?.slice() ?? new Uint32Array(),
     trianglePatch: trianglePatch?.slice() ?? new Uint32Array(),
+    model,
+    modelTriangles,
   };
 }
 

@@ -192,9 +192,9 @@ Background
 Layers
   --layers PATCH:FIRST:GROWTH:COUNT makes thin elements along a patch: COUNT layers, the first one FIRST high, each GROWTH
   times as high as the one below. Along the patch, sizes are those of --background or of the mesh itself, at most
-  --max-aspect (default ${LAYER_DEFAULTS.maxAspect}) times those across it, and smaller where the patch is curved; the triangles of a curved
-  patch must follow it more closely than the first height. Beyond the layers, sizes grow by --gradation. In corners and
-  gaps where several layers meet, elements are small in the directions of all.
+  --max-aspect (default ${LAYER_DEFAULTS.maxAspect}) times those across it, and smaller where the patch is curved. The layers follow the
+  faces of a CAD file; triangles of other curved patches must be nearer to them than the first height. Beyond the layers,
+  sizes grow by --gradation. In corners and gaps where several layers meet, elements are small in the directions of all.
 
 Solver
   --solver runs cycles: the solver computes fields on a mesh, the sizes follow from them as in \`tetrafront sizes\`, the
