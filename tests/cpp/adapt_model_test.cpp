@@ -81,8 +81,7 @@ TEST(AdaptModel, HasItsNodesOnTheFacesAndEdges) {
                                     trimmedTorus(1.0, 0.4), nurbsSphere(0.7), revolvedProfile()}) {
     SCOPED_TRACE(solid.name);
     const AdaptInput given = meshedSolid(solid);
-    const MeshAdaptation made =
-        adaptedOnModel(given, sizes(given.points, given.tetrahedra, 1.0));
+    const MeshAdaptation made = adaptedOnModel(given, sizes(given.points, given.tetrahedra, 1.0));
     ASSERT_TRUE(made.diagnostics.empty());
     EXPECT_GT(made.after.nodes, 2 * made.before.nodes);
     EXPECT_LT(farthestFromFaces(solid, made), 1e-9);
@@ -99,8 +98,7 @@ TEST(AdaptModel, BeginsWithABackgroundThatFillsTheModel) {
   for (const TrimmedSolid& solid : {trimmedCylinder(0.7, 0.7), trimmedPlate(1.5, 0.4, 0.5)}) {
     SCOPED_TRACE(solid.name);
     const AdaptInput given = meshedSolid(solid);
-    const MeshAdaptation made =
-        adaptedOnModel(given, sizes(given.points, given.tetrahedra, 2.0));
+    const MeshAdaptation made = adaptedOnModel(given, sizes(given.points, given.tetrahedra, 2.0));
     const MeshAdaptation next = adaptedOnModel(given, sizes(made.points, made.tetrahedra, 2.0));
     ASSERT_TRUE(next.diagnostics.empty());
     std::set<Position> known;

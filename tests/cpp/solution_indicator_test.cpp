@@ -180,7 +180,7 @@ TEST(SolutionIndicatorTest, AnIndicatorOfZeroAsksForNothing) {
   const SolutionMetric local = sizedBy(mesh, fields, options);
   EXPECT_LT(sizeAt(local, 0), 0.12);
   EXPECT_NEAR(
-      *std::ranges::max_element(local.reduced.sizes) / (0.4 * std::cbrt(std::sqrt(72.0) / 10.0)),
+      *std::ranges::max_element(local.frontSizes.sizes) / (0.4 * std::cbrt(std::sqrt(72.0) / 10.0)),
       1.0, 1e-6);
   EXPECT_NEAR(local.errors[0], 0.1, 1e-9);
 }

@@ -21,7 +21,7 @@ struct PatchLayers {
 /// Limits of the sizes, and of the work.
 struct LayerOptions {
   double maxAspect = 1000.0;  ///< largest size along a wall / size across it, from 1 to 1e6
-  /// Growth of all sizes per unit of distance, beyond the layers and along the walls, > 0. The growth across layers is theirs.
+  /// Growth of all sizes per unit of distance, > 0. If layers grow faster, their growth is that of all sizes.
   double growth = 0.5;
   /// Cycles of metric and adaptation at most; they end earlier when the number of elements settles.
   std::uint32_t cycles = 8;
@@ -30,7 +30,7 @@ struct LayerOptions {
 /// What was made along one patch.
 struct PatchLayersMade {
   std::uint32_t patch = 0;
-  std::uint32_t triangles = 0;   ///< of the patch
+  std::uint32_t triangles = 0;   ///< of the patch, without those between regions
   double meanFirstHeight = 0.0;  ///< mean height of the elements above these triangles
   double thickness = 0.0;        ///< of all layers that were asked for
 };

@@ -86,7 +86,8 @@ Task<bool> AdaptSchedule::hasNearlyUnitEdges(Work& work) const {
     if (edge.length > 1.0) added += edge.length * edge.length * edge.length;
   }
   const auto count = static_cast<double>(edges.size());
-  co_return out <= kNearlyUnit* count&& added <= kFewAdded* count;
+  const bool isNear = out <= kNearlyUnit * count && added <= kFewAdded * count;
+  co_return isNear;
 }
 
 /// Returns the index of the smallest of the descending sizes that the mesh can begin with: nearly all edges are short.
@@ -266,7 +267,7 @@ Task<> AdaptSchedule::improve(Work& work) {
     if (isRaised) {
       for (AdaptElement& element : mesh_.elements) element.tried = 0;
     }
-    staysInPlace_ = isNear_ && sweep < kSweepsInPlace;
+    staysInPlace_ = isNear_ && sweep < kSweepsInPlace && sweep + 1 < sweeps_;
     work.beginPart(static_cast<double>(sweep + 1) / sweeps_);
     std::size_t count = co_await improveEdges(work);
     const std::vector<Poor> poor = co_await poorElements(work, badness_.floor());

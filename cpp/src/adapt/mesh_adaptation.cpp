@@ -88,7 +88,8 @@ class Adaptation {
     co_await reference.prepare(work);
     std::optional<TrueBoundary> truth;
     if (model) truth.emplace(reference, *model, input_.mesh.modelTriangles);
-    co_await work.yield();
+    work.beginPart(0.055);
+    if (truth) co_await truth->prepare(work);
     const BoundaryGuide guide(reference, faces.isFixed, truth ? &*truth : nullptr);
     AdaptStart start = makeStart(given, faces, placesOnReference(guide));
     work.beginPart(0.06);

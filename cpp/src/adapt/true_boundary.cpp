@@ -37,10 +37,7 @@ Vec3 nearestOr(const Vec3& foot, const Vec3& position, double reach, Find find) 
 
 TrueBoundary::TrueBoundary(const ReferenceSurface& reference, const ReadModel& model,
                            const ModelTriangles& triangles)
-    : reference_(reference), index_(model, triangles, kSagPerDiagonal * reference.diagonal()) {
-  findFaces();
-  findEdges();
-}
+    : reference_(reference), index_(model, triangles, kSagPerDiagonal * reference.diagonal()) {}
 
 double TrueBoundary::reachOf(TriangleId triangle) const {
   const auto [a, b, c] = cornersOf(reference_.mesh(), triangle);
@@ -49,19 +46,13 @@ double TrueBoundary::reachOf(TriangleId triangle) const {
   return kReachPerEdge * std::sqrt(squared);
 }
 
-void TrueBoundary::findFaces() {
+Task<> TrueBoundary::prepare(Work& work) {
+  constexpr std::size_t kTrianglesPerUnit = 1;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (const TriangleId t : IdRange<TriangleId>(countTriangles(reference_.mesh()))) {
-    const SmoothPatchId patch = reference_.patchOf(t);
-    if (reference_.patch(patch).isPlanar) continue;
-    const auto [a, b, c] = cornersOf(reference_.mesh(), t);
-    const Vec3 middle = (a + b + c) / 3.0;
-    const std::optional<FacePlace> place =
-        index_.nearestOnFace(middle, reference_.normalOf(t), reachOf(t));
-    if (!place) continue;
-    sag_ = std::max(sag_, glm::length(place->position - middle));
-    pairs.emplace_back(patch.value, place->face);
-  }
+  work.beginPart(0.8);
+  co_await work.forEachId<TriangleId>(
+      countTriangles(reference_.mesh()), [&](TriangleId t) { addFacesOf(t, pairs); },
+      kTrianglesPerUnit);
   sortUnique(pairs);
   faceBegins_.assign(reference_.patchCount() + 1, 0);
   for (const auto& [patch, face] : pairs) {
@@ -69,24 +60,48 @@ void TrueBoundary::findFaces() {
     faces_.push_back(face);
   }
   for (std::size_t i = 1; i < faceBegins_.size(); ++i) faceBegins_[i] += faceBegins_[i - 1];
-}
-
-void TrueBoundary::findEdges() {
+  work.beginPart(1.0);
   segmentBegins_.assign(1, 0);
   for (const FeatureLine& line : reference_.lines()) {
     const std::vector<Vec3>& points = line.points();
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const Vec3 chord = points[i + 1] - points[i];
-      const double length = glm::length(chord);
-      const Vec3 middle = points[i] + 0.5 * chord;
-      const std::optional<EdgePlace> place =
-          index_.nearestOnEdge(middle, chord / length, kReachPerEdge * length);
-      const double off = place ? glm::length(place->position - middle) : 0.0;
-      sag_ = std::max(sag_, off);
-      edges_.push_back(off > kStraight * length ? place->edge : kNoIndex);
-    }
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) addSegment(points[i], points[i + 1]);
     segmentBegins_.push_back(static_cast<std::uint32_t>(edges_.size()));
+    co_await work.spend(points.size());
   }
+}
+
+void TrueBoundary::addFacesOf(TriangleId triangle,
+                              std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
+  const SmoothPatchId patch = reference_.patchOf(triangle);
+  if (reference_.patch(patch).isPlanar) return;
+  const auto [a, b, c] = cornersOf(reference_.mesh(), triangle);
+  const Vec3 middle = (a + b + c) / 3.0;
+  for (const Vec3& at : {middle, 0.5 * (a + middle), 0.5 * (b + middle), 0.5 * (c + middle)}) {
+    const std::optional<FacePlace> place =
+        index_.nearestOnFace(at, reference_.normalOf(triangle), reachOf(triangle));
+    if (!place) continue;
+    sag_ = std::max(sag_, glm::length(place->position - at));
+    pairs.emplace_back(patch.value, place->face);
+  }
+}
+
+void TrueBoundary::addSegment(const Vec3& from, const Vec3& to) {
+  const Vec3 chord = to - from;
+  const double length = glm::length(chord);
+  std::uint32_t edge = kNoIndex;
+  double farthest = kStraight * length;
+  // The middle of an S is on its chord.
+  for (const double part : {0.5, 0.25, 0.75}) {
+    const Vec3 at = from + part * chord;
+    const std::optional<EdgePlace> place =
+        index_.nearestOnEdge(at, chord / length, kReachPerEdge * length);
+    const double off = place ? glm::length(place->position - at) : 0.0;
+    if (off <= farthest) continue;
+    farthest = off;
+    edge = place->edge;
+    sag_ = std::max(sag_, off);
+  }
+  edges_.push_back(edge);
 }
 
 Vec3 TrueBoundary::onPatch(SmoothPatchId patch, TriangleId triangle, const Vec3& foot,

@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/task.h"
 #include "placement/model_index.h"
 #include "remesh/reference_surface.h"
 
@@ -14,9 +16,12 @@ namespace tetrafront {
 
 class TrueBoundary {
  public:
-  /// All must outlive this. Finds the face of each triangle of curved patches, and the edge of each segment of lines: O(n log n).
+  /// All must outlive this.
   TrueBoundary(const ReferenceSurface& reference, const ReadModel& model,
                const ModelTriangles& triangles);
+
+  /// Finds the faces of the triangles of curved patches, and the edge of each segment of lines. O(n log n).
+  Task<> prepare(Work& work);
 
   /// Returns the position on the faces of a curved patch that is nearest to `position`, or to its foot on a triangle of the patch if
   /// it is far from that; the foot itself if no face is near.
@@ -32,8 +37,8 @@ class TrueBoundary {
   [[nodiscard]] double sag() const { return sag_; }
 
  private:
-  void findFaces();
-  void findEdges();
+  void addFacesOf(TriangleId triangle, std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+  void addSegment(const Vec3& from, const Vec3& to);
   [[nodiscard]] double reachOf(TriangleId triangle) const;
 
   const ReferenceSurface& reference_;

@@ -14,6 +14,7 @@
 #include "base/tolerance.h"
 #include "field/grid_access.h"
 #include "field/size_sources.h"
+#include "field/size_tensor.h"
 #include "geom/coordinates.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
@@ -61,7 +62,7 @@ void checkSecond(const BackgroundNode& node, const SecondStretching& second, Gri
                        isFinite(node.direction) && node.direction != Vec3(0.0);
   const double cosine =
       areBoth
-          ? std::fabs(glm::dot(glm::normalize(node.direction), glm::normalize(second.direction)))
+          ? std::fabs(cosineBetween(scaledToOne(node.direction), scaledToOne(second.direction)))
           : 0.0;
   if (isInRange && (!isStretched || hasDirection) && cosine <= kMaxDirectionCosine) return;
   found.push_back(diagnose<DiagnosticCode::kSecondStretchingOutOfRange>(second.stretching, cosine)

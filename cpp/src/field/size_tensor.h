@@ -9,6 +9,7 @@
 /// regular with edge 1. H is interpolated: it stays positive definite and does not depend on the
 /// sign of a.
 
+#include <algorithm>
 #include <cmath>
 
 #include "metric/symmetric_tensor.h"
@@ -36,6 +37,11 @@ namespace tetrafront {
           extra * a.y * a.z};
 }
 
+/// Returns a multiple of a vector whose largest component is 1 or -1, so that its square neither vanishes nor overflows.
+[[nodiscard]] inline Vec3 scaledToOne(const Vec3& v) {
+  return v / std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
 /// Returns H of one node with a second stretching s2 along b, orthogonal to a:
 ///
 ///     H = d (I + (s - 1) a a^T + (s2 - 1) b b^T).
@@ -43,9 +49,9 @@ namespace tetrafront {
                                                 const SecondStretching& second) {
   SymmetricTensor tensor = sizeTensor(node);
   if (!(second.stretching > 1.0)) return tensor;
-  Vec3 b = second.direction;
+  Vec3 b = scaledToOne(second.direction);
   if (node.stretching > 1.0) {
-    const Vec3& a = node.direction;
+    const Vec3 a = scaledToOne(node.direction);
     b -= (glm::dot(a, b) / glm::dot(a, a)) * a;
   }
   const double extra = node.size * (second.stretching - 1.0) / glm::dot(b, b);

@@ -11,6 +11,7 @@
 #include "adapt/adapt_start.h"
 #include "adapt/metric_background.h"
 #include "base/diagnostics.h"
+#include "base/sort.h"
 #include "base/tool_job.h"
 #include "field/check_background_grid.h"
 #include "geom/cube_root.h"
@@ -44,7 +45,11 @@ bool areUsable(std::span<const PatchLayers> walls, const LayerOptions& options) 
     return wall.firstHeight > 0.0 && std::isfinite(wall.firstHeight) && wall.growth >= 1.0 &&
            std::isfinite(wall.growth) && wall.count >= 1;
   };
-  return !walls.empty() && std::ranges::all_of(walls, isValid) && options.maxAspect >= 1.0 &&
+  std::vector<std::uint32_t> patches;
+  for (const PatchLayers& wall : walls) patches.push_back(wall.patch);
+  sortUnique(patches);
+  return !walls.empty() && patches.size() == walls.size() &&
+         std::ranges::all_of(walls, isValid) && options.maxAspect >= 1.0 &&
          options.maxAspect <= kMaxAspect && options.growth > 0.0 && options.cycles >= 1;
 }
 
@@ -67,10 +72,17 @@ class LayerCycles {
     work.beginPart(0.04);
     co_await prepareBackground(work);
     if (anyError(out_.adaptation.diagnostics)) co_return std::move(out_);
-    work.beginPart(1.0);
+    work.beginPart(0.98);
     co_await repeat(work);
+    if (anyError(out_.adaptation.diagnostics)) {
+      LayeredMesh failed;
+      failed.adaptation.diagnostics = std::move(out_.adaptation.diagnostics);
+      failed.adaptation.isReadable = true;
+      co_return failed;
+    }
     out_.adaptation.isPartial = input_.isStopped;
-    describeLayers(input_.walls, out_);
+    work.beginPart(1.0);
+    co_await describeLayers(work, input_.walls, out_);
     co_return std::move(out_);
   }
 
@@ -121,6 +133,8 @@ class LayerCycles {
       MetricMesh target{current_.points, current_.tetrahedra, {}};
       co_await measure(work, *layers, target.metrics);
       work.beginPart(begin + 1.0 / cycles);
+      // A mesh that is done is better than one that is cut off.
+      if (input_.isStopped && out_.cycles > 0) break;
       const std::uint32_t before = countTetrahedra(current_);
       co_await adaptTo(work, std::move(target));
       if (anyError(out_.adaptation.diagnostics)) co_return;

@@ -21,6 +21,8 @@ namespace {
 struct WallFace {
   std::array<std::uint32_t, 3> nodes;
   std::uint32_t wall;
+  std::uint32_t elements = 0;  ///< two between regions
+  double height = 0.0;
 };
 
 constexpr auto kByNodes = [](const WallFace& a, const WallFace& b) { return a.nodes < b.nodes; };
@@ -38,7 +40,8 @@ std::vector<WallFace> wallFacesOf(std::span<const PatchLayers> walls, const Mesh
     for (std::size_t w = 0; w < walls.size(); ++w) {
       if (walls[w].patch != mesh.trianglePatch[t]) continue;
       const std::uint32_t* const at = &mesh.triangles[3 * t];
-      faces.push_back({ascending({at[0], at[1], at[2]}), static_cast<std::uint32_t>(w)});
+      faces.push_back(
+          {.nodes = ascending({at[0], at[1], at[2]}), .wall = static_cast<std::uint32_t>(w)});
     }
   }
   stableSort(faces, kByNodes);
@@ -55,30 +58,34 @@ double heightOf(const std::array<Vec3, 4>& corners, const std::array<std::uint8_
 
 }  // namespace
 
-void describeLayers(std::span<const PatchLayers> walls, LayeredMesh& made) {
+Task<> describeLayers(Work& work, std::span<const PatchLayers> walls, LayeredMesh& made) {
   for (const PatchLayers& wall : walls) {
     made.walls.push_back({.patch = wall.patch,
                           .triangles = 0,
                           .meanFirstHeight = 0.0,
                           .thickness = LayerSizes(wall, 1.0).thickness()});
   }
-  const std::vector<WallFace> faces = wallFacesOf(walls, made.adaptation);
+  std::vector<WallFace> faces = wallFacesOf(walls, made.adaptation);
   VolumeMesh mesh;
   mesh.points = made.adaptation.points;
   mesh.tetrahedra = made.adaptation.tetrahedra;
-  for (const TetId tet : IdRange<TetId>(countTetrahedra(mesh))) {
+  co_await work.forEachId<TetId>(countTetrahedra(mesh), [&](TetId tet) {
     const std::array<Vec3, 4> corners = cornersOf(mesh, tet);
     const SymmetricTensor shape = impliedMetric(corners);
     made.largestAspect = std::max(made.largestAspect, stretchedSizeOf(shape).stretching);
     for (std::uint32_t k = 0; k < 4; ++k) {
       const auto [a, b, c] = nodesOf(mesh, ElementFace(tet, k));
-      const WallFace own{ascending({a.value, b.value, c.value}), 0};
+      const WallFace own{.nodes = ascending({a.value, b.value, c.value}), .wall = 0};
       const auto found = std::ranges::lower_bound(faces, own, kByNodes);
       if (found == faces.end() || found->nodes != own.nodes) continue;
-      PatchLayersMade& wall = made.walls[found->wall];
-      ++wall.triangles;
-      wall.meanFirstHeight += heightOf(corners, kFaceCorners[k]);
+      ++found->elements;
+      found->height = heightOf(corners, kFaceCorners[k]);
     }
+  });
+  for (const WallFace& face : faces) {
+    if (face.elements != 1) continue;
+    ++made.walls[face.wall].triangles;
+    made.walls[face.wall].meanFirstHeight += face.height;
   }
   for (PatchLayersMade& wall : made.walls)
     if (wall.triangles > 0) wall.meanFirstHeight /= wall.triangles;

@@ -107,6 +107,7 @@ class Placement {
   [[nodiscard]] std::optional<Vec3> middleOf(const MeshEdge& edge) const;
   [[nodiscard]] std::optional<Vec3> nearestOnFace(const Vec3& position, const Vec3& normal,
                                                   double reach) const {
+    if (normal == Vec3(0.0)) return std::nullopt;
     const std::optional<FacePlace> place = index_.nearestOnFace(position, unit(normal), reach);
     return place ? std::optional(place->position) : std::nullopt;
   }

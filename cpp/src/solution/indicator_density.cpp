@@ -29,15 +29,20 @@ IndicatorDensity indicatorDensity(const VolumeMesh& mesh, const SampledValues& v
                                   double order) {
   IndicatorDensity result;
   result.densities.assign(countNodes(mesh), 0.0);
-  for (const double value : values.values) result.largest = std::max(result.largest, value);
+  const auto valueAt = [&](std::uint32_t tet, NodeId node) {
+    return values.values[values.isPerElement ? tet : node.index()];
+  };
+  for (std::uint32_t t = 0; t < countTetrahedra(mesh); ++t) {
+    for (const NodeId node : nodesOf(mesh, TetId(t)))
+      result.largest = std::max(result.largest, valueAt(t, node));
+  }
   if (!(result.largest > 0.0)) return result;
   std::vector<double> volumes(countNodes(mesh), 0.0);
   for (std::uint32_t t = 0; t < countTetrahedra(mesh); ++t) {
     const auto [a, b, c, d] = cornersOf(mesh, TetId(t));
     const double volume = std::fabs(glm::dot(glm::cross(b - a, c - a), d - a)) / 6.0;
     for (const NodeId node : nodesOf(mesh, TetId(t))) {
-      const double value = values.values[values.isPerElement ? t : node.index()];
-      const double share = 0.25 * powerOf(value / result.largest, 3.0 / order);
+      const double share = 0.25 * powerOf(valueAt(t, node) / result.largest, 3.0 / order);
       result.densities[node.index()] += share;
       result.elements += share;
       volumes[node.index()] += 0.25 * volume;

@@ -24,6 +24,9 @@
 namespace tetrafront {
 namespace {
 
+/// Largest factor between the wanted number of elements and the given one: far more than there can be, but no overflow.
+constexpr double kLargestFactor = 1e30;
+
 /// Variation over an element / largest magnitude of a field, up to which its second derivatives are rounding.
 constexpr double kRounding = 1e-11;
 
@@ -254,8 +257,9 @@ bool combine(const SizingInput& input, std::span<const FieldMetric> fields,
   if (!isVaried || scaling.isEmpty()) scaling.setUniform();
   if (isIndicated) {
     const double factor = options.elements > 0.0 ? options.elements / indicator.elements
-                                                 : powerOf(indicator.largest / options.error,
-                                                           3.0 / options.indicatorOrder);
+                                                 : std::min(powerOf(indicator.largest / options.error,
+                                                                    3.0 / options.indicatorOrder),
+                                                            kLargestFactor);
     scaling.setDensities(indicator.densities, factor);
   }
   return isVaried;
