@@ -279,11 +279,9 @@ void expectFirstHeight(const LayeredMesh& made, const PatchLayers& wall) {
   const double height = meanHeightAbove(made.adaptation, wall.patch);
   EXPECT_GT(height, 0.75 * wall.firstHeight);
   EXPECT_LT(height, 1.25 * wall.firstHeight);
-  for (const PatchLayersMade& own : made.walls) {
-    if (own.patch == wall.patch) {
-      EXPECT_NEAR(own.meanFirstHeight, height, 1e-9 * height);
-    }
-  }
+  const auto own = std::ranges::find(made.walls, wall.patch, &PatchLayersMade::patch);
+  ASSERT_NE(own, made.walls.end());
+  EXPECT_NEAR(own->meanFirstHeight, height, 1e-9 * height);
 }
 
 TEST(WallLayers, HaveAnAspectOfAThousand) {

@@ -12,6 +12,7 @@ export {
 } from "./api/best-repair.js";
 export { withSolidsOfPatches } from "./api/touching-solids.js";
 export { nearPairs } from "./base/boxes.js";
+export { dataOf, fieldsOf } from "./mesh/mesh-fields.js";
 export { isWithin, sharedPairs, solidUnits, type SolidsSurface } from "./formats/solid-units.js";
 export { differentNames } from "./formats/groups.js";
 export { featureSolid, type FeatureSolid } from "./formats/feature-solid.js";

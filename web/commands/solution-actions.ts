@@ -16,9 +16,23 @@ export function setUpProblem({ documents }: App, setup: ProblemSetup): void {
   const { project } = documents.state.getState().history.present;
   documents.edit({
     label: stepNames.setProblem,
-    mergeKey: "problem",
+    mergeKey: changedPart(setupIn(project), setup),
     replace: { problem: problemWith(setup, project) },
   });
+}
+
+/** Returns what differs between two problems, in a word: equal words for changes of the same number. */
+function changedPart(before: ProblemSetup, after: ProblemSetup): string {
+  const isOther = (a: unknown, b: unknown) => JSON.stringify(a) !== JSON.stringify(b);
+  const at = after.conditions.findIndex((condition, c) => isOther(condition, before.conditions[c]));
+  const parts = [...Object.keys(after), "conditions"].filter((part) =>
+    isOther(Reflect.get(before, part), Reflect.get(after, part)),
+  );
+  const entries = Object.entries(after.conditions[at] ?? {});
+  const fields = entries.filter(([key, value]) =>
+    isOther(value, Reflect.get(before.conditions[at] ?? {}, key)),
+  );
+  return ["problem", ...new Set(parts), after.conditions.length, at, ...fields.map(([key]) => key)].join(" ");
 }
 
 /** Returns the problem with conditions by the names that the patches have in the shown mesh. */

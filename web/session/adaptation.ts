@@ -6,14 +6,7 @@ import { solutionStrings as texts } from "../strings/solution";
 import { problemOf, type ProblemSetup } from "./problem-setup";
 import type { MeshRun, WorkControl } from "./run";
 import { shownParts, type ShownMesh } from "./shown-mesh";
-import {
-  chosenField,
-  dataOf,
-  type FieldChoice,
-  type MeshField,
-  type SolvedMesh,
-  type Solutions,
-} from "./solutions";
+import { chosenField, type FieldChoice, type MeshField, type SolvedMesh, type Solutions } from "./solutions";
 
 export type Norm = NonNullable<CycleOptions["norm"]>;
 

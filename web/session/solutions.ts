@@ -1,4 +1,5 @@
-import type { Mesh, MeshResult } from "tetrafront";
+import type { MeshResult } from "tetrafront";
+import { dataOf, fieldsOf } from "tetrafront/internal";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { lengthAt } from "../document/vectors";
 import type { DocumentStore } from "./document-store";
@@ -159,22 +160,6 @@ export class Solutions {
 function indexIn(meshes: readonly SolvedMesh[], shown: MeshResult | null): number | null {
   const index = meshes.findIndex(({ mesh }) => mesh.mesh.tetrahedra === shown?.mesh.tetrahedra);
   return index < 0 ? null : index;
-}
-
-const fieldsOf = ({ nodeData, elementData = new Map() }: Mesh): readonly MeshField[] => [
-  ...Array.from(nodeData, ([name, data]) => ({ ...data, name })),
-  ...Array.from(elementData, ([name, data]) => ({ ...data, name, isPerElement: true })),
-];
-
-/** Returns fields in the form in which a mesh has them. */
-export function dataOf(fields: readonly MeshField[]): Pick<Mesh, "nodeData" | "elementData"> {
-  const data = (ofElements: boolean): Mesh["nodeData"] =>
-    new Map(
-      fields
-        .filter(({ isPerElement = false }) => isPerElement === ofElements)
-        .map(({ name, components, values }) => [name, { components, values }]),
-    );
-  return { nodeData: data(false), elementData: data(true) };
 }
 
 /** Returns the chosen field. One of the elements may have the name of one at the nodes. */

@@ -61,9 +61,8 @@ void checkSecond(const BackgroundNode& node, const SecondStretching& second, Gri
   const bool areBoth = isStretched && hasDirection && node.stretching > 1.0 &&
                        isFinite(node.direction) && node.direction != Vec3(0.0);
   const double cosine =
-      areBoth
-          ? std::fabs(cosineBetween(scaledToOne(node.direction), scaledToOne(second.direction)))
-          : 0.0;
+      areBoth ? std::fabs(cosineBetween(scaledToOne(node.direction), scaledToOne(second.direction)))
+              : 0.0;
   if (isInRange && (!isStretched || hasDirection) && cosine <= kMaxDirectionCosine) return;
   found.push_back(diagnose<DiagnosticCode::kSecondStretchingOutOfRange>(second.stretching, cosine)
                       .about({entityOf(id)}));

@@ -48,9 +48,9 @@ bool areUsable(std::span<const PatchLayers> walls, const LayerOptions& options) 
   std::vector<std::uint32_t> patches;
   for (const PatchLayers& wall : walls) patches.push_back(wall.patch);
   sortUnique(patches);
-  return !walls.empty() && patches.size() == walls.size() &&
-         std::ranges::all_of(walls, isValid) && options.maxAspect >= 1.0 &&
-         options.maxAspect <= kMaxAspect && options.growth > 0.0 && options.cycles >= 1;
+  return !walls.empty() && patches.size() == walls.size() && std::ranges::all_of(walls, isValid) &&
+         options.maxAspect >= 1.0 && options.maxAspect <= kMaxAspect && options.growth > 0.0 &&
+         options.cycles >= 1;
 }
 
 /// Makes the layers of one job.

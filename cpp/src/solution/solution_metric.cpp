@@ -256,10 +256,11 @@ bool combine(const SizingInput& input, std::span<const FieldMetric> fields,
   const bool isVaried = hasIndicator(input) ? isIndicated : !scaling.isEmpty();
   if (!isVaried || scaling.isEmpty()) scaling.setUniform();
   if (isIndicated) {
-    const double factor = options.elements > 0.0 ? options.elements / indicator.elements
-                                                 : std::min(powerOf(indicator.largest / options.error,
-                                                                    3.0 / options.indicatorOrder),
-                                                            kLargestFactor);
+    const double factor =
+        options.elements > 0.0
+            ? options.elements / indicator.elements
+            : std::min(powerOf(indicator.largest / options.error, 3.0 / options.indicatorOrder),
+                       kLargestFactor);
     scaling.setDensities(indicator.densities, factor);
   }
   return isVaried;

@@ -10,7 +10,8 @@ import { invalidArrays, invalidOption } from "../diagnostics/package-diagnostic.
 import type { RunControl } from "../engine/control.js";
 import { listed, numbered } from "../formats/groups.js";
 import type { AdaptationCycle, Solution, Solve, SolvedFields } from "../mesh/adaptation-cycle.js";
-import type { Mesh, NodeData, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
+import { dataOf, fieldsOf } from "../mesh/mesh-fields.js";
+import type { Mesh, SurfaceInput, VolumeInput } from "../mesh/mesh.js";
 import type { MeshResult } from "../mesh/report.js";
 import type { FieldValues } from "../mesh/solution.js";
 import type { Project } from "../project/project-types.js";
@@ -80,8 +81,9 @@ export async function* adaptationCycles(
   const whole = new WholeProgress(control);
   if (resume !== undefined) refuse(checkImproveInput(resume.mesh));
   const first = await firstMesh(mesher, model, whole.next(FIRST_SHARE / cycles));
-  let mesh = resume === undefined ? first : completeVolume(resume.mesh);
-  let start = resume === undefined ? [] : fieldsIn(mesh);
+  const { elementData } = resume?.mesh ?? {};
+  let mesh = resume === undefined ? first : { ...completeVolume(resume.mesh), elementData };
+  let start: readonly FieldValues[] = resume === undefined ? [] : fieldsOf(mesh);
   for (let cycle = (resume?.cycle ?? 0) + 1; cycle <= cycles; cycle++) {
     throwIfCancelled(control.signal);
     const { signal } = control;
@@ -150,12 +152,11 @@ async function followed(
     { conservative },
     progress.next(SHARES.transfer),
   );
-  const nodeData = nodeDataOf(transferred.fields);
   return {
     solution,
     estimatedErrors: errors,
     sizes,
-    next: { ...next, mesh: { ...next.mesh, nodeData } },
+    next: { ...next, mesh: { ...next.mesh, ...dataOf(transferred.fields) } },
     transferred,
   };
 }
@@ -204,13 +205,4 @@ function decidingFields(
     refuse([invalidOption(option, `the solution has no field "${name}"`, `Use one of ${known}.`)]);
     return [];
   });
-}
-
-function fieldsIn({ nodeData }: Mesh): readonly FieldValues[] {
-  return [...nodeData].map(([name, data]) => ({ ...data, name }));
-}
-
-function nodeDataOf(fields: readonly FieldValues[]): ReadonlyMap<string, NodeData> {
-  const atNodes = fields.filter(({ isPerElement = false }) => !isPerElement);
-  return new Map(atNodes.map(({ name = "", components, values }) => [name, { components, values }]));
 }

@@ -74,13 +74,24 @@ export function checkLayers(layers: readonly PatchLayers[]): Diagnostic[] {
 
 function checkPatchLayers({ patch, firstHeight, growth = 1, count = 1 }: PatchLayers): Diagnostic[] {
   const limits = [
-    [firstHeight >= MIN_LENGTH && firstHeight <= MAX_LENGTH, "first height", firstHeight, "a height above 0"],
+    [
+      firstHeight >= MIN_LENGTH && firstHeight <= MAX_LENGTH,
+      "first height",
+      firstHeight,
+      `a height from ${MIN_LENGTH} to ${MAX_LENGTH}`,
+    ],
     [growth >= 1 && growth <= MAX_GROWTH, "growth", growth, `a ratio from 1 to ${MAX_GROWTH}`],
     [
       Number.isInteger(count) && count >= 1 && count <= MAX_COUNT,
       "number",
       count,
       `a whole number from 1 to ${MAX_COUNT}`,
+    ],
+    [
+      count > MAX_COUNT || firstHeight * growth ** count <= MAX_LENGTH,
+      "last height",
+      firstHeight * growth ** (count - 1),
+      "fewer layers or a smaller growth",
     ],
   ] as const;
   return limits
@@ -104,7 +115,8 @@ function wallsOf(mesh: VolumeInput, layers: readonly PatchLayers[]): Wall[] {
   const wrong = layers.flatMap(({ patch }, i) => {
     if (!names.includes(patch)) {
       const known = [...new Set(names)].join(", ");
-      return [invalidOption("layers", `there is no patch ${patch}`, `Use one of: ${known}.`)];
+      const remedy = known === "" ? "Pass triangles with patches." : `Use one of: ${known}.`;
+      return [invalidOption("layers", `there is no patch ${patch}`, remedy)];
     }
     if (layers.findIndex((other) => other.patch === patch) === i) return [];
     return [invalidOption("layers", `the patch ${patch} gets layers twice`, "Name each patch once.")];
@@ -149,10 +161,17 @@ export async function addLayers(
   const found = await client.ask("addLayers", given, control);
   if (!found.adaptation.isReadable) refuse([unreadableMesh()]);
   refuse(describeAll(found.adaptation.diagnostics, nameByIndex));
+  const made = found.walls.map((wall, i) => ({ ...wall, patch: walls[i]?.layers.patch ?? "" }));
   return {
     ...describedAdaptation(found.adaptation, mesh),
-    layers: found.walls.map((made, i) => ({ ...made, patch: walls[i]?.layers.patch ?? "" })),
+    layers: made,
+    diagnostics: made.filter(({ triangles }) => triangles === 0).map(({ patch }) => noLayers(patch)),
     cycles: found.cycles,
     largestAspect: found.largestAspect,
   };
+}
+
+function noLayers(patch: string): Diagnostic {
+  const message = `the patch ${patch} has no triangle on the boundary, so it gets no layers`;
+  return { ...invalidOption("layers", message, "Name patches of the boundary."), severity: "warning" };
 }

@@ -302,9 +302,9 @@ export interface Mesher {
   /**
    * Adapts a mesh to a metric: afterwards, nearly all edges have about unit length in it. `background` is a mesh with the metric
    * as node values: `metric` (xx, xy, xz, yy, yz, zz), or `size` and optionally `stretching` and
-   * `direction`, `secondStretching` and `secondDirection`. The boundary
-   * of the mesh follows its given `triangles`, whose patches, sharp edges and corners stay; interfaces between regions stay
-   * triangle for triangle. The result has the metric as node values. Rejects with `invalid-input` if the mesh is invalid, as
+   * `direction`, `secondStretching` and `secondDirection`. New nodes of the boundary are on the faces and edges of the CAD file that
+   * the mesh was made of (`trueFaces`, unless they were moved or scaled), and else on its `triangles`; patches, sharp edges and
+   * corners stay; interfaces between regions stay triangle for triangle. The result has the metric as node values. Rejects with `invalid-input` if the mesh is invalid, as
    * `improveMesh` does, and with `invalid-arrays` if a metric is not positive definite. About 0.2 ms per element of the result. Works in
    * slices beside a run. With `partial: true`, aborting the signal returns the mesh as it is.
    *

@@ -147,20 +147,23 @@ function metricValues(mesh: VolumeInput): Float64Array | undefined {
   return values;
 }
 
+/** Powers by `**` may differ between browsers in their last bit. */
+const inverseSquare = (x: number) => 1 / (x * x);
+
 function stretchedMetrics({ sizes = new Float64Array(), first, second }: SizeValues): Float64Array {
   const metrics = new Float64Array(SIX * sizes.length);
   for (let node = 0; node < sizes.length; node++) {
-    const across = (sizes[node] ?? 0) ** -2;
+    const across = inverseSquare(sizes[node] ?? 0);
     const metric = metrics.subarray(SIX * node, SIX * node + SIX);
     metric.set([across, 0, 0, across, 0, across]);
     const along = directionAt(first, node);
     const other = directionAt(second, node);
-    addStretching(metric, along, across * (stretchingAt(first, node) ** -2 - 1));
+    addStretching(metric, along, across * (inverseSquare(stretchingAt(first, node)) - 1));
     // Rounded directions are not quite orthogonal.
     const square = dot(along, along);
     const share = square > 0 && stretchingAt(first, node) > 1 ? dot(along, other) / square : 0;
     const [x, y, z] = [other[0] - share * along[0], other[1] - share * along[1], other[2] - share * along[2]];
-    addStretching(metric, [x, y, z], across * (stretchingAt(second, node) ** -2 - 1));
+    addStretching(metric, [x, y, z], across * (inverseSquare(stretchingAt(second, node)) - 1));
   }
   return metrics;
 }

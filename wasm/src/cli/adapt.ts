@@ -16,7 +16,13 @@ import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./path
 import { withRun } from "./run.js";
 import type { CycleReport } from "./cycle-folder.js";
 import { layerLimitsIn, layersIn, layersOf, layersText } from "./layers.js";
-import { type CycleCommandOptions, cycleOptions, refuseCycleOptions, runCycles } from "./cycles.js";
+import {
+  type CycleCommandOptions,
+  cycleOptions,
+  refuseCycleOptions,
+  runCycles,
+  WITH_LAYERS,
+} from "./cycles.js";
 import type { UnitOptions } from "./units.js";
 
 /** Options as commander passes them. */
@@ -67,7 +73,7 @@ async function adaptAndWrite(input: string, options: AdaptCommandOptions): Promi
     return adaptInCycles(input, { ...options, solver });
   }
   if (layers !== undefined) {
-    refuseCycleOptions(options, ["cycles", "maxAspect", "gradation"]);
+    refuseCycleOptions(options, WITH_LAYERS);
     return adaptOnce(input, options, layersIn(layers));
   }
   if (background === undefined) {

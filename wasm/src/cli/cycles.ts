@@ -24,7 +24,7 @@ import { asInvalidInput, print, printDiagnostics } from "./messages.js";
 import { withRun } from "./run.js";
 import { runSolver, type SolverFiles } from "./solver.js";
 import {
-  fieldsOf,
+  fieldsFor,
   readElements,
   readSolFile,
   sizeOptions,
@@ -78,6 +78,9 @@ const ONLY_CYCLES = [
   "indicator", "indicatorOrder", "conservative", "meshFormat", "solutionFormat", "folder", "resume",
 ] as const; // prettier-ignore
 
+/** Those that layers have, too. */
+export const WITH_LAYERS = ["cycles", "maxAspect", "gradation"] as const;
+
 /** Throws an InvalidInput if an option of the cycles is given without a solver. `others`: those that have another meaning then. */
 export function refuseCycleOptions(
   options: Partial<CycleCommandOptions>,
@@ -86,8 +89,10 @@ export function refuseCycleOptions(
   const given = ONLY_CYCLES.find((name) => options[name] !== undefined && !others.includes(name));
   if (given === undefined) return;
   const word = `--${given.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
-  const remedy = "Add --solver with the command of a solver, or omit it.";
-  refuseOptions([invalidOption(word, `${word} is for cycles with a solver`, remedy)]);
+  const alsoLayers = WITH_LAYERS.some((name) => name === given);
+  const remedy = `Add --solver with the command of a solver${alsoLayers ? ", or --layers," : ""} or omit it.`;
+  const users = alsoLayers ? "cycles with a solver and for layers" : "cycles with a solver";
+  refuseOptions([invalidOption(word, `${word} is for ${users}`, remedy)]);
 }
 
 /** What is adapted, and how. */
@@ -155,7 +160,8 @@ class CycleRun {
     print(
       `${input}: ${plural(done, "cycle")} of ${this.#count} in ${this.#folder.folder}; ${this.#continues(done)}`,
     );
-    const first = await readMeshFile(file);
+    // Mesh files have no faces; the mesh of a CAD file is the same one again.
+    const first = isCadInput(input, options.from) ? await firstMesh() : await readMeshFile(file);
     const mesh = done === 0 ? first : await readMeshFile(this.#folder.file("mesh", done + 1, KEPT));
     return { first, mesh, list: known };
   }
@@ -308,7 +314,7 @@ async function readSolution(file: string, mesh: Mesh, names: readonly string[]):
   const own = isMesh
     ? await readElements(file, {})
     : { ...mesh, nodeData: await readSolFile(file, mesh.points.length / 3) };
-  const fields = [...fieldsOf(file, own, undefined), ...fieldsOf(file, own, names)];
+  const fields = [...fieldsFor(file, own, undefined), ...fieldsFor(file, own, names)];
   return {
     mesh: own,
     fields: [...new Set(fields.map(({ name }) => name))].flatMap(

@@ -183,7 +183,8 @@ Examples
 export const adaptHelp = () => `
 Input
   A volume mesh, or what \`tetrafront mesh\` reads: a CAD file, a surface or a project, which is meshed first. New
-  nodes of the boundary are on the faces and edges of a CAD file, and otherwise on the triangles of this mesh.
+  nodes of the boundary are on the faces and edges of a CAD file (without --units or --scale), and otherwise on the
+  triangles of this mesh.
 
 Background
   A volume mesh with the metric at its nodes: "metric" with xx, xy, xz, yy, yz and zz, or "size" and optionally

@@ -208,9 +208,13 @@ function meshContents(mesh: Mesh) {
     inverted: mesh.invertedTetrahedra?.length ?? 0,
     regions: heldGroups(mesh.regions, mesh.tetrahedronRegion),
     ...(mesh.surfaceRegions && { surfaceRegions: heldSurfaceRegions(mesh.surfaceRegions) }),
-    nodeData: [...mesh.nodeData].map(([name, { components }]) => ({ name, components })),
+    nodeData: heldFields(mesh.nodeData),
+    elementData: heldFields(mesh.elementData ?? new Map()),
   };
 }
+
+const heldFields = (data: Mesh["nodeData"]) =>
+  Array.from(data, ([name, { components }]) => ({ name, components }));
 
 function heldGroups(groups: readonly MeshGroup[], positions: Uint32Array): HeldGroup[] {
   const counts = new Uint32Array(groups.length);
@@ -287,5 +291,8 @@ function contentLines(held: { readonly format: string } & ReturnType<typeof mesh
       ({ name, tag, elements }) => `region ${tag} "${name}": ${plural(elements, "triangle")} around it`,
     ),
     ...held.nodeData.map(({ name, components }) => `values at the nodes "${name}": ${components} per node`),
+    ...held.elementData.map(
+      ({ name, components }) => `values of the elements "${name}": ${components} per element`,
+    ),
   ];
 }

@@ -52,12 +52,13 @@ export function layerLimitsIn({ cycles, maxAspect, gradation }: LimitOptions): L
 
 /** A word that is not a number is still a text here. */
 function checkWords({ patch, firstHeight, growth, count }: PatchLayers) {
-  return [firstHeight, growth, count]
-    .filter((value) => typeof value !== "number")
-    .map((value) =>
+  const numbers = { "first height": firstHeight, growth, number: count };
+  return Object.entries(numbers)
+    .filter(([, value]) => typeof value !== "number")
+    .map(([word, value]) =>
       invalidOption(
         "--layers",
-        `the layers of ${patch} have ${String(value)} for a number`,
+        `the ${word} of the layers of ${patch} is "${String(value)}", not a number`,
         "Use decimal numbers.",
       ),
     );

@@ -11,6 +11,7 @@ import { listed } from "../formats/groups.js";
 import { readSol } from "../formats/medit-sol.js";
 import { ReadFailure } from "../formats/read-result.js";
 import { ERROR_NORMS, type ErrorNorm } from "../generated/constants.js";
+import { dataOf, fieldsOf } from "../mesh/mesh-fields.js";
 import type { Mesh } from "../mesh/mesh.js";
 import type { FieldValues, SolutionSizes, TransferredFields } from "../mesh/solution.js";
 import { writableName, writeMeshTo } from "./convert.js";
@@ -57,7 +58,7 @@ export async function sizesOfFile(input: string, options: SizesCommandOptions): 
     const mesh = await readElements(input, options);
     const { field: names, indicator } = options;
     const named = indicator === undefined ? names : decidingNames([], { fields: names, indicator });
-    const fields = fieldsOf(input, mesh, named);
+    const fields = fieldsFor(input, mesh, named);
     const made = await withRun(isQuiet, (mesher, controlOf) =>
       mesher.sizeFromSolution(mesh, fields, chosen, controlOf("solution")),
     );
@@ -82,15 +83,12 @@ export async function transferFile(
     const name = await checkedOutput([input, target], options);
     const from = await readElements(input, options);
     const to = await readElements(target, options);
-    const fields = fieldsAtNodes(input, from, options.field);
+    const fields = fieldsFor(input, from, options.field);
     const made = await withRun(isQuiet, (mesher, controlOf) =>
       mesher.transferSolution(from, to, fields, { conservative }, controlOf("solution")),
     );
-    const nodeData = new Map([
-      ...to.nodeData,
-      ...made.fields.map(({ name: key = "", components, values }) => [key, { components, values }] as const),
-    ]);
-    await writeMeshTo({ input, output, name, isQuiet }, { ...to, nodeData });
+    const { nodeData, elementData } = dataOf([...fieldsOf(to), ...made.fields]);
+    await writeMeshTo({ input, output, name, isQuiet }, { ...to, nodeData, elementData });
     if (!isQuiet) {
       for (const line of transferLines(made, conservative === true)) print(`${input}: ${line}`);
       print(`${input}: ${plural(fields.length, "field")} on ${target} -> ${output}`);
@@ -178,21 +176,20 @@ export async function readSolFile(file: string, nodes: number): Promise<Mesh["no
  * Returns the fields with the given names, by default all at the nodes, and those of elements if there are none. Throws an
  * InvalidInput about a name that the file does not have.
  */
-export function fieldsOf(
+export function fieldsFor(
   input: string,
-  { nodeData, elementData = new Map() }: Pick<Mesh, "nodeData" | "elementData">,
+  mesh: Pick<Mesh, "nodeData" | "elementData">,
   names: readonly string[] | undefined,
 ): FieldValues[] {
-  const atNodes = Array.from(nodeData, ([name, data]): FieldValues => ({ ...data, name }));
-  const ofElements = Array.from(elementData, ([name, data]) => ({ ...data, name, isPerElement: true }));
-  const all = [...atNodes, ...ofElements];
+  const all = fieldsOf(mesh);
+  const atNodes = all.filter(({ isPerElement = false }) => !isPerElement);
   if (all.length === 0) {
     const remedy =
       "Write the fields of the solver as values at the nodes (VTU: PointData) or of the elements.";
     throw new InvalidInput(input, [packageDiagnostic("unreadable-input", "no field in the file", remedy)]);
   }
-  if (names === undefined) return atNodes.length > 0 ? atNodes : ofElements;
-  const known = [...new Set(all.map(({ name = "" }) => `"${name}"`))];
+  if (names === undefined) return atNodes.length > 0 ? atNodes : all;
+  const known = [...new Set(all.map(({ name }) => `"${name}"`))];
   return names.map((name) => {
     const field = all.find((one) => one.name === name);
     if (field !== undefined) return field;
@@ -200,19 +197,6 @@ export function fieldsOf(
     const remedy = `The file has ${listed(known)}.`;
     throw new InvalidInput(input, [packageDiagnostic("unreadable-input", message, remedy)]);
   });
-}
-
-/** The same for fields that are written: files get values at nodes only. */
-function fieldsAtNodes(
-  input: string,
-  { nodeData, elementData }: Mesh,
-  names: readonly string[] | undefined,
-): FieldValues[] {
-  const other = names?.find((name) => !nodeData.has(name) && elementData?.has(name) === true);
-  if (other === undefined) return fieldsOf(input, { nodeData }, names);
-  const message = `"${other}" has values of the elements, but only values at the nodes are transferred`;
-  const remedy = "Write it as values at the nodes, or call transferSolution() of the package.";
-  throw new InvalidInput(input, [packageDiagnostic("unreadable-input", message, remedy)]);
 }
 
 function sizesText(
