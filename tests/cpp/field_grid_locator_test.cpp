@@ -282,6 +282,16 @@ TEST(GridLocatorTest, SecondStretchingsAreThoseOfTheNodes) {
   }
 }
 
+TEST(GridLocatorTest, SecondDirectionsHaveAnyLength) {
+  const BackgroundNode node{.position = Vec3(0.0), .size = 0.5, .stretching = 1.0};
+  const SymmetricTensor expected = sizeTensor(node, {3.0, Vec3(0.0, 1.0, 0.0)});
+  for (const double length : {1e-300, 1e-160, 1e160, 1e300}) {
+    const SymmetricTensor found = sizeTensor(node, {3.0, Vec3(0.0, length, 0.0)});
+    EXPECT_EQ(found.yy, expected.yy) << length;
+    EXPECT_EQ(found.xx, expected.xx) << length;
+  }
+}
+
 /// Between thin elements of different directions, the logarithmic mean stays thin, and its volume is theirs. The
 /// linear mean is thicker.
 TEST(GridLocatorTest, SecondStretchingsStayThinBetweenNodes) {
