@@ -1,6 +1,6 @@
 /** Solves a problem on the shown mesh and adapts the mesh to the solution, cycle by cycle: what the package offers, with a solver of the app. */
 import type { CycleOptions, MeshAdaptation, Mesher, MeshResult } from "tetrafront";
-import { estimatedErrors, inspectedResult, meshWithBoundary } from "tetrafront/internal";
+import { dataOf, estimatedErrors, inspectedResult, meshWithBoundary } from "tetrafront/internal";
 import { SolveClient } from "../solve/solve-client";
 import { solutionStrings as texts } from "../strings/solution";
 import { problemOf, type ProblemSetup } from "./problem-setup";

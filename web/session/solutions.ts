@@ -1,4 +1,4 @@
-import type { MeshResult } from "tetrafront";
+import type { Mesh, MeshResult } from "tetrafront";
 import { dataOf, fieldsOf } from "tetrafront/internal";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { lengthAt } from "../document/vectors";

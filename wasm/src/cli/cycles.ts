@@ -19,7 +19,7 @@ import type { Mesh } from "../mesh/mesh.js";
 import { CycleFolder, type CycleList, type CycleReport, hashOf } from "./cycle-folder.js";
 import { writeMeshTo } from "./convert.js";
 import { checkInput, FileError } from "./files.js";
-import { extensionOfFormat, numberIn, readMeshFile, refuseOptions } from "./input.js";
+import { extensionOfFormat, isCadInput, numberIn, readMeshFile, refuseOptions } from "./input.js";
 import { asInvalidInput, print, printDiagnostics } from "./messages.js";
 import { withRun } from "./run.js";
 import { runSolver, type SolverFiles } from "./solver.js";
@@ -35,6 +35,7 @@ import { enterStage } from "./stages.js";
 /** Options as commander passes them. */
 export interface CycleCommandOptions extends SolutionSizeCommandOptions {
   readonly output: string;
+  readonly from?: string;
   readonly solver?: string;
   readonly cycles?: string;
   readonly field?: readonly string[];
