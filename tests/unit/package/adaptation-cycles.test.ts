@@ -300,7 +300,7 @@ describe("tetrafront adapt --solver", () => {
   });
 
   test.each<[readonly string[], RegExp]>([
-    [["adapt", "box.mesh", "-o", "out.vtu"], /neither --background nor --solver/i],
+    [["adapt", "box.mesh", "-o", "out.vtu"], /none of --background, --layers and --solver/i],
     [[...WITH_SOLVER, "--background", "box.mesh"], /exclude each other/],
     [[...ADAPT, "--background", "box.mesh"], /--mesh-format is for cycles|--elements is for cycles/],
     [[...WITH_SOLVER, "--error", "1"], /both a number of elements and an error/i],
