@@ -104,7 +104,6 @@ function middleOf(id: number, corners: readonly ProjectBackgroundNode[]): Projec
   const position = mean(corners.map((node) => node.position)) as [number, number, number];
   const node = { id, position, size: meanOf(corners.map(({ size }) => size)) };
   const first = meanStretching(corners.map(({ stretching, direction }) => ({ stretching, direction })));
-  if (!first) return node;
   const second = meanStretching(
     corners.map(({ secondStretching: stretching, secondDirection: direction }) => ({
       stretching,
@@ -116,7 +115,7 @@ function middleOf(id: number, corners: readonly ProjectBackgroundNode[]): Projec
     ...first,
     ...(second && {
       secondStretching: second.stretching,
-      secondDirection: orthogonalTo(first.direction, second.direction),
+      secondDirection: first ? orthogonalTo(first.direction, second.direction) : second.direction,
     }),
   };
 }
