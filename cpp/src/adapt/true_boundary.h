@@ -30,7 +30,7 @@ class TrueBoundary {
 
   /// Returns the position on an edge of the model that is nearest to `position`, or to its foot on a segment of a line, from 0, if it
   /// is far from that; the foot itself if no edge is near.
-  [[nodiscard]] Vec3 onLine(FeatureLineId line, std::size_t segment, const Vec3& foot,
+  [[nodiscard]] Vec3 onLine(FeatureLineId id, std::size_t segment, const Vec3& foot,
                             const Vec3& position) const;
 
   /// Largest distance between the middle of a triangle or a segment and its face or edge.
