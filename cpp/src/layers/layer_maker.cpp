@@ -120,7 +120,8 @@ class LayerCycles {
     out_.adaptation.diagnostics = co_await checkBackgroundGrid(work, grid);
     if (anyError(out_.adaptation.diagnostics)) co_return;
     work.beginPart(1.0);
-    base_.emplace(co_await MetricBackground::build(work, grid, background.metrics));
+    MetricBackground base = co_await MetricBackground::build(work, grid, background.metrics);
+    base_.emplace(std::move(base));
   }
 
   Task<> repeat(Work& work) {

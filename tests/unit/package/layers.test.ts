@@ -109,7 +109,7 @@ test("the command names what is wrong with layers", async () => {
   const wrong = [
     ["roof:0.1:1.2:3", /no patch roof.*rest, wall: cold, or \*/s],
     ["wall", /PATCH:FIRST:GROWTH:COUNT/],
-    ["rest:0.1:x:3", /the growth of the layers of rest is "x", not a number/],
+    ["rest:0.1:x:3", /growth of the layers of rest is "x", not a number/],
     ["rest:-0.1:1.2:3", /first height of the layers of rest is -0\.1/],
   ] as const;
   for (const [text, message] of wrong) {
