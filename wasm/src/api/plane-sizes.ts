@@ -4,7 +4,7 @@ import * as v from "valibot";
 import { LIMITS, limitText } from "../base/limits.js";
 import { objectWith } from "../calls/schemas.js";
 import { type GridArrays, MAX_LENGTH, MIN_LENGTH, SOURCE_GROWTH } from "../generated/constants.js";
-import { noSecondStretchings } from "../project/grid-arrays.js";
+import { noSecondStretchings } from "../project/second-stretchings.js";
 import type { PlaneNode, PlaneSizes, PlaneSource, UnfilledPlane } from "./plane-types.js";
 import { anyNumber, firstOf, type PlaneLoops, positionSchema } from "./plane-loops.js";
 

@@ -6,6 +6,7 @@ import { refuse } from "../diagnostics/mesher-error.js";
 import { type GridArrays, SOURCE_GROWTH, SOURCE_TYPES } from "../generated/constants.js";
 import { type BackgroundArrays, checkBackground } from "./background-arrays.js";
 import type { ProjectBackground, ProjectBackgroundNode, ProjectSource } from "./project-types.js";
+import { noSecondStretchings } from "./second-stretchings.js";
 
 type SourceArrays = GridArrays["sources"];
 
@@ -241,11 +242,6 @@ function secondArrays(nodes: readonly ProjectBackgroundNode[]): GridArrays["seco
   const direction = new Float64Array(3 * nodes.length);
   nodes.forEach(({ secondDirection = [0, 1, 0] }, i) => direction.set(secondDirection, 3 * i));
   return { stretching, direction };
-}
-
-/** The arrays are new each time, because they are transferred. */
-export function noSecondStretchings(): GridArrays["secondStretchings"] {
-  return { stretching: new Float64Array(), direction: new Float64Array() };
 }
 
 function sourceArrays(sources: readonly ProjectSource[]): SourceArrays {
