@@ -31,6 +31,13 @@ function withoutNodeModules() {
   };
 }
 
+/** The descriptions of a project's fields are only for the JSON Schema, which the package has. */
+const withoutSchemaText = () => ({
+  name: "tetrafront:without-schema-text",
+  enforce: "pre",
+  load: (id) => (/\/project\/words\.js$/.test(id) ? "export const WORDS = {};" : null),
+});
+
 const lessons = {
   root: inRoot("."),
   sources: inRoot("./lessons"),
@@ -49,6 +56,7 @@ export default defineConfig({
     lessonSite(lessons),
     react(),
     withoutNodeModules(),
+    withoutSchemaText(),
     embindWithoutText(),
     preloadedApp(),
     contentSecurityPolicy(),
@@ -57,7 +65,7 @@ export default defineConfig({
     lessonTraces(),
     offlineSite({ source: inRoot("./service-worker.ts") }),
   ],
-  worker: { format: "es", plugins: () => [withoutNodeModules(), notices.ofWorker()] },
+  worker: { format: "es", plugins: () => [withoutNodeModules(), withoutSchemaText(), notices.ofWorker()] },
   resolve: {
     // Locks the scroll bar behind a dialog by a style element, which the policy of the page forbids.
     alias: { "react-style-singleton": inRoot("./ui/theme/style-singleton.ts") },
