@@ -25,12 +25,11 @@ constexpr double kFinerPerCycle = 8.0;
 constexpr double kFanBegins = 0.03;
 constexpr double kFanFull = 0.25;
 
+/// Growth per unit of distance below which layers count as even: the mean of the reciprocal differs from 1 by half of it.
+constexpr double kEven = 1e-6;
+
 /// Distance from a wall / size across it, below which the position is on the wall.
 constexpr double kOnWall = 1e-6;
-
-SymmetricTensor squareOfUnit(const Vec3& v) {
-  return {v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.x * v.z, v.y * v.z};
-}
 
 /// Returns the part of a tensor in the plane normal to a unit vector.
 SymmetricTensor alongSurface(const SymmetricTensor& tensor, const Vec3& normal) {
@@ -96,7 +95,7 @@ LayerSizes::LayerSizes(const PatchLayers& layers, double growthBeyond)
     last_ *= layers.growth;
   }
   // Between d and d + h, the size grows from h to h growth: the mean of its reciprocal must be 1 / h.
-  const double mean = growth_ > 1e-6 ? logarithm(layers.growth) / growth_ : 1.0;
+  const double mean = growth_ > kEven ? logarithm(layers.growth) / growth_ : 1.0;
   edgePerHeight_ = mean / kHeightPerEdge;
 }
 
@@ -152,13 +151,13 @@ SymmetricTensor LayerMetric::ofWall(const WallPoint& wall, const Vec3& position,
   if (fan > 0.0) {
     const double bend = fan * perBend / wall.distance;
     metric.accumulate(SymmetricTensor::isotropic(1.0), bend);
-    if (!wall.isOnCorner) metric.accumulate(squareOfUnit(wall.edge), -bend);
+    if (!wall.isOnCorner) metric.accumulate(squareOf(wall.edge), -bend);
   }
   metric = alongSurface(metric, across);
   PrincipalAxes limited = principalAxes(metric);
   for (double& value : limited.values) value = std::clamp(value, fewest, most);
   metric = composed(limited);
-  metric.accumulate(squareOfUnit(across), most - glm::dot(across, metric * across));
+  metric.accumulate(squareOf(across), most - glm::dot(across, metric * across));
   return metric;
 }
 

@@ -27,10 +27,6 @@ double largestCoordinateOf(const SurfaceMesh& mesh) {
   return largest;
 }
 
-SymmetricTensor squareOf(const Vec3& v) {
-  return {v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.x * v.z, v.y * v.z};
-}
-
 /// Returns the weights of the corners of a triangle at one of its points.
 std::array<double, 3> weightsAt(const std::array<Vec3, 3>& corners, const Vec3& at) {
   const auto& [a, b, c] = corners;

@@ -19,6 +19,11 @@
 
 namespace tetrafront {
 
+/// Returns v v^T.
+[[nodiscard]] inline SymmetricTensor squareOf(const Vec3& v) {
+  return {v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.x * v.z, v.y * v.z};
+}
+
 /// The point of a group of triangles that is nearest to a position.
 struct WallPoint {
   TriangleId triangle{};
