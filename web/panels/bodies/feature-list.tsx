@@ -37,7 +37,7 @@ export function FeatureList({ solid }: { readonly solid: Solid }) {
       <Text size="xs" c="dimmed" my={4} role="status" data-testid="solid-status">
         {solid.isOutdated !== true ? texts.hint : isPending ? operationStrings.computing : failure}
       </Text>
-      <Group gap="md">
+      <Group gap="2px 16px">
         <TextButton onClick={() => startOperation(app, explode)}>{texts.explodeToPatches}</TextButton>
         <TextButton title={texts.explodeHint} onClick={() => explodeSolid(app, solid)}>
           {texts.explode}
