@@ -145,3 +145,30 @@ test("Nastran: counts the nodes that become equal within 16 characters", async (
   expect(await notesFor(0)).not.toMatch(/became equal to others/);
   expect(await notesFor(1e15)).toMatch(/^\d+ points? became equal to others: the format has 16 characters/);
 });
+
+test.each([".vtu", ".vtk"])("fields named as arrays that define groups are kept by %s", async (extension) => {
+  const field = (scale: number, components = 1) => ({
+    components,
+    values: Float64Array.from({ length: components * elements }, (_, i) => scale * i),
+  });
+  const given: Mesh = {
+    ...block,
+    elementData: new Map([
+      ["region", field(0.5)],
+      ["region field", field(2)],
+      ["patch", field(3, 3)],
+      ["medit:ref", field(4)],
+    ]),
+  };
+  const [file] = await writeMesh(given, `a${extension}`);
+  const notes = file?.notes.map(({ message }) => message).join();
+  expect(notes).toMatch(/"region" is written as "region field field".*"patch" is written as "patch field"/);
+  const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` });
+  if (!read.success) throw new Error(read.errors[0].message);
+  const renamed = { ...given, elementData: new Map<string, ReturnType<typeof field>>() };
+  const names = ["region field field", "region field", "patch field", "medit:ref"];
+  [...(given.elementData ?? []).values()].forEach((data, f) => renamed.elementData.set(names[f] ?? "", data));
+  expect(byElement(read.value)).toEqual(byElement(renamed));
+  const tags = ({ regions, patches }: Mesh) => [...regions, ...patches].map(({ tag }) => tag);
+  expect(tags(read.value)).toEqual(tags(block));
+});
