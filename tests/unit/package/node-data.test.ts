@@ -1,5 +1,5 @@
 /** Values at the nodes: written if the format can store them, otherwise reported as left out. */
-import { FILE_FORMATS, readMesh, writeMesh, type Mesh } from "tetrafront";
+import { FILE_FORMATS, readMesh, writeMesh, type Mesh, type NodeData } from "tetrafront";
 import { expect, test } from "vitest";
 
 import type { Part } from "../../../wasm/src/formats/bytes.js";
@@ -165,7 +165,7 @@ test.each([".vtu", ".vtk"])("fields named as arrays that define groups are kept 
   expect(notes).toMatch(/"region" is written as "region field field".*"patch" is written as "patch field"/);
   const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` });
   if (!read.success) throw new Error(read.errors[0].message);
-  const renamed = { ...given, elementData: new Map<string, ReturnType<typeof field>>() };
+  const renamed = { ...given, elementData: new Map<string, NodeData>() };
   const names = ["region field field", "region field", "patch field", "medit:ref"];
   [...(given.elementData ?? []).values()].forEach((data, f) => renamed.elementData.set(names[f] ?? "", data));
   expect(byElement(read.value)).toEqual(byElement(renamed));

@@ -20,8 +20,21 @@ const SECOND_ORDER: ReadonlyMap<number, readonly [linear: number, corners: numbe
 const THIN_CELLS = new Set([0, 1, 2, 3, 4, 21, 35]);
 
 /** Names under which programs store the group of a cell: this package, Gmsh and Medit through meshio, VMTK. */
-export const PATCH_ARRAYS: readonly string[] = ["patch", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags", "region"];
-export const REGION_ARRAYS: readonly string[] = ["region", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags"];
+export const PATCH_ARRAYS: readonly string[] = [
+  "patch",
+  "gmsh:physical",
+  "medit:ref",
+  "CellEntityIds",
+  "cell_tags",
+  "region",
+];
+export const REGION_ARRAYS: readonly string[] = [
+  "region",
+  "gmsh:physical",
+  "medit:ref",
+  "CellEntityIds",
+  "cell_tags",
+];
 
 /** Returns one number per cell, by array name; undefined if there is no such array. */
 export type CellNumbers = (name: string) => Float64Array | undefined;

@@ -91,7 +91,8 @@ export function* vtkElementData(mesh: Mesh, note: Note): Steps<ReadonlyMap<strin
   for (const [name, values] of data) {
     let own = name;
     while (GROUP_NAMES.has(own) || (own !== name && data.has(own))) own = `${own} field`;
-    if (own !== name) note(`the field "${name}" is written as "${own}": in the file, "${name}" holds the groups`);
+    if (own !== name)
+      note(`the field "${name}" is written as "${own}": in the file, "${name}" holds the groups`);
     named.set(own, values);
   }
   return named;
