@@ -13,16 +13,19 @@ import {
 import type { Mesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../../document/selection";
 import type { Position } from "../../document/position";
-import { CurvedFaces, type CurvedTriangles } from "./curved-faces";
+import { CurvedFaces, shareUnit, type CurvedTriangles } from "./curved-faces";
 import { isosurface } from "./field-shapes";
+import { cutElements, cutShareUnit, interpolated } from "./smooth-cut";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,
   collectVisibleFaces,
   cornerValues,
   extentAlong,
+  heightsAlong,
   hideBeyond,
   hideRegions,
+  scaleOf,
   type FieldValues,
   writeCorners,
 } from "./visible-faces";
@@ -54,8 +57,9 @@ export interface DrawnFaces {
   readonly onBoundary: Uint8Array<ArrayBuffer>;
   /** Nine per triangle: x y z of three corners, counter-clockwise from outside. */
   readonly corners: Float32Array<ArrayBuffer>;
-  /** As in `CurvedTriangles`; empty if no edge is curved, so that every triangle is a face. */
+  /** Three per corner: its coordinates in its face, as multiples of `shareUnit`; empty if every triangle is a face. */
   readonly shares: Uint8Array<ArrayBuffer>;
+  readonly shareUnit: number;
   /**
    * Per corner: the position of its element on the colour scale, 0 to 1, or the index of its region, depending on
    * the shading; empty with plain shading. With a field, the position of its own value.
@@ -107,17 +111,63 @@ export class MeshQueries {
   facesOf({ origin, cut, hiddenRegions, shading, qualitySpace, byField }: ViewOptions): DrawnFaces {
     const neighbours = this.#cachedNeighbours();
     this.#hidden.fill(0);
+    const field = byField === true ? this.#field : null;
+    const shape = (field && this.#moved) ?? this.#mesh;
+    // Values of elements belong to whole ones, and curved faces are not divided.
+    if (cut && field && !field.isPerElement && !this.#isCurved(shape)) {
+      hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
+      return this.#cutSmoothly(shape, field, cut, origin);
+    }
     if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
     hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
     const count = collectVisibleFaces(neighbours, this.#hidden, this.#faces);
-    const field = byField === true ? this.#field : null;
-    const shape = (field && this.#moved) ?? this.#mesh;
     const { faces, corners, shares } = this.#trianglesOf(shape, this.#faces.slice(0, count), origin);
     const onBoundary = Uint8Array.from(faces, (face) => Number(this.#endsRegion(face, neighbours)));
     const values = field
       ? cornerValues(this.#mesh.tetrahedra, faces, shares, field)
       : this.#valuesOf(faces, shading, qualitySpace);
-    return { faces, onBoundary, corners, shares, values };
+    return { faces, onBoundary, corners, shares, shareUnit, values };
+  }
+
+  /** Returns what the plane of a cut leaves of the mesh, with the section of each element that it meets. */
+  #cutSmoothly(
+    shape: QueriedMesh["mesh"],
+    { values, range }: FieldValues,
+    cut: Omit<Cut, "enabled">,
+    origin: Position,
+  ): DrawnFaces {
+    const neighbours = this.#cachedNeighbours();
+    const { tetrahedra, points } = this.#mesh;
+    const heights = heightsAlong(points, cut, this.#limit(cut));
+    const divided = cutElements({ tetrahedra, neighbours, hidden: this.#hidden, heights }, this.#faces);
+    const { wholeCount, cut: parts } = divided;
+    const faces = new Uint32Array(wholeCount + parts.faces.length);
+    faces.set(this.#faces.subarray(0, wholeCount));
+    faces.set(parts.faces, wholeCount);
+    const onBoundary = Uint8Array.from(faces, (face, i) =>
+      parts.isSection[i - wholeCount] === 1 ? 0 : Number(this.#endsRegion(face, neighbours)),
+    );
+    const corners = new Float32Array(9 * faces.length);
+    writeCorners(shape, faces, wholeCount, origin, corners);
+    corners.set(
+      interpolated(parts, shape.points, 3).map((x, i) => x - (origin[i % 3] ?? 0)),
+      9 * wholeCount,
+    );
+    const shares = new Uint8Array(9 * faces.length);
+    for (let corner = 0; corner < 9 * wholeCount; corner += 9)
+      for (let k = 0; k < 9; k += 4) shares[corner + k] = 1 / cutShareUnit;
+    shares.set(parts.shares, 9 * wholeCount);
+    const positions = new Float32Array(3 * faces.length);
+    const field = { values, range, isPerElement: false, offsets: null };
+    positions.set(cornerValues(tetrahedra, faces.subarray(0, wholeCount), new Uint8Array(), field));
+    positions.set(interpolated(parts, values, 1).map(scaleOf(range)), 3 * wholeCount);
+    return { faces, onBoundary, corners, shares, shareUnit: cutShareUnit, values: positions };
+  }
+
+  /** Returns whether faces of a shape are drawn curved: only straight edges are moved with their nodes. */
+  #isCurved(shape: QueriedMesh["mesh"]): boolean {
+    const { curvedEdges } = this.#mesh;
+    return shape === this.#mesh && curvedEdges !== undefined && curvedEdges.edges.length > 0;
   }
 
   histogram(measure: QualityMeasure, space: QualitySpace, barCount: number): Histogram {
@@ -130,8 +180,7 @@ export class MeshQueries {
     origin: Position,
   ): CurvedTriangles {
     const { curvedEdges } = this.#mesh;
-    // Only straight edges are moved with their nodes.
-    if (shape === this.#mesh && curvedEdges !== undefined && curvedEdges.edges.length > 0) {
+    if (curvedEdges !== undefined && this.#isCurved(shape)) {
       this.#curved ??= new CurvedFaces(this.#mesh, curvedEdges);
       return this.#curved.trianglesOf(faces, origin);
     }

@@ -17,6 +17,20 @@ export function extentAlong(points: Float64Array, axis: Cut["axis"]): readonly [
   return low <= high ? [low, high] : [0, 0];
 }
 
+/** Returns the distance of each node from the plane of a cut at a coordinate; negative where it is cut away. */
+export function heightsAlong(
+  points: Float64Array,
+  { axis, flipped }: Pick<Cut, "axis" | "flipped">,
+  limit: number,
+): Float64Array {
+  const heights = new Float64Array(points.length / 3);
+  for (let node = 0; node < heights.length; ++node) {
+    const above = (points[3 * node + axisIndex[axis]] ?? 0) - limit;
+    heights[node] = flipped ? above : -above;
+  }
+  return heights;
+}
+
 /** Returns the coordinate of each tetrahedron's centroid along one axis. */
 export function centroidsAlong({ points, tetrahedra }: Elements, axis: Cut["axis"]): Float32Array {
   const k = axisIndex[axis];
@@ -99,6 +113,12 @@ export interface FieldValues {
   readonly offsets: Float32Array<ArrayBuffer> | null;
 }
 
+/** Returns the function from a value to its position on the colour scale. If all values are equal, they have the colour in the middle. */
+export function scaleOf([low, high]: FieldValues["range"]): (value: number) => number {
+  const scale = high > low ? 1 / (high - low) : 0;
+  return (value) => (scale === 0 ? 0.5 : (value - low) * scale);
+}
+
 /**
  * Returns the position on the colour scale per corner of each triangle: 0 to 1. `shares` as in `CurvedTriangles`; empty if every
  * triangle is a face.
@@ -107,18 +127,16 @@ export function cornerValues(
   tetrahedra: Uint32Array,
   faces: Uint32Array,
   shares: Uint8Array,
-  { values, isPerElement, range: [low, high] }: FieldValues,
+  { values, isPerElement, range }: FieldValues,
 ): Float32Array<ArrayBuffer> {
   const positions = new Float32Array(3 * faces.length);
-  const scale = high > low ? 1 / (high - low) : 0;
+  const positionOf = scaleOf(range);
   const ofFace = [0, 0, 0];
   for (let i = 0; i < faces.length; ++i) {
     const face = faces[i] ?? 0;
     for (let k = 0; k < 3; ++k) {
       const node = tetrahedra[(face & ~3) + (faceNodes[3 * (face & 3) + k] ?? 0)] ?? 0;
-      const value = values[isPerElement ? face >> 2 : node] ?? 0;
-      // If all values are equal, they have the colour in the middle.
-      ofFace[k] = scale === 0 ? 0.5 : (value - low) * scale;
+      ofFace[k] = positionOf(values[isPerElement ? face >> 2 : node] ?? 0);
     }
     for (let k = 0; k < 3; ++k)
       positions[3 * i + k] =
