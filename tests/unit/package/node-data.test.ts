@@ -3,6 +3,7 @@ import { FILE_FORMATS, readMesh, writeMesh, type Mesh, type NodeData } from "tet
 import { expect, test } from "vitest";
 
 import type { Part } from "../../../wasm/src/formats/bytes.js";
+import { NodeTags } from "../../../wasm/src/formats/node-tags.js";
 import { writeVtk } from "../../../wasm/src/formats/vtk.js";
 import { blockMesh } from "../../support/block-mesh.js";
 
@@ -171,4 +172,12 @@ test.each([".vtu", ".vtk"])("fields named as arrays that define groups are kept 
   expect(byElement(read.value)).toEqual(byElement(renamed));
   const tags = ({ regions, patches }: Mesh) => [...regions, ...patches].map(({ tag }) => tag);
   expect(tags(read.value)).toEqual(tags(block));
+});
+
+test("tags with gaps are found in as many maps as they need; the last of several counts", () => {
+  const tags = new NodeTags(3);
+  const added = [5, 6, 9, 10, 2, 1e9, 6, 30, 31, 32];
+  added.forEach((tag) => tags.add(tag));
+  for (const tag of added) expect(tags.indexOf(tag)).toBe(added.lastIndexOf(tag));
+  for (const tag of [0, 1, 7, 33]) expect(tags.indexOf(tag)).toBeUndefined();
 });
