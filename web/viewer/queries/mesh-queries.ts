@@ -14,18 +14,15 @@ import type { Mesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../../document/selection";
 import type { Position } from "../../document/position";
 import { CurvedFaces, shareUnit, type CurvedTriangles } from "./curved-faces";
-import { isosurface } from "./field-shapes";
-import { cutElements, cutShareUnit, interpolated } from "./smooth-cut";
+import type { cutSmoothly } from "./smooth-cut";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,
   collectVisibleFaces,
   cornerValues,
   extentAlong,
-  heightsAlong,
   hideBeyond,
   hideRegions,
-  scaleOf,
   type FieldValues,
   writeCorners,
 } from "./visible-faces";
@@ -102,24 +99,31 @@ export class MeshQueries {
     this.#moved = isMoved ? { ...this.#mesh, points: points.map((x, i) => x + (offsets[i] ?? 0)) } : null;
   }
 
-  /** Returns where the field has a value: x y z of three corners per triangle, relative to `origin`. */
-  isosurface(level: number, origin: Position): Float32Array<ArrayBuffer> {
-    const values = this.#field?.values ?? new Float32Array();
-    return isosurface(this.#moved ?? this.#mesh, values, level, origin);
+  /** The mesh where it is drawn, and the values of the field at its nodes. */
+  get drawnField(): { readonly mesh: Elements; readonly values: Float32Array<ArrayBuffer> } {
+    return { mesh: this.#moved ?? this.#mesh, values: this.#field?.values ?? new Float32Array() };
   }
 
-  facesOf({ origin, cut, hiddenRegions, shading, qualitySpace, byField }: ViewOptions): DrawnFaces {
+  /** `divide`: divides elements at the plane of a cut if the colours show values at the nodes; null cuts between elements. */
+  facesOf(options: ViewOptions, divide: typeof cutSmoothly | null = null): DrawnFaces {
+    const { origin, cut, hiddenRegions, shading, qualitySpace, byField } = options;
     const neighbours = this.#cachedNeighbours();
     this.#hidden.fill(0);
+    hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
     const field = byField === true ? this.#field : null;
     const shape = (field && this.#moved) ?? this.#mesh;
     // Values of elements belong to whole ones, and curved faces are not divided.
-    if (cut && field && !field.isPerElement && !this.#isCurved(shape)) {
-      hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
-      return this.#cutSmoothly(shape, field, cut, origin);
+    if (divide && cut && field && !field.isPerElement && !this.#isCurved(shape)) {
+      const { axis, flipped } = cut;
+      const plane = { axis, flipped, limit: this.#limit(cut) };
+      const mesh = { mesh: this.#mesh, neighbours, hidden: this.#hidden, scratch: this.#faces };
+      const { isSection, ...drawn } = divide(mesh, plane, field, { points: shape.points, origin });
+      const onBoundary = Uint8Array.from(drawn.faces, (face, i) =>
+        isSection(i) ? 0 : Number(this.#endsRegion(face, neighbours)),
+      );
+      return { ...drawn, onBoundary };
     }
     if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
-    hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
     const count = collectVisibleFaces(neighbours, this.#hidden, this.#faces);
     const { faces, corners, shares } = this.#trianglesOf(shape, this.#faces.slice(0, count), origin);
     const onBoundary = Uint8Array.from(faces, (face) => Number(this.#endsRegion(face, neighbours)));
@@ -127,41 +131,6 @@ export class MeshQueries {
       ? cornerValues(this.#mesh.tetrahedra, faces, shares, field)
       : this.#valuesOf(faces, shading, qualitySpace);
     return { faces, onBoundary, corners, shares, shareUnit, values };
-  }
-
-  /** Returns what the plane of a cut leaves of the mesh, with the section of each element that it meets. */
-  #cutSmoothly(
-    shape: QueriedMesh["mesh"],
-    { values, range }: FieldValues,
-    cut: Omit<Cut, "enabled">,
-    origin: Position,
-  ): DrawnFaces {
-    const neighbours = this.#cachedNeighbours();
-    const { tetrahedra, points } = this.#mesh;
-    const heights = heightsAlong(points, cut, this.#limit(cut));
-    const divided = cutElements({ tetrahedra, neighbours, hidden: this.#hidden, heights }, this.#faces);
-    const { wholeCount, cut: parts } = divided;
-    const faces = new Uint32Array(wholeCount + parts.faces.length);
-    faces.set(this.#faces.subarray(0, wholeCount));
-    faces.set(parts.faces, wholeCount);
-    const onBoundary = Uint8Array.from(faces, (face, i) =>
-      parts.isSection[i - wholeCount] === 1 ? 0 : Number(this.#endsRegion(face, neighbours)),
-    );
-    const corners = new Float32Array(9 * faces.length);
-    writeCorners(shape, faces, wholeCount, origin, corners);
-    corners.set(
-      interpolated(parts, shape.points, 3).map((x, i) => x - (origin[i % 3] ?? 0)),
-      9 * wholeCount,
-    );
-    const shares = new Uint8Array(9 * faces.length);
-    for (let corner = 0; corner < 9 * wholeCount; corner += 9)
-      for (let k = 0; k < 9; k += 4) shares[corner + k] = 1 / cutShareUnit;
-    shares.set(parts.shares, 9 * wholeCount);
-    const positions = new Float32Array(3 * faces.length);
-    const field = { values, range, isPerElement: false, offsets: null };
-    positions.set(cornerValues(tetrahedra, faces.subarray(0, wholeCount), new Uint8Array(), field));
-    positions.set(interpolated(parts, values, 1).map(scaleOf(range)), 3 * wholeCount);
-    return { faces, onBoundary, corners, shares, shareUnit: cutShareUnit, values: positions };
   }
 
   /** Returns whether faces of a shape are drawn curved: only straight edges are moved with their nodes. */

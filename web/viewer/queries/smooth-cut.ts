@@ -2,10 +2,15 @@
  * A cut through elements instead of between them: their sections with a plane, and what it leaves of their faces. Positions and
  * values at the corners are interpolated along the edges that the plane divides.
  */
+import type { Elements } from "../../document/mesh-quality";
+import type { Position } from "../../document/position";
+import type { Cut } from "../../document/selection";
+import type { DrawnFaces } from "./mesh-queries";
 import { faceNodes, outside } from "./topology";
+import { axisIndex, cornerValues, scaleOf, writeCorners, type FieldValues } from "./visible-faces";
 
-/** A corner at a node has the index of the node twice. */
-export interface CutCorners {
+/** Parts of faces, and sections. A corner at a node has the index of the node twice. */
+interface CutCorners {
   /** Per triangle: the face that it is a part of, 4t + f; of the section of tetrahedron t, 4t. */
   readonly faces: number[];
   /** Per triangle: 1 if it is a part of a section. */
@@ -14,21 +19,67 @@ export interface CutCorners {
   readonly ends: number[];
   /** Per corner: distance from the first end / length of the edge. */
   readonly positions: number[];
-  /** Three per corner: its coordinates in the face, in multiples of `cutShareUnit`. Only edges of the mesh have a zero all along. */
+  /** Three per corner: its coordinates in the face, in multiples of `1 / whole`. Only edges of the mesh have a zero all along. */
   readonly shares: number[];
 }
 
 const whole = 255;
-/** Multiples of this share state where a corner lies in its face or section. */
-export const cutShareUnit = 1 / whole;
-
-/** What decides which elements remain. */
-export interface DividedMesh {
-  readonly tetrahedra: Uint32Array;
+/** The mesh before the cut. */
+interface UncutMesh {
+  readonly mesh: Elements;
   /** Per face 4t + f: the tetrahedron beyond. */
   readonly neighbours: Int32Array;
   /** Per tetrahedron: 1 if it is not drawn. */
   readonly hidden: Uint8Array;
+  /** Space for an entry per face 4t + f. */
+  readonly scratch: Uint32Array;
+}
+
+/** The part beyond the plane is cut away: that above the coordinate, or that below if flipped. */
+interface CutPlane extends Pick<Cut, "axis" | "flipped"> {
+  readonly limit: number;
+}
+
+/** Returns what the plane of a cut leaves of a mesh, with the section of each element that it meets. Nodes are drawn at `points`. */
+export function cutSmoothly(
+  uncut: UncutMesh,
+  plane: CutPlane,
+  field: FieldValues,
+  { points, origin }: { readonly points: Float64Array; readonly origin: Position },
+): Omit<DrawnFaces, "onBoundary"> & { readonly isSection: (triangle: number) => boolean } {
+  const { mesh, scratch } = uncut;
+  const divided = { ...uncut, tetrahedra: mesh.tetrahedra, heights: heightsOver(mesh.points, plane) };
+  const { wholeCount, cut } = cutElements(divided, scratch);
+  const faces = new Uint32Array(wholeCount + cut.faces.length);
+  faces.set(scratch.subarray(0, wholeCount));
+  faces.set(cut.faces, wholeCount);
+  const corners = new Float32Array(9 * faces.length);
+  writeCorners({ points, tetrahedra: mesh.tetrahedra }, faces, wholeCount, origin, corners);
+  const positions = interpolated(cut, points, 3).map((x, i) => x - (origin[i % 3] ?? 0));
+  corners.set(positions, 9 * wholeCount);
+  const shares = new Uint8Array(9 * faces.length);
+  for (let i = 0; i < wholeCount; ++i) shares.set(cornerShares.flat(), 9 * i);
+  shares.set(cut.shares, 9 * wholeCount);
+  const values = new Float32Array(3 * faces.length);
+  values.set(cornerValues(mesh.tetrahedra, faces.subarray(0, wholeCount), new Uint8Array(), field));
+  values.set(interpolated(cut, field.values, 1).map(scaleOf(field.range)), 3 * wholeCount);
+  const isSection = (triangle: number): boolean => cut.isSection[triangle - wholeCount] === 1;
+  return { faces, corners, shares, shareUnit: 1 / whole, values, isSection };
+}
+
+/** Returns the distance of each node from a plane; negative where it is cut away. */
+function heightsOver(points: Float64Array, { axis, flipped, limit }: CutPlane): Float64Array {
+  const heights = new Float64Array(points.length / 3);
+  for (let node = 0; node < heights.length; ++node) {
+    const above = (points[3 * node + axisIndex[axis]] ?? 0) - limit;
+    heights[node] = flipped ? above : -above;
+  }
+  return heights;
+}
+
+/** What decides which elements remain. */
+interface DividedMesh extends Omit<UncutMesh, "mesh" | "scratch"> {
+  readonly tetrahedra: Uint32Array;
   /** Per node: distance from the plane; negative where it is cut away. */
   readonly heights: Float64Array;
 }
@@ -44,7 +95,7 @@ interface Corner {
  * Finds what a plane leaves of a mesh. Writes the visible faces that it leaves whole to `faces` as 4t + f, and returns their number
  * and all other triangles. O(elements).
  */
-export function cutElements(
+function cutElements(
   mesh: DividedMesh,
   faces: Uint32Array,
 ): { readonly wholeCount: number; readonly cut: CutCorners } {
@@ -159,7 +210,7 @@ const withShares = (
   corners.flatMap((corner, k) => (corner ? [{ ...corner, share: shares[k] ?? cornerShares[0] }] : []));
 
 /** Returns numbers at the corners from `components` per node. */
-export function interpolated(
+function interpolated(
   { ends, positions }: CutCorners,
   values: ArrayLike<number>,
   components: number,

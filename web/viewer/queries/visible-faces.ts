@@ -3,7 +3,7 @@ import type { Cut } from "../../document/selection";
 import { shareUnit } from "./curved-faces";
 import { faceNodes, outside } from "./topology";
 
-const axisIndex = { x: 0, y: 1, z: 2 } as const;
+export const axisIndex = { x: 0, y: 1, z: 2 } as const;
 
 /** Returns the lowest and highest coordinate of the nodes along one axis; zeros without nodes. */
 export function extentAlong(points: Float64Array, axis: Cut["axis"]): readonly [number, number] {
@@ -15,20 +15,6 @@ export function extentAlong(points: Float64Array, axis: Cut["axis"]): readonly [
     if (value > high) high = value;
   }
   return low <= high ? [low, high] : [0, 0];
-}
-
-/** Returns the distance of each node from the plane of a cut at a coordinate; negative where it is cut away. */
-export function heightsAlong(
-  points: Float64Array,
-  { axis, flipped }: Pick<Cut, "axis" | "flipped">,
-  limit: number,
-): Float64Array {
-  const heights = new Float64Array(points.length / 3);
-  for (let node = 0; node < heights.length; ++node) {
-    const above = (points[3 * node + axisIndex[axis]] ?? 0) - limit;
-    heights[node] = flipped ? above : -above;
-  }
-  return heights;
 }
 
 /** Returns the coordinate of each tetrahedron's centroid along one axis. */
