@@ -234,7 +234,7 @@ void Placement::place(std::size_t first, std::size_t last) {
     const std::optional<Vec3> place = placeOf(given_[i], node);
     if (!place) continue;
     node.isPlaced = true;
-    points_[i] = *place;
+    points_[i] = inExactRange(*place);
   }
 }
 
@@ -249,7 +249,7 @@ void Placement::placeApexes(std::size_t first, std::size_t last) {
           nearestOnFace(given_[id.index()], normalOf(triangle), reach);
       if (!place) continue;
       node.isPlaced = true;
-      points_[id.index()] = *place;
+      points_[id.index()] = inExactRange(*place);
     }
   }
 }
