@@ -243,7 +243,8 @@ void Placement::placeApexes(std::size_t first, std::size_t last) {
     const TriangleId triangle(static_cast<std::uint32_t>(i));
     for (const NodeId id : nodesOf(mesh_, triangle)) {
       Node& node = nodes_[id.index()];
-      if (node.isPlaced || node.kind != NodeKind::kOnFace || !isFinite(given_[id.index()])) continue;
+      if (node.isPlaced || node.kind != NodeKind::kOnFace || !isFinite(given_[id.index()]))
+        continue;
       const double reach = std::min(kReach * node.longest, reach_);
       const std::optional<Vec3> place =
           nearestOnFace(given_[id.index()], normalOf(triangle), reach);
@@ -437,9 +438,9 @@ Task<NodePlacement> placeNodes(Work& work, PlacementInput& input) {
   work.beginPart(0.5);
   co_await work.forEachBlock(
       count, [&](std::size_t first, std::size_t last) { placement.place(first, last); });
-  co_await work.forEachBlock(
-      countTriangles(input.mesh),
-      [&](std::size_t first, std::size_t last) { placement.placeApexes(first, last); });
+  co_await work.forEachBlock(countTriangles(input.mesh), [&](std::size_t first, std::size_t last) {
+    placement.placeApexes(first, last);
+  });
   work.beginPart(0.7);
   co_await placement.untangle(work);
   work.beginPart(1.0);
