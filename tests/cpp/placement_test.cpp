@@ -64,18 +64,23 @@ TEST(NodePlacement, FindsTheFacesBehindCoarseTriangles) {
   EXPECT_TRUE(placer.result().unplaced.empty());
 }
 
-/// A cone's surface goes on beyond its apex.
+/// A cone's surface goes on beyond its apex, where the mean of the normals is similar to none of them if the cone is sharp.
 TEST(NodePlacement, StaysOnOneSideOfAnApex) {
-  const TrimmedSolid solid = trimmedCone(1.0, 0.0, 1.5);
-  SurfaceMesh mesh = meshOfModel(solid.model, kSize);
-  std::size_t apex = 0;
-  for (std::size_t node = 0; node < mesh.points.size() / 3; ++node)
-    if (mesh.points[3 * node + 2] > mesh.points[3 * apex + 2]) apex = node;
-  mesh.points[3 * apex] += 0.03;
-  mesh.points[3 * apex + 2] += 0.05;
-  const NodePlacement found = placed(solid, mesh, 1U << 30U, 0.1);
-  EXPECT_TRUE(found.unplaced.empty());
-  EXPECT_LT(solid.distances[0](positionAt(found.points, apex)), 1e-9);
+  for (const double height : {1.5, 3.0}) {
+    const TrimmedSolid solid = trimmedCone(1.0, 0.0, height);
+    SurfaceMesh mesh = meshOfModel(solid.model, kSize);
+    std::size_t apex = 0;
+    for (std::size_t node = 0; node < mesh.points.size() / 3; ++node)
+      if (mesh.points[3 * node + 2] > mesh.points[3 * apex + 2]) apex = node;
+    mesh.points[3 * apex] += 0.02;
+    mesh.points[3 * apex + 2] += 0.05;
+    for (const double modelSize : {0.1, 0.2}) {
+      SCOPED_TRACE(::testing::Message() << "height " << height << ", triangles of " << modelSize);
+      const NodePlacement found = placed(solid, mesh, 1U << 30U, modelSize);
+      EXPECT_TRUE(found.unplaced.empty());
+      EXPECT_LT(solid.distances[0](positionAt(found.points, apex)), 1e-9);
+    }
+  }
 }
 
 TEST(NodePlacement, BendsEdgesOntoTheFacesBesideThem) {

@@ -61,6 +61,50 @@ TEST(RemeshModel, HasItsNodesOnTheFaces) {
   }
 }
 
+/// Returns the model, moved.
+TrimmedModel movedBy(TrimmedModel model, const Vec3& by) {
+  const auto move = [&](SpaceCurve& curve) {
+    curve.frame.origin += by;
+    for (Vec3& pole : curve.spline.poles) pole += by;
+  };
+  for (Vec3& vertex : model.vertices) vertex += by;
+  for (SpaceCurve& curve : model.curves) move(curve);
+  for (FaceSurface& surface : model.surfaces) {
+    surface.frame.origin += by;
+    for (Vec3& pole : surface.spline.poles) pole += by;
+    move(surface.profile);
+  }
+  return model;
+}
+
+TEST(RemeshModel, HasItsNodesOnFacesFarFromTheOrigin) {
+  const Vec3 far(0x1p13, -0x1p14, 0.0);
+  for (const TrimmedSolid& solid : trimmedSolids()) {
+    SCOPED_TRACE(solid.name);
+    const TrimmedModel model = movedBy(solid.model, far);
+    const SurfaceMesh given = finely(model);
+    SurfaceRemesh result = remeshed(given, numbersOf(model));
+    EXPECT_TRUE(result.onFaces);
+    EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kByOrientation).empty());
+    for (std::size_t i = 0; i < result.points.size(); ++i)
+      result.points[i] -= far[static_cast<int>(i % 3)];
+    EXPECT_LT(farthestNode(solid, given, result), 1e-9);
+    EXPECT_GT(result.smallestAngle, 20.0);
+  }
+}
+
+/// The cosine of a right angle, rounded, makes coordinates that are nearly zero; the engine accepts none below 1e-75.
+TEST(RemeshModel, HasZerosForCoordinatesThatAreTooSmall) {
+  TrimmedSolid solid = trimmedPlate(4.0, 0.5, 1.0);
+  for (Vec3& vertex : solid.model.vertices)
+    for (int k = 0; k < 3; ++k)
+      if (vertex[k] == 0.0) vertex[k] = 1e-90;
+  const SurfaceMesh given = finely(trimmedPlate(4.0, 0.5, 1.0).model);
+  const SurfaceRemesh result = remeshed(given, numbersOf(solid.model));
+  EXPECT_TRUE(result.onFaces);
+  EXPECT_TRUE(errorsOf(surfaceOf(result), InnerShells::kByOrientation).empty());
+}
+
 TEST(RemeshModel, DoesNotDependOnSlices) {
   const TrimmedSolid solid = trimmedPlate(4.0, 0.5, 1.0);
   const SurfaceMesh given = finely(solid.model);

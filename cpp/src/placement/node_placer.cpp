@@ -82,6 +82,8 @@ class Placement {
 
   void classify();
   void place(std::size_t first, std::size_t last);
+  /// Places nodes of faces whose mean normal is similar to none of the model's by the normals of the triangles at them.
+  void placeApexes(std::size_t first, std::size_t last);
   /// Moves nodes back until no triangles intersect that did not before.
   Task<> untangle(Work& work);
   void bend(std::size_t first, std::size_t last);
@@ -232,7 +234,24 @@ void Placement::place(std::size_t first, std::size_t last) {
     const std::optional<Vec3> place = placeOf(given_[i], node);
     if (!place) continue;
     node.isPlaced = true;
-    points_[i] = *place;
+    points_[i] = inExactRange(*place);
+  }
+}
+
+void Placement::placeApexes(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const TriangleId triangle(static_cast<std::uint32_t>(i));
+    for (const NodeId id : nodesOf(mesh_, triangle)) {
+      Node& node = nodes_[id.index()];
+      if (node.isPlaced || node.kind != NodeKind::kOnFace || !isFinite(given_[id.index()]))
+        continue;
+      const double reach = std::min(kReach * node.longest, reach_);
+      const std::optional<Vec3> place =
+          nearestOnFace(given_[id.index()], normalOf(triangle), reach);
+      if (!place) continue;
+      node.isPlaced = true;
+      points_[id.index()] = inExactRange(*place);
+    }
   }
 }
 
@@ -419,6 +438,9 @@ Task<NodePlacement> placeNodes(Work& work, PlacementInput& input) {
   work.beginPart(0.5);
   co_await work.forEachBlock(
       count, [&](std::size_t first, std::size_t last) { placement.place(first, last); });
+  co_await work.forEachBlock(countTriangles(input.mesh), [&](std::size_t first, std::size_t last) {
+    placement.placeApexes(first, last);
+  });
   work.beginPart(0.7);
   co_await placement.untangle(work);
   work.beginPart(1.0);

@@ -263,6 +263,15 @@ Task<std::optional<JoinedFaces>> triangulateFaces(Work& work, const Remeshing& r
   co_return std::nullopt;
 }
 
+/// Moves the nodes, by rounding errors, to where the engine accepts them, also in coordinates that are not about the centre.
+void makeRepresentable(const ReferenceSurface& reference, SurfaceMesh& mesh) {
+  for (const NodeId node : IdRange<NodeId>(countNodes(mesh))) {
+    const Vec3 position = reference.representable(pointOf(mesh, node));
+    for (int k = 0; k < 3; ++k)
+      mesh.points[3 * node.index() + static_cast<std::size_t>(k)] = position[k];
+  }
+}
+
 /// Gives each triangle the given one beneath it, in the patch of its face. Returns false if there is none near one: the
 /// surfaces are not the same, or the patch is only a part of the face.
 Task<bool> findGiven(Work& work, std::span<const SmoothPatchId> ofFaces, const Remeshing& remeshing,
@@ -367,6 +376,7 @@ Task<ModelRemesh> remeshWith(Work& work, const SizeField& field, const Remeshing
   SurfaceMesh& mesh = pass.surface.mesh;
   mesh.sides.clear();
   mesh.sideLine.clear();
+  makeRepresentable(remeshing.reference, mesh);
   work.beginPart(0.8);
   if (!co_await findGiven(work, faces->ofFaces, remeshing, pass)) co_return made;
   for (std::uint32_t& patch : mesh.trianglePatch) patch = faces->ofFaces[patch].value;

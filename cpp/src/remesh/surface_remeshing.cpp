@@ -191,11 +191,12 @@ Task<SurfaceRemesh> finish(Work& work, const Remeshing& remeshing, SimplifiedSur
   co_return result;
 }
 
-/// Returns the faces of a model, those once that two solids share; none if they cannot be evaluated.
-std::optional<JoinedSolids> readSolids(std::span<const double> numbers) {
+/// Returns the faces of a model about a centre, those once that two solids share; none if they cannot be evaluated.
+std::optional<JoinedSolids> readSolids(std::span<const double> numbers, const Vec3& centre) {
+  if (numbers.empty()) return std::nullopt;
   std::optional<ReadModel> read = readModel(numbers);
   if (!read || !read->isSound) return std::nullopt;
-  return joinSolids(std::move(read->model));
+  return joinSolids(relativeTo(centre, std::move(read->model)));
 }
 
 }  // namespace
@@ -230,9 +231,7 @@ Task<SurfaceRemesh> remeshSurface(Work& work, SurfaceMesh& mesh, std::vector<std
   const RemeshLengths lengths = remeshLengthsOf(settled, hasTargets, diagonal);
   work.beginPart(0.1);
   co_await reference.prepare(work);
-  // A model far from the origin would have to be moved with its surface.
-  const std::optional<JoinedSolids> solids =
-      model.empty() || centre != Vec3(0.0) ? std::nullopt : readSolids(model);
+  const std::optional<JoinedSolids> solids = readSolids(model, centre);
   const TrimmedModel* faces = solids ? &solids->model : nullptr;
   const Remeshing remeshing{given, reference, movedSizes, settled, lengths, isStopped, faces};
   work.beginPart(0.95);

@@ -99,8 +99,8 @@ describe("a solid", () => {
   test("that takes too long is given up, and its worker ends", async () => {
     const deflection = { distance: 0.1, isRelative: false, angle: 0.1 };
     const request = { format: "step", bytes: plate, deflection } as const;
-    const late = await askForCad(request, undefined, { reading: 0.001 });
-    expect(late).toEqual({ kind: "timed-out", seconds: 0.001 });
+    const late = await askForCad(request, undefined, { reading: 1e-6 });
+    expect(late).toEqual({ kind: "timed-out", seconds: 1e-6 });
     expect((await askForCad(request, undefined)).kind).toBe("read");
   });
 

@@ -10,7 +10,8 @@ export const notLoadedRemedy = cadHost.remedyFor;
 
 /**
  * Seconds after which the worker is terminated: OpenCascade cannot be interrupted or asked how far it is, and some damaged
- * files keep it busy forever. On a very busy machine, real parts took at most 25 s, and 220 s per megabyte; files of a few
+ * files keep it busy forever. They are processor time where that is known, so that a busy machine does not make a sound file count as
+ * damaged. On a very busy machine, real parts took at most 25 s, and 220 s per megabyte; files of a few
  * kilobytes took less than 1 s.
  */
 const LIMIT = { base: 30, perMegabyte: 500 } as const;
@@ -18,6 +19,9 @@ const SMALL_LIMIT = { base: 6, perMegabyte: 700 } as const;
 const MEGABYTE = 1e6;
 /** Bytes of files that contain a part, and not an assembly of many: the limit of small files holds for them. */
 const SMALL_FILE = 34_000;
+
+/** Times as long that a worker may take which gets little of the processor. */
+const LONGEST = 20;
 
 /** Seconds that the library gets to be loaded: in a browser, 7 MB from a server, which take 140 s at 400 kbit/s. */
 const LOADING = 300;
@@ -78,8 +82,19 @@ async function answerTo(
       () =>
         new Promise<CadReply>((resolve) => {
           const stopAfter = (seconds: number, kind: CadTimeout["kind"]) => {
-            clearTimeout(timer);
-            timer = setTimeout(() => resolve({ kind, seconds }), seconds * 1000);
+            const [begin, before] = [performance.now(), worker?.processorSeconds?.()];
+            const wait = (left: number) => {
+              clearTimeout(timer);
+              timer = setTimeout(stopOrWait, left * 1000);
+            };
+            const stopOrWait = () => {
+              const now = worker?.processorSeconds?.();
+              const left = before === undefined || now === undefined ? 0 : seconds - (now - before);
+              const longest = LONGEST * seconds - (performance.now() - begin) / 1000;
+              if (Math.min(left, longest) <= 0) resolve({ kind, seconds });
+              else wait(Math.min(left, longest));
+            };
+            wait(seconds);
           };
           const onReply = (message: CadReply | CadProgress) => {
             if (message.kind === "loaded") stopAfter(reading, "timed-out");

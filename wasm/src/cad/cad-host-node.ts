@@ -2,6 +2,7 @@ import { type ChildProcess, fork } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
 import type { CadHost, CadWorker, CadWorkerEvents } from "./cad-host.js";
+import { USAGE_PIPE } from "./cad-process.js";
 import { crashOf, startFailure } from "./crash.js";
 import type { CadCrash, CadProgress, CadReply, CadRequest } from "./protocol.js";
 
@@ -38,6 +39,7 @@ function startedProcess(events: CadWorkerEvents): CadWorker {
   let thread: CadWorker | undefined;
   let request: CadRequest | undefined;
   let state: "starting" | "answers" | "ended" = "starting";
+  let processorSeconds = 0;
 
   const replace = (): void => {
     if (child !== undefined) end(child);
@@ -71,6 +73,7 @@ function startedProcess(events: CadWorkerEvents): CadWorker {
       state = "answers";
       events.onReply(reply as CadReply | CadProgress);
     });
+    child.stdio[USAGE_PIPE]?.on("data", ({ length }: Buffer) => (processorSeconds += length));
     child.on("error", onFailure);
     child.on("exit", (code, signal) => onEnd(endOf(signal ?? code)));
   } catch {
@@ -83,6 +86,7 @@ function startedProcess(events: CadWorkerEvents): CadWorker {
       // A process without a channel could not be started, or has ended: an event says so.
       else if (child?.connected === true) child.send(posted, onFailure);
     },
+    processorSeconds: () => (thread === undefined ? processorSeconds : undefined),
     terminate: () => {
       state = "ended";
       thread?.terminate();
@@ -104,7 +108,7 @@ function forked(): ChildProcess {
   const child = fork(fileURLToPath(new URL("./cad-worker.js", import.meta.url)), [], {
     execArgv: [COMPILER],
     serialization: "advanced",
-    stdio: ["ignore", "ignore", "ignore", "ipc"],
+    stdio: ["ignore", "ignore", "ignore", "ipc", "pipe"],
   });
   if (children.size === 0) process.on("exit", endAll);
   children.add(child);

@@ -7,6 +7,8 @@ export const cadLibrariesFor = (format: CadFormat): string =>
 
 export interface CadWorker {
   post(request: CadRequest): void;
+  /** Returns the processor time that it has taken, in full seconds; missing or undefined if it cannot be measured. */
+  readonly processorSeconds?: () => number | undefined;
   terminate(): void;
 }
 

@@ -1,6 +1,7 @@
 import { createRequire } from "node:module";
 import { parentPort, Worker } from "node:worker_threads";
 import type { CadPort } from "./cad-port.js";
+import { USAGE_PIPE } from "./cad-process.js";
 import { crashOf } from "./crash.js";
 import { loadKernel } from "./kernel-node.js";
 import type { CreateOpenCascade } from "./opencascade.js";
@@ -9,8 +10,10 @@ import type { CadRequest } from "./protocol.js";
 /**
  * Ends this process when its creator is gone. It runs in a thread, because the library is busy for long, with some damaged files
  * forever: until it returns, no event reaches the thread that called it. On Windows, a process keeps the number of a creator that is gone.
+ * A byte to the creator stands for each second of processor time.
  */
 const WATCH = `
+const { writeSync } = require("node:fs");
 const { workerData: creator } = require("node:worker_threads");
 function isThere() {
   if (process.platform !== "win32") return process.ppid === creator;
@@ -20,7 +23,12 @@ function isThere() {
     return false;
   }
 }
-setInterval(() => isThere() || process.kill(process.pid, "SIGKILL"), 1000);
+let reported = 0;
+function report() {
+  const { user, system } = process.cpuUsage();
+  for (; reported + 1 <= (user + system) / 1e6; reported++) writeSync(${USAGE_PIPE}, ".");
+}
+setInterval(() => (isThere() ? report() : process.kill(process.pid, "SIGKILL")), 1000);
 `;
 
 // As a process: a thread reports its errors by itself, and ends with its process.
