@@ -256,7 +256,7 @@ export class SurfaceFigure implements Figure {
     for (const ruler of rulers) this.#stale.add(ruler);
     this.#setFilm();
     clearTimeout(this.#rest);
-    if (this.#isFront) this.#rest = window.setTimeout(() => this.#fillRest(), restTime);
+    if (this.#isFront) this.#rest = window.setTimeout(() => this.#fillNext(), restTime);
   }
 
   #choose(ruler: Ruler): void {
@@ -272,7 +272,16 @@ export class SurfaceFigure implements Figure {
     this.#filled[ruler] = fillPatch(this.#engine, this.#maps, ruler);
   }
 
-  /** Fills by the rulers that are not shown, too. A drag does not wait for them. */
+  /** Fills by one more ruler that is not shown, and soon by the next: a drag that goes on waits for one of them at most. */
+  #fillNext(): void {
+    const [ruler] = this.#stale;
+    if (ruler === undefined) return;
+    this.#fill(ruler);
+    this.#report();
+    this.#rest = window.setTimeout(() => this.#fillNext(), restTime);
+  }
+
+  /** Fills by all rulers that are not shown, too. */
   #fillRest(): void {
     clearTimeout(this.#rest);
     if (!this.#isFront || this.#stale.size === 0) return;
