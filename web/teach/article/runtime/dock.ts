@@ -21,6 +21,7 @@ export class Dock {
   /** Where the page was when the last figure was touched. */
   #lastAt = 0;
   #docked: PageFigure | null = null;
+  #isPressed = false;
   /** Figures that the reader does not want to see docked until they are touched again. */
   readonly #closed = new Set<PageFigure>();
   readonly #tasks: readonly { readonly element: HTMLElement; readonly figure: PageFigure }[];
@@ -45,14 +46,16 @@ export class Dock {
           else this.#remember(figure);
         });
     for (const type of ["scroll", "resize"])
-      // What the reader holds keeps its place and size.
-      window.addEventListener(
-        type,
-        () => {
-          if (document.querySelector(".held") === null) this.#update();
-        },
-        { passive: true },
-      );
+      window.addEventListener(type, () => this.#follow(), { passive: true });
+    // A figure that came between a press and its end would take the click.
+    window.addEventListener("pointerdown", () => (this.#isPressed = true), { capture: true });
+    for (const type of ["pointerup", "pointercancel"])
+      window.addEventListener(type, () => {
+        setTimeout(() => {
+          this.#isPressed = false;
+          this.#follow();
+        });
+      });
   }
 
   /** The reader has touched a figure by the text; `word` stays visible beside it. Null: the page does not move. */
@@ -70,6 +73,11 @@ export class Dock {
   #remember(figure: PageFigure): void {
     this.#last = figure;
     this.#lastAt = window.scrollY;
+  }
+
+  /** Follows the reader, except during a press: what is held keeps its place and size. */
+  #follow(): void {
+    if (!this.#isPressed && document.querySelector(".held") === null) this.#update();
   }
 
   #update(): void {
