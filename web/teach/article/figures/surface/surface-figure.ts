@@ -54,7 +54,7 @@ const dotMargin = 0.06;
 /** Where corners may be. */
 const reach: Position = [1.5, 1, 0.8];
 /** Milliseconds after the last change in which the rulers that are not shown measure as well. */
-const restTime = 150;
+const restTime = 400;
 /** Distance in pixels of labels from handles. */
 const labelDistance = 34;
 /** Distance of the eye from a patch that is wider than the sail. */
