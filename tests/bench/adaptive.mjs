@@ -1,18 +1,17 @@
-// Adapts meshes to the four metrics of the Unstructured Grid Adaptation Working Group, beside MMG, and to four analytic functions
-// of NASA's refine, whose interpolation error should fall as N^(-2/3).
+// Adapts meshes to the four metrics of the Unstructured Grid Adaptation Working Group, and to four analytic functions of NASA's
+// refine, whose interpolation error should fall as N^(-2/3), beside MMG, which gets the same metrics.
 //   npm run bench -- adaptive
 // TETRAFRONT_CASES      names of the metrics and functions, separated by commas; default: all
 // TETRAFRONT_ADAPT      folder with cube-cylinder.step, which then is the model; default: a cylinder of chords
-// TETRAFRONT_ELEMENTS   numbers of elements for the functions; default 4000,8000,16000,32000
+// TETRAFRONT_ELEMENTS   numbers of elements for the functions; default 8000,16000,32000,64000
 // TETRAFRONT_CYCLES     cycles for each number; default 3
 // MMG3D                 the program mmg3d; default: the one in PATH
-import { spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
-import { createMesher, meshFile, readMesh, writeMesh } from "tetrafront";
-import { FUNCTIONS, interpolationError } from "./support/analytic-functions.mjs";
+import { createMesher, meshFile } from "tetrafront";
+import { FUNCTIONS, interpolationError, valuesAt } from "./support/analytic-functions.mjs";
 import { caseSurface, METRIC_CASES, metricsAt, metricStatistics } from "./support/metric-cases.mjs";
+import { adaptByMmg, hasMmg, INSTALL_MMG } from "./support/mmg.mjs";
 
 /** Passes of each program: metric at the nodes, adaptation. */
 const PASSES = 5;
@@ -20,8 +19,6 @@ const PASSES = 5;
 const { env } = process;
 const chosen = env.TETRAFRONT_CASES?.split(",");
 const isChosen = ([name]) => chosen === undefined || chosen.includes(name);
-const mmg = env.MMG3D ?? "mmg3d";
-const hasMmg = spawnSync(mmg, ["-h"]).error === undefined;
 
 const seconds = async (work) => {
   const before = process.cpuUsage();
@@ -63,26 +60,13 @@ async function adapted(mesher, start, metricAt) {
 /** Runs MMG on the same start mesh; undefined if there is no MMG. */
 async function adaptedByMmg(start, metricAt) {
   if (!hasMmg) return undefined;
-  const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-mmg-"));
-  try {
-    let mesh = start;
-    let total = 0;
-    for (let pass = 0; pass < PASSES; ++pass) {
-      for (const { fileName, bytes } of await writeMesh(withMetric(mesh, metricAt), "in.mesh")) {
-        writeFileSync(path.join(folder, fileName), bytes);
-      }
-      const began = performance.now();
-      const { status, stdout } = spawnSync(mmg, ["-v", "0", "-in", "in.mesh", "-sol", "in.sol", "-out", "out.mesh", "-hgrad", "-1"], { cwd: folder, encoding: "utf8" }); // prettier-ignore
-      total += (performance.now() - began) / 1000;
-      if (status !== 0) throw new Error(`${mmg} failed: ${stdout.slice(-400)}`);
-      const read = await readMesh(readFileSync(path.join(folder, "out.mesh")), { fileName: "out.mesh" });
-      if (!read.success) throw new Error(read.errors[0].message);
-      mesh = read.value;
-    }
-    return { mesh, seconds: total };
-  } finally {
-    rmSync(folder, { recursive: true, force: true });
+  let made = { mesh: start };
+  let total = 0;
+  for (let pass = 0; pass < PASSES; ++pass) {
+    made = await adaptByMmg(withMetric(made.mesh, metricAt));
+    total += made.seconds;
   }
+  return { mesh: made.mesh, seconds: total };
 }
 
 const statisticsText = (mesh, metricAt, time) => {
@@ -100,40 +84,65 @@ async function compareMetrics(mesher) {
     const beside = other === undefined ? "| | | " : statisticsText(other.mesh, metricAt, other.seconds);
     console.log(`| ${name} | ${statisticsText(result, metricAt, time)} | ${beside} | ${published} |`);
   }
-  if (!hasMmg)
-    console.log(
-      "\nThere is no mmg3d: pip install mmgpy into a virtual environment, and set MMG3D to its bin/mmg3d.",
-    );
 }
 
-async function compareOrders(mesher) {
-  const counts = (env.TETRAFRONT_ELEMENTS ?? "4000,8000,16000,32000").split(",").map(Number);
-  const cycles = Number(env.TETRAFRONT_CYCLES ?? 3);
-  console.log(
-    "\n| function | elements | L2 error | error N^(2/3) | order |\n| --- | ---: | ---: | ---: | ---: |",
-  );
-  for (const [name, valueAt] of Object.entries(FUNCTIONS).filter(isChosen)) {
-    let mesh = await startMesh(mesher, "cube");
-    const rows = [];
-    for (const elements of counts) {
-      const solve = ({ points }) => {
-        const values = Float64Array.from({ length: points.length / 3 }, (_, n) =>
-          valueAt(points.subarray(3 * n, 3 * n + 3)),
-        );
-        return [{ name, components: 1, values }];
-      };
-      for await (const { next } of mesher.adapt(mesh, solve, { cycles, elements, growth: Infinity }))
-        mesh = next.mesh;
-      const row = { count: mesh.tetrahedra.length / 4, error: interpolationError(mesh, valueAt) };
-      const before = rows.at(-1);
-      rows.push(row);
-      const order = before === undefined ? "" : (-Math.log(row.error / before.error) / Math.log(row.count / before.count)).toFixed(3); // prettier-ignore
-      const scaled = row.error * row.count ** (2 / 3);
-      console.log(
-        `| ${name} | ${row.count} | ${row.error.toExponential(3)} | ${scaled.toFixed(3)} | ${order} |`,
-      );
+/** What makes the next mesh from a solved one; `first`: the mesh of the first cycle. */
+const programs = (mesher) => [
+  {
+    title: "Tetrafront",
+    next: async (first, sized) => {
+      const { result, seconds: time } = await seconds(() => mesher.adaptMesh(first, sized));
+      return { mesh: result.mesh, seconds: time };
+    },
+  },
+  ...(hasMmg ? [{ title: "MMG", next: (_, sized) => adaptByMmg(metricAlone(sized)) }] : []),
+];
+
+const metricAlone = (mesh) => ({ ...mesh, nodeData: new Map([["metric", mesh.nodeData.get("metric")]]) });
+
+/** Returns the number of elements and the error of the mesh after the last cycle for each number that is asked for. */
+async function convergence(mesher, { next }, [name, valueAt]) {
+  const counts = (env.TETRAFRONT_ELEMENTS ?? "8000,16000,32000,64000").split(",").map(Number);
+  const first = await startMesh(mesher, "cube");
+  let mesh = first;
+  const rows = [];
+  for (const elements of counts) {
+    let total = 0;
+    for (let cycle = 0; cycle < Number(env.TETRAFRONT_CYCLES ?? 3); ++cycle) {
+      const field = { name, components: 1, values: valuesAt(mesh, valueAt) };
+      // No limit of the growth: the metric is the optimal one for the norm.
+      const options = { elements, growth: Infinity };
+      const sized = await mesher.sizeFromSolution(mesh, [field], options);
+      const made = await next(first, sized.mesh);
+      mesh = made.mesh;
+      total += made.seconds;
     }
-    console.log(`| ${name} | all | | | ${slope(rows).toFixed(3)} (2/3 = 0.667) |`);
+    rows.push({
+      count: mesh.tetrahedra.length / 4,
+      error: interpolationError(mesh, valueAt),
+      seconds: total,
+    });
+  }
+  return rows;
+}
+
+const scaledError = ({ error, count }) => error * count ** (2 / 3);
+
+async function compareOrders(mesher) {
+  console.log("\n| function | program | elements | L2 error | error N^(2/3) | order | s |");
+  console.log("| --- | --- | ---: | ---: | ---: | ---: | ---: |");
+  for (const named of Object.entries(FUNCTIONS).filter(isChosen)) {
+    for (const program of programs(mesher)) {
+      const rows = await convergence(mesher, program, named);
+      rows.forEach((row, r) => {
+        const order = r === 0 ? "" : slope(rows.slice(r - 1, r + 1)).toFixed(3);
+        const errors = `${row.error.toExponential(3)} | ${scaledError(row).toFixed(3)}`;
+        console.log(
+          `| ${named[0]} | ${program.title} | ${row.count} | ${errors} | ${order} | ${row.seconds.toFixed(1)} |`,
+        );
+      });
+      console.log(`| ${named[0]} | ${program.title} | all | | | ${slope(rows).toFixed(3)} (2/3 = 0.667) | |`);
+    }
   }
 }
 
@@ -149,6 +158,7 @@ function slope(rows) {
 
 const mesher = await createMesher();
 try {
+  if (!hasMmg) console.log(`${INSTALL_MMG}\n`);
   if (Object.entries(METRIC_CASES).some(isChosen)) await compareMetrics(mesher);
   if (Object.entries(FUNCTIONS).some(isChosen)) await compareOrders(mesher);
 } finally {

@@ -161,6 +161,14 @@ TEST(SolutionTransferTest, TheErrorFallsWithTheSecondOrder) {
   EXPECT_LT(errors[1][1], 0.32 * errors[0][1]);
 }
 
+TEST(SolutionTransferTest, RoundingAtTheBoundaryIsNotOutside) {
+  const VolumeMesh from = cubeOfTetrahedra(4, 0.1, 1);
+  VolumeMesh to = cubeOfTetrahedra(5, 0.1, 2);
+  for (double& coordinate : to.points) coordinate = 0.5 + (1.0 + 1e-14) * (coordinate - 0.5);
+  const SolutionFields fields{atNodes(from, wave), {1}, {0}};
+  EXPECT_EQ(transferred(from, to, fields, false).outside, 0U);
+}
+
 TEST(SolutionTransferTest, NodesOutsideTakeTheNearestValue) {
   const VolumeMesh from = cubeOfTetrahedra(4, 0.1, 1);
   VolumeMesh to = cubeOfTetrahedra(5, 0.1, 2);

@@ -3,13 +3,14 @@ import type { LineType, PatchType, BodySurface, Project } from "tetrafront/proje
 import { namesIn, readNumber, withNameReplaced } from "../expressions/expression";
 import { formulaText, operandText, plus, quantity, valueOf, type Quantity } from "../expressions/quantity";
 import { stepNames } from "../strings";
-import { draftFinder } from "./draft-records";
+import { draftFinder, type ProjectDraft } from "./draft-records";
 import type { DraftEdit } from "./edit";
 import { changeLineTypes, changePatchTypes } from "./edits";
 import { bodiesOf, recordsOf, type Entity } from "./entities";
 import { expressionFinder, keepingExpressions } from "./expression-edits";
 import { projectNumbers } from "./length-units";
 import { numberAt, recordFinder, setNumberAt, type EntityNumber } from "./number-paths";
+import { addDirection, addSecondDirection } from "./node-directions";
 import { isTooLong } from "./quantity-positions";
 
 /** What several selected entities have in common, and edits that change it in all of them. */
@@ -19,6 +20,7 @@ export type CommonField =
   | `position.${0 | 1 | 2}`
   | "size"
   | "stretching"
+  | "secondStretching"
   | "distance"
   | "growth"
   | "placement.scale"
@@ -30,7 +32,7 @@ const coordinates = ["position.0", "position.1", "position.2"] as const;
 /** The numbers of each kind that a selection can change together. */
 const fieldsOf: { readonly [K in Entity["kind"]]?: readonly CommonField[] } = {
   point: coordinates,
-  "background-node": [...coordinates, "size", "stretching"],
+  "background-node": [...coordinates, "size", "stretching", "secondStretching"],
   source: ["size", "distance", "growth"],
   body: ["placement.scale", "remeshing.size", "remeshing.tolerance"],
 };
@@ -38,6 +40,7 @@ const fieldsOf: { readonly [K in Entity["kind"]]?: readonly CommonField[] } = {
 /** Values of numbers that a file may omit. */
 const defaults: { readonly [F in CommonField]?: number } = {
   stretching: 1,
+  secondStretching: 1,
   distance: 0,
   growth: SOURCE_GROWTH,
 };
@@ -121,9 +124,10 @@ export function setNumbers(field: CommonField, changes: readonly OwnChange[]): D
       for (const { entity, value } of changes) {
         const record = find(entity);
         setNumberAt(record, field, value);
-        if (field === "stretching" && record && "stretching" in record && !("direction" in record)) {
-          Object.assign(record, { direction: [1, 0, 0] });
-        }
+        if (entity.kind !== "background-node" || !record) continue;
+        const node = record as ProjectDraft["background"]["nodes"][number];
+        if (field === "stretching") addDirection(node);
+        if (field === "secondStretching") addSecondDirection(node);
       }
     },
   };
@@ -141,6 +145,7 @@ export const ownNames: { readonly [F in CommonField]: string } = {
   "position.2": "z",
   size: "size",
   stretching: "stretching",
+  secondStretching: "secondStretching",
   distance: "distance",
   growth: "growth",
   "placement.scale": "scale",

@@ -19,8 +19,9 @@ export interface NodeShape {
   readonly secondDirection: Position;
 }
 
-/** Sets size, stretching and direction of a node; a stretching of 1 leaves no direction. A second direction stays orthogonal to it. */
-export function setNodeShape(id: number, { size, stretching, direction }: NodeShape): ProjectEdit {
+/** Sets size, stretchings and directions of a node; a stretching of 1 leaves no direction. The second direction becomes orthogonal to the first. */
+export function setNodeShape(id: number, shape: NodeShape): ProjectEdit {
+  const { size, stretching, direction, secondStretching, secondDirection } = shape;
   return {
     label: stepNames.setNodeShape(id),
     change: ({ project }) => {
@@ -30,10 +31,16 @@ export function setNodeShape(id: number, { size, stretching, direction }: NodeSh
       if (stretching > 1) {
         node.stretching = stretching;
         node.direction = [...direction];
-        if (node.secondDirection) node.secondDirection = [...orthogonalTo(direction, node.secondDirection)];
       } else {
         delete node.stretching;
         delete node.direction;
+      }
+      if (secondStretching > 1) {
+        node.secondStretching = secondStretching;
+        node.secondDirection = [...orthogonalTo(node.direction, secondDirection)];
+      } else {
+        delete node.secondStretching;
+        delete node.secondDirection;
       }
     },
   };

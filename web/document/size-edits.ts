@@ -1,6 +1,6 @@
 import type { Project, ProjectBackground, ProjectMeshing } from "tetrafront/project";
 import { stepNames } from "../strings";
-import { frameAlong, orthogonalTo } from "./vectors";
+import { addDirection, addSecondDirection } from "./node-directions";
 import { nounOf, recordOf, type Axis, type ProjectDraft } from "./draft-records";
 import type { DraftEdit, ProjectEdit } from "./edit";
 
@@ -28,7 +28,7 @@ export function setNodeStretching(id: number, stretching: number): DraftEdit {
       const node = recordOf(project.background.nodes, id);
       if (!node) return;
       node.stretching = stretching;
-      node.direction ??= [1, 0, 0];
+      addDirection(node);
     },
   };
 }
@@ -41,36 +41,7 @@ export function setNodeSecondStretching(id: number, stretching: number): DraftEd
       const node = recordOf(project.background.nodes, id);
       if (!node) return;
       node.secondStretching = stretching;
-      node.secondDirection ??= [...frameAlong(node.direction ?? [1, 0, 0]).x];
-    },
-  };
-}
-
-export function setNodeSecondDirection(id: number, axis: Axis, value: number): DraftEdit {
-  return {
-    label: stepNames.setNode("second direction", id),
-    mergeKey: `second-direction-${id}-${axis}`,
-    change: ({ project }) => {
-      const node = recordOf(project.background.nodes, id);
-      if (!node) return;
-      node.secondDirection ??= [0, 1, 0];
-      node.secondDirection[axis] = value;
-    },
-  };
-}
-
-/** Sets a component of the direction of a node. A second direction stays orthogonal to it. */
-export function setNodeDirection(id: number, axis: Axis, value: number): DraftEdit {
-  return {
-    label: stepNames.setNode("direction", id),
-    mergeKey: `direction-${id}-${axis}`,
-    change: ({ project }) => {
-      const node = recordOf(project.background.nodes, id);
-      if (!node) return;
-      node.direction ??= [1, 0, 0];
-      node.direction[axis] = value;
-      if (node.secondDirection)
-        node.secondDirection = [...orthogonalTo(node.direction, node.secondDirection)];
+      addSecondDirection(node);
     },
   };
 }

@@ -1,6 +1,9 @@
 import { formatCounted } from "./format";
 import { LIMITS } from "tetrafront";
 
+const nodesOf = (ids: readonly number[]): string =>
+  ids.length === 1 ? `background node ${ids[0]}` : formatCounted(ids.length, "background node");
+
 /** Names of the steps of undo: verb and object. */
 export const stepNames = {
   change: (noun: string) => `Change ${noun}`,
@@ -17,10 +20,12 @@ export const stepNames = {
   splitLine: (id: number) => `Split line ${id}`,
   setPatchType: (id: number) => `Change type of patch ${id}`,
   setPatchLoops: (id: number) => `Change loops of patch ${id}`,
-  setNode: (
-    field: "size" | "stretching" | "direction" | "second stretching" | "second direction",
-    id: number,
-  ) => `Set ${field} of background node ${id}`,
+  setNode: (field: "size" | "stretching" | "second stretching", id: number) =>
+    `Set ${field} of background node ${id}`,
+  setDirections: {
+    direction: (ids: readonly number[]) => `Set direction of ${nodesOf(ids)}`,
+    secondDirection: (ids: readonly number[]) => `Set second direction of ${nodesOf(ids)}`,
+  },
   setSource: (field: "size" | "distance" | "growth", id: number) => `Set ${field} of source ${id}`,
   setNodeShape: (id: number) => `Shape background node ${id}`,
   setSourceShape: (id: number) => `Shape source ${id}`,
@@ -67,6 +72,8 @@ export const stepNames = {
     "position.2": (count: number) => `Set z of ${formatCounted(count, "entity", "entities")}`,
     size: (count: number) => `Set size of ${formatCounted(count, "entity", "entities")}`,
     stretching: (count: number) => `Set stretching of ${formatCounted(count, "entity", "entities")}`,
+    secondStretching: (count: number) =>
+      `Set second stretching of ${formatCounted(count, "entity", "entities")}`,
     distance: (count: number) => `Set distance of ${formatCounted(count, "entity", "entities")}`,
     growth: (count: number) => `Set growth of ${formatCounted(count, "entity", "entities")}`,
     "placement.scale": (count: number) => `Scale ${formatCounted(count, "body", "bodies")}`,

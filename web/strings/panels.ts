@@ -124,6 +124,7 @@ export const panelStrings = {
     twoPoints: "A line needs at least two points",
     oneLine: "A loop needs at least one line",
     zeroDirection: "The direction must not be 0, 0, 0",
+    keptOrthogonal: "The second direction is kept orthogonal to the direction.",
   },
   quality: {
     title: "Mesh quality",

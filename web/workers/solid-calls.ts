@@ -50,13 +50,20 @@ function bodyOf(
   const [made] = createBodies(one, { id, firstPatchId: nextPatchId, name: name ?? "" });
   if (!made) throw new Error("The features give no body");
   const known = new Map(before.map((patch) => [patch.origin, patch]));
+  const names = new Set(before.map((patch) => patch.name));
+  const labelOf = (origin: string): string => {
+    const short = faceLabel(features, origin);
+    const label = names.has(short) ? faceLabel(features, origin, true) : short;
+    names.add(label);
+    return label;
+  };
   let next = nextPatchId;
   const patches = surface.patches.map((patch, p): ProjectBodyPatch => {
     const origin = origins[p];
     if (origin === undefined) return { id: next++, name: patch.name };
     const { color } = faceLook(features, origin) ?? {};
     return (
-      known.get(origin) ?? { id: next++, name: faceLabel(features, origin), origin, ...(color && { color }) }
+      known.get(origin) ?? { id: next++, name: labelOf(origin), origin, ...(color && { color }) }
     );
   });
   return { ...made, patches, features };

@@ -103,8 +103,9 @@ MeshLocator::Location MeshLocator::nearest(const Vec3& position) const {
     element = TetId(item);
     point = candidate;
   });
-  const auto weights = BarycentricFrame(cornersOf(*mesh_, element)).at(point);
-  return {element, clampedWeights(weights), std::sqrt(limit)};
+  const BarycentricFrame frame(cornersOf(*mesh_, element));
+  const bool isRounding = std::ranges::min(frame.at(position)) >= kLocatedSlack;
+  return {element, clampedWeights(frame.at(point)), isRounding ? 0.0 : std::sqrt(limit)};
 }
 
 }  // namespace tetrafront

@@ -40,14 +40,23 @@ function quadrature() {
 }
 
 /** Returns the L2 norm of the error of linear interpolation at the nodes. */
-export function interpolationError({ points, tetrahedra }, valueAt) {
+export const interpolationError = (mesh, valueAt) => fieldError(mesh, valuesAt(mesh, valueAt), valueAt);
+
+/** Returns the values of a function at the nodes. */
+export const valuesAt = ({ points }, valueAt) =>
+  Float64Array.from({ length: points.length / 3 }, (_, node) =>
+    valueAt(points.subarray(3 * node, 3 * node + 3)),
+  );
+
+/** Returns the L2 norm of the difference of a function and the linear elements with values at the nodes. */
+export function fieldError({ points, tetrahedra }, nodeValues, valueAt) {
   const rule = quadrature();
   let sum = 0;
   for (let t = 0; t < tetrahedra.length; t += 4) {
     const corners = [...tetrahedra.subarray(t, t + 4)].map((node) => [
       ...points.subarray(3 * node, 3 * node + 3),
     ]);
-    const values = corners.map(valueAt);
+    const values = [...tetrahedra.subarray(t, t + 4)].map((node) => nodeValues[node]);
     const [u, v, w] = corners.slice(1).map((corner) => corner.map((x, k) => x - corners[0][k]));
     const volume =
       ((u[1] * v[2] - u[2] * v[1]) * w[0] +

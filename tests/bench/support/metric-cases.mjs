@@ -106,26 +106,34 @@ export function caseSurface(model) {
   ];
   const arc = Array.from({ length: CHORDS + 1 }, (_, k) => (k === CHORDS ? [0, 0.5] : round(k)));
   const outer = [[1, 0], [1, 1], [0, 1]]; // prettier-ignore
-  const ring = model === "cube" ? [[0, 0], ...outer] : [...outer, ...arc.toReversed()];
+  if (model === "cube") return prism([[0, 0], ...outer], [[0, 1, 2], [0, 2, 3]]); // prettier-ignore
+  const ring = [...outer, ...arc.toReversed()];
+  return prism(ring, capTriangles(ring.length), (k) =>
+    k >= 3 && k < ring.length - 1 ? 2 : 3 + Math.min(k, 4),
+  );
+}
+
+/**
+ * Returns a prism of a ring of positions x y, counter-clockwise, divided into triangles by `cap`. The patches are the bottom (0), the
+ * top (1) and one per side, by default from 3; `patchOf`: the patch of the side after a position of the ring.
+ */
+export function prism(ring, cap, patchOf = (k) => 3 + k, height = 1) {
   const count = ring.length;
-  const points = [0, 1].flatMap((z) => ring.flatMap(([x, y]) => [x, y, z]));
+  const points = [0, height].flatMap((z) => ring.flatMap(([x, y]) => [x, y, z]));
   const triangles = [];
   const patch = [];
   const add = (a, b, c, of) => {
     triangles.push(a, b, c);
     patch.push(of);
   };
-  const cap = model === "cube" ? [[0, 1, 2], [0, 2, 3]] : capTriangles(count); // prettier-ignore
   for (const [a, b, c] of cap) {
     add(a, c, b, 0);
     add(count + a, count + b, count + c, 1);
   }
   for (let k = 0; k < count; ++k) {
     const next = (k + 1) % count;
-    const isArc = model !== "cube" && k >= 3 && next > 3;
-    const of = isArc ? 2 : 3 + Math.min(k, 4);
-    add(k, next, count + next, of);
-    add(k, count + next, count + k, of);
+    add(k, next, count + next, patchOf(k));
+    add(k, count + next, count + k, patchOf(k));
   }
   return {
     points: Float64Array.from(points),

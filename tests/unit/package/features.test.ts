@@ -289,6 +289,21 @@ describe("a feature that fails is left out", () => {
       /Nothing is left/,
       /Change its size or its place/,
     ],
+    "a hole through all that begins at the bottom, downwards": [
+      { id: 7, type: "hole", position: [5, 5, 0], axis: [0, 0, -1], diameter: 2 },
+      /points away/,
+      /Reverse the axis/,
+    ],
+    "a hole of some depth that begins there": [
+      { id: 7, type: "hole", position: [5, 5, 0], axis: [0, 0, -1], diameter: 2, depth: 3 },
+      /nothing is cut/,
+      /its place/,
+    ],
+    "a cut beside the solid": [
+      boxFeature(7, [1, 1, 1], [100, 0, 0], "cut"),
+      /nothing is cut/,
+      /Change its size or its place/,
+    ],
     "a cut of everything": [boxFeature(7, [100, 100, 100], [-1, -1, -1], "cut"), /Nothing is left/, /./],
     "a box without width": [
       boxFeature(7, [1, 0, 1], [0, 0, 0], "join"),

@@ -1,8 +1,9 @@
 /** Values at the nodes: written if the format can store them, otherwise reported as left out. */
-import { FILE_FORMATS, readMesh, writeMesh, type Mesh } from "tetrafront";
+import { FILE_FORMATS, readMesh, writeMesh, type Mesh, type NodeData } from "tetrafront";
 import { expect, test } from "vitest";
 
 import type { Part } from "../../../wasm/src/formats/bytes.js";
+import { NodeTags } from "../../../wasm/src/formats/node-tags.js";
 import { writeVtk } from "../../../wasm/src/formats/vtk.js";
 import { blockMesh } from "../../support/block-mesh.js";
 
@@ -144,4 +145,39 @@ test("Nastran: counts the nodes that become equal within 16 characters", async (
   };
   expect(await notesFor(0)).not.toMatch(/became equal to others/);
   expect(await notesFor(1e15)).toMatch(/^\d+ points? became equal to others: the format has 16 characters/);
+});
+
+test.each([".vtu", ".vtk"])("fields named as arrays that define groups are kept by %s", async (extension) => {
+  const field = (scale: number, components = 1) => ({
+    components,
+    values: Float64Array.from({ length: components * elements }, (_, i) => scale * i),
+  });
+  const given: Mesh = {
+    ...block,
+    elementData: new Map([
+      ["region", field(0.5)],
+      ["region field", field(2)],
+      ["patch", field(3, 3)],
+      ["medit:ref", field(4)],
+    ]),
+  };
+  const [file] = await writeMesh(given, `a${extension}`);
+  const notes = file?.notes.map(({ message }) => message).join();
+  expect(notes).toMatch(/"region" is written as "region field field".*"patch" is written as "patch field"/);
+  const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` });
+  if (!read.success) throw new Error(read.errors[0].message);
+  const renamed = { ...given, elementData: new Map<string, NodeData>() };
+  const names = ["region field field", "region field", "patch field", "medit:ref"];
+  [...(given.elementData ?? []).values()].forEach((data, f) => renamed.elementData.set(names[f] ?? "", data));
+  expect(byElement(read.value)).toEqual(byElement(renamed));
+  const tags = ({ regions, patches }: Mesh) => [...regions, ...patches].map(({ tag }) => tag);
+  expect(tags(read.value)).toEqual(tags(block));
+});
+
+test("tags with gaps are found in as many maps as they need; the last of several counts", () => {
+  const tags = new NodeTags(3);
+  const added = [5, 6, 9, 10, 2, 1e9, 6, 30, 31, 32];
+  added.forEach((tag) => tags.add(tag));
+  for (const tag of added) expect(tags.indexOf(tag)).toBe(added.lastIndexOf(tag));
+  for (const tag of [0, 1, 7, 33]) expect(tags.indexOf(tag)).toBeUndefined();
 });

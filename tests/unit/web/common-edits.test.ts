@@ -36,6 +36,7 @@ describe("what a selection has in common", () => {
       "position.2",
       "size",
       "stretching",
+      "secondStretching",
     ]);
     expect(commonNumbers(cube, [...points, ...nodes]).map(({ field }) => field)).toEqual([
       "position.0",

@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
 import { parseProject } from "tetrafront/project";
 import { deleteEntities, moveEntity, renameEntity } from "../../../web/document/edits";
+import { setDirections } from "../../../web/document/node-directions";
 import {
   replaceBackground,
   replaceSources,
   scaleSizes,
   setMeshing,
-  setNodeDirection,
   setNodeStretching,
 } from "../../../web/document/size-edits";
 import { documentKey } from "../../../web/document/content-keys";
@@ -42,7 +42,8 @@ describe("the document", () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     const id = documents.project.background.nodes[0]?.id ?? 0;
     documents.edit(setNodeStretching(id, 3));
-    documents.edit(setNodeDirection(id, 1, 2));
+    const change = { axis: 1, value: 2, expression: null } as const;
+    documents.edit(setDirections(documents.project, [id], "direction", change));
     expect(documents.project.background.nodes[0]).toMatchObject({ stretching: 3, direction: [1, 2, 0] });
   });
 

@@ -4,7 +4,7 @@ import { createBody, type SolidFeature } from "tetrafront/project";
 import { emptyProject } from "../../../web/document/create";
 import { drawnSurface, withoutInnerEdges } from "../../../web/document/drawn-surface";
 import { faceLabel, faceLook, featureLabel } from "../../../web/document/operations/feature-names";
-import { startOf } from "../../../web/document/operations/start";
+import { holeStart, startOf } from "../../../web/document/operations/start";
 
 const place = { position: [0, 0, 0], axis: [0, 0, 1] } as const;
 const features: readonly SolidFeature[] = [
@@ -38,6 +38,11 @@ test.each([
   expect(faceLabel(features, origin)).toBe(label);
 });
 
+test("a face whose name is taken says of which features it comes", () => {
+  expect(faceLabel(features, "9/fillet 3/front|5/side", true)).toBe("Fillet 2 Box 1 front–Hole 1 side");
+  expect(faceLabel(features, "3/top", true)).toBe("Box 1 top");
+});
+
 test("faces of a file have its colours", () => {
   const colorOf = (origin: string) => faceLook(features, origin)?.color;
   expect(["12/face 1", "12/face 1#2"].map(colorOf)).toEqual([
@@ -69,4 +74,10 @@ test("a piece or a hole begins in the middle of the selected face of a solid", (
   const project = { ...emptyProject(), bodies: [{ ...body, features }] };
   expect(startOf(project, selection)).toEqual({ position: [1, 0, 1], axis: [0, 1, 0] });
   expect(startOf({ ...project, bodies: [body] }, selection).position).toEqual([0, 0, 0]);
+  expect(holeStart(project, selection, body)).toEqual(startOf(project, selection));
+});
+
+test("without a selection, a hole begins above the middle of the solid, so that it goes through it", () => {
+  const body = createBody(folded, { id: 1, firstPatchId: 1 });
+  expect(holeStart(emptyProject(), [], body)).toEqual({ position: [1, 1, 2], axis: [0, 0, 1] });
 });

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { arrowsOf, isosurface } from "../../../web/viewer/queries/field-shapes";
 import { MeshQueries } from "../../../web/viewer/queries/mesh-queries";
+import { cutSmoothly } from "../../../web/viewer/queries/smooth-cut";
 import { gridMesh } from "./grid-mesh";
 
 const mesh = gridMesh(4);
@@ -116,11 +117,59 @@ describe("the faces of a mesh with a field", () => {
     const count = mesh.tetrahedra.length / 4;
     const values = Float32Array.from({ length: count }, (_, t) => 2 * t);
     queries.setField({ values, range: [0, 2 * count], isPerElement: true, offsets: null });
-    const drawn = queries.facesOf({ ...options, cut: { axis: "x", position: 0.5, flipped: false } });
+    const cut = { axis: "x", position: 0.5, flipped: false } as const;
+    const drawn = queries.facesOf({ ...options, cut }, cutSmoothly);
     expect(drawn.faces.length).toBeGreaterThan(0);
     drawn.faces.forEach((face, i) => {
       for (let k = 0; k < 3; ++k) expect(drawn.values[3 * i + k]).toBeCloseTo((face >> 2) / count, 6);
     });
+  });
+
+  it.each([
+    ["x", 0.4, false],
+    ["y", 0.3, true],
+    // Through nodes.
+    ["z", 0.5, false],
+    ["z", 0.75, true],
+  ] as const)("are cut smoothly along %s at %f (flipped: %s)", (axis, position, flipped) => {
+    const queries = new MeshQueries({ mesh });
+    const linear = (x: number, y: number, z: number) => x + 2 * y + 4 * z;
+    queries.setField({ values: nodeValues(linear), range: [0, 28], isPerElement: false, offsets: null });
+    const cut = { axis, position, flipped };
+    const drawn = queries.facesOf({ ...options, origin: [1, 2, 3], cut }, cutSmoothly);
+    const k = { x: 0, y: 1, z: 2 }[axis];
+    const plane = 4 * position;
+    let volume = 0;
+    let section = 0;
+    drawn.faces.forEach((face, triangle) => {
+      const [a = [], b = [], c = []] = [0, 3, 6].map((corner) =>
+        [1, 2, 3].map((x, i) => x + (drawn.corners[9 * triangle + corner + i] ?? 0)),
+      );
+      const minor = (i: number, j: number) => (b[i] ?? 0) * (c[j] ?? 0) - (b[j] ?? 0) * (c[i] ?? 0);
+      volume += ((a[0] ?? 0) * minor(1, 2) + (a[1] ?? 0) * minor(2, 0) + (a[2] ?? 0) * minor(0, 1)) / 6;
+      [a, b, c].forEach(([x = 0, y = 0, z = 0], corner) =>
+        expect(drawn.values[3 * triangle + corner]).toBeCloseTo(linear(x, y, z) / 28, 5),
+      );
+      expect(face >> 2).toBeLessThan(mesh.tetrahedra.length / 4);
+      if (drawn.onBoundary[triangle] === 1) return;
+      for (const corner of [a, b, c]) expect(corner[k]).toBeCloseTo(plane, 5);
+      section += areaOf(drawn.corners.subarray(9 * triangle, 9 * triangle + 9));
+    });
+    // What is drawn encloses the part that is left, with all triangles facing outward.
+    expect(volume).toBeCloseTo(64 * (flipped ? 1 - position : position), 4);
+    expect(section).toBeCloseTo(16, 4);
+  });
+
+  it("are cut beside hidden regions as elsewhere", () => {
+    const tetrahedronRegion = Uint32Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) =>
+      Number(t % 2),
+    );
+    const queries = new MeshQueries({ mesh: { ...mesh, tetrahedronRegion } });
+    queries.setField({ values: nodeValues((x) => x), range: [0, 4], isPerElement: false, offsets: null });
+    const cut = { axis: "y", position: 0.4, flipped: false } as const;
+    const drawn = queries.facesOf({ ...options, cut, hiddenRegions: new Set([1]) }, cutSmoothly);
+    expect([...drawn.faces].every((face) => (face >> 2) % 2 === 0)).toBe(true);
+    for (let i = 1; i < drawn.corners.length; i += 3) expect(drawn.corners[i]).toBeLessThan(1.6 + 1e-5);
   });
 
   it("are moved by offsets of the nodes; the cut is that of the mesh at rest", () => {
@@ -128,10 +177,10 @@ describe("the faces of a mesh with a field", () => {
     const cut = { axis: "x", position: 0.5, flipped: false } as const;
     const values = nodeValues((x) => x);
     queries.setField({ values, range: [0, 4], isPerElement: false, offsets: null });
-    const atRest = queries.facesOf({ ...options, cut });
+    const atRest = queries.facesOf({ ...options, cut }, cutSmoothly);
     const offsets = Float32Array.from(mesh.points, (_, i) => (i % 3 === 2 ? 5 : 0));
     queries.setField({ values, range: [0, 4], isPerElement: false, offsets });
-    const moved = queries.facesOf({ ...options, cut });
+    const moved = queries.facesOf({ ...options, cut }, cutSmoothly);
     expect(moved.faces).toEqual(atRest.faces);
     expect([...moved.corners]).toEqual(Array.from(atRest.corners, (x, i) => x + (i % 3 === 2 ? 5 : 0)));
   });

@@ -487,6 +487,7 @@ describe("the layer of the mesh", () => {
     onBoundary: Uint8Array.from([1]),
     corners: new Float32Array(9),
     shares: new Uint8Array(),
+    shareUnit: 1,
     values: new Float32Array(3),
   };
 

@@ -1,13 +1,12 @@
 import { expect, it } from "vitest";
 import type { Project } from "tetrafront/project";
+import { setCommonNumber } from "../../../web/document/common-edits";
 import { addSourceAt, emptyProject, offerTetrahedron } from "../../../web/document/create";
+import type { Axis } from "../../../web/document/draft-records";
 import type { Entity } from "../../../web/document/entities";
 import { offerSplit } from "../../../web/document/grid-edits";
-import {
-  setNodeDirection,
-  setNodeSecondStretching,
-  setNodeStretching,
-} from "../../../web/document/size-edits";
+import { setDirections, type DirectionField } from "../../../web/document/node-directions";
+import { setNodeSecondStretching, setNodeStretching } from "../../../web/document/size-edits";
 import type { Affine } from "../../../web/document/transforms/affine";
 import { offerTransform } from "../../../web/document/transforms/transform";
 import type { Position } from "../../../web/document/position";
@@ -163,8 +162,15 @@ it("a second direction stays orthogonal to the first", () => {
   const cosine = () => dot(at()?.direction ?? [NaN, 0, 0], at()?.secondDirection ?? [NaN, 0, 0]);
   drag(documents, node(2), "direction", () => [3, 2, 1]);
   expect(cosine()).toBeCloseTo(0, 12);
-  documents.edit(setNodeDirection(2, 0, 0.3));
+  const direct = (field: DirectionField, axis: Axis, value: number, expression: string | null = null) =>
+    documents.edit(setDirections(documents.project, [2], field, { axis, value, expression }));
+  direct("direction", 0, 0.3);
   expect(cosine()).toBeCloseTo(0, 12);
+  // A typed component is kept where it is possible, with its expression.
+  direct("secondDirection", 2, 5, "5");
+  expect(cosine()).toBeCloseTo(0, 12);
+  expect(at()?.secondDirection?.[2]).not.toBe(5);
+  expect(documents.project.expressions).toBeUndefined();
   expect(at()?.secondStretching).toBe(2);
   // Scaled in one direction, drawn directions are no longer orthogonal.
   const { project } = documents;
@@ -178,6 +184,40 @@ it("a second direction stays orthogonal to the first", () => {
   if (!scaled.possible) throw new Error(scaled.reason);
   documents.edit(scaled.creation.edit);
   expect(cosine()).toBeCloseTo(0, 12);
+});
+
+it("changes the second stretching and direction of a node by its handle", () => {
+  const documents = new DocumentStore(twoTetrahedra());
+  const at = () => documents.project.background.nodes[1];
+  documents.edit(setNodeStretching(2, 3));
+  drag(documents, node(2), "second direction", ([x, y, z]) => [2.5 * (x - 1) + 1, 2.5 * y, 2.5 * z]);
+  expect(at()).toMatchObject({ size: 2, stretching: 3, direction: [1, 0, 0], secondStretching: 2.5 });
+  // Half a size times the stretching away from the node, whose size does not change.
+  drag(documents, node(2), "second direction", () => [4, 0, 5]);
+  expect(at()).toMatchObject({ size: 2, stretching: 3, direction: [1, 0, 0], secondDirection: [0, 0, 1] });
+  // Along the second direction alone.
+  drag(documents, node(2), "direction", () => [1, 0.01, 0]);
+  expect(at()).not.toHaveProperty("stretching");
+  drag(documents, node(2), "second direction", () => [1, 0, 0.01]);
+  expect(at()).toEqual({ id: 2, position: [1, 0, 0], size: 2 });
+});
+
+it("sets directions of several nodes, which stay orthogonal", () => {
+  const documents = new DocumentStore(twoTetrahedra());
+  const nodes = [node(2), node(3)];
+  documents.edit(setCommonNumber(nodes, "secondStretching", 2, null));
+  documents.edit(setCommonNumber(nodes, "stretching", 4, null));
+  const set = (field: DirectionField, axis: Axis, value: number) =>
+    documents.edit(setDirections(documents.project, [2, 3], field, { axis, value, expression: null }));
+  set("direction", 1, 1);
+  set("secondDirection", 0, 3);
+  const { nodes: after } = documents.project.background;
+  for (const { stretching, secondStretching, direction, secondDirection } of after.slice(1, 3)) {
+    expect([stretching, secondStretching]).toEqual([4, 2]);
+    expect(direction?.[1]).toBe(1);
+    expect(dot(direction ?? [1, 1, 1], secondDirection ?? [1, 1, 1])).toBeCloseTo(0, 12);
+  }
+  expect(after[0]).not.toHaveProperty("direction");
 });
 
 it("changes corners, size and distance of a source by its handles", () => {

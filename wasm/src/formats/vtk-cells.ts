@@ -20,8 +20,21 @@ const SECOND_ORDER: ReadonlyMap<number, readonly [linear: number, corners: numbe
 const THIN_CELLS = new Set([0, 1, 2, 3, 4, 21, 35]);
 
 /** Names under which programs store the group of a cell: this package, Gmsh and Medit through meshio, VMTK. */
-export const PATCH_ARRAYS = ["patch", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags", "region"];
-export const REGION_ARRAYS = ["region", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags"];
+export const PATCH_ARRAYS: readonly string[] = [
+  "patch",
+  "gmsh:physical",
+  "medit:ref",
+  "CellEntityIds",
+  "cell_tags",
+  "region",
+];
+export const REGION_ARRAYS: readonly string[] = [
+  "region",
+  "gmsh:physical",
+  "medit:ref",
+  "CellEntityIds",
+  "cell_tags",
+];
 
 /** Returns one number per cell, by array name; undefined if there is no such array. */
 export type CellNumbers = (name: string) => Float64Array | undefined;
@@ -33,12 +46,11 @@ export interface Cells {
   /** Patch of a cell that is a triangle; region of a cell that is a tetrahedron. */
   readonly patchOf: (cell: number) => number;
   readonly regionOf: (cell: number) => number;
+  /** Names of the arrays with one number per cell that define patches and regions; others are fields. */
+  readonly groupArrays: ReadonlySet<string>;
   /** Cells that are tetrahedra, in the order of the mesh. */
   readonly tetrahedra: Column<Uint32Array>;
 }
-
-/** Returns whether an array with one number per cell defines groups. */
-export const isGroupArray = (name: string): boolean => [...PATCH_ARRAYS, ...REGION_ARRAYS].includes(name);
 
 /** Returns the rows of the cells that are tetrahedra, of an array with a row per cell. */
 export function* rowsOfTetrahedra(
@@ -68,6 +80,7 @@ export function cellsOf(builder: MeshBuilder, data: CellNumbers, fail: Fail): Ce
   return {
     builder,
     fail,
+    groupArrays: new Set([patch, region].flatMap((found) => (found === undefined ? [] : [found.name]))),
     tetrahedra: new Column(Uint32Array),
     patchOf: (cell) =>
       patch === undefined

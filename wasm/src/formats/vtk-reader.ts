@@ -14,7 +14,7 @@ import { MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, NameLines } from "./name-lines.js";
 import type { FileLocation } from "./read-result.js";
 import { textOf } from "./text-bytes.js";
-import { addCell, cellsOf, cellwise, isGroupArray, rowsOfTetrahedra } from "./vtk-cells.js";
+import { addCell, type Cells, cellsOf, cellwise, rowsOfTetrahedra } from "./vtk-cells.js";
 
 const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetrahedra, or as .vtu.";
 const VTK_VERTEX = 1;
@@ -344,10 +344,11 @@ class VtkReader {
   }
 
   /** Keeps the values of the cells that are tetrahedra; only one list of cells has any. */
-  *#addElementData(tetrahedra: Uint32Array): Steps<void> {
+  *#addElementData({ tetrahedra: column, groupArrays }: Cells): Steps<void> {
+    const tetrahedra = column.taken();
     if (tetrahedra.length === 0) return;
     for (const [name, { components, values }] of this.#cellData) {
-      if (components === 1 && isGroupArray(name)) continue;
+      if (components === 1 && groupArrays.has(name)) continue;
       const rows = yield* rowsOfTetrahedra(values, components, tetrahedra);
       this.#builder.elementData.set(name, { components, values: rows });
     }
@@ -371,7 +372,7 @@ class VtkReader {
           fail(`cell ${cell} (counted from 0) has an invalid list of corners`);
         addCell(cells, type ?? this.#types[cell] ?? 0, [...nodes.subarray(begin, end)], first + cell);
       });
-      yield* this.#addElementData(cells.tetrahedra.taken());
+      yield* this.#addElementData(cells);
       first += count;
     }
   }

@@ -16,12 +16,12 @@ import { type ArrayCoding, type ArrayFail, decodeArray, isReadable, UnpackingBud
 import {
   addCell,
   type CellNumbers,
+  type Cells,
   cellsOf,
   cellwise,
   type Fail,
   PATCH_ARRAYS,
   REGION_ARRAYS,
-  isGroupArray,
   rowsOfTetrahedra,
 } from "./vtk-cells.js";
 import { failIn, type FoundArray, type Head, type Piece, readHead } from "./vtk-xml-head.js";
@@ -135,7 +135,7 @@ function* meshIn(bytes: Uint8Array, onWork: ReadContext["onWork"]): Steps<Mesh> 
     const reading = { piece, file, builder, firstNode, pointCount: builder.pointCount - firstNode };
     if (file.head.file.get("type") === "PolyData") {
       yield* addPolygons(reading);
-      held.push({ ...reading, tetrahedra: new Uint32Array(), cellCount: 0 });
+      held.push({ ...reading, tetrahedra: new Uint32Array(), cellCount: 0, groupArrays: new Set() });
     } else {
       held.push({ ...reading, ...(yield* addCells(reading)) });
     }
@@ -172,9 +172,10 @@ interface PieceReading {
   readonly pointCount: number;
 }
 
-/** Cells of a piece: their number, and those that are tetrahedra. */
-interface PieceCells {
+/** Cells of a piece. */
+interface PieceCells extends Pick<Cells, "groupArrays"> {
   readonly cellCount: number;
+  /** Cells that are tetrahedra. */
   readonly tetrahedra: Uint32Array;
 }
 
@@ -301,7 +302,11 @@ function* addCells(reading: PieceReading): Steps<PieceCells> {
   }
   const cells = cellsOf(builder, yield* cellData(reading), section.fail);
   yield* eachCell(reading, section, (nodes, cell) => addCell(cells, typeOf[cell] ?? 0, nodes, cell));
-  return { cellCount: typeOf.length, tetrahedra: cells.tetrahedra.taken() };
+  return {
+    cellCount: typeOf.length,
+    tetrahedra: cells.tetrahedra.taken(),
+    groupArrays: cells.groupArrays,
+  };
 }
 
 /** Reads the values of tetrahedra by name, piece by piece; NaN in a piece that lacks them. */
@@ -310,7 +315,8 @@ function* addElementData(held: readonly ReadPiece[], file: XmlFile, builder: Mes
   const arraysOfPieces = held.map(({ piece }) => namedArrays(piece, "CellData"));
   for (const [name, first] of arraysOfPieces.flatMap((arrays) => [...arrays])) {
     const components = componentsOf(first, file);
-    if (builder.elementData.has(name) || (components === 1 && isGroupArray(name))) continue;
+    const isGroupArray = components === 1 && held.some(({ groupArrays }) => groupArrays.has(name));
+    if (isGroupArray || builder.elementData.has(name)) continue;
     const parts: Float64Array[] = [];
     for (const [p, { cellCount, tetrahedra }] of held.entries()) {
       const found = arraysOfPieces[p]?.get(name);

@@ -40,7 +40,7 @@ export function* writeVtk(mesh: WrittenMesh, note: Note): Generator<Part, void> 
     perCell(regions),
     "SCALARS patch int 1\nLOOKUP_TABLE default\n",
     perCell(patches),
-    ...numberFields(yield* cellDataOf(mesh), count),
+    ...numberFields(yield* vtkElementData(mesh, note), count),
     ...pointData(mesh),
   ];
 }
@@ -76,6 +76,26 @@ function title(mesh: Mesh, note: Note): string {
   noteNames(mesh.patches, note);
   noteNames(mesh.regions, note);
   return "Tetrafront";
+}
+
+/** Names of the arrays that define the groups. */
+const GROUP_NAMES: ReadonlySet<string> = new Set(["region", "patch"]);
+
+/**
+ * Returns the values of all cells by name, tetrahedra first. A field with the name of an array that defines groups gets another name,
+ * because a reader would take it for the groups.
+ */
+export function* vtkElementData(mesh: Mesh, note: Note): Steps<ReadonlyMap<string, NodeData>> {
+  const data = yield* cellDataOf(mesh);
+  const named = new Map<string, NodeData>();
+  for (const [name, values] of data) {
+    let own = name;
+    while (GROUP_NAMES.has(own) || (own !== name && data.has(own))) own = `${own} field`;
+    if (own !== name)
+      note(`the field "${name}" is written as "${own}": in the file, "${name}" holds the groups`);
+    named.set(own, values);
+  }
+  return named;
 }
 
 /** Returns one value for each cell from `begin` to `end` - 1. */

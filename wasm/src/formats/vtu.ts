@@ -9,13 +9,12 @@ import { zlibSync } from "fflate";
 import { PAUSE, type Steps } from "../base/steps.js";
 import type { MeshGroup, Mesh, NodeData } from "../mesh/mesh.js";
 import { IS_LITTLE_ENDIAN, type Part, widened } from "./bytes.js";
-import { cellDataOf } from "./element-data.js";
 import type { Note } from "./file-format.js";
 import { hasDefaultName, usedGroups } from "./groups.js";
 import type { WrittenMesh } from "./second-order.js";
 import { allNameLines } from "./name-lines.js";
 import { memorySpool, type Spool } from "./spool.js";
-import { type CellValues, vtkCellData, vtkCellNodes } from "./vtk.js";
+import { type CellValues, vtkCellData, vtkCellNodes, vtkElementData } from "./vtk.js";
 
 /** Blocks are compressed one by one; readers keep one of them in memory at a time. */
 const BLOCK_BYTES = 1 << 16;
@@ -45,7 +44,7 @@ function* fileIn(mesh: WrittenMesh, note: Note, spool: Spool): Generator<Part, v
   const { points } = mesh;
   const { count, types, regions, patches } = vtkCellData(mesh);
   const { connectivity, offsets } = yield* cellNodes(mesh);
-  const cellData = yield* cellDataOf(mesh);
+  const cellData = yield* vtkElementData(mesh, note);
   const perCell = { count, width: 4 };
   const arrays: readonly DataArray[] = [
     { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', ...doubles(points) },

@@ -24,9 +24,9 @@ export function faceLook(features: readonly SolidFeature[], origin: string): Fac
 
 /**
  * Returns the name of a face by its origin: the one in its file, "Box 1 top" of `3/top`, "Fillet 1 front–top" of `4/fillet 3/front|3/top`. Where a face
- * comes from another one, only the place of that one is named.
+ * comes from another one, only the place of that one is named, unless the label is to be full: "Fillet 1 Box 1 front–Box 1 top".
  */
-export function faceLabel(features: readonly SolidFeature[], origin: string): string {
+export function faceLabel(features: readonly SolidFeature[], origin: string, isFull = false): string {
   const [, id = "", own = ""] = /^(\d+)\/(.*)$/.exec(origin) ?? [];
   const feature = features.find((one) => one.id === Number(id));
   if (!feature) return origin;
@@ -34,7 +34,7 @@ export function faceLabel(features: readonly SolidFeature[], origin: string): st
   if (given !== undefined) return given + own.replace(/^[^#]*#?/, " ").trimEnd();
   const words = own
     .replace(/^(fillet|chamfer|mirror|tool) /, "")
-    .replace(/\d+\//g, "")
+    .replace(/(\d+)\//g, (_, from) => (isFull ? `${featureLabel(features, Number(from))} ` : ""))
     .replace(/[()]/g, "")
     .replace(/(fillet|chamfer) /g, "")
     .replaceAll("|", "–")

@@ -7,7 +7,7 @@ import { typed, type Typed } from "./feature-numbers";
 import { positiveLength, wholeNumber } from "./number-specs";
 import type { FieldExpressions, FieldSpec, FieldValues, Operation, SolidMaker, Subject } from "./operation";
 import { addedFeature, editOf, solidIn, type FeatureOperation, type NewFeature, type Solid } from "./solids";
-import { startOf } from "./start";
+import { holeStart, startOf } from "./start";
 
 const texts = operationStrings.solids;
 
@@ -157,7 +157,8 @@ const hole = changeOperation<HoleValues>({
   ...texts.drilled,
   usesSelection: false,
   initial: (subject, solid) => {
-    const { position, axis } = startOf(subject.project, subject.selection);
+    const { project, selection } = subject;
+    const { position, axis } = solid ? holeStart(project, selection, solid) : startOf(project, selection);
     const diameter = share(0.2)(subject, solid);
     const inward: readonly [number, number, number] = [0 - axis[0], 0 - axis[1], 0 - axis[2]];
     return { position, axis: inward, diameter, through: true, depth: 2 * diameter };

@@ -1,4 +1,5 @@
-import { bodySurface, type Project } from "tetrafront/project";
+import { bodyBox } from "tetrafront/internal";
+import { bodySurface, type Project, type ProjectBody } from "tetrafront/project";
 import type { Entity } from "../entities";
 import { bodyOfPatch, findRecord } from "../entities";
 import { patchFacts } from "../patch-facts";
@@ -18,14 +19,31 @@ function faceOf(project: Project, id: number) {
   );
 }
 
+interface Start {
+  readonly position: Position;
+  readonly axis: Position;
+}
+
 /**
  * Returns where a new piece begins: on a selected planar patch, pointing away from the model; at selected points; or at
  * the origin.
  */
-export function startOf(
-  project: Project,
-  selection: readonly Entity[],
-): { readonly position: Position; readonly axis: Position } {
+export function startOf(project: Project, selection: readonly Entity[]): Start {
+  return selectedStart(project, selection) ?? { position: zero, axis: worldFrame.z };
+}
+
+/** Returns where a hole into a solid begins: at what is selected, or above the middle of the solid, on its highest plane. */
+export function holeStart(project: Project, selection: readonly Entity[], solid: ProjectBody): Start {
+  const selected = selectedStart(project, selection);
+  if (selected) return selected;
+  const [low, high] = bodyBox(solid);
+  return {
+    position: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, high[2]],
+    axis: worldFrame.z,
+  };
+}
+
+function selectedStart(project: Project, selection: readonly Entity[]): Start | undefined {
   const [only] = selection;
   if (selection.length === 1 && only?.kind === "patch") {
     const plane = planeOfPatch(project, only.id);
@@ -37,5 +55,5 @@ export function startOf(
     const record = kind === "point" || kind === "background-node" ? findRecord(project, kind, id) : undefined;
     return record ? [record.position] : [];
   });
-  return { position: positions.length > 0 ? mean(positions) : zero, axis: worldFrame.z };
+  return positions.length === 0 ? undefined : { position: mean(positions), axis: worldFrame.z };
 }

@@ -1,4 +1,4 @@
-import { Checkbox, Text } from "@mantine/core";
+import { Checkbox, Group, Text } from "@mantine/core";
 import { IconArrowDown, IconArrowUp, IconPencil, IconTrash } from "@tabler/icons-react";
 import type { SolidFeature } from "tetrafront/project";
 import { useStore } from "zustand";
@@ -37,10 +37,12 @@ export function FeatureList({ solid }: { readonly solid: Solid }) {
       <Text size="xs" c="dimmed" my={4} role="status" data-testid="solid-status">
         {solid.isOutdated !== true ? texts.hint : isPending ? operationStrings.computing : failure}
       </Text>
-      <TextButton onClick={() => startOperation(app, explode)}>{texts.explodeToPatches}</TextButton>
-      <TextButton title={texts.explodeHint} onClick={() => explodeSolid(app, solid)}>
-        {texts.explode}
-      </TextButton>
+      <Group gap="2px 16px">
+        <TextButton onClick={() => startOperation(app, explode)}>{texts.explodeToPatches}</TextButton>
+        <TextButton title={texts.explodeHint} onClick={() => explodeSolid(app, solid)}>
+          {texts.explode}
+        </TextButton>
+      </Group>
     </section>
   );
 }

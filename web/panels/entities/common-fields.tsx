@@ -5,7 +5,9 @@ import {
   BODY_SURFACES,
   type BodySurface,
   type Project,
+  type ProjectBackgroundNode,
 } from "tetrafront/project";
+import { Fragment } from "react";
 import { SegmentedControl } from "@mantine/core";
 import { setCommonSurface } from "../../document/body-edits";
 import {
@@ -28,6 +30,7 @@ import { PositionRow } from "../../ui/fields/position-row";
 import { lineTypeNames, patchTypeNames, strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
+import { DirectionRow } from "./direction-row";
 import styles from "./selection-card.module.css";
 import { useOwnNumbers } from "./use-own-numbers";
 import { TypeSelect } from "./type-select";
@@ -43,7 +46,11 @@ export function CommonFields({ entities, project }: CommonFieldsProps) {
   // Other treatments do not remesh.
   const isShown = ({ field }: CommonNumber): boolean =>
     surface === "remesh" || !field.startsWith("remeshing.");
-  const numbers = commonNumbers(project, entities).filter(isShown);
+  const all = commonNumbers(project, entities);
+  const nodes = stretchedNodes(project, entities, all);
+  const numbers = all.filter(
+    (number) => isShown(number) && (nodes !== null || number.field !== "secondStretching"),
+  );
   const parameters = new Set(project.parameters?.map(({ name }) => name));
   const named = numbers
     .filter(({ smallest }) => smallest !== null)
@@ -54,13 +61,38 @@ export function CommonFields({ entities, project }: CommonFieldsProps) {
     <section className={styles["fields"]} data-testid="common-fields">
       {isPositioned && <CommonPosition entities={entities} project={project} numbers={numbers} />}
       {numbers.map((number) => (
-        <CommonNumberRow key={number.field} entities={entities} project={project} number={number} />
+        <Fragment key={number.field}>
+          <CommonNumberRow entities={entities} project={project} number={number} />
+          {nodes && number.field === "stretching" && (
+            <DirectionRow nodes={nodes} field="direction" project={project} testId="common-direction" />
+          )}
+          {nodes && number.field === "secondStretching" && number.value !== 1 && (
+            <DirectionRow
+              nodes={nodes}
+              field="secondDirection"
+              project={project}
+              testId="common-second-direction"
+            />
+          )}
+        </Fragment>
       ))}
       {named.length > 0 && <p className={styles["hint"]}>{strings.fields.ownValues(named)}</p>}
       {surface !== undefined && <CommonTreatment entities={entities} surface={surface} />}
       <CommonTypes entities={entities} project={project} />
     </section>
   );
+}
+
+/** Returns the background nodes that are selected; null if none of them is stretched, or other entities are selected. */
+function stretchedNodes(
+  { background }: Project,
+  entities: readonly Entity[],
+  numbers: readonly CommonNumber[],
+): readonly ProjectBackgroundNode[] | null {
+  const isStretched = numbers.some(({ field, value }) => /stretching$/i.test(field) && value !== 1);
+  if (!isStretched) return null;
+  const ids = new Set(entities.map(({ id }) => id));
+  return background.nodes.filter(({ id }) => ids.has(id));
 }
 
 function CommonPosition({
@@ -118,6 +150,7 @@ function CommonTreatment({
 const labels = {
   size: strings.inspector.size,
   stretching: strings.inspector.stretching,
+  secondStretching: strings.inspector.secondStretching,
   distance: strings.inspector.distance,
   growth: strings.inspector.growth,
   "placement.scale": strings.bodies.placement.scale,
@@ -126,11 +159,17 @@ const labels = {
 } as const;
 
 /** Numbers without a unit. */
-const factors: ReadonlySet<CommonField> = new Set(["stretching", "growth", "placement.scale"]);
+const factors: ReadonlySet<CommonField> = new Set([
+  "stretching",
+  "secondStretching",
+  "growth",
+  "placement.scale",
+]);
 
 const refusals: Readonly<Partial<Record<CommonField, (value: number) => string | null>>> = {
   size: upTo(LIMITS.length, aboveZero),
   stretching: upTo(LIMITS.stretching, atLeastOne),
+  secondStretching: upTo(LIMITS.stretching, atLeastOne),
   distance: upTo(LIMITS.length, notNegative),
   growth: upTo(LIMITS.growth, notNegative),
   "placement.scale": upTo(LIMITS.length, aboveZero),

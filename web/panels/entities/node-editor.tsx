@@ -2,13 +2,7 @@ import { LIMITS } from "tetrafront";
 import type { Project, ProjectBackgroundNode } from "tetrafront/project";
 import { moveEntity } from "../../document/edits";
 import { expressionOf, keepingExpression } from "../../document/expression-edits";
-import {
-  setNodeDirection,
-  setNodeSecondDirection,
-  setNodeSecondStretching,
-  setNodeSize,
-  setNodeStretching,
-} from "../../document/size-edits";
+import { setNodeSecondStretching, setNodeSize, setNodeStretching } from "../../document/size-edits";
 import { NumberRow } from "../../ui/fields/number-row";
 import { PositionRow } from "../../ui/fields/position-row";
 import { Unit } from "../../ui/fields/unit";
@@ -16,6 +10,7 @@ import { strings } from "../../strings";
 import { useApp } from "../shared/app-context";
 import { aboveZero, atLeastOne, sizeStep, stepFor, unitsOf, upTo } from "../shared/size-fields";
 import { positionExpressions } from "../shared/kept-expressions";
+import { DirectionRow } from "./direction-row";
 import { useOwnNumbers } from "./use-own-numbers";
 
 interface NodeEditorProps {
@@ -23,18 +18,12 @@ interface NodeEditorProps {
   readonly project: Project;
 }
 
-const zeroRefusal =
-  (direction: readonly number[]) =>
-  (axis: 0 | 1 | 2, value: number): string | null =>
-    direction.with(axis, value).every((x) => x === 0) ? strings.fields.zeroDirection : null;
-
 /** The size, stretchings and position of a background node. */
 export function NodeEditor({ node, project }: NodeEditorProps) {
   const { documents } = useApp();
-  const { id, size, stretching = 1, secondStretching = 1, direction = [1, 0, 0] as const, position } = node;
+  const { id, size, stretching = 1, secondStretching = 1, position } = node;
   const own = useOwnNumbers(project, [{ kind: "background-node", id }]);
   const path = (field: string) => ({ kind: "background-node", id, field }) as const;
-  const refuseZero = zeroRefusal(direction);
   return (
     <>
       <NumberRow
@@ -64,19 +53,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
         }
       />
       {(stretching !== 1 || secondStretching !== 1) && (
-        <PositionRow
-          label={strings.inspector.direction}
-          value={direction}
-          step={0.1}
-          refuse={refuseZero}
-          testId="direction"
-          expressions={positionExpressions(project, path("direction"))}
-          onCommit={(axis, value, expression) =>
-            documents.edit(
-              keepingExpression(setNodeDirection(id, axis, value), path(`direction.${axis}`), expression),
-            )
-          }
-        />
+        <DirectionRow nodes={[node]} field="direction" project={project} testId="direction" />
       )}
       {(stretching !== 1 || secondStretching !== 1) && <SecondStretching node={node} project={project} />}
       <PositionRow
@@ -102,7 +79,8 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
 
 function SecondStretching({ node, project }: NodeEditorProps) {
   const { documents } = useApp();
-  const { id, secondStretching = 1, secondDirection = [0, 1, 0] as const } = node;
+  const { id, secondStretching = 1 } = node;
+  const own = useOwnNumbers(project, [{ kind: "background-node", id }]);
   const path = (field: string) => ({ kind: "background-node", id, field }) as const;
   return (
     <>
@@ -114,6 +92,7 @@ function SecondStretching({ node, project }: NodeEditorProps) {
         testId="node-second-stretching"
         rightSection={<Unit>×</Unit>}
         expression={expressionOf(project, path("secondStretching"))}
+        own={own("secondStretching")}
         onCommit={(value, expression) =>
           documents.edit(
             keepingExpression(setNodeSecondStretching(id, value), path("secondStretching"), expression),
@@ -121,23 +100,7 @@ function SecondStretching({ node, project }: NodeEditorProps) {
         }
       />
       {secondStretching !== 1 && (
-        <PositionRow
-          label={strings.inspector.secondDirection}
-          value={secondDirection}
-          step={0.1}
-          refuse={zeroRefusal(secondDirection)}
-          testId="second-direction"
-          expressions={positionExpressions(project, path("secondDirection"))}
-          onCommit={(axis, value, expression) =>
-            documents.edit(
-              keepingExpression(
-                setNodeSecondDirection(id, axis, value),
-                path(`secondDirection.${axis}`),
-                expression,
-              ),
-            )
-          }
-        />
+        <DirectionRow nodes={[node]} field="secondDirection" project={project} testId="second-direction" />
       )}
     </>
   );

@@ -17,10 +17,21 @@ import type { Glyph } from "../../viewer/layers/size-glyph-layer";
 import { strings } from "../../strings";
 import { formatPosition, formatShort } from "../../strings/format";
 import { onGrid, type Grips } from "./grips";
-import { add, cross, distance, frameAlong, length, scale, subtract, unit } from "../../document/vectors";
+import {
+  add,
+  cross,
+  distance,
+  type Frame,
+  frameAlong,
+  length,
+  orthogonalTo,
+  scale,
+  subtract,
+  unit,
+} from "../../document/vectors";
 
 /** What a handle changes: a corner of a source by its index, or a length. */
-export type HandleRole = "size" | "direction" | "distance" | { readonly corner: number };
+export type HandleRole = "size" | "direction" | "second direction" | "distance" | { readonly corner: number };
 
 /** A place in the view that the user can drag. */
 export interface Handle {
@@ -53,22 +64,40 @@ export function handledOf(project: Project, selection: readonly Entity[]): Handl
   return source ? { kind: "source", id: source.id, shape: shapeOfSource(source) } : null;
 }
 
-/** Length of half a glyph: across and along its direction. */
-const radiiOf = ({ size, stretching }: NodeShape): readonly [across: number, along: number] => [
-  size / 2,
-  (size * stretching) / 2,
-];
+/** Lengths of half a glyph: across, along its direction and along its second direction. */
+const radiiOf = ({ size, stretching, secondStretching }: NodeShape) => ({
+  across: size / 2,
+  along: (size * stretching) / 2,
+  second: (size * secondStretching) / 2,
+});
+
+/** Returns the frame of the handles of a node: z along its direction, y along the second one, if it has them. */
+function frameOf({ direction, stretching, secondDirection, secondStretching }: NodeShape): Frame {
+  if (!(secondStretching > 1)) return frameAlong(direction);
+  const y = frameAlong(stretching > 1 ? orthogonalTo(direction, secondDirection) : secondDirection).z;
+  const z = frameAlong(stretching > 1 ? direction : y)[stretching > 1 ? "z" : "x"];
+  return { origin: [0, 0, 0], x: cross(y, z), y, z };
+}
 
 /** Returns the handles, in true size unless the glyph is smaller than they are. `pixel`: length of a CSS pixel. */
 export function handlesOf(handled: Handled, pixel: number): readonly Handle[] {
   const least = leastPixels * pixel;
   if (handled.kind === "node") {
     const { centre, shape } = handled;
-    const [across, along] = radiiOf(shape);
-    const { x, z } = frameAlong(shape.direction);
+    const { across, along, second } = radiiOf(shape);
+    const { x, y, z } = frameOf(shape);
+    const at = (axis: Position, reach: number) => ({
+      from: centre,
+      position: add(centre, scale(axis, reach)),
+    });
+    const isStretched = shape.stretching > 1 || shape.secondStretching > 1;
     return [
-      { role: "size", from: centre, position: add(centre, scale(x, Math.max(across, least))) },
-      { role: "direction", from: centre, position: add(centre, scale(z, Math.max(along, 1.5 * least))) },
+      { role: "size", ...at(x, Math.max(across, least)) },
+      { role: "direction", ...at(z, Math.max(along, 1.5 * least)) },
+      // The first stretching of a ball has any direction.
+      ...(isStretched
+        ? [{ role: "second direction", ...at(y, Math.max(second, 1.25 * least)) } as const]
+        : []),
     ];
   }
   const { positions, size, distance: reach } = handled.shape;
@@ -122,8 +151,14 @@ function labelOf({ kind, shape }: Handled, role: HandleRole): string {
   const { inspector, drawing } = strings;
   if (role === "size") return drawing.grip(inspector.size, formatShort(shape.size));
   if (kind === "node") {
-    const { stretching, direction } = shape;
-    return `${drawing.grip(inspector.stretching, formatShort(stretching))}, ${drawing.grip(inspector.direction, formatPosition(direction))}`;
+    const isFirst = role === "direction";
+    const stretching = isFirst ? shape.stretching : shape.secondStretching;
+    const direction = isFirst ? shape.direction : shape.secondDirection;
+    const names = isFirst
+      ? [inspector.stretching, inspector.direction]
+      : [inspector.secondStretching, inspector.secondDirection];
+    const [stretchingName = "", directionName = ""] = names;
+    return `${drawing.grip(stretchingName, formatShort(stretching))}, ${drawing.grip(directionName, formatPosition(direction))}`;
   }
   const { positions } = shape;
   if (typeof role !== "object") return drawing.grip(inspector.distance, formatShort(shape.distance));
@@ -139,9 +174,9 @@ function glyphOf(handled: Handled): Glyph {
     return { centre, axis: [0, 0, 1], across: size / 2, along: size / 2 };
   }
   const { centre, shape } = handled;
-  const [across, along] = radiiOf(shape);
+  const { across, along, second: alongSecond } = radiiOf(shape);
   const { direction, secondStretching, secondDirection } = shape;
-  const second = secondStretching > 1 && { axis: secondDirection, along: across * secondStretching };
+  const second = secondStretching > 1 && { axis: secondDirection, along: alongSecond };
   if (!second) return { centre, axis: direction, across, along };
   // Without a first stretching, the second direction need not be orthogonal to the first.
   if (!(shape.stretching > 1)) return { centre, across, ...second };
@@ -172,9 +207,12 @@ function nodeDragged(
 ): NodeShape {
   // The ellipsoid grows as a whole.
   if (role === "size") return { ...shape, size: lengthOf(shape.size * factor) };
-  const asked = Math.min(LIMITS.stretching, shape.stretching * factor);
+  const isSecond = role === "second direction";
+  const asked = Math.min(LIMITS.stretching, (isSecond ? shape.secondStretching : shape.stretching) * factor);
   const stretching = asked < roundness ? 1 : rounded(asked);
-  return { ...shape, stretching, direction: tidy(unit(subtract(to, from)) ?? shape.direction) };
+  const given = unit(subtract(to, from));
+  if (!isSecond) return { ...shape, stretching, direction: tidy(given ?? shape.direction) };
+  return { ...shape, secondStretching: stretching, secondDirection: tidy(given ?? shape.secondDirection) };
 }
 
 const lengthOf = (value: number): number => Math.max(rounded(value), Number.MIN_VALUE);

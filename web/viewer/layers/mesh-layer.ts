@@ -14,7 +14,6 @@ import { PatchFinder } from "../patch-finder";
 import type { Position } from "../../document/position";
 import { drawsIsosurface, drawsMesh, type SceneChanges, type SceneState } from "../scene-state";
 import type { Screen } from "../screen";
-import { shareUnit } from "../queries/curved-faces";
 import { faceNodes } from "../queries/topology";
 import { TriangleTree, type TriangleHit } from "../triangle-tree";
 import { addOrigin, type Hit, type HittableLayer, type Target } from "./layer";
@@ -22,7 +21,12 @@ import { addOrigin, type Hit, type HittableLayer, type Target } from "./layer";
 /** How far an out-of-date mesh fades towards the background. */
 const staleFading = 0.62;
 
-const noFaces = { corners: new Float32Array(), shares: new Uint8Array(), values: new Float32Array() };
+const noFaces = {
+  corners: new Float32Array(),
+  shares: new Uint8Array(),
+  shareUnit: 1,
+  values: new Float32Array(),
+};
 
 export interface MeshLayerEvents {
   /** Called when the drawn faces or the required ones have changed. */
@@ -217,7 +221,7 @@ export class MeshLayer implements HittableLayer {
   }
 
   #show(request: FaceRequest, faces: DrawnFaces | null): void {
-    const { corners, shares, values } = faces ?? noFaces;
+    const { corners, shares, shareUnit, values } = faces ?? noFaces;
     this.#drawn = { request, faces, tree: faces && new TriangleTree(corners) };
     setNumber(this.#material, "shaded", values.length > 0 ? 1 : 0);
     setNumber(this.#material, "curved", shares.length > 0 ? shareUnit : 0);

@@ -13,8 +13,8 @@ import {
 import type { Mesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../../document/selection";
 import type { Position } from "../../document/position";
-import { CurvedFaces, type CurvedTriangles } from "./curved-faces";
-import { isosurface } from "./field-shapes";
+import { CurvedFaces, shareUnit, type CurvedTriangles } from "./curved-faces";
+import type { cutSmoothly } from "./smooth-cut";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,
@@ -54,8 +54,9 @@ export interface DrawnFaces {
   readonly onBoundary: Uint8Array<ArrayBuffer>;
   /** Nine per triangle: x y z of three corners, counter-clockwise from outside. */
   readonly corners: Float32Array<ArrayBuffer>;
-  /** As in `CurvedTriangles`; empty if no edge is curved, so that every triangle is a face. */
+  /** Three per corner: its coordinates in its face, as multiples of `shareUnit`; empty if every triangle is a face. */
   readonly shares: Uint8Array<ArrayBuffer>;
+  readonly shareUnit: number;
   /**
    * Per corner: the position of its element on the colour scale, 0 to 1, or the index of its region, depending on
    * the shading; empty with plain shading. With a field, the position of its own value.
@@ -98,26 +99,44 @@ export class MeshQueries {
     this.#moved = isMoved ? { ...this.#mesh, points: points.map((x, i) => x + (offsets[i] ?? 0)) } : null;
   }
 
-  /** Returns where the field has a value: x y z of three corners per triangle, relative to `origin`. */
-  isosurface(level: number, origin: Position): Float32Array<ArrayBuffer> {
-    const values = this.#field?.values ?? new Float32Array();
-    return isosurface(this.#moved ?? this.#mesh, values, level, origin);
+  /** The mesh where it is drawn, and the values of the field at its nodes. */
+  get drawnField(): { readonly mesh: Elements; readonly values: Float32Array<ArrayBuffer> } {
+    return { mesh: this.#moved ?? this.#mesh, values: this.#field?.values ?? new Float32Array() };
   }
 
-  facesOf({ origin, cut, hiddenRegions, shading, qualitySpace, byField }: ViewOptions): DrawnFaces {
+  /** `divide`: divides elements at the plane of a cut if the colours show values at the nodes; null cuts between elements. */
+  facesOf(options: ViewOptions, divide: typeof cutSmoothly | null = null): DrawnFaces {
+    const { origin, cut, hiddenRegions, shading, qualitySpace, byField } = options;
     const neighbours = this.#cachedNeighbours();
     this.#hidden.fill(0);
-    if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
     hideRegions(this.#mesh.tetrahedronRegion, hiddenRegions, this.#hidden);
-    const count = collectVisibleFaces(neighbours, this.#hidden, this.#faces);
     const field = byField === true ? this.#field : null;
     const shape = (field && this.#moved) ?? this.#mesh;
+    // Values of elements belong to whole ones, and curved faces are not divided.
+    if (divide && cut && field && !field.isPerElement && !this.#isCurved(shape)) {
+      const { axis, flipped } = cut;
+      const plane = { axis, flipped, limit: this.#limit(cut) };
+      const mesh = { mesh: this.#mesh, neighbours, hidden: this.#hidden, scratch: this.#faces };
+      const { isSection, ...drawn } = divide(mesh, plane, field, { points: shape.points, origin });
+      const onBoundary = Uint8Array.from(drawn.faces, (face, i) =>
+        isSection(i) ? 0 : Number(this.#endsRegion(face, neighbours)),
+      );
+      return { ...drawn, onBoundary };
+    }
+    if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
+    const count = collectVisibleFaces(neighbours, this.#hidden, this.#faces);
     const { faces, corners, shares } = this.#trianglesOf(shape, this.#faces.slice(0, count), origin);
     const onBoundary = Uint8Array.from(faces, (face) => Number(this.#endsRegion(face, neighbours)));
     const values = field
       ? cornerValues(this.#mesh.tetrahedra, faces, shares, field)
       : this.#valuesOf(faces, shading, qualitySpace);
-    return { faces, onBoundary, corners, shares, values };
+    return { faces, onBoundary, corners, shares, shareUnit, values };
+  }
+
+  /** Returns whether faces of a shape are drawn curved: only straight edges are moved with their nodes. */
+  #isCurved(shape: QueriedMesh["mesh"]): boolean {
+    const { curvedEdges } = this.#mesh;
+    return shape === this.#mesh && curvedEdges !== undefined && curvedEdges.edges.length > 0;
   }
 
   histogram(measure: QualityMeasure, space: QualitySpace, barCount: number): Histogram {
@@ -130,8 +149,7 @@ export class MeshQueries {
     origin: Position,
   ): CurvedTriangles {
     const { curvedEdges } = this.#mesh;
-    // Only straight edges are moved with their nodes.
-    if (shape === this.#mesh && curvedEdges !== undefined && curvedEdges.edges.length > 0) {
+    if (curvedEdges !== undefined && this.#isCurved(shape)) {
       this.#curved ??= new CurvedFaces(this.#mesh, curvedEdges);
       return this.#curved.trianglesOf(faces, origin);
     }

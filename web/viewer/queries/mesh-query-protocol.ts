@@ -11,13 +11,13 @@ export interface PictureSize {
   readonly height: number;
 }
 
-/** The calls that the mesh query worker answers, all but `tree` in order. */
+/** The calls that the mesh query worker answers, in order unless it loads code for one first. */
 export interface MeshQueryProtocol {
   /** Sets the mesh that all later queries are about; null for none. */
   readonly setMesh: { readonly argument: QueriedMesh | null; readonly answer: null };
   /** Sets the values at the nodes of the mesh that colours can show. */
   readonly setField: { readonly argument: FieldValues; readonly answer: null };
-  /** Where these values have a level, as `MeshQueries.isosurface` says. */
+  /** Where these values have a level: x y z of three corners per triangle, relative to `origin`. */
   readonly isosurface: {
     readonly argument: { readonly level: number; readonly origin: Position };
     readonly answer: Float32Array<ArrayBuffer>;

@@ -20,12 +20,17 @@ serveCalls<MeshQueryProtocol>({
     queries.setField(field);
     return { answer: null };
   },
-  isosurface: ({ level, origin }) => {
-    const answer = queries.isosurface(level, origin);
+  // What few meshes need is loaded on demand.
+  isosurface: async ({ level, origin }) => {
+    const { mesh, values } = queries.drawnField;
+    const { isosurface } = await import("./field-shapes");
+    const answer = isosurface(mesh, values, level, origin);
     return { answer, transfer: [answer.buffer] };
   },
-  faces: (options) => {
-    const answer = queries.facesOf(options);
+  faces: async (options) => {
+    const asked = queries;
+    const isDivided = options.byField === true && options.cut !== null;
+    const answer = asked.facesOf(options, isDivided ? (await import("./smooth-cut")).cutSmoothly : null);
     const { faces, onBoundary, corners, shares, values } = answer;
     const arrays = [faces, onBoundary, corners, shares, values];
     return { answer, transfer: arrays.map(({ buffer }) => buffer) };

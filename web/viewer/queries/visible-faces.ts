@@ -3,7 +3,7 @@ import type { Cut } from "../../document/selection";
 import { shareUnit } from "./curved-faces";
 import { faceNodes, outside } from "./topology";
 
-const axisIndex = { x: 0, y: 1, z: 2 } as const;
+export const axisIndex = { x: 0, y: 1, z: 2 } as const;
 
 /** Returns the lowest and highest coordinate of the nodes along one axis; zeros without nodes. */
 export function extentAlong(points: Float64Array, axis: Cut["axis"]): readonly [number, number] {
@@ -99,6 +99,12 @@ export interface FieldValues {
   readonly offsets: Float32Array<ArrayBuffer> | null;
 }
 
+/** Returns the function from a value to its position on the colour scale. If all values are equal, they have the colour in the middle. */
+export function scaleOf([low, high]: FieldValues["range"]): (value: number) => number {
+  const scale = high > low ? 1 / (high - low) : 0;
+  return (value) => (scale === 0 ? 0.5 : (value - low) * scale);
+}
+
 /**
  * Returns the position on the colour scale per corner of each triangle: 0 to 1. `shares` as in `CurvedTriangles`; empty if every
  * triangle is a face.
@@ -107,18 +113,16 @@ export function cornerValues(
   tetrahedra: Uint32Array,
   faces: Uint32Array,
   shares: Uint8Array,
-  { values, isPerElement, range: [low, high] }: FieldValues,
+  { values, isPerElement, range }: FieldValues,
 ): Float32Array<ArrayBuffer> {
   const positions = new Float32Array(3 * faces.length);
-  const scale = high > low ? 1 / (high - low) : 0;
+  const positionOf = scaleOf(range);
   const ofFace = [0, 0, 0];
   for (let i = 0; i < faces.length; ++i) {
     const face = faces[i] ?? 0;
     for (let k = 0; k < 3; ++k) {
       const node = tetrahedra[(face & ~3) + (faceNodes[3 * (face & 3) + k] ?? 0)] ?? 0;
-      const value = values[isPerElement ? face >> 2 : node] ?? 0;
-      // If all values are equal, they have the colour in the middle.
-      ofFace[k] = scale === 0 ? 0.5 : (value - low) * scale;
+      ofFace[k] = positionOf(values[isPerElement ? face >> 2 : node] ?? 0);
     }
     for (let k = 0; k < 3; ++k)
       positions[3 * i + k] =

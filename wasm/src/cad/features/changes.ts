@@ -39,6 +39,8 @@ type Makers = {
 const RADIANS = Math.PI / 180;
 /** Largest number of copies: more take minutes. */
 const MAX_COPIES = 1000;
+/** Depth of a solid along a hole / diameter of the hole, up to which it is rounding of the box around the solid. */
+const OUTSIDE = 1e-6;
 /** Distance within which the kernel makes the offset faces of a shell meet, as a part of the thickness. */
 const SHELL_TOLERANCE = 1e-5;
 
@@ -109,7 +111,7 @@ function holeOutline(
   const radius = diameter / 2;
   const along = frameOf({ position, axis }).z;
   const through = extentOf(session, shape, position, along);
-  if (depth === undefined && !(through > 0))
+  if (depth === undefined && !(through > OUTSIDE * diameter))
     throw new FeatureError("The hole points away from the solid.", "Reverse the axis.");
   const bottom = depth ?? through + diameter;
   const wider: (readonly [number, number, string])[] = [];

@@ -14,6 +14,9 @@ const MAKERS = {
 /** Normals of faces that differ by less, in radians, are those of one surface. */
 const SAME_DIRECTION = 1e-9;
 
+/** Volume cut away / volume of the solid, below which it is rounding. */
+const NOTHING_CUT = 1e-12;
+
 /** Combines pieces with a solid. Faces of one surface that a union makes neighbours become one, with the first one's name. */
 export function combined(
   session: Session,
@@ -32,7 +35,16 @@ export function combined(
   if (operation === "intersect" && others.length > 0)
     return combined(session, operation, combined(session, operation, solid, [first]), others);
   const united = operation === "join" ? booleanOf(session, operation, solid, pieces, true) : undefined;
-  return united ?? booleanOf(session, operation, solid, pieces, false);
+  const result = united ?? booleanOf(session, operation, solid, pieces, false);
+  if (operation === "cut") requireLess(session, solid, result);
+  return result;
+}
+
+/** Throws if nothing was cut away: the faces may still be divided where a piece touches them. */
+function requireLess(session: Session, before: NamedSolid, after: NamedSolid): void {
+  const volume = session.volume(before.shape);
+  if (volume - session.volume(after.shape) > NOTHING_CUT * volume) return;
+  throw new FeatureError("It lies outside the solid, so that nothing is cut.");
 }
 
 function booleanOf(
