@@ -148,12 +148,15 @@ export class Framing {
     this.fitPositions([position]);
   }
 
-  /** Moves to positions; `from`: seen from a direction of any length, else from where the camera is. */
-  fitPositions(positions: readonly Position[], from: Position | null = null): void {
+  /**
+   * Moves to positions; `from`: seen from a direction of any length, else from where the camera is; `surroundings`: the most of
+   * them, as of `closeUpBox`.
+   */
+  fitPositions(positions: readonly Position[], from: Position | null = null, surroundings?: number): void {
     if (from) this.#view.lookFrom(from, this.#motion);
     const target = new Bounds();
     for (const position of positions) target.add(...position);
-    this.#fitBounds(target);
+    this.#fitBounds(target, this.#motion, surroundings);
   }
 
   /** Fits the positions, x y z each, of what is shown instead of the model, now and whenever all is fitted; null: the model. */
@@ -278,12 +281,12 @@ export class Framing {
   }
 
   /** Moves to a target, with its surroundings if it is smaller than the model. */
-  #fitBounds(target: Bounds, animate = this.#motion): void {
+  #fitBounds(target: Bounds, animate = this.#motion, surroundings?: number): void {
     this.#isWholeFitted = target.empty || target === this.#replaced;
     const { state } = this.#scene;
     const whole = shownBounds(state);
     if (target.empty) this.#fittedRadius = projectRadius(state);
-    const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, state.origin);
+    const [from, to] = closeUpBox(target.empty ? whole : target, whole.radius, state.origin, surroundings);
     this.#view.fit(from, to, animate);
     this.#scene.request();
   }

@@ -1,7 +1,7 @@
 import { Resolution } from "./resolution";
 
-/** A view without a new frame for this time is at rest, in milliseconds. */
-const restMs = 150;
+/** A view without a new frame for this time is at rest, in milliseconds: drawing it sharply can take longer than a frame. */
+const restMs = 300;
 /** And for this many frames of the page: they take longer than that where drawing is very slow. */
 const restTicks = 3;
 

@@ -1,6 +1,7 @@
 /** Four points of lesson 11: angles and ratios against values that are known otherwise. */
 import { describe, expect, test } from "vitest";
 import type { Position } from "../../../web/document/position";
+import { anglesOf } from "../../../web/teach/article/figures/surface/surface-maps";
 import { kindOf, measureFour, type Four } from "../../../web/teach/article/figures/sliver/sliver-rules";
 
 /** The corners of a square of half a diagonal 1, two opposite ones lifted. */
@@ -44,6 +45,15 @@ describe("four points", () => {
     expect(kindOf(flat)).toBe("sliver");
     expect(flat.angles.filter((angle) => angle > 170)).toHaveLength(2);
     expect(flat.angles.filter((angle) => angle < 5)).toHaveLength(4);
+  });
+
+  test("the faces of a sliver are halves of a square, as lesson 11 says", () => {
+    const four = lifted(0.05);
+    for (const left of four) {
+      const face = four.filter((point) => point !== left);
+      const angles = anglesOf(face).toSorted((a, b) => a - b);
+      expect(angles.map((angle) => Math.round(angle))).toEqual([45, 45, 90]);
+    }
   });
 
   test.each<readonly [string, Position]>([

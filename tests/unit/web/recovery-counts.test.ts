@@ -4,6 +4,7 @@ import { readProject } from "tetrafront/project";
 import type { Trace } from "tetrafront/trace";
 import { beforeAll, expect, it } from "vitest";
 import { recoveryCounts } from "../../../web/teach/player/recovery-counts";
+import type { Beat } from "../../../web/teach/strings/film";
 import { recoverySentence } from "../../../web/teach/strings/recovery";
 import { recordFront } from "../../support/recorded-models";
 
@@ -46,6 +47,22 @@ it("says how a pocket is closed by a star, and how local remeshing and the exact
       /^The pocket has 42 faces\. It is filled exactly, with 61 elements and 6 new nodes, .* The front goes from 42 faces to none: it is closed\.$/u,
     ),
   ]);
+});
+
+it("says in an early beat only what has been shown by then", () => {
+  const steps = Array.from({ length: trace.stepCount }, (_, i) => trace.stepAt(i + 1));
+  const said = (change: string, beat: Beat): string => {
+    const step = steps.find((each) => each?.kind === "recovery" && each.change === change);
+    return step?.kind === "recovery" ? recoverySentence(step.change, recoveryCounts(trace, step), beat) : "";
+  };
+  expect(said("star", "pocket")).toBe(
+    "The front is stuck here: no element fits into this pocket of 8 faces.",
+  );
+  expect(said("star", "node")).toMatch(/^Inside the pocket, new node [\d,]+ sees all 8 faces:/u);
+  expect(said("exact-fill", "node")).toMatch(/^The exact fill needs 6 new nodes, [\d,]+ to [\d,]+\.$/u);
+  expect(said("reopened", "pocket")).not.toContain("312");
+  expect(said("undone", "attempt")).not.toContain("put back");
+  expect(said("star", "star")).toBe(sentencesOf("star")[0]);
 });
 
 it("says whether a reopened pocket was closed by the front alone", () => {

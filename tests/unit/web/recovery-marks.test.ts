@@ -3,6 +3,7 @@ import { expect, it } from "vitest";
 import { readTrace, type Trace } from "tetrafront/trace";
 import { cornersOf } from "../../../web/teach/player/judge";
 import { initialPlayerState } from "../../../web/teach/player/player";
+import { beatAt } from "../../../web/teach/player/film-state";
 import { recoveryMarks, recoveryMarksOf } from "../../../web/teach/player/recovery-marks";
 import { boxSurface } from "../../support/surfaces";
 import { starSurface, starTrace } from "../../support/traces";
@@ -42,7 +43,11 @@ it("are shown while the front rests at such a step, as the same object", () => {
   const [first] = steps;
   const state = { ...initialPlayerState, trace, step: first?.step ?? 0, lensStep: first?.step ?? 0 };
   const marks = recoveryMarksOf(state);
-  expect(marks?.left.length).toBeGreaterThan(0);
+  // What an opened place has lost would hide it.
+  expect(beatAt(state)).toBe("opened");
+  expect(marks?.joined.length).toBeGreaterThan(0);
+  expect(marks?.left).toEqual([]);
+  expect(recoveryMarksOf({ ...state, film: false })?.left.length).toBeGreaterThan(0);
   expect(recoveryMarksOf({ ...state, isPlaying: true })).toBeNull();
   expect(recoveryMarksOf({ ...state, lensStep: state.step - 1 })).toBeNull();
   expect(recoveryMarksOf({ ...state, step: 1, lensStep: 1 })).toBeNull();

@@ -14,7 +14,7 @@ import { drawnMarks, lensMarks, type DrawnMark, type LensMarks, type MarkKind } 
 import type { LensScene } from "./lens-scene";
 import { modelOutline } from "./model-outline";
 import type { FrontFaces } from "./player";
-import { drawnRecovery, type RecoveryMarks } from "./recovery-marks";
+import { drawnRecovery, recoveryLegendOf, type RecoveryMarks } from "./recovery-marks";
 import { escaped, letterWidth, svgFont as labelFont } from "./svg";
 
 /** A view of the model on a plane. */
@@ -93,7 +93,7 @@ export function frontDrawing(trace: Trace, state: DrawnState, view: DrawingView)
     drawnOutline(modelOutline(trace), view),
     ...(scene ? drawnAll(drawnMarks, lensMarks(scene), view) : marks),
     scaleLegend(texts.legend[coloring], texts.legendEnds(coloring, ...values.rangeAt(step)), view),
-    markLegend(scene ? texts.marks.legend : recovered ? texts.marks.recoveryLegend : {}, view),
+    markLegend(scene ? texts.marks.legend : recovered ? recoveryLegendOf(recovered) : {}, view),
   ]);
 }
 

@@ -86,8 +86,11 @@ export const jump = 100;
 
 /** States that are shown within this time of each other, in milliseconds, are scrubbed or played: the lens waits for the last. */
 const scrubbedMs = 250;
-/** Time after the last state until the lens shows it. */
-const settledMs = 100;
+/**
+ * Time after the last state until the lens shows it, in milliseconds: longer than two frames of a slow machine, because the
+ * view then moves to the step, and this would slow down the states that follow.
+ */
+const settledMs = 300;
 
 /** Seconds between two pictures of who prefers no motion: each has the steps that have become due. */
 const stillSeconds = 1;

@@ -55,7 +55,10 @@ export function recoveryMarksOf(state: Shown): RecoveryMarks | null {
 export function recoveryMarks(trace: Trace, step: RecoveryStep, beat: Beat | null = null): RecoveryMarks {
   const triangles = (faces: readonly number[]): Position[] => faces.flatMap((face) => cornersOf(trace, face));
   const isPocket = beat === "pocket" || beat === "attempt";
-  const [left, joined] = [triangles(step.removedFaces), isPocket ? [] : triangles(step.addedFaces)];
+  // What an opened or restored place has lost would hide it.
+  const isReplaced = beat === "opened" || beat === "undone";
+  const left = isReplaced ? [] : triangles(step.removedFaces);
+  const joined = isPocket ? [] : triangles(step.addedFaces);
   const nodes = isPocket ? [] : step.addedNodes.map((node) => positionOf(trace, node));
   const pocket = left.length > 0 ? left : joined;
   const label = (kind: LensLabel["kind"], position: Position, text: string): LensLabel => ({
@@ -69,7 +72,9 @@ export function recoveryMarks(trace: Trace, step: RecoveryStep, beat: Beat | nul
     nodes,
     star: beat === "star" || beat === "filled" ? newSides(trace, step) : [],
     labels: [
-      ...(pocket.length > 0 ? [label("base", mean(pocket), texts.recovery[step.change])] : []),
+      ...(pocket.length > 0
+        ? [label("base", mean(pocket), isPocket ? texts.unrecovered[beat] : texts.recovery[step.change])]
+        : []),
       ...nodes
         .slice(0, maxLabels)
         .map((position, i) => label("candidate", position, texts.node(step.addedNodes[i] ?? null))),
@@ -94,12 +99,37 @@ function newSides(trace: Trace, { addedElements, addedNodes }: RecoveryStep): Po
   });
 }
 
+/** Returns the names of those kinds of marks that are drawn. */
+export function recoveryLegendOf({ left, joined, nodes }: RecoveryMarks): Readonly<Record<string, string>> {
+  const { base, joined: joining, candidate } = texts.recoveryLegend;
+  return {
+    ...(left.length > 0 && { base }),
+    ...(joined.length > 0 && { joined: joining }),
+    ...(nodes.length > 0 && { candidate }),
+  };
+}
+
+/** Edges of more faces than this are thin: wide ones would cover all. */
+const maxWideFaces = 30;
+const isWide = ({ left }: RecoveryMarks): boolean => left.length <= 3 * maxWideFaces;
+
 /** All parts of the marks, in the order in which they are drawn. */
 export const drawnRecovery: readonly DrawnMark<RecoveryMarks>[] = [
   { form: "faces", of: ({ joined }) => joined, color: "front", opacity: 0.12 },
   { form: "faces", of: ({ left }) => left, color: "selection", opacity: 0.3 },
   { form: "segments", of: ({ joined }) => edgesOf(joined), color: "front", width: 1.2 },
-  { form: "segments", of: ({ left }) => edgesOf(left), color: "selection", width: 2.5 },
+  {
+    form: "segments",
+    of: (marks) => (isWide(marks) ? edgesOf(marks.left) : []),
+    color: "selection",
+    width: 2.5,
+  },
+  {
+    form: "segments",
+    of: (marks) => (isWide(marks) ? [] : edgesOf(marks.left)),
+    color: "selection",
+    width: 1.2,
+  },
   { form: "segments", of: ({ star }) => star, color: "front", width: 2 },
   { form: "dots", of: ({ nodes }) => nodes, color: "point", size: 11 },
 ];

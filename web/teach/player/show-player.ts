@@ -20,6 +20,8 @@ import type { Viewer } from "../../viewer/viewer";
 
 /** Speed in steps per second up to which the view follows while the front is played: faster, it would jerk. */
 const maxFollowedSpeed = 5;
+/** Surroundings of a step in a film, in halves of the diagonal of what it is about: what is drawn around it fills the view. */
+const filmSurroundings = 1.2;
 
 /** Draws the trace of a player in a view, instead of the model's surfaces and mesh. Returns a function that ends this. */
 export function showPlayer(player: StoreApi<PlayerState>, viewer: Viewer): () => void {
@@ -71,7 +73,8 @@ function drawTrace(trace: Trace, viewer: Viewer, player: StoreApi<PlayerState>) 
     followed = positions && { step: state.step, scene };
     if (!positions) return;
     isWhole = false;
-    viewer.framing.fitPositions(positions, state.film && scene ? emptySide(scene, viewer) : null);
+    const from = state.film && scene ? emptySide(scene, viewer) : null;
+    viewer.framing.fitPositions(positions, from, state.film ? filmSurroundings : undefined);
   };
   const ends = [replay, near, surface, sweeps, lens].map((layer) => viewer.addLayer(layer));
   const draw = (state: PlayerState, scene = lensSceneOf(state)): LensScene | null => {

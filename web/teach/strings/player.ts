@@ -149,6 +149,8 @@ export const playerStrings = {
       undone: "attempt, undone",
       "exact-fill": "pocket",
     },
+    /** The same, in the beats before the step has done anything. */
+    unrecovered: { pocket: "pocket", attempt: "attempt" },
     recoveryLegend: { base: "faces that leave", joined: "faces that join", candidate: "new node" },
   },
   fade: "Fade the rest",

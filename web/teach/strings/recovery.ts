@@ -1,6 +1,7 @@
 /** Texts about the steps of recovery, with their numbers. */
 import { formatCount, formatCounted } from "../../strings/format";
 import type { FrontChange } from "tetrafront/trace";
+import type { Beat } from "./film";
 
 /** What a step of recovery does to the front and the mesh, in numbers. */
 export interface RecoveryCounts {
@@ -45,5 +46,29 @@ const sentences: Readonly<Record<FrontChange, (counts: RecoveryCounts) => string
     `The pocket has ${formatCounted(removedFaces, "face")}. It is filled exactly, with ${formatCounted(addedElements, "element")} and ${newNodes(nodes)}.`,
 };
 
-export const recoverySentence = (change: FrontChange, counts: RecoveryCounts): string =>
-  `${sentences[change](counts)} ${frontOf(counts)}`;
+/** What the beats before the last one show of a step. */
+const earlySentences: Readonly<
+  Partial<Record<Beat, (change: FrontChange, counts: RecoveryCounts) => string>>
+> = {
+  pocket: (change, { removedFaces }) =>
+    change === "reopened"
+      ? "No star closes this pocket, so the elements around it will be removed."
+      : `The front is stuck here: no element fits into this pocket of ${formatCounted(removedFaces, "face")}.`,
+  node: (change, { nodes, removedFaces }) => {
+    if (change === "exact-fill") return `The exact fill needs ${newNodes(nodes)}.`;
+    return nodes.length === 1
+      ? `Inside the pocket, ${newNodes(nodes)} sees all ${formatCounted(removedFaces, "face")}: an element fits between it and each of them.`
+      : `Nodes are placed inside the pocket, each of which sees all faces of its part: ${newNodes(nodes)}.`;
+  },
+  attempt: () => "The front is stuck in the opened place, too: all elements of this attempt will be removed.",
+};
+
+/** Returns what a step of recovery does; in an early beat, only what has been shown by then. */
+export const recoverySentence = (
+  change: FrontChange,
+  counts: RecoveryCounts,
+  beat: Beat | null = null,
+): string => {
+  const early = beat && counts.removedFaces > 0 ? earlySentences[beat] : undefined;
+  return early ? early(change, counts) : `${sentences[change](counts)} ${frontOf(counts)}`;
+};

@@ -1,6 +1,7 @@
 /** The HTML of the pages of lessons. Vite adds scripts and styles, scripts/lib/site-policy.mjs the policy. */
 import type { CompiledLesson } from "./compile-lesson.ts";
 import { attribute } from "./formulas.ts";
+import { emblemOf } from "./lesson-emblems.ts";
 
 export interface ListedLesson {
   readonly number: number;
@@ -68,16 +69,20 @@ ${lesson.html}
 
 /** Returns the page that lists all written lessons. */
 export function lessonListPage(all: readonly ListedLesson[]): string {
-  const entries = all.map(
-    ({ number, title, summary }) =>
-      `<li><a href="./${number}/"><span class="digit">${number}</span><h2>${attribute(title)}</h2><p>${attribute(summary)}</p></a></li>`,
+  const entry = (page: number | string, digit: string, title: string, summary: string): string =>
+    `<li><a href="./${page}/"><span class="digit">${digit}</span><h2>${attribute(title)}</h2><p>${attribute(summary)}</p>${emblemOf(page)}</a></li>`;
+  const entries = all.map(({ number, title, summary }) => entry(number, String(number), title, summary));
+  const game = entry(
+    "mesher",
+    "",
+    "Be the mesher",
+    "A game: advance a front yourself, and see your mesh beside the program’s.",
   );
   const body = `${header('<a href="../">Tetrafront</a>')}
 <main class="contents">
 <h1>The advancing front</h1>
 <p class="lead">How a computer fills a shape with triangles and tetrahedra. Each lesson is one article, and each figure is the method itself: drag everything.</p>
-<ol>${entries.join("")}</ol>
-<p><a href="./mesher/"><b>Be the mesher</b></a>: advance a front yourself, and see your mesh beside the program’s.</p>
+<ol>${entries.join("")}${game}</ol>
 </main>`;
   return page("Lessons – Tetrafront", "Lessons about the advancing-front method", "../", "", body);
 }

@@ -62,7 +62,7 @@ export function paint(pen: Pen, camera: Camera, facets: readonly Facet[]): void 
   }
 }
 
-/** Draws the shadow of polygons on the ground, with a soft border. */
+/** Draws the shadow of polygons on the ground, with a soft border; on paper, whose scale moves such shadows, with a sharp one. */
 export function softShadow(
   pen: Pen,
   camera: Camera,
@@ -72,19 +72,23 @@ export function softShadow(
 ): void {
   const { context } = pen;
   const ratio = context.getTransform().a;
+  const isPrinted = document.documentElement.dataset["printed"] === "true";
+  const outside = isPrinted ? 0 : farOutside;
   context.save();
-  context.shadowColor = css(shadowColour, 0.2 * strength);
-  context.shadowBlur = 16 * ratio;
-  context.shadowOffsetX = farOutside * ratio;
+  if (!isPrinted) {
+    context.shadowColor = css(shadowColour, 0.2 * strength);
+    context.shadowBlur = 16 * ratio;
+    context.shadowOffsetX = outside * ratio;
+  }
   context.beginPath();
   for (const polygon of polygons) {
     const pixels = polygon.map((position): Pixel => {
       const [x, y] = camera.pixel(shadowOf(position, ground));
-      return [x - farOutside, y];
+      return [x - outside, y];
     });
     pen.path(isCounterClockwise(pixels) ? pixels : pixels.toReversed(), false);
   }
-  context.fillStyle = css(shadowColour);
+  context.fillStyle = css(shadowColour, isPrinted ? 0.1 * strength : 1);
   context.fill();
   context.restore();
 }

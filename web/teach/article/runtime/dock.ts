@@ -1,6 +1,7 @@
 /**
  * Keeps the figure that the text speaks of in view: while the figure that the reader has touched last is out of view, its stage is
- * docked beside the text, or above it in a small window. A task that is not done calls for its figure, too.
+ * docked beside the text, or above it in a small window, until the reader has read on. A task that is not done calls for its
+ * figure, too, as long as it is read.
  */
 import { parseCondition, valuesIn } from "../condition";
 import { button, element } from "../kit/dom";
@@ -12,9 +13,15 @@ const inView = 0.45;
 const callingShares = (): readonly [number, number] =>
   matchMedia("(max-width: 1279px)").matches ? [0.45, 0.9] : [0.2, 0.9];
 
+/** Window heights after which the reader has read on since a figure was touched. */
+const interest = 1.2;
+
 export class Dock {
   #last: PageFigure | null = null;
+  /** Where the page was when the last figure was touched. */
+  #lastAt = 0;
   #docked: PageFigure | null = null;
+  #isPressed = false;
   /** Figures that the reader does not want to see docked until they are touched again. */
   readonly #closed = new Set<PageFigure>();
   readonly #tasks: readonly { readonly element: HTMLElement; readonly figure: PageFigure }[];
@@ -36,29 +43,41 @@ export class Dock {
         figure.element.addEventListener(type, (event) => {
           if (this.#bar.contains(event.target as Node)) return;
           if (event instanceof KeyboardEvent && event.key === "Escape") this.#close();
-          else this.#last = figure;
+          else this.#remember(figure);
         });
     for (const type of ["scroll", "resize"])
-      // What the reader holds keeps its place and size.
-      window.addEventListener(
-        type,
-        () => {
-          if (document.querySelector(".held") === null) this.#update();
-        },
-        { passive: true },
-      );
+      window.addEventListener(type, () => this.#follow(), { passive: true });
+    // A figure that came between a press and its end would take the click.
+    window.addEventListener("pointerdown", () => (this.#isPressed = true), { capture: true });
+    for (const type of ["pointerup", "pointercancel"])
+      window.addEventListener(type, () => {
+        setTimeout(() => {
+          this.#isPressed = false;
+          this.#follow();
+        });
+      });
   }
 
-  /** The reader has touched a figure by the text; `word` stays visible beside it. */
-  touch(figure: PageFigure, word: HTMLElement): void {
-    this.#last = figure;
+  /** The reader has touched a figure by the text; `word` stays visible beside it. Null: the page does not move. */
+  touch(figure: PageFigure, word: HTMLElement | null): void {
+    this.#remember(figure);
     this.#closed.delete(figure);
     this.#update();
-    if (this.#docked !== figure) return;
+    if (this.#docked !== figure || word === null) return;
     const stage = stageOf(figure).getBoundingClientRect();
     const { top, left } = word.getBoundingClientRect();
     const isHidden = left < stage.right && left >= stage.left && top < stage.bottom + 8;
     if (isHidden) window.scrollBy(0, top - stage.bottom - 40);
+  }
+
+  #remember(figure: PageFigure): void {
+    this.#last = figure;
+    this.#lastAt = window.scrollY;
+  }
+
+  /** Follows the reader, except during a press: what is held keeps its place and size. */
+  #follow(): void {
+    if (!this.#isPressed && document.querySelector(".held") === null) this.#update();
   }
 
   #update(): void {
@@ -70,8 +89,9 @@ export class Dock {
       return this.#dock(null);
     }
     const calling = this.#tasks.find(({ element: task }) => isCalling(task))?.figure;
-    if (calling && !this.#closed.has(calling)) this.#last = calling;
-    this.#dock(this.#last && !this.#closed.has(this.#last) ? this.#last : null);
+    if (Math.abs(window.scrollY - this.#lastAt) > interest * window.innerHeight) this.#last = null;
+    const wanted = calling ?? this.#last;
+    this.#dock(wanted && !this.#closed.has(wanted) ? wanted : null);
   }
 
   #dock(figure: PageFigure | null): void {

@@ -41,12 +41,14 @@ function prepare(figures: PageFigures): () => void {
   const theme = root.dataset["theme"];
   const fixed = [...figures.values()].flatMap(({ element }) => stylesOf(element));
   root.dataset["theme"] = "light";
+  root.dataset["printed"] = "true";
   themeChanged();
   for (const { node, styles } of fixed)
     for (const [name, value] of Object.entries(styles)) node.style.setProperty(name, value);
   return () => {
     for (const { node, styles } of fixed)
       for (const name of Object.keys(styles)) node.style.removeProperty(name);
+    delete root.dataset["printed"];
     if (theme === undefined) delete root.dataset["theme"];
     else root.dataset["theme"] = theme;
     themeChanged();

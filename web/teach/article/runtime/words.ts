@@ -29,12 +29,13 @@ export function tieWords(figures: PageFigures, dock: Dock): void {
     });
   for (const node of document.querySelectorAll<HTMLElement>("[data-mark]")) {
     const { figure, name } = tiedTo(figures, node.dataset["mark"] ?? "");
-    const light = (isLit: boolean): void => {
+    const light = (isLit: boolean, word: HTMLElement | null = node): void => {
       node.setAttribute("aria-pressed", String(isLit));
       void figure.mark(isLit ? name : null);
-      if (isLit) dock.touch(figure, node);
+      if (isLit) dock.touch(figure, word);
     };
-    node.addEventListener("pointerenter", ({ pointerType }) => pointerType === "mouse" && light(true));
+    // While the page is scrolled, words pass below a pointer at rest: if they moved the page, a click would miss its target.
+    node.addEventListener("pointerenter", ({ pointerType }) => pointerType === "mouse" && light(true, null));
     node.addEventListener("pointerleave", ({ pointerType }) => pointerType === "mouse" && light(false));
     node.addEventListener("focus", () => node.matches(":focus-visible") && light(true));
     node.addEventListener("blur", () => light(false));

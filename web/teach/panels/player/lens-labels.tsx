@@ -3,7 +3,7 @@ import { beatAt, isFleeting } from "../../player/film-state";
 import { lensMarks, type LensLabel } from "../../player/lens-marks";
 import { lensSceneOf } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
-import { recoveryMarksOf } from "../../player/recovery-marks";
+import { recoveryLegendOf, recoveryMarksOf } from "../../player/recovery-marks";
 import { surfaceLabels } from "../../player/surface-labels";
 import { playerStrings } from "../../strings/player";
 import type { Viewer } from "../../../viewer/viewer";
@@ -76,7 +76,7 @@ export function LensLabels({ viewer }: { readonly viewer: Viewer }) {
         </div>
       </div>
       {scene && <MarkLegend names={playerStrings.marks.legend} />}
-      {recovered && <MarkLegend names={playerStrings.marks.recoveryLegend} />}
+      {recovered && <MarkLegend names={recoveryLegendOf(recovered)} />}
     </>
   );
 }

@@ -2,7 +2,7 @@ import { Text } from "@mantine/core";
 import { lazy, memo, Suspense, useDeferredValue, useMemo } from "react";
 import type { AdvanceStep } from "tetrafront/trace";
 import { isBeforeTest, playsBeats } from "../../player/beats";
-import { elementsShown } from "../../player/film-state";
+import { beatAt, elementsShown } from "../../player/film-state";
 import { decisive, examine, type LensCandidate } from "../../player/lens";
 import { examinedIn, lensSceneOf, type LensScene } from "../../player/lens-scene";
 import { surfaceState } from "../../player/phases";
@@ -68,6 +68,7 @@ function VolumeLens() {
 
 const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: UnderLens) {
   const trace = useTrace();
+  const beat = usePlayer(beatAt);
   const step = useMemo(() => trace.stepAt(number), [trace, number]);
   const examined = useMemo(() => {
     if (step?.kind !== "advance") return null;
@@ -78,7 +79,8 @@ const StepUnderLens = memo(function StepUnderLens({ number, chosen, scene }: Und
   }, [trace, step, chosen, scene]);
   const change = scene && scene.step.step === step?.step ? frontChangeOf(scene) : null;
   if (!step) return <Text size="sm">{texts.beforeFirst}</Text>;
-  if (step.kind === "recovery") return <p>{texts.recovery(step.change, recoveryCounts(trace, step))}</p>;
+  if (step.kind === "recovery")
+    return <p>{texts.recovery(step.change, recoveryCounts(trace, step), beat)}</p>;
   return (
     <>
       {examined && (

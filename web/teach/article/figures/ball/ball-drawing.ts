@@ -8,7 +8,7 @@ import { clamp, ease } from "../../kit/motion";
 import { between as betweenPixels, type Pen } from "../../kit/pen";
 import type { Camera } from "../../kit/space";
 import type { Pixel, Stage } from "../../kit/stage";
-import type { BallElement, BallFilm } from "./ball-film";
+import type { BallElement, BallFace, BallFilm } from "./ball-film";
 
 export interface DrawnBall {
   readonly film: BallFilm;
@@ -90,13 +90,22 @@ export class BallDrawing {
     const settled = isPlaying ? Math.max(0, state - flight) : state;
     const strong = part === "front" || part === "hollow";
     const edge = { colour: strong ? c.active : c.groove, width: strong ? 1.75 : 1, alpha: strong ? 1 : 0.5 };
-    return film.faces.flatMap(({ corners, middle, born, died, owner }): Facet[] => {
-      if (born > settled || died <= settled) return [];
+    const shown = film.faces.filter(({ middle, born, died, owner }) => {
+      if (born > settled || died <= settled) return false;
       const holder = owner === null ? middle : (film.elements[owner]?.middle ?? middle);
-      if (holder[1] <= cut) return [];
-      const depth = clamp((middle[1] - Math.max(-1, cut)) / 1.1, 0, 1) ** 0.8;
-      return [{ corners, colour: lit(depthColour(depth), corners, this.camera.eye), edge }];
+      return holder[1] > cut;
     });
+    const walls = shown.map(({ corners, middle }): Facet => {
+      const depth = clamp((middle[1] - Math.max(-1, cut)) / 1.1, 0, 1) ** 0.8;
+      // Seen from outside, it is the stone of a geode.
+      const { eye } = this.camera;
+      const colour = looksTo(corners, eye) ? depthColour(depth) : c.rock;
+      return { corners, colour: lit(colour, corners, eye), edge };
+    });
+    const rim = rimOf(shown).map((corners): Facet => {
+      return { corners, colour: c.ink, edge: { colour: c.ink, width: 2.25 } };
+    });
+    return [...walls, ...rim];
   }
 
   /** Elements in flight come from the middle of the hollow to their place at the wall. */
@@ -243,6 +252,19 @@ export class BallDrawing {
       verdict === "crosses" ? "crosses this face" : verdict === "behind" ? "behind this face" : "too close";
     if (isFirst) this.stage.label(text, middle, { dy: 30, look: "refused plate" });
   }
+}
+
+/** Returns the edges at which faces end: where the front is cut. */
+function rimOf(faces: readonly BallFace[]): readonly (readonly Position[])[] {
+  const ends = new Map<string, readonly Position[]>();
+  for (const { nodes, corners } of faces)
+    nodes.forEach((node, i) => {
+      const [next = 0, from, to] = [nodes[(i + 1) % 3], corners[i], corners[(i + 1) % 3]];
+      const key = `${Math.min(node, next)} ${Math.max(node, next)}`;
+      if (ends.has(key)) ends.delete(key);
+      else if (from && to) ends.set(key, [from, to]);
+    });
+  return [...ends.values()];
 }
 
 /** Returns a corner of an element that is moved apart from the others, and is a little smaller. */

@@ -16,7 +16,7 @@ import { BallFilm } from "./ball-film";
 
 const beatNames = ["active face", "ideal point", "candidates", "test", "new tetrahedron"] as const;
 /** Where the ball is seen from. */
-const home = { target: [0.1, 0.1, -0.2] as Position, distance: 4.75, yaw: 0.42, pitch: 0.36 };
+const home = { target: [0.1, 0.1, -0.2] as Position, distance: 4.75, yaw: 0.66, pitch: 0.36 };
 /** What the buttons set: position of the cut, and how far the elements are apart. */
 const looks = [
   { label: "Whole", cut: -1.1, open: 0 },

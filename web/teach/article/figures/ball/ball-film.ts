@@ -7,6 +7,7 @@ import type { Film } from "../../kit/film-player";
 export interface BallFace {
   /** Counter-clockwise as seen from the empty side. */
   readonly corners: readonly Position[];
+  readonly nodes: readonly number[];
   readonly middle: Position;
   readonly born: number;
   readonly died: number;
@@ -74,7 +75,14 @@ export class BallFilm implements Film {
       const born = trace.faces.born[face] ?? 0;
       const owner = owners.get(keyOf(nodes))?.find((each) => this.elements[each]?.born === born);
       const died = trace.faces.died[face] ?? Infinity;
-      return { corners, middle: mean(corners), born, died, owner: born === 0 ? null : (owner ?? null) };
+      return {
+        corners,
+        nodes,
+        middle: mean(corners),
+        born,
+        died,
+        owner: born === 0 ? null : (owner ?? null),
+      };
     });
   }
 

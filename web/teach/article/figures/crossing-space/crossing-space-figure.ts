@@ -221,7 +221,7 @@ export class CrossingSpaceFigure implements Figure {
     for (const { corners, sides, isFirst } of paintedPieces(frontFace, added, eye)) {
       const isLit = this.#lit === (isFirst ? "front" : "new");
       const base = isFirst
-        ? mix(c.rim, c.hollow, isLit ? 0.3 : 0.08)
+        ? mix(c.plate, c.active, isLit ? 0.5 : 0.28)
         : mix(c.new, c.plate, isLit ? 0.2 : 0.5);
       pen.polygon(corners.map(at), lit(base, corners, eye));
       sides.forEach((side, i) => {

@@ -236,7 +236,7 @@ export class IdealFigure implements Figure {
       colour: lit("circle") ? c.active : c.faint,
       width: lit("circle") ? 2.5 : 1.25,
     });
-    pen.polygon(corners, mix(c.rim, c.active, lit("face") ? 0.55 : 0.12));
+    pen.polygon(corners, mix(c.plate, c.active, lit("face") ? 0.6 : 0.32));
     this.#drawFarFaces(sides);
     corners.forEach((corner, i) =>
       pen.line(corner, corners[(i + 1) % 3] as Pixel, c.active, lit("face") ? widths.active : 3.5),

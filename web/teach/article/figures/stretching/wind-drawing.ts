@@ -26,7 +26,7 @@ export function drawHill(stage: Stage, view: PlaneView): void {
     view.pixel(point),
   );
   const c = colours();
-  new Pen(stage.context).polygon(ground, c.rock, 1, { colour: c.edge, width: 1.5 });
+  new Pen(stage.context).polygon(ground, c.stone, 1, { colour: c.edge, width: 1.5 });
   stage.label("hill", view.pixel([hill.x, low + 0.07]), { look: "soft" });
 }
 

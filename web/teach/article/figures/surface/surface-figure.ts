@@ -54,7 +54,7 @@ const dotMargin = 0.06;
 /** Where corners may be. */
 const reach: Position = [1.5, 1, 0.8];
 /** Milliseconds after the last change in which the rulers that are not shown measure as well. */
-const restTime = 150;
+const restTime = 400;
 /** Distance in pixels of labels from handles. */
 const labelDistance = 34;
 /** Distance of the eye from a patch that is wider than the sail. */
@@ -256,7 +256,7 @@ export class SurfaceFigure implements Figure {
     for (const ruler of rulers) this.#stale.add(ruler);
     this.#setFilm();
     clearTimeout(this.#rest);
-    if (this.#isFront) this.#rest = window.setTimeout(() => this.#fillRest(), restTime);
+    if (this.#isFront) this.#rest = window.setTimeout(() => this.#fillNext(), restTime);
   }
 
   #choose(ruler: Ruler): void {
@@ -272,7 +272,16 @@ export class SurfaceFigure implements Figure {
     this.#filled[ruler] = fillPatch(this.#engine, this.#maps, ruler);
   }
 
-  /** Fills by the rulers that are not shown, too. A drag does not wait for them. */
+  /** Fills by one more ruler that is not shown, and soon by the next: a drag that goes on waits for one of them at most. */
+  #fillNext(): void {
+    const [ruler] = this.#stale;
+    if (ruler === undefined) return;
+    this.#fill(ruler);
+    this.#report();
+    this.#rest = window.setTimeout(() => this.#fillNext(), restTime);
+  }
+
+  /** Fills by all rulers that are not shown, too. */
   #fillRest(): void {
     clearTimeout(this.#rest);
     if (!this.#isFront || this.#stale.size === 0) return;
