@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "metric/symmetric_tensor.h"
 #include "support/given_meshes.h"
 #include "support/meshed_models.h"
 #include "support/slices.h"
@@ -109,6 +110,69 @@ TEST(AdaptModel, BeginsWithABackgroundThatFillsTheModel) {
       kept += known.count(positionOf(next.points, i));
     EXPECT_GT(4 * kept, next.points.size()) << "three of four nodes";
     EXPECT_LT(farthestFromFaces(solid, next), 1e-9);
+  }
+}
+
+/// A metric with thin elements along a cylinder with radius 1 about the z axis, at a position.
+SymmetricTensor thinAt(double x, double y) {
+  const double r = std::hypot(x, y);
+  const double thin = 0.02 + 0.3 * std::fabs(1.0 - r);
+  const double across = 1.0 / (thin * thin);
+  constexpr double kAlong = 1.0 / (0.4 * 0.4);
+  const double c = x / r;
+  const double s = y / r;
+  return {.xx = across * c * c + kAlong * s * s,
+          .yy = across * s * s + kAlong * c * c,
+          .zz = kAlong,
+          .xy = (across - kAlong) * c * s};
+}
+
+/// Least quality in that metric: of each element in the metric of its densest corner, of several the least.
+double leastThinQuality(const MeshAdaptation& made) {
+  double least = 1.0;
+  for (std::size_t t = 0; t < made.tetrahedra.size(); t += 4) {
+    std::array<Vec3, 4> at{};
+    std::array<SymmetricTensor, 4> metrics;
+    double densest = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Position p = positionOf(made.points, made.tetrahedra[t + k]);
+      at[k] = Vec3(p[0], p[1], p[2]);
+      metrics[k] = thinAt(p[0], p[1]);
+      densest = std::max(densest, metrics[k].determinant());
+    }
+    const double sixfold =
+        std::fabs(glm::dot(glm::cross(at[1] - at[0], at[2] - at[0]), at[3] - at[0]));
+    for (const SymmetricTensor& m : metrics) {
+      if (m.determinant() < densest * (1.0 - 1e-9)) continue;
+      double squares = 0.0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = 0; k < i; ++k) squares += glm::dot(at[i] - at[k], m * (at[i] - at[k]));
+      }
+      const double volume = sixfold * std::sqrt(2.0 * m.determinant());
+      least = std::min(least, 6.0 * std::pow(volume, 2.0 / 3.0) / squares);
+    }
+  }
+  return least;
+}
+
+/// Between the nodes of the background, its metrics are those of chords, where a curved wall is inside the layer of thin elements.
+TEST(AdaptModel, HasTheQualityOfTheMetricsAtItsOwnNodes) {
+  const TrimmedSolid solid = trimmedPlate(3.0, 0.5, 1.0);
+  const AdaptInput given = meshedSolid(solid);
+  MeshAdaptation made;
+  made.points = given.points;
+  made.tetrahedra = given.tetrahedra;
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    MetricMesh background{made.points, made.tetrahedra, {}};
+    for (std::size_t i = 0; i < made.points.size(); i += 3) {
+      const SymmetricTensor m = thinAt(made.points[i], made.points[i + 1]);
+      background.metrics.insert(background.metrics.end(), {m.xx, m.xy, m.xz, m.yy, m.yz, m.zz});
+    }
+    made = adaptedOnModel(given, background);
+    ASSERT_TRUE(made.diagnostics.empty());
+    if (cycle < 2) continue;
+    EXPECT_GT(made.after.unitEdges, 0.99);
+    EXPECT_GT(leastThinQuality(made), 0.9 * made.after.leastQuality);
   }
 }
 

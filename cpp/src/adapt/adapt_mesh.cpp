@@ -33,9 +33,23 @@ double quickLogarithmicMean(double a, double b) {
          (1.0 + s * (1.0 / 3.0 + s * (0.2 + s * (1.0 / 7.0 + s * (1.0 / 9.0 + s / 11.0)))));
 }
 
-double squaredLength(const SymmetricTensor& m, const Vec3& e) {
+inline double squaredLength(const SymmetricTensor& m, const Vec3& e) {
   return m.xx * e.x * e.x + m.yy * e.y * e.y + m.zz * e.z * e.z +
          2.0 * (m.xy * e.x * e.y + m.xz * e.x * e.z + m.yz * e.y * e.z);
+}
+
+/// Returns the sum of the squares e e^T of the edges of an element, from those at one corner.
+SymmetricTensor sumOfSquares(const Vec3& ab, const Vec3& ac, const Vec3& ad) {
+  SymmetricTensor sum = SymmetricTensor::isotropic(0.0);
+  for (const Vec3& e : {ab, ac, ad, ac - ab, ad - ab, ad - ac}) {
+    sum.xx += e.x * e.x;
+    sum.yy += e.y * e.y;
+    sum.zz += e.z * e.z;
+    sum.xy += e.x * e.y;
+    sum.xz += e.x * e.z;
+    sum.yz += e.y * e.z;
+  }
+  return sum;
 }
 
 /// 6 V sqrt(2) is 1 for the regular tetrahedron with edge 1.
@@ -78,19 +92,18 @@ double AdaptMesh::qualityOf(const NodeQuad& corners) const {
   const double volume = glm::dot(ad, glm::cross(ab, ac));
   const double product = glm::dot(ab, ab) * glm::dot(ac, ac) * glm::dot(ad, ad);
   if (volume * std::fabs(volume) <= kSignRounding * kSignRounding * product) return -1.0;
-  const Vec3 bc = ac - ab;
-  const Vec3 bd = ad - ab;
-  const Vec3 cd = ad - ac;
-  // Where corners tie, rounding must not decide: the worst of them counts.
+  const SymmetricTensor edges = sumOfSquares(ab, ac, ad);
+  // Where corners tie, neither rounding nor interpolation must decide: the worst of them counts.
   constexpr double kTie = 1.0 - 1e-9;
-  const double largest = kTie * std::max(std::max(at[0]->density, at[1]->density),
-                                         std::max(at[2]->density, at[3]->density));
+  double largest = 0.0;
+  for (const AdaptNode* corner : at)
+    largest = std::max(largest, kTie * (1.0 - corner->doubt) * corner->density);
   double least = 2.0;
   for (const AdaptNode* corner : at) {
-    if (corner->density < largest) continue;
+    if ((1.0 + corner->doubt) * corner->density < largest) continue;
     const SymmetricTensor& m = corner->metric;
-    const double squares = squaredLength(m, ab) + squaredLength(m, ac) + squaredLength(m, ad) +
-                           squaredLength(m, bc) + squaredLength(m, bd) + squaredLength(m, cd);
+    const double squares = m.xx * edges.xx + m.yy * edges.yy + m.zz * edges.zz +
+                           2.0 * (m.xy * edges.xy + m.xz * edges.xz + m.yz * edges.yz);
     const double root = quickCubeRoot(volume * corner->density * kRegular);
     least = std::min(least, 6.0 * root * root / squares);
   }

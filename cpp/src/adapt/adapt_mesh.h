@@ -61,6 +61,7 @@ struct AdaptNode {
   Vec3 point{0.0};
   SymmetricTensor metric;
   double density = 1.0;  ///< square root of the determinant of the metric
+  double doubt = 0.0;    ///< part by which the density may be wrong; 0 where the metric is given
   GridTetId at{0U};      ///< background tetrahedron at the node
   TetId element{};       ///< one of its elements; none if the node is unused
   Place place;
@@ -137,7 +138,8 @@ class AdaptMesh {
 
   /// Metric length of an edge: the logarithmic mean of its lengths in the metrics of both ends.
   [[nodiscard]] double lengthOf(NodeId a, NodeId b) const;
-  /// Mean ratio in the metric of the corner with the largest determinant: 1 if regular, negative if not positively oriented.
+  /// Mean ratio in the metric of the corner with the largest determinant, the least one if several may have it: 1 if regular,
+  /// negative if not positively oriented.
   [[nodiscard]] double qualityOf(const NodeQuad& corners) const;
 
   /// Writes the elements around a node.

@@ -37,8 +37,7 @@ constexpr double kMinPart = 0.15;
 
 void AdaptContext::measure(AdaptNode& node) const {
   node.point = inExactRange(node.point);
-  node.metric = background.at(node.point, node.at);
-  node.density = std::sqrt(node.metric.determinant());
+  background.measure(node);
 }
 
 bool AdaptOperations::isAccepted(Acceptance acceptance) const {

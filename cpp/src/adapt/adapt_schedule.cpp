@@ -228,7 +228,7 @@ Task<> AdaptSchedule::moveAll(Work& work, MoveEffort effort) {
 /// never lower than before. Where the shape of the boundary keeps many elements poor, a high floor would sacrifice edges, and the
 /// poorest elements too, for the many that it cannot help.
 void AdaptSchedule::raiseFloor() {
-  constexpr double kFewBelow = 0.002;
+  constexpr double kFewBelow = 0.004;
   constexpr int kSteps = 10;
   std::array<std::size_t, kSteps> below{};
   for (const AdaptElement& element : mesh_.elements) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "adapt/adapt_mesh.h"
 #include "base/task.h"
 #include "field/grid_locator.h"
 #include "metric/symmetric_tensor.h"
@@ -24,6 +25,14 @@ class MetricBackground {
   /// Returns the metric at a position. `at`: the element to start from; becomes the one that holds the position, or the nearest.
   [[nodiscard]] SymmetricTensor at(const Vec3& position, GridTetId& at) const;
 
+  /// Tells that the adaptation begins with the background mesh, and that this is nearly adapted to its metrics. From then on, the
+  /// densities of nodes between those of the background mesh are in doubt, so that the same elements are poor if the metrics
+  /// are given at all nodes.
+  void setAdapted();
+
+  /// Sets the metric of a node, and its density with its doubt, at its position.
+  void measure(AdaptNode& node) const;
+
   /// Makes all sizes at least `size`; 0 for the given ones.
   void limitSizes(double size);
 
@@ -33,9 +42,12 @@ class MetricBackground {
  private:
   explicit MetricBackground(GridLocator locator) : locator_(std::move(locator)) {}
 
+  [[nodiscard]] SymmetricTensor metricAt(const GridLocator::Location& location) const;
+
   GridLocator locator_;
   std::vector<SymmetricTensor> given_;       ///< logarithms per node
   std::vector<SymmetricTensor> logarithms_;  ///< with limited sizes
+  double doubt_ = 0.0;                       ///< of densities between the nodes
   double minSize_ = 0.0;
   double maxSize_ = 0.0;
 };
