@@ -40,7 +40,7 @@ Task<MetricBackground> MetricBackground::build(Work& work, const BackgroundGrid&
 }
 
 void MetricBackground::setAdapted() {
-  // A curved wall is inside the layer of thin elements between the chords of the background mesh: in the polar cases of the
+  // A curved wall is inside the layer of thin elements between the chords of the background mesh: in one polar case of the
   // benchmark, densities there are 1 to 6 % off.
   constexpr double kDoubtBetweenNodes = 0.05;
   doubt_ = kDoubtBetweenNodes;
