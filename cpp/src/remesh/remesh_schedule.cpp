@@ -45,6 +45,9 @@ constexpr double kSmoothingShare = 0.8;
 constexpr double kCapHeight = 0.25;
 /// ... if its foot is this far from the ends of the edge, relative to its length.
 constexpr double kMinFoot = 0.1;
+/// Triangles lower than this, in target lengths, are in a strip, whose edges are split in the middle: the nodes of its two
+/// lines then face each other, also where the lengths of both differ a little.
+constexpr double kStripHeight = 1.0;
 /// Flips around a new node.
 constexpr int kFlipsAround = 60;
 /// Squared sines of 38 and 32 degrees. Triangles with a smaller angle are improved one by one.
@@ -55,6 +58,18 @@ constexpr double kPoorestSquaredSine = 0.11698;
 constexpr int kMaxPoorestPasses = 4;
 /// Triangles visited per unit of budget.
 constexpr std::size_t kTrianglesPerUnit = 4;
+
+/// Returns where to split an edge of this vector and length, in target lengths, so that it can end as a whole number of equal
+/// edges. Halves alone would end anywhere between 0.7 and 1.4. Parallel edges of one length are split alike.
+double evenPart(const Vec3& vector, double length) {
+  const double pieces = std::max(2.0, std::round(length));
+  const double part = std::floor(0.5 * pieces) / pieces;
+  glm::length_t axis = 0;
+  for (const glm::length_t k : {1, 2}) {
+    if (std::abs(vector[k]) > std::abs(vector[axis])) axis = k;
+  }
+  return vector[axis] > 0.0 ? part : 1.0 - part;
+}
 
 }  // namespace
 
@@ -181,17 +196,24 @@ Task<> RemeshSchedule::splitLong(Work& work, double limit) {
   }
 }
 
-/// Splits the edge in the middle; or beneath the apex of a cap, which the new node then replaces. A cap whose longest edge
+/// Splits the edge near the middle; or beneath the apex of a cap, which the new node then replaces. A cap whose longest edge
 /// is a bend cannot be flipped, and would be split again and again.
 bool RemeshSchedule::splitAndFlip(const Edge& edge) {
   double part = 0.5;
+  bool isCap = false;
+  bool isInStrip = false;
   complex_.collectEdge(edge.a, edge.b, edge_);
   for (const HalfEdgeId halfEdge : edge_) {
     const NodeId apex = complex_.nodesOf(halfEdge).apex;
     const double foot = footOf(edge.a, edge.b, apex);
-    if (foot > kMinFoot && foot < 1.0 - kMinFoot && heightOf(edge.a, edge.b, apex) < kCapHeight)
-      part = foot;
+    const double height = heightOf(edge.a, edge.b, apex);
+    isInStrip = isInStrip || height < kStripHeight;
+    if (foot <= kMinFoot || foot >= 1.0 - kMinFoot || height >= kCapHeight) continue;
+    part = foot;
+    isCap = true;
   }
+  if (!isCap && !isInStrip)
+    part = evenPart(complex_.pointOf(edge.b) - complex_.pointOf(edge.a), edge.length);
   if (!editor_.split(edge.a, edge.b, part)) return editor_.absorb(edge.a, edge.b);
   const NodeId middle(complex_.nodeCount() - 1);
   if (!collapseInto(middle)) flipAround(middle);
