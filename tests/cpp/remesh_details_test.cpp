@@ -121,7 +121,7 @@ TEST(RemeshDetails, SmallOnesStayIfSizesAreAsSmall) {
   options.minSize = 0.011;
   const SurfaceRemesh fine = remesh(given, options);
   EXPECT_TRUE(fine.mergedDetails.empty());
-  EXPECT_GT(fine.smallestAngle, 14.0);
+  EXPECT_GT(fine.smallestAngle, 12.0);
   options.minSize = 0.03;
   const SurfaceRemesh coarse = remesh(given, options);
   EXPECT_FALSE(coarse.mergedDetails.empty());

@@ -62,9 +62,7 @@ function bodyOf(
     const origin = origins[p];
     if (origin === undefined) return { id: next++, name: patch.name };
     const { color } = faceLook(features, origin) ?? {};
-    return (
-      known.get(origin) ?? { id: next++, name: labelOf(origin), origin, ...(color && { color }) }
-    );
+    return known.get(origin) ?? { id: next++, name: labelOf(origin), origin, ...(color && { color }) };
   });
   return { ...made, patches, features };
 }
