@@ -70,7 +70,10 @@ export function setDirections(
     mergeKey: `${field}-${ids.join()}-${axis}`,
     change: ({ project }) => {
       const find = finderIn(project.background.nodes);
-      for (const [id, directions] of after) Object.assign(find(id) ?? {}, structuredClone(directions));
+      for (const id of ids) {
+        const node = find(id);
+        if (node) Object.assign(node, structuredClone(changed(node, field, axis, value)));
+      }
     },
   };
   const kept = Array.from(after, ([id, directions]) => ({

@@ -149,8 +149,8 @@ export class Framing {
   }
 
   /**
-   * Moves to positions; `from`: seen from a direction of any length, else from where the camera is; `surroundings`: the most of
-   * them, as of `closeUpBox`.
+   * Moves to positions; `from`: seen from a direction of any length, else from where the camera is; `surroundings`: the largest
+   * ones, as of `closeUpBox`.
    */
   fitPositions(positions: readonly Position[], from: Position | null = null, surroundings?: number): void {
     if (from) this.#view.lookFrom(from, this.#motion);

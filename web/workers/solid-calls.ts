@@ -50,10 +50,11 @@ function bodyOf(
   const [made] = createBodies(one, { id, firstPatchId: nextPatchId, name: name ?? "" });
   if (!made) throw new Error("The features give no body");
   const known = new Map(before.map((patch) => [patch.origin, patch]));
-  const names = new Set(before.map((patch) => patch.name));
+  const names = new Set(origins.map((origin) => known.get(origin)?.name));
   const labelOf = (origin: string): string => {
-    const short = faceLabel(features, origin);
-    const label = names.has(short) ? faceLabel(features, origin, true) : short;
+    const full = faceLabel(features, origin, true);
+    let label = faceLabel(features, origin);
+    for (let number = 1; names.has(label); number++) label = number === 1 ? full : `${full} ${number}`;
     names.add(label);
     return label;
   };

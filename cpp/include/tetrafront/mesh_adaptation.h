@@ -60,7 +60,9 @@ struct MetricStatistics {
   double peakedEdges = 0.0;  ///< part of the edges with a length from 0.8 to 1.25
   double shortest = 0.0;
   double longest = 0.0;
-  /// Mean ratio in the metric of the node with the largest determinant: 1 for a regular element.
+  /// Mean ratio in the metric of the node with the largest determinant: 1 for a regular element. After an adaptation that began
+  /// with its background mesh, the least ratio over the nodes that may have the largest one, because between the nodes of
+  /// the background determinants are interpolated.
   double leastQuality = 0.0;
   double meanQuality = 0.0;
   /// Number of edges per class: class i has lengths from 2^(i/4 - 2) to 2^(i/4 - 7/4); the first and the last have all beyond.

@@ -33,7 +33,7 @@ double quickLogarithmicMean(double a, double b) {
          (1.0 + s * (1.0 / 3.0 + s * (0.2 + s * (1.0 / 7.0 + s * (1.0 / 9.0 + s / 11.0)))));
 }
 
-inline double squaredLength(const SymmetricTensor& m, const Vec3& e) {
+double squaredLength(const SymmetricTensor& m, const Vec3& e) {
   return m.xx * e.x * e.x + m.yy * e.y * e.y + m.zz * e.z * e.z +
          2.0 * (m.xy * e.x * e.y + m.xz * e.x * e.z + m.yz * e.y * e.z);
 }

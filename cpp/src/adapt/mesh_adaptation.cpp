@@ -29,7 +29,7 @@ namespace {
 constexpr double kCreaseInFace = 0.5;
 
 /// A background mesh with more unit edges than this part is nearly adapted to its metrics.
-constexpr double kMostEdges = 0.5;
+constexpr double kAdaptedUnitEdges = 0.5;
 
 /// What MeshAdapter was given.
 struct AdapterInput {
@@ -107,7 +107,7 @@ class Adaptation {
       work.beginPart(0.09);
       const MetricStatistics found = co_await measure(work, other.mesh, guide, background);
       restart.fits = found.unitEdges > out_.before.unitEdges;
-      if (restart.fits && found.unitEdges > kMostEdges) background.setAdapted();
+      if (restart.fits && found.unitEdges > kAdaptedUnitEdges) background.setAdapted();
       if (restart.fits) start = std::move(other);
     }
     work.beginPart(0.98);

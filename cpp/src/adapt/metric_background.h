@@ -25,7 +25,7 @@ class MetricBackground {
   /// Returns the metric at a position. `at`: the element to start from; becomes the one that holds the position, or the nearest.
   [[nodiscard]] SymmetricTensor at(const Vec3& position, GridTetId& at) const;
 
-  /// Tells that the adaptation begins with the background mesh, and that this is nearly adapted to its metrics. From then on, the
+  /// Call when the adaptation begins with the background mesh, and this is nearly adapted to its metrics. From then on, the
   /// densities of nodes between those of the background mesh are in doubt, so that the same elements are poor if the metrics
   /// are given at all nodes.
   void setAdapted();

@@ -82,7 +82,8 @@ class Placement {
 
   void classify();
   void place(std::size_t first, std::size_t last);
-  /// Places nodes of faces whose mean normal is similar to none of the model's by the normals of the triangles at them.
+  /// Places nodes of faces whose mean normal is similar to none of the model's by the normals of the triangles at them, at the
+  /// nearest place.
   void placeApexes(std::size_t first, std::size_t last);
   /// Moves nodes back until no triangles intersect that did not before.
   Task<> untangle(Work& work);
@@ -100,6 +101,7 @@ class Placement {
     Vec3 normal{0.0};                         ///< sum over the triangles
     Vec3 direction{0.0};                      ///< of its line
     double longest = 0.0;                     ///< longest edge
+    double apexMove = 0.0;                    ///< if the node is placed by placeApexes(): how far
   };
 
   void addEdge(std::span<const HalfEdgeId> halfEdges);
@@ -243,13 +245,16 @@ void Placement::placeApexes(std::size_t first, std::size_t last) {
     const TriangleId triangle(static_cast<std::uint32_t>(i));
     for (const NodeId id : nodesOf(mesh_, triangle)) {
       Node& node = nodes_[id.index()];
-      if (node.isPlaced || node.kind != NodeKind::kOnFace || !isFinite(given_[id.index()]))
-        continue;
+      const Vec3& given = given_[id.index()];
+      const bool isAnApex = !node.isPlaced || node.apexMove > 0.0;
+      if (!isAnApex || node.kind != NodeKind::kOnFace || !isFinite(given)) continue;
       const double reach = std::min(kReach * node.longest, reach_);
-      const std::optional<Vec3> place =
-          nearestOnFace(given_[id.index()], normalOf(triangle), reach);
+      const std::optional<Vec3> place = nearestOnFace(given, normalOf(triangle), reach);
       if (!place) continue;
+      const double move = glm::length(*place - given);
+      if (node.isPlaced && move >= node.apexMove) continue;
       node.isPlaced = true;
+      node.apexMove = move;
       points_[id.index()] = inExactRange(*place);
     }
   }
@@ -401,7 +406,8 @@ void Placement::bend(std::size_t first, std::size_t last) {
     const double bend = glm::length(*middle - 0.5 * (low + high));
     if (!(bend > kStraight * glm::length(high - low))) continue;
     result_.curvedEdges.insert(result_.curvedEdges.end(), {edge.low.value, edge.high.value});
-    result_.middles.insert(result_.middles.end(), {middle->x, middle->y, middle->z});
+    const Vec3 exact = inExactRange(*middle);
+    result_.middles.insert(result_.middles.end(), {exact.x, exact.y, exact.z});
   }
 }
 
@@ -435,9 +441,10 @@ Task<NodePlacement> placeNodes(Work& work, PlacementInput& input) {
   Placement placement(input, index);
   co_await work.yield();
   placement.classify();
-  work.beginPart(0.5);
+  work.beginPart(0.45);
   co_await work.forEachBlock(
       count, [&](std::size_t first, std::size_t last) { placement.place(first, last); });
+  work.beginPart(0.5);
   co_await work.forEachBlock(countTriangles(input.mesh), [&](std::size_t first, std::size_t last) {
     placement.placeApexes(first, last);
   });

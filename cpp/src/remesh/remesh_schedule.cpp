@@ -60,7 +60,7 @@ constexpr int kMaxPoorestPasses = 4;
 constexpr std::size_t kTrianglesPerUnit = 4;
 
 /// Returns where to split an edge of this vector and length, in target lengths, so that it can end as a whole number of equal
-/// edges. Halves alone would end anywhere between 0.7 and 1.4. Parallel edges of one length are split alike.
+/// edges. Halves alone would end anywhere between 0.7 and 1.4. Depends on the edge, and not on the order of its nodes.
 double evenPart(const Vec3& vector, double length) {
   const double pieces = std::max(2.0, std::round(length));
   const double part = std::floor(0.5 * pieces) / pieces;

@@ -44,11 +44,11 @@ const move = (motion: MotionWatch, frames: number, ms: number): number[] =>
   });
 
 describe("MotionWatch", () => {
-  it("rests 150 ms after the last frame, once", () => {
+  it("rests 300 ms after the last frame, once", () => {
     const { onRest, motion } = watch();
     expect(new Set(move(motion, 20, 16))).toEqual(new Set([1]));
     // The last tick was 16 ms after the last frame.
-    for (let passed = 32; passed < 150; passed += 16) {
+    for (let passed = 32; passed < 300; passed += 16) {
       tick(16);
       expect(onRest).not.toHaveBeenCalled();
     }

@@ -170,7 +170,7 @@ describe("the player", () => {
       player.seek(step);
       expect(shown()).toEqual([step, 10]);
     }
-    vi.advanceTimersByTime(200);
+    vi.advanceTimersByTime(400);
     expect(shown()).toEqual([40, 40]);
     player.seek(50);
     player.jump("postponed", 1);
@@ -180,7 +180,7 @@ describe("the player", () => {
     const { lensStep } = player.state.getState();
     player.scrub(12);
     expect(shown()).toEqual([12, lensStep]);
-    vi.advanceTimersByTime(200);
+    vi.advanceTimersByTime(400);
     expect(shown()).toEqual([12, 12]);
     vi.useRealTimers();
   });
@@ -202,13 +202,13 @@ describe("the player", () => {
       player.scrub(step);
     }
     expect([...lensSteps]).toEqual([1]);
-    vi.advanceTimersByTime(200);
+    vi.advanceTimersByTime(400);
     expect([...lensSteps]).toEqual([1, 25]);
     // While the front is played, the lens waits too; a scrub pauses, and the lens follows then.
     player.play();
     player.scrub(10);
     expect(player.state.getState()).toMatchObject({ step: 10, lensStep: 25, isPlaying: false });
-    vi.advanceTimersByTime(200);
+    vi.advanceTimersByTime(400);
     expect(player.state.getState().lensStep).toBe(10);
     stop();
     vi.useRealTimers();

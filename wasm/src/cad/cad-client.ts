@@ -20,8 +20,8 @@ const MEGABYTE = 1e6;
 /** Bytes of files that contain a part, and not an assembly of many: the limit of small files holds for them. */
 const SMALL_FILE = 34_000;
 
-/** Times as long that a worker may take which gets little of the processor. */
-const LONGEST = 20;
+/** Time of the clock / limit, after which a worker is terminated that gets little of the processor. */
+const LONGEST = 10;
 
 /** Seconds that the library gets to be loaded: in a browser, 7 MB from a server, which take 140 s at 400 kbit/s. */
 const LOADING = 300;

@@ -73,9 +73,12 @@ function startedProcess(events: CadWorkerEvents): CadWorker {
       state = "answers";
       events.onReply(reply as CadReply | CadProgress);
     });
-    child.stdio[USAGE_PIPE]?.on("data", ({ length }: Buffer) => (processorSeconds += length));
     child.on("error", onFailure);
     child.on("exit", (code, signal) => onEnd(endOf(signal ?? code)));
+    const usage = child.stdio[USAGE_PIPE];
+    usage?.on("data", ({ length }: Buffer) => (processorSeconds += length));
+    // Without reports, the limit is reached later.
+    usage?.on("error", () => undefined);
   } catch {
     replace();
   }

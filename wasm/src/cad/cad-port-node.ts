@@ -26,7 +26,12 @@ function isThere() {
 let reported = 0;
 function report() {
   const { user, system } = process.cpuUsage();
-  for (; reported + 1 <= (user + system) / 1e6; reported++) writeSync(${USAGE_PIPE}, ".");
+  try {
+    for (; reported + 1 <= (user + system) / 1e6; reported++) writeSync(${USAGE_PIPE}, ".");
+  } catch {
+    // Nobody reads it any more; this thread must still end the process.
+    reported = Infinity;
+  }
 }
 setInterval(() => (isThere() ? report() : process.kill(process.pid, "SIGKILL")), 1000);
 `;

@@ -15,7 +15,7 @@ const MAKERS = {
 const SAME_DIRECTION = 1e-9;
 
 /** Volume cut away / volume of the solid, below which it is rounding. */
-const NOTHING_CUT = 1e-12;
+const NOTHING_CUT = 1e-9;
 
 /** Combines pieces with a solid. Faces of one surface that a union makes neighbours become one, with the first one's name. */
 export function combined(
@@ -36,15 +36,25 @@ export function combined(
     return combined(session, operation, combined(session, operation, solid, [first]), others);
   const united = operation === "join" ? booleanOf(session, operation, solid, pieces, true) : undefined;
   const result = united ?? booleanOf(session, operation, solid, pieces, false);
-  if (operation === "cut") requireLess(session, solid, result);
+  if (operation === "cut") requireCut(session, solid, pieces, result);
   return result;
 }
 
-/** Throws if nothing was cut away: the faces may still be divided where a piece touches them. */
-function requireLess(session: Session, before: NamedSolid, after: NamedSolid): void {
+/**
+ * Throws if nothing was cut away: no face of a piece became one of the solid, and the volume is the same. The faces may still be
+ * divided where a piece touches them.
+ */
+function requireCut(
+  session: Session,
+  before: NamedSolid,
+  pieces: readonly NamedSolid[],
+  after: NamedSolid,
+): void {
+  const ofPieces = new Set(pieces.flatMap(({ origins }) => origins));
+  if (after.origins.some((origin) => ofPieces.has(origin))) return;
   const volume = session.volume(before.shape);
   if (volume - session.volume(after.shape) > NOTHING_CUT * volume) return;
-  throw new FeatureError("It lies outside the solid, so that nothing is cut.");
+  throw new FeatureError("The piece lies outside the solid, so nothing is cut.");
 }
 
 function booleanOf(

@@ -13,6 +13,9 @@ const inView = 0.45;
 const callingShares = (): readonly [number, number] =>
   matchMedia("(max-width: 1279px)").matches ? [0.45, 0.9] : [0.2, 0.9];
 
+/** Largest time from the end of a press to its click, in milliseconds. */
+const clickMs = 50;
+
 /** Window heights after which the reader has read on since a figure was touched. */
 const interest = 1.2;
 
@@ -49,21 +52,22 @@ export class Dock {
       window.addEventListener(type, () => this.#follow(), { passive: true });
     // A figure that came between a press and its end would take the click.
     window.addEventListener("pointerdown", () => (this.#isPressed = true), { capture: true });
-    for (const type of ["pointerup", "pointercancel"])
-      window.addEventListener(type, () => {
-        setTimeout(() => {
-          this.#isPressed = false;
-          this.#follow();
-        });
-      });
+    for (const type of ["pointerup", "pointercancel", "blur"])
+      window.addEventListener(type, () => this.#endPress(), { capture: true });
+    // The end of a press may be outside the page.
+    window.addEventListener("pointermove", ({ buttons }) => buttons === 0 && this.#endPress(), {
+      capture: true,
+      passive: true,
+    });
   }
 
   /** The reader has touched a figure by the text; `word` stays visible beside it. Null: the page does not move. */
   touch(figure: PageFigure, word: HTMLElement | null): void {
     this.#remember(figure);
     this.#closed.delete(figure);
+    if (word === null) return this.#follow();
     this.#update();
-    if (this.#docked !== figure || word === null) return;
+    if (this.#docked !== figure) return;
     const stage = stageOf(figure).getBoundingClientRect();
     const { top, left } = word.getBoundingClientRect();
     const isHidden = left < stage.right && left >= stage.left && top < stage.bottom + 8;
@@ -73,6 +77,15 @@ export class Dock {
   #remember(figure: PageFigure): void {
     this.#last = figure;
     this.#lastAt = window.scrollY;
+  }
+
+  /** Waits for the click, which follows the end of a press. */
+  #endPress(): void {
+    if (!this.#isPressed) return;
+    setTimeout(() => {
+      this.#isPressed = false;
+      this.#follow();
+    }, clickMs);
   }
 
   /** Follows the reader, except during a press: what is held keeps its place and size. */
@@ -90,8 +103,8 @@ export class Dock {
     }
     const calling = this.#tasks.find(({ element: task }) => isCalling(task))?.figure;
     if (Math.abs(window.scrollY - this.#lastAt) > interest * window.innerHeight) this.#last = null;
-    const wanted = calling ?? this.#last;
-    this.#dock(wanted && !this.#closed.has(wanted) ? wanted : null);
+    const wanted = [calling, this.#last].find((figure) => figure && !this.#closed.has(figure));
+    this.#dock(wanted ?? null);
   }
 
   #dock(figure: PageFigure | null): void {
