@@ -158,6 +158,22 @@ TEST(LatticeInterior, IsEmptyInThinAndCoarseBodies) {
   EXPECT_TRUE(interiorOf(geodesicSphere(4), SizeField::uniform(0.4)).isEmpty());
 }
 
+/// In the plate, sizes are larger than wherever a cube fits: it has no class of sizes, and is not searched at the smallest one.
+TEST(LatticeInterior, IsSoonFoundBesideAThinCoarseBody) {
+  SurfaceMesh surface = gridCube(20);
+  testing::append(surface, testing::gridBox({1000, 0, 0}, {3000, 2000, 1}, {4, 4, 1}));
+  constexpr double kExtent = 1e4;
+  BackgroundGrid grid;
+  grid.nodes = {{.position = Vec3(-1.0), .size = 0.03},
+                {.position = Vec3(kExtent, -1, -1), .size = 20.0},
+                {.position = Vec3(-1, kExtent, -1), .size = 20.0},
+                {.position = Vec3(-1, -1, kExtent), .size = 20.0}};
+  grid.tetrahedra = {{0, 1, 2, 3}};
+  const LatticeInterior lattice = interiorOf(surface, SizeField::fromGrid(GridLocator(grid)));
+  EXPECT_FALSE(lattice.isEmpty());
+  for (const Vec3& point : lattice.points) EXPECT_LT(point.x, 1.0);
+}
+
 struct LatticeCase {
   const char* name;
   SurfaceMesh surface;

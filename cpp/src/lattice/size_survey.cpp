@@ -88,6 +88,8 @@ Task<SizeSurvey> SizeSurvey::make(Work& work, const Bounds& bounds, const FreeSp
   for (const Leaf& leaf : leaves) {
     const std::uint32_t ofLeast = survey.classes_.of(leaf.least);
     const std::uint32_t ofMost = survey.classes_.of(leaf.most);
+    // Sizes above those of all classes, at the boundary: to look for nodes of the smallest class would take forever.
+    if (ofLeast == SizeClasses::kNone && leaf.least > largest) continue;
     survey.cubes_.push_back({leaf.low, leaf.high, ofMost == SizeClasses::kNone ? 0 : ofMost,
                              std::min(ofLeast, SizeClasses::kMost - 1)});
     const std::uint32_t own = survey.classes_.of(leaf.middle);
