@@ -8,7 +8,7 @@ import { createMeshMaterial } from "../materials/mesh-material";
 import { paletteTexture, rampTexture } from "../materials/textures";
 import { setColor, setNumber, setTexture } from "../materials/uniforms";
 import type { ViewerColors } from "../colors";
-import type { DrawnFaces } from "../queries/mesh-queries";
+import type { DrawnFaces } from "../queries/visible-faces";
 import type { MeshQueryClient } from "../queries/mesh-query-client";
 import { PatchFinder } from "../patch-finder";
 import type { Position } from "../../document/position";

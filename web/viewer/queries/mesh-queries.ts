@@ -23,6 +23,7 @@ import {
   extentAlong,
   hideBeyond,
   hideRegions,
+  type DrawnFaces,
   type FieldValues,
   writeCorners,
 } from "./visible-faces";
@@ -44,24 +45,6 @@ export interface ViewOptions {
   readonly qualitySpace: QualitySpace;
   /** Whether the colours show the values of `setField`, whatever the shading. Default false. */
   readonly byField?: boolean;
-}
-
-/** The triangles of a mesh to draw, in flat arrays. */
-export interface DrawnFaces {
-  /** Per triangle 4t + f: face f of tetrahedron t, opposite its node f. A curved face has several triangles. */
-  readonly faces: Uint32Array<ArrayBuffer>;
-  /** Per triangle: 1 if it lies on the boundary of its region, 0 if only the cut exposes it. */
-  readonly onBoundary: Uint8Array<ArrayBuffer>;
-  /** Nine per triangle: x y z of three corners, counter-clockwise from outside. */
-  readonly corners: Float32Array<ArrayBuffer>;
-  /** Three per corner: its coordinates in its face, as multiples of `shareUnit`; empty if every triangle is a face. */
-  readonly shares: Uint8Array<ArrayBuffer>;
-  readonly shareUnit: number;
-  /**
-   * Per corner: the position of its element on the colour scale, 0 to 1, or the index of its region, depending on
-   * the shading; empty with plain shading. With a field, the position of its own value.
-   */
-  readonly values: Float32Array<ArrayBuffer>;
 }
 
 /**

@@ -3,9 +3,9 @@ import type { Position } from "../../document/position";
 import type { Cut } from "../../document/selection";
 import { copyForTransfer } from "../../workers/transfer";
 import { WorkerClient } from "../../workers/worker-client";
-import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
+import type { QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { MeshQueryProtocol, PictureSize } from "./mesh-query-protocol";
-import type { FieldValues } from "./visible-faces";
+import type { DrawnFaces, FieldValues } from "./visible-faces";
 import type { SerializedTree } from "../triangle-boxes";
 
 const startWorker = (): Worker =>

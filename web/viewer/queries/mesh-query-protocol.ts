@@ -1,8 +1,8 @@
 import type { Histogram, QualityMeasure, QualitySpace } from "../../document/mesh-quality";
 import type { Position } from "../../document/position";
 import type { Cut } from "../../document/selection";
-import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
-import type { FieldValues } from "./visible-faces";
+import type { QueriedMesh, ViewOptions } from "./mesh-queries";
+import type { DrawnFaces, FieldValues } from "./visible-faces";
 import type { SerializedTree } from "../triangle-boxes";
 
 /** In pixels. */

@@ -5,9 +5,15 @@
 import type { Elements } from "../../document/mesh-quality";
 import type { Position } from "../../document/position";
 import type { Cut } from "../../document/selection";
-import type { DrawnFaces } from "./mesh-queries";
 import { faceNodes, outside } from "./topology";
-import { axisIndex, cornerValues, scaleOf, writeCorners, type FieldValues } from "./visible-faces";
+import {
+  axisIndex,
+  cornerValues,
+  scaleOf,
+  writeCorners,
+  type DrawnFaces,
+  type FieldValues,
+} from "./visible-faces";
 
 /** Parts of faces, and sections. A corner at a node has the index of the node twice. */
 interface CutCorners {

@@ -135,3 +135,21 @@ export function cornerValues(
 
 const meanOf = (values: readonly number[], shares: Uint8Array): number =>
   shares.reduce((sum, share, k) => sum + share * shareUnit * (values[k] ?? 0), 0);
+
+/** The triangles of a mesh to draw, in flat arrays. */
+export interface DrawnFaces {
+  /** Per triangle 4t + f: face f of tetrahedron t, opposite its node f. A curved face has several triangles. */
+  readonly faces: Uint32Array<ArrayBuffer>;
+  /** Per triangle: 1 if it lies on the boundary of its region, 0 if only the cut exposes it. */
+  readonly onBoundary: Uint8Array<ArrayBuffer>;
+  /** Nine per triangle: x y z of three corners, counter-clockwise from outside. */
+  readonly corners: Float32Array<ArrayBuffer>;
+  /** Three per corner: its coordinates in its face, as multiples of `shareUnit`; empty if every triangle is a face. */
+  readonly shares: Uint8Array<ArrayBuffer>;
+  readonly shareUnit: number;
+  /**
+   * Per corner: the position of its element on the colour scale, 0 to 1, or the index of its region, depending on
+   * the shading; empty with plain shading. With a field, the position of its own value.
+   */
+  readonly values: Float32Array<ArrayBuffer>;
+}
