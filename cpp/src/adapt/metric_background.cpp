@@ -61,6 +61,7 @@ SymmetricTensor MetricBackground::at(const Vec3& position, GridTetId& at) const 
 }
 
 void MetricBackground::measure(AdaptNode& node) const {
+  /// A node with this weight of a background node is at its place, up to rounding of the weights.
   constexpr double kAtNode = 1.0 - 1e-9;
   const GridLocator::Location found = locator_.locate(node.point, node.at);
   node.at = found.tetrahedron;

@@ -38,7 +38,7 @@ test.each([
   expect(faceLabel(features, origin)).toBe(label);
 });
 
-test("a face whose name is taken says of which features it comes", () => {
+test("the full name of a face names the features that made it", () => {
   expect(faceLabel(features, "9/fillet 3/front|5/side", true)).toBe("Fillet 2 Box 1 front–Hole 1 side");
   expect(faceLabel(features, "3/top", true)).toBe("Box 1 top");
 });

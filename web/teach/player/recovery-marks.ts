@@ -99,7 +99,7 @@ function newSides(trace: Trace, { addedElements, addedNodes }: RecoveryStep): Po
   });
 }
 
-/** Returns the names of those kinds of marks that are drawn. */
+/** Returns the names of the kinds of marks that are drawn. */
 export function recoveryLegendOf({ left, joined, nodes }: RecoveryMarks): Readonly<Record<string, string>> {
   const { base, joined: joining, candidate } = texts.recoveryLegend;
   return {

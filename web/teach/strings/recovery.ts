@@ -58,7 +58,7 @@ const earlySentences: Readonly<
     if (change === "exact-fill") return `The exact fill needs ${newNodes(nodes)}.`;
     return nodes.length === 1
       ? `Inside the pocket, ${newNodes(nodes)} sees all ${formatCounted(removedFaces, "face")}: an element fits between it and each of them.`
-      : `Nodes are placed inside the pocket, each of which sees all faces of its part: ${newNodes(nodes)}.`;
+      : `Nodes are placed inside the pocket. Each sees all faces of its part: ${newNodes(nodes)}.`;
   },
   attempt: () => "The front is stuck in the opened place, too: all elements of this attempt will be removed.",
 };
