@@ -198,6 +198,7 @@ test("progress never decreases and ends at 1; cancelling ends all runs", async (
 test.each([
   ["sphere", 3000],
   ["box", 200],
+  ["box", 1500],
   ["plate", 2000],
 ] as const)(
   "a project with the body of a file has the mesh of the file, and its bodies are those of the mesh: %s, %i",

@@ -4,6 +4,8 @@
  * surfaces and thin walls, and 0 where the shape alone decides. Depends on the numbers only, so that the result is the same on every computer.
  */
 
+import { steady } from "../base/same-everywhere.js";
+
 /** A part of the model, around its middle, in which the sizes have a smaller factor. */
 export interface FinerPart {
   readonly factor: number;
@@ -242,6 +244,9 @@ function nearest<Made>(
   );
 }
 
+/** Returns the factor at a logarithm. */
+const factorAt = (x: number): number => steady(Math.exp(x));
+
 const errorOf = (count: number, wanted: number): number => Math.abs(count / wanted - 1);
 
 /** Meshes until the number of elements is near the wanted one, or cannot be. Rejects as `mesh` does. */
@@ -283,7 +288,7 @@ export async function meshedToCount<Made>(searched: CountSearch<Made>): Promise<
       most = runs + MAX_FURTHER_RUNS;
       continue;
     }
-    last = await searched.mesh(Math.exp(next), shareOf(best.count, wanted));
+    last = await searched.mesh(factorAt(next), shareOf(best.count, wanted));
     runs += 1;
     search.add(last);
     if (isEnded()) return { best: last, end: "failed", runs };
@@ -310,7 +315,7 @@ async function withFinerPart<Made>(
     // Halves the interval every third time: the number may jump within it.
     const place = part % 3 === 2 ? 0.5 : Math.min(1 - MARGIN, Math.max(MARGIN, straight));
     const share = few.share + place * (many.share - few.share);
-    const made = await mesh(Math.exp(below.x), LAST_SHARE, { factor: Math.exp(above.x), share });
+    const made = await mesh(factorAt(below.x), LAST_SHARE, { factor: factorAt(above.x), share });
     runs += 1;
     if (isEnded()) return { best: made, end: "failed", runs };
     const { count } = made;

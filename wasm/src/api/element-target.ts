@@ -1,5 +1,6 @@
 /** Runs that reach a number of elements, and what the report says about the number. */
 import { plural } from "../base/plural.js";
+import { steady } from "../base/same-everywhere.js";
 import { short } from "../base/short.js";
 import type { Diagnostic } from "../diagnostics/diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
@@ -74,7 +75,7 @@ const FIRST_PART = 6;
 function firstFactor(elements: number, expected: number): number {
   let ratio = elements / Math.max(1, expected);
   if (elements > MANY && ratio > FAR) ratio /= FIRST_PART;
-  return ratio ** (-1 / (ratio > 1 ? MORE_POWER : FEWER_POWER));
+  return steady(ratio ** (-1 / (ratio > 1 ? MORE_POWER : FEWER_POWER)));
 }
 
 /** Sizes that ask for too many elements, or for more memory than there is. */

@@ -1,5 +1,6 @@
 /** One factor on all sizes of a run, by which it reaches a number of elements. */
 import { LIMITS } from "../base/limits.js";
+import { steady } from "../base/same-everywhere.js";
 import { boxOf } from "../formats/solid-units.js";
 import { MESH_DEFAULTS, REMESH_DEFAULTS, SOURCE_GROWTH } from "../generated/constants.js";
 import { modelWithBodyBoxes } from "../project/arrays.js";
@@ -49,7 +50,7 @@ const SHARE_POWER = 1 / 2.5;
 /** Returns a ball around the middle of the given nodes. */
 export function ballOf(points: Float64Array, size: number, share: number): SizeBall {
   const { centre, radius } = middleOf(points);
-  return { size, centre, radius: radius * share ** SHARE_POWER };
+  return { size, centre, radius: radius * steady(share ** SHARE_POWER) };
 }
 
 /** Where the middle of the ball lies in the box: off all symmetries, so that edges and faces are refined one after the other. */
@@ -139,7 +140,7 @@ export function scaledRemeshOptions(options: RemeshOptions, factor: number): Rem
 
 function scaledGrowth(given: number | undefined, otherwise: number, factor: number): number {
   if (given !== undefined || factor <= 1) return given ?? otherwise;
-  return Math.max(otherwise, Math.min(MAX_REMESHED_GROWTH, otherwise * factor ** GROWTH_POWER));
+  return Math.max(otherwise, Math.min(MAX_REMESHED_GROWTH, otherwise * steady(factor ** GROWTH_POWER)));
 }
 
 /**
@@ -154,7 +155,7 @@ export function scaledKeptOptions(options: MeshOptions, factor: number, longest:
     elements: undefined,
     background: scaledBackground(background, factor),
     ...(factor < 1 && !hasNodes && { size: longest * factor }),
-    growth: Math.min(LIMITS.growth, factor > 1 ? growth * factor ** KEPT_GROWTH_POWER : growth),
+    growth: Math.min(LIMITS.growth, factor > 1 ? growth * steady(factor ** KEPT_GROWTH_POWER) : growth),
   };
 }
 

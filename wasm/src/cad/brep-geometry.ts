@@ -2,6 +2,7 @@
  * Reads the curves and surfaces of a BREP file. Some become known splines only when the range of their parameter is
  * known: periodic splines, parabolas and hyperbolas.
  */
+import { hyperbolicCosineAndSine, steady } from "../base/same-everywhere.js";
 import { cross, type Vector } from "../base/vectors.js";
 import type { BrepWords } from "./brep-words.js";
 import type { Placing } from "./brep-locations.js";
@@ -287,17 +288,19 @@ export function curveOver<In>(
     case "hyperbola": {
       const { frame, radius, minorRadius } = stored;
       const none = space.position(frame, 0, 0);
-      const position = (t: number) =>
-        space.position(frame, radius * Math.cosh(t), minorRadius * Math.sinh(t));
-      const at: Derivatives = (t) => [
-        position(t),
-        space
-          .position(frame, radius * Math.sinh(t), minorRadius * Math.cosh(t))
-          .map((a, i) => a - (none[i] ?? 0)),
-        position(t).map((a, i) => a - (none[i] ?? 0)),
-      ];
+      const at: Derivatives = (t) => {
+        const [cosine, sine] = hyperbolicCosineAndSine(t);
+        const position = space.position(frame, radius * cosine, minorRadius * sine);
+        const vector = (r: number, s: number) =>
+          space.position(frame, r, s).map((a, i) => a - (none[i] ?? 0));
+        return [
+          position,
+          vector(radius * sine, minorRadius * cosine),
+          vector(radius * cosine, minorRadius * sine),
+        ];
+      };
       // The error of quintic Hermite interpolation over a step h is h^6 / 46080 times the sixth derivative.
-      const step = (46080 * HYPERBOLA_ERROR) ** (1 / 6);
+      const step = steady((46080 * HYPERBOLA_ERROR) ** (1 / 6));
       const pieces = Math.max(1, Math.ceil((last - first) / step));
       return pieces > MAX_PIECES
         ? { kind: "other", name: "a very long hyperbola" }

@@ -1,4 +1,5 @@
 /** Positions on curves and on surfaces of revolution, by the formulas of `trimmed-model.ts`. */
+import { cosineAndSine } from "../base/same-everywhere.js";
 import { plus, scaled, type Vector } from "../base/vectors.js";
 import { splineAt } from "./splines.js";
 import type { FaceSurface, SpaceCurve } from "./trimmed-model.js";
@@ -9,7 +10,8 @@ export function positionOnCurve(curve: SpaceCurve, t: number): Vector {
   const { origin, x, y } = curve.frame;
   if (curve.kind === "line") return plus(origin, scaled(x, t));
   const minor = curve.kind === "circle" ? curve.radius : curve.minorRadius;
-  return plus(origin, plus(scaled(x, curve.radius * Math.cos(t)), scaled(y, minor * Math.sin(t))));
+  const [cosine, sine] = cosineAndSine(t);
+  return plus(origin, plus(scaled(x, curve.radius * cosine), scaled(y, minor * sine)));
 }
 
 /** A surface that a circle or a straight line makes when it is turned around the z axis of its frame. */
@@ -25,19 +27,20 @@ export const isRound = (surface: FaceSurface): surface is RoundSurface =>
 export function positionOnRound(surface: RoundSurface, u: number, v: number): Vector {
   const [radius, height] = profileOf(surface, v);
   const { origin, x, y, z } = surface.frame;
-  const around = plus(scaled(x, radius * Math.cos(u)), scaled(y, radius * Math.sin(u)));
+  const [cosine, sine] = cosineAndSine(u);
+  const around = plus(scaled(x, radius * cosine), scaled(y, radius * sine));
   return plus(plus(origin, around), scaled(z, height));
 }
 
 function profileOf(surface: RoundSurface, v: number): readonly [radius: number, height: number] {
+  if (surface.kind === "cylinder") return [surface.radius, v];
+  const [cosine, sine] = cosineAndSine(surface.kind === "cone" ? surface.halfAngle : v);
   switch (surface.kind) {
-    case "cylinder":
-      return [surface.radius, v];
     case "cone":
-      return [surface.radius + v * Math.sin(surface.halfAngle), v * Math.cos(surface.halfAngle)];
+      return [surface.radius + v * sine, v * cosine];
     case "sphere":
-      return [surface.radius * Math.cos(v), surface.radius * Math.sin(v)];
+      return [surface.radius * cosine, surface.radius * sine];
     case "torus":
-      return [surface.radius + surface.minorRadius * Math.cos(v), surface.minorRadius * Math.sin(v)];
+      return [surface.radius + surface.minorRadius * cosine, surface.minorRadius * sine];
   }
 }

@@ -1,4 +1,5 @@
 /** Ends, bounds and parameters of curves in the parameter plane. */
+import { cosineAndSine } from "../base/same-everywhere.js";
 import { splineAt } from "./splines.js";
 import type { PlaneCurve, PlaneFrame, PlaneVector } from "./trimmed-model.js";
 
@@ -17,9 +18,11 @@ function positionOn(curve: PlaneCurve, t: number): PlaneVector {
     case "line":
       return onFrame(curve.frame, t, 0);
     case "circle":
-      return onFrame(curve.frame, curve.radius * Math.cos(t), curve.radius * Math.sin(t));
-    case "ellipse":
-      return onFrame(curve.frame, curve.radius * Math.cos(t), curve.minorRadius * Math.sin(t));
+    case "ellipse": {
+      const [cosine, sine] = cosineAndSine(t);
+      const minor = curve.kind === "circle" ? curve.radius : curve.minorRadius;
+      return onFrame(curve.frame, curve.radius * cosine, minor * sine);
+    }
     case "spline":
       return splineAt(curve.spline, t, 2) as unknown as PlaneVector;
   }

@@ -1,6 +1,7 @@
 /** Features that change the solid: holes, fillets, chamfers, shells, motions, mirrors and arrays. */
 import type { gp_Trsf, TopoDS_Shape } from "replicad-opencascadejs";
 
+import { cosineAndSine } from "../../base/same-everywhere.js";
 import { scaled } from "../../base/vectors.js";
 import { combined, transformed } from "./combining.js";
 import type { Change, ChangeKinds, FeatureOf, Operation } from "./feature.js";
@@ -130,7 +131,8 @@ function holeOutline(
     if (wide <= radius) throw new FeatureError("The countersink is not wider than the hole.");
     if (counterbore === undefined) entry = wide;
     wider.push([wide, from, "countersink"]);
-    from += (wide - radius) / Math.tan((countersink.angle * RADIANS) / 2);
+    const [cosine, sine] = cosineAndSine((countersink.angle * RADIANS) / 2);
+    from += ((wide - radius) * cosine) / sine;
   }
   if (entry < radius || (counterbore !== undefined && entry <= radius))
     throw new FeatureError("The counterbore is not wider than the hole.");

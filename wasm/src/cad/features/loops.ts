@@ -7,6 +7,7 @@ import type {
   TopoDS_Wire,
 } from "replicad-opencascadejs";
 
+import { cosineAndSine } from "../../base/same-everywhere.js";
 import { cross, dot, lengthOf, minus, plus, scaled, type Vector } from "../../base/vectors.js";
 import type { Loop, LoopCurve, Placement, Profile } from "./feature.js";
 import { FeatureError, type Session } from "./session.js";
@@ -83,8 +84,8 @@ function samplesOf(given: LoopCurve): readonly Vector[] {
   const { center, axis, radius } = curve;
   const { at } = frameOf({ position: center, axis });
   return Array.from({ length: 8 }, (_, k) => {
-    const angle = (k * Math.PI) / 4;
-    return at([radius * Math.cos(angle), radius * Math.sin(angle), 0]);
+    const [cosine, sine] = cosineAndSine((k * Math.PI) / 4);
+    return at([radius * cosine, radius * sine, 0]);
   });
 }
 

@@ -7,6 +7,7 @@ import type {
   TopoDS_Shape,
 } from "replicad-opencascadejs";
 
+import { cosineAndSine } from "../../base/same-everywhere.js";
 import { dot, lengthOf, minus, scaled, type Vector } from "../../base/vectors.js";
 import { combined } from "./combining.js";
 import type { FeatureOf, Piece, PieceKinds, Placement, Profile } from "./feature.js";
@@ -97,8 +98,8 @@ const MAKERS: Makers = {
     const outline = corners(
       placement,
       Array.from({ length: sides }, (_, k) => {
-        const angle = (2 * Math.PI * k) / sides;
-        return [radius * Math.cos(angle), radius * Math.sin(angle)];
+        const [cosine, sine] = cosineAndSine((2 * Math.PI * k) / sides);
+        return [radius * cosine, radius * sine];
       }),
     );
     return extruded(session, id, { outer: polygon(outline) }, upward(placement, height));
