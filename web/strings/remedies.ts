@@ -12,7 +12,7 @@ const remedies: Readonly<Partial<Record<Diagnostic["code"], string>>> = {
   "coarse-surface": "Select Remesh or Refine for the body, or use larger elements.",
   "needle-surface": remesh,
   "cracked-surface": "Repair the surface, and weld nodes within the width of the crack.",
-  "changed-volume": "Use a smaller tolerance for the body, or select Keep to keep its triangles.",
+  "changed-volume": "Use a smaller size or a smaller tolerance for the body.",
   "thin-body":
     "For fewer, set the number of elements in the mesh settings, or Layers to 0 for the body, which permits flat elements; or compute the part with shell elements.",
   "divided-surface": "Select Keep for the body to keep its triangles.",

@@ -1,5 +1,6 @@
 /** True faces of bodies: their text in a project, and the nodes of a project's mesh on them. */
 import { beforeAll, expect, test } from "vitest";
+import { deviationWarnings } from "../../../wasm/dist/api/inspection.js";
 import { createMesher, type Mesh, type Mesher, readSurface } from "../../../wasm/dist/index.js";
 import { createBodies, readProject, writeProject, type Project } from "../../../wasm/dist/project.js";
 import { textOfTrueFaces, trueFacesOfText } from "../../../wasm/dist/project/true-faces-text.js";
@@ -73,6 +74,30 @@ test("faces are triangulated on their own surfaces, unless they were moved", asy
     expect(made.deviation).toBeLessThan(RADIUS * (1 - Math.cos(Math.PI / 6)));
   }
   expect((await mesher.remeshSurface(withPlacement(2))).onFaces).toBe(false);
+});
+
+test("what flat triangles add or leave out is a note on true faces, and a warning else", async () => {
+  const coarse = { size: 4, tolerance: 2 };
+  const onFaces = await mesher.remeshSurface(surface, coarse);
+  expect(onFaces.onFaces).toBe(true);
+  // A hole with few sides is narrower.
+  expect(onFaces.volume / onFaces.givenVolume).toBeGreaterThan(1.01);
+  const found = (made: typeof onFaces) =>
+    made.diagnostics.filter(({ code }) => code === "changed-volume").map(({ severity }) => severity);
+  expect(found(onFaces)).toEqual(["information"]);
+  const { trueFaces: _, ...facets } = surface;
+  const plain = await mesher.remeshSurface(facets, coarse);
+  expect(plain.onFaces).toBe(false);
+  expect(plain.volume / plain.givenVolume).toBeGreaterThan(1.01);
+  expect(found(plain)).toEqual(["warning"]);
+});
+
+test("a deviation beyond the tolerance is a warning; beyond an automatic one, if it is far beyond", () => {
+  const codes = (deviation: number, isGiven: boolean) =>
+    deviationWarnings({ deviation, tolerance: 0.1, mergedDetails: [] }, isGiven).map(({ code }) => code);
+  const warned = ["deviation-above-tolerance"];
+  expect([codes(0.1, true), codes(0.12, true), codes(0.2, true)]).toEqual([[], warned, warned]);
+  expect([codes(0.1, false), codes(0.12, false), codes(0.2, false)]).toEqual([[], [], warned]);
 });
 
 test("a damaged text is refused, with the name of its field", () => {

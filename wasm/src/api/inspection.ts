@@ -126,14 +126,17 @@ export function describedRemesh(
 /** Digits of lengths in messages. */
 const DIGITS = 3;
 
-/** Returns a warning if the deviation exceeds the tolerance. */
-export function deviationWarnings({
-  deviation,
-  tolerance,
-  mergedDetails,
-}: Pick<SurfaceRemesh, "deviation" | "tolerance" | "mergedDetails">): Diagnostic[] {
+/** Deviation / tolerance up to which nobody is warned, if the tolerance was given and if it was not. */
+const GIVEN_EXCESS = 1 + 10 ** -DIGITS;
+const AUTOMATIC_EXCESS = 1.5;
+
+/** Returns a warning if the deviation exceeds the tolerance; `isGiven`: by the caller. */
+export function deviationWarnings(
+  { deviation, tolerance, mergedDetails }: Pick<SurfaceRemesh, "deviation" | "tolerance" | "mergedDetails">,
+  isGiven: boolean,
+): Diagnostic[] {
   // What the digits of the message do not show is not worth one.
-  if (deviation <= tolerance * (1 + 10 ** -DIGITS)) return [];
+  if (deviation <= tolerance * (isGiven ? GIVEN_EXCESS : AUTOMATIC_EXCESS)) return [];
   const [found, asked] = [deviation, tolerance].map((length) => Number(length.toPrecision(DIGITS)));
   const isByDetails = mergedDetails.length > 0;
   const cause = isByDetails ? ", because details were dropped" : "";

@@ -164,7 +164,11 @@ export class SurfaceTools {
     const whole = { ...described, ...changed };
     const made = {
       ...whole,
-      diagnostics: [...whole.diagnostics, ...deviationWarnings(whole), ...volumeWarnings(whole)],
+      diagnostics: [
+        ...whole.diagnostics,
+        ...deviationWarnings(whole, options.tolerance !== undefined),
+        ...volumeWarnings(whole),
+      ],
     };
     const thin = await inSteps(thinBodyNotes(made, options));
     return thin.length === 0 ? made : { ...made, diagnostics: [...made.diagnostics, ...thin] };
