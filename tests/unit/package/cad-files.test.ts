@@ -80,7 +80,7 @@ describe("a solid", () => {
   test("is triangulated finely enough for a small target size", async () => {
     const lens = stepFile([pinSolid("disc", [0, 0, 0], 100, 1)]);
     const [coarse, fine] = await Promise.all(
-      [undefined, 0.2].map(async (size) => {
+      [undefined, 0.05].map(async (size) => {
         const read = await readSurface(lens, { fileName: "disc.step", size });
         return read.success ? read.value.triangles.length : 0;
       }),
@@ -395,7 +395,7 @@ describe("a file that cannot be read", () => {
     const readOne = async (seed: number): Promise<void> => {
       const bytes = withOtherWords(file, randomSource(seed));
       // One file in twenty keeps OpenCascade busy: edges between vertices that are elsewhere. The others are read in 0.1 s.
-      const reply = await askForCad({ ...request, bytes }, undefined, { reading: 1 });
+      const reply = await askForCad({ ...request, bytes }, undefined, { reading: 2 });
       kinds.set(reply.kind, (kinds.get(reply.kind) ?? 0) + 1);
       const shapes = reply.kind === "read" ? reply.shapes : [];
       for (const { points, triangles, faces } of shapes) {
