@@ -5,7 +5,10 @@ import { loadKernel } from "../../wasm/dist/cad/kernel-node.js";
 
 export type Kernel = OpenCascadeInstance;
 
-export const testKernel = async (): Promise<Kernel> => (await loadKernel()) as unknown as Kernel;
+let kernel: Promise<Kernel> | undefined;
+
+/** Returns the kernel of this process. Its memory never shrinks, so a test that spends much of it loads one of its own. */
+export const testKernel = (): Promise<Kernel> => (kernel ??= loadKernel() as unknown as Promise<Kernel>);
 
 const PATH = "/written.step";
 

@@ -1,6 +1,6 @@
-"""A Ray cluster of three nodes on this machine, for tests. Prints the address of the cluster.
+"""A Ray cluster of two nodes on this machine, for tests. Prints the address of the cluster.
 
-"kill" on standard input kills a node as soon as it meshes a part, and prints its id. The end of the input ends the
+"kill" on standard input kills the node beside the head as soon as it meshes a part, and prints its id. The end of the input ends the
 cluster.
 """
 
@@ -31,21 +31,21 @@ def is_meshing(node):
 
 
 def started():
-    """Returns a cluster and its nodes beside the head. On a very busy machine, the first try may take too long for Ray."""
+    """Returns a cluster and its node beside the head. On a very busy machine, the first try may take too long for Ray."""
     for is_last in (False, True):
         try:
             cluster = Cluster(initialize_head=True, head_node_args={**NODE, **WITHOUT, "_system_config": HEALTH})
-            return cluster, [cluster.add_node(**NODE, include_log_monitor=False) for _ in range(2)]
+            return cluster, cluster.add_node(**NODE, include_log_monitor=False)
         except Exception:
             if is_last:
                 raise
 
 
 def main():
-    cluster, nodes = started()
+    cluster, node = started()
     print(cluster.address, flush=True)
     for _ in sys.stdin:
-        while (node := next(filter(is_meshing, nodes), None)) is None:
+        while not is_meshing(node):
             time.sleep(0.05)
         cluster.remove_node(node, allow_graceful=False)
         print(node.node_id, flush=True)

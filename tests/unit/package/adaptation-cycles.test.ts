@@ -332,7 +332,7 @@ describe("the example of a solver of one's own", () => {
         "--cycles",
         "2",
         "--elements",
-        "4000",
+        "2000",
         "-o",
         "a.vtu",
       ];

@@ -453,7 +453,7 @@ const ABSURD_WORDS = [
 ];
 
 /** Number of damaged files. */
-const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 30);
+const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 12);
 
 /** Number of files that are read at a time. */
 const READERS = 4;

@@ -84,13 +84,9 @@ test("an out-of-memory error of the engine is reported in one line and as a diag
 test("a cancelled batch ends its processes and still writes its report", async () => {
   for (const name of ["a.stl", "b.stl", "c.stl"]) save(name, stlBinary(boxSurface(1)));
   const args = ["mesh", "a.stl", "b.stl", "c.stl", "-o", "{name}.vtu", "-j", "2", "--report", "all.json"];
-  const { code, stderr } = await tetrafront(
-    folder.path,
-    [...args, "--size", "0.015", "--surface", "refine"],
-    {
-      env: signalAtProgress("SIGTERM", "parent"),
-    },
-  );
+  const { code, stderr } = await tetrafront(folder.path, [...args, "--size", "0.03", "--surface", "refine"], {
+    env: signalAtProgress("SIGTERM", "parent"),
+  });
   // As one file: 128 and the number of SIGTERM.
   expect(code).toBe(143);
   expect(stderr).toMatch(/3 files: 0 done, 3 not completed, 0 invalid/);

@@ -154,7 +154,7 @@ describe("meshing", () => {
 describe("an interrupt", () => {
   /** Interrupts a long run as soon as it has tetrahedra. */
   async function interrupted(...args: string[]): Promise<CommandResult> {
-    save("large.off", offFile(sphereSurface(80)));
+    save("large.off", offFile(sphereSurface(40)));
     // Lattices have no partial mesh.
     const front = ["--interior", "front"];
     const command = ["mesh", "large.off", "-o", "out.vtu", "--report", "r.json", ...front, ...args];

@@ -19,7 +19,7 @@ const inTests = (name: string) => fileURLToPath(new URL(`../../${name}`, import.
 const example = inTests("../examples/cluster/mesh_parts.py");
 const isAvailable = spawnSync(python, ["-c", "import ray"]).status === 0;
 
-/** A busy machine takes minutes to start the 15 programs of a cluster. */
+/** A busy machine takes minutes to start the 10 programs of a cluster. */
 const CLUSTER_LIMIT = { timeout: 600_000 };
 
 type Row = Readonly<Record<string, string>>;
@@ -170,7 +170,7 @@ describe("the example of many parts", () => {
       "every part is done once, although a machine dies and the run is killed",
       CLUSTER_LIMIT,
       async () => {
-        const names = ["a", "b", "c", "d", "e", "f"];
+        const names = ["a", "b", "c", "d"];
         const args = saveBoxes(names, 1000);
         folder.save("parts/damaged.off", "OFF\n1");
         const cluster = spawn(python, [inTests("support/ray_cluster.py")], {
@@ -201,8 +201,6 @@ describe("the example of many parts", () => {
             ["c.off", "done"],
             ["d.off", "done"],
             ["damaged.off", "failed"],
-            ["e.off", "done"],
-            ["f.off", "done"],
           ]);
           const ended = counted("end");
           for (const { name, changed } of kept) {

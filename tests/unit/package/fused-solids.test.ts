@@ -48,11 +48,6 @@ interface Case {
 }
 
 const cases: Record<string, Case> = {
-  "two boxes with a whole face in common": {
-    solids: () => [box([0, 0, 0], [2, 2, 2]), box([2, 0, 0], [2, 2, 2])],
-    volumes: [8, 8],
-    interfaces: { "0 1": 4 },
-  },
   "two boxes with a part of a face in common": {
     solids: () => [box([0, 0, 0], [2, 2, 2]), box([2, 1, 0.5], [2, 2, 2])],
     volumes: [8, 8],

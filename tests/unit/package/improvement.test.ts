@@ -323,7 +323,7 @@ describe("the command", () => {
   });
 
   test("writes what it has when it is interrupted", async () => {
-    const big = (await mesher.fillSurface(sphereSurface(24), { optimization: "none" })).mesh;
+    const big = (await mesher.fillSurface(sphereSurface(16), { optimization: "none" })).mesh;
     const [file] = await writeMesh(big, "big.vtu");
     save("big.vtu", file?.bytes ?? new Uint8Array());
     const args = ["improve", "big.vtu", "-o", "part.vtu", "--optimize", "thorough"];
@@ -340,7 +340,7 @@ describe("the command", () => {
 
   test("remeshing writes what it has when it is interrupted", async () => {
     save("sphere.stl", stlBinary(sphereSurface(24)));
-    const args = ["remesh", "sphere.stl", "-o", "part.ply", "--size", "0.02"];
+    const args = ["remesh", "sphere.stl", "-o", "part.ply", "--size", "0.03"];
     const { code, stderr } = await tetrafront(folder.path, args, {
       env: signalAtProgress("SIGINT", "program", 0.3),
     });
@@ -353,7 +353,7 @@ describe("the command", () => {
 
   test("meshing explains what it has when its remeshing is interrupted", async () => {
     save("sphere.stl", stlBinary(sphereSurface(24)));
-    const args = ["mesh", "sphere.stl", "-o", "no.vtu", "--surface", "remesh", "--size", "0.02"];
+    const args = ["mesh", "sphere.stl", "-o", "no.vtu", "--surface", "remesh", "--size", "0.03"];
     const { code, stderr } = await tetrafront(folder.path, [...args, "--report", "no.json"], {
       env: signalAtProgress("SIGINT", "program", 0.3),
     });

@@ -11,9 +11,9 @@ import { parseProject, readProject, type Project } from "tetrafront/project";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
 /** Number of damaged files; `npm run fuzz COUNT` reads more. */
-const FILES = Number(process.env["TETRAFRONT_FUZZ"] ?? 500);
+const FILES = Number(process.env["TETRAFRONT_FUZZ"] ?? 200);
 /** Number of damaged projects that are meshed. */
-const MESHED = 60;
+const MESHED = 25;
 /** Longer files are used less often: they reveal the same errors more slowly. */
 const SMALL = 12_000;
 /** Generous, because a loaded machine is slow. */

@@ -20,7 +20,7 @@ import { boxSurface } from "../../support/surfaces.js";
 import { meshTags, threeMfFile } from "../../support/threemf-files.js";
 
 /** Damaged files per format, divided equally among its samples. */
-const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 1200);
+const SEEDS = Number(process.env["TETRAFRONT_FUZZ"] ?? 400);
 /**
  * Limit of the memory that reading may allocate in arrays: a constant plus an amount per byte of the file.
  * docs/FORMAT.md promises these values.

@@ -384,7 +384,7 @@ describe("tetrafront remesh", () => {
 
   test("says so if the rounding of a file makes the surface invalid", async () => {
     // At this distance from the origin, single precision has steps of 1/128, so the steps of the wall become equal.
-    const far = boxSurface(1, [1e5, 1e5, 1e5], [1e5 + 0.25, 1e5 + 0.25, 1e5 + 0.001]);
+    const far = boxSurface(1, [1e5, 1e5, 1e5], [1e5 + 0.25, 1e5 + 0.25, 1e5 + 0.003]);
     save("far.off", offFile(far));
     const stl = await run("remesh", "far.off", "-o", "made.stl", "--size", "0.2");
     expect(stl.code).toBe(1);
@@ -396,7 +396,7 @@ describe("tetrafront remesh", () => {
     expect(check.code).toBe(2);
     expect((await run("remesh", "far.off", "-o", "made.ply", "--size", "0.2")).code).toBe(0);
     expect((await run("check", "made.ply")).code).toBe(0);
-    save("near.stl", stlBinary(gear));
+    save("near.stl", stlBinary(boxSurface(1)));
     expect((await run("remesh", "near.stl", "-o", "made.stl")).code).toBe(0);
   });
 

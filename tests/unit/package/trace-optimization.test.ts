@@ -79,7 +79,6 @@ test.each([
   ["default", "unit-cube"],
   ["thorough", "unit-cube"],
   ["default", "wing-in-a-tunnel"],
-  ["default", "pipe-and-flow"],
   ["thorough", "pipe-and-flow"],
 ] as const)("%s, %s: the sweeps lead from the mesh of the front to the result", async (optimization, id) => {
   const project = galleryProject(id);

@@ -8,10 +8,10 @@ import { RandomUser } from "./random-user";
 import { MemoryStorage } from "./storage-doubles";
 
 /** Sequences of edits, and edits of each. */
-const sequences = 300;
+const sequences = 150;
 const edits = 12;
 /** Sequences that are also written to the storage and read again after each edit. */
-const stored = 50;
+const stored = 15;
 
 const stepsOf = (documents: DocumentStore) => {
   const { past, future } = documents.state.getState().history;
