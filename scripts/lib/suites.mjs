@@ -219,11 +219,12 @@ export const suites = {
 /**
  * The suites of a lane run one after the other, the lanes side by side. Either lane alone can keep two processors busy,
  * so none is idle when the other lane ends, while its programs start or link, or while a test waits for the browser.
- * Both take about the same processor time. What needs the package comes late in the lane that does not build it.
+ * Both take about the same processor time. What needs the package comes late in the lane that does not build it, and what may
+ * wait comes last.
  */
 export const lanes = [
-  ["format", "cpp", "types", "lint", "tidy", "alone", "cpp-asan", "fuzz"],
-  ["e2e", "unit"],
+  ["format", "cpp", "types", "lint", "tidy", "alone", "unit", "cpp-asan", "fuzz"],
+  ["e2e"],
 ];
 
 /** Removes the reports of earlier runs. */

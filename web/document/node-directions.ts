@@ -72,7 +72,7 @@ export function setDirections(
       const find = finderIn(project.background.nodes);
       for (const id of ids) {
         const node = find(id);
-        if (node) Object.assign(node, structuredClone(changed(node, field, axis, value)));
+        if (node) Object.assign(node, after.get(id));
       }
     },
   };
