@@ -64,9 +64,9 @@ interface FixedStyles {
 function stylesOf(figure: HTMLElement): readonly FixedStyles[] {
   const { width } = figure.getBoundingClientRect();
   const zoom = String(Math.min(1, paperWidth / Math.max(1, width)));
-  const found: FixedStyles[] = [{ node: figure, styles: { width: `${width}px`, zoom } }];
+  const found: FixedStyles[] = [{ node: figure, styles: { width: `${width}px`, zoom, "--print-zoom": zoom } }];
   for (const node of figure.querySelectorAll<HTMLElement>(
-    ".scene, .cost-chart, :is(.scene, .cost-chart) canvas",
+    ":is(.scene, .cost-chart, .history), :is(.scene, .cost-chart, .history) canvas",
   )) {
     const box = node.getBoundingClientRect();
     found.push({ node, styles: { width: `${box.width}px`, height: `${box.height}px` } });
