@@ -202,7 +202,10 @@ test("printing loads every figure and keeps the proportions of its drawing on pa
   after.forEach((shape, i) => expect(shape).toBeCloseTo(before[i] ?? 0, 1));
   const excess = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(excess).toBeLessThanOrEqual(0);
-  await expect(page.locator(".handle").first()).toBeHidden();
+  // Points stay, without the rings around them that are only there to be dragged.
+  await expect(lesson.handle("A", "dot-square")).toBeVisible();
+  await expect(lesson.handle("A", "corner-A")).toBeHidden();
+  await expect(page.locator(".round, .figure .beats").first()).toBeHidden();
   await expect(page.locator(".because p").first()).toBeVisible();
   // A light page, and after printing the reader's own.
   await expect(page.locator("html")).toHaveAttribute("data-theme", "light");

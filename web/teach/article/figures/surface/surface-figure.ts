@@ -57,12 +57,12 @@ const reach: Position = [1.5, 1, 0.8];
 const restTime = 400;
 /** Distance in pixels of labels from handles. */
 const labelDistance = 34;
-/** Where the name of a corner may stand, around it, and what it must not cover: places spread over a patch. */
+/** Where the name of a corner may stand, around it, and places spread over a patch, which it must not cover. */
 const directions = Array.from({ length: 24 }, (_none, i): Pixel => {
   const angle = (i * Math.PI) / 12;
   return [Math.cos(angle), Math.sin(angle)];
 });
-const sampledUnits = Array.from({ length: 81 }, (_none, i): PlanePoint => [(i % 9) / 8, Math.floor(i / 9) / 8]);
+const sampledUnits = Array.from({ length: 289 }, (_none, i): PlanePoint => [(i % 17) / 16, Math.floor(i / 17) / 16]);
 /** Distance of the eye from a patch that is wider than the sail. */
 const wideDistance = 4.5;
 /** An angle of all equilateral triangles, in degrees. */
@@ -542,9 +542,10 @@ export class SurfaceFigure implements Figure {
   }
 
   #nameCorners(name: Panel): void {
-    const away = name === "space" ? 21 : 13;
-    const covered = sampledUnits.map((unit) => this.#at(name, unit));
     const look = this.#lit === "corners" ? "active" : "";
+    const middle = this.#at(name, [0.5, 0.5]);
+    const covered = name === "space" ? sampledUnits.map((unit) => this.#at(name, unit)) : [middle];
+    const away = name === "space" ? 21 : 13;
     unitCorners.forEach((corner, i) => {
       const [x, y] = this.#at(name, corner);
       const places = directions.map(([u, v]): Pixel => [x + away * u, y + away * v]);
