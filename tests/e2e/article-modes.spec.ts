@@ -199,6 +199,10 @@ test("printing loads every figure and keeps the proportions of its drawing on pa
   await page.emulateMedia({ media: "print" });
   await page.setViewportSize({ width: 688, height: 1000 });
   const after = await shapes();
+  // A canvas, with two pixels per pixel of the page, is printed in whole 64ths: labels lie on the drawing only in such a size.
+  const zoom = await lesson.figure("A").evaluate((figure) => Number(getComputedStyle(figure).zoom));
+  expect(zoom).toBeGreaterThan(0.6);
+  expect((32 * zoom) % 1).toBeCloseTo(0.08, 3);
   after.forEach((shape, i) => expect(shape).toBeCloseTo(before[i] ?? 0, 1));
   const excess = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(excess).toBeLessThanOrEqual(0);

@@ -62,7 +62,10 @@ const directions = Array.from({ length: 24 }, (_none, i): Pixel => {
   const angle = (i * Math.PI) / 12;
   return [Math.cos(angle), Math.sin(angle)];
 });
-const sampledUnits = Array.from({ length: 289 }, (_none, i): PlanePoint => [(i % 17) / 16, Math.floor(i / 17) / 16]);
+const sampledUnits = Array.from({ length: 289 }, (_none, i): PlanePoint => [
+  (i % 17) / 16,
+  Math.floor(i / 17) / 16,
+]);
 /** Distance of the eye from a patch that is wider than the sail. */
 const wideDistance = 4.5;
 /** An angle of all equilateral triangles, in degrees. */
