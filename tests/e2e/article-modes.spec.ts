@@ -91,6 +91,22 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
   });
 }
 
+test("a docked list of candidates keeps its scores", async ({ page }) => {
+  const lesson = new ArticlePage(page, false);
+  await lesson.open(5);
+  await lesson.see("A");
+  await lesson.task(1).evaluate((node) => {
+    const { top } = node.getBoundingClientRect();
+    window.scrollBy(0, top - 0.6 * window.innerHeight);
+  });
+  const figure = lesson.figure("A");
+  await expect(figure).toHaveAttribute("data-docked", "true");
+  await expect(figure.locator(".candidate .score").first()).toBeVisible();
+  // Of two lines at most: more would reach into the next candidate.
+  const verdict = await figure.locator(".candidate .verdict").first().boundingBox();
+  expect(verdict?.height ?? Infinity).toBeLessThan(42);
+});
+
 /** Opens a course page that has one figure of a lesson in a frame, by the one line of the documentation. */
 async function openCourse(page: Page, address: string): Promise<void> {
   const html = `<!doctype html><title>Course</title><body style="margin:0"><div style="height:300px">Text</div>
