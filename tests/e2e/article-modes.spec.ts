@@ -91,6 +91,22 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
   });
 }
 
+test("a docked list of candidates keeps its scores", async ({ page }) => {
+  const lesson = new ArticlePage(page, false);
+  await lesson.open(5);
+  await lesson.see("A");
+  await lesson.task(1).evaluate((node) => {
+    const { top } = node.getBoundingClientRect();
+    window.scrollBy(0, top - 0.6 * window.innerHeight);
+  });
+  const figure = lesson.figure("A");
+  await expect(figure).toHaveAttribute("data-docked", "true");
+  await expect(figure.locator(".candidate .score").first()).toBeVisible();
+  // Of two lines at most: more would reach into the next candidate.
+  const verdict = await figure.locator(".candidate .verdict").first().boundingBox();
+  expect(verdict?.height ?? Infinity).toBeLessThan(42);
+});
+
 /** Opens a course page that has one figure of a lesson in a frame, by the one line of the documentation. */
 async function openCourse(page: Page, address: string): Promise<void> {
   const html = `<!doctype html><title>Course</title><body style="margin:0"><div style="height:300px">Text</div>
@@ -199,10 +215,17 @@ test("printing loads every figure and keeps the proportions of its drawing on pa
   await page.emulateMedia({ media: "print" });
   await page.setViewportSize({ width: 688, height: 1000 });
   const after = await shapes();
+  // A canvas, with two pixels per pixel of the page, is printed in whole 64ths: labels lie on the drawing only in such a size.
+  const zoom = await lesson.figure("A").evaluate((figure) => Number(getComputedStyle(figure).zoom));
+  expect(zoom).toBeGreaterThan(0.6);
+  expect((32 * zoom) % 1).toBeCloseTo(0.08, 3);
   after.forEach((shape, i) => expect(shape).toBeCloseTo(before[i] ?? 0, 1));
   const excess = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(excess).toBeLessThanOrEqual(0);
-  await expect(page.locator(".handle").first()).toBeHidden();
+  // Points stay, without the rings around them that are only there to be dragged.
+  await expect(lesson.handle("A", "dot-square")).toBeVisible();
+  await expect(lesson.handle("A", "corner-A")).toBeHidden();
+  await expect(page.locator(".round, .figure .beats").first()).toBeHidden();
   await expect(page.locator(".because p").first()).toBeVisible();
   // A light page, and after printing the reader's own.
   await expect(page.locator("html")).toHaveAttribute("data-theme", "light");

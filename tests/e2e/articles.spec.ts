@@ -110,7 +110,7 @@ for (const [name, { viewport, colorScheme, reducedMotion, hasTouch }] of Object.
       await lesson.drag(point, [point[0], point[1] - 50]);
       expect(await lesson.value("A", "height")).toBeGreaterThan(height);
 
-      await lesson.figure("A").getByRole("button", { name: "Over the centre of the circle" }).click();
+      await lesson.figure("A").getByRole("button", { name: "Over the centre" }).click();
       const [first, second, third] = await Promise.all(
         [1, 2, 3].map((i) => lesson.middle(lesson.handle("A", `corner-${i}`))),
       );

@@ -254,6 +254,9 @@ export class FilmPlayer {
     };
     area(stepCount, css(c.void));
     area(Math.floor(this.finished), css(c["new-soft"]));
+    // From the first step to the last one, also where the front is small.
+    context.fillStyle = css(c.faint, 0.7);
+    context.fillRect(at(0), ground, at(stepCount) - at(0), 1.5);
     context.fillStyle = css(c.refused);
     for (const step of refusals) context.fillRect(at(step) - 0.9, ground + 2, 1.8, 7);
     const x = at(this.step + this.beat / lastBeat);

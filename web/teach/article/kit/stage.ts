@@ -25,6 +25,9 @@ export interface HandleOptions {
   describe?(): string;
 }
 
+/** Pixels of a canvas per pixel of the page: two at least, because the drawing is also printed. */
+export const canvasRatio = (): number => Math.max(2, Math.min(3, devicePixelRatio));
+
 export class Handle {
   readonly node: HTMLButtonElement;
   isHeld = false;
@@ -236,8 +239,7 @@ export class Stage {
   #resize(): void {
     const { clientWidth, clientHeight } = this.element;
     if (clientWidth === 0 || clientHeight === 0) return;
-    // Two device pixels per pixel at least: the drawing is also printed.
-    const ratio = Math.max(2, Math.min(3, devicePixelRatio));
+    const ratio = canvasRatio();
     this.width = clientWidth;
     this.height = clientHeight;
     this.canvas.width = Math.round(clientWidth * ratio);

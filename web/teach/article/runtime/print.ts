@@ -3,6 +3,7 @@
  * observers of sizes run, so a drawing cannot follow another width; it keeps its size, and is scaled.
  */
 import { themeChanged } from "../kit/colours";
+import { canvasRatio } from "../kit/stage";
 import type { PageFigures } from "./page-figure";
 
 /** Width of a figure on paper, in pixels of the style sheet: it fits A4 and Letter within the margins of all browsers. */
@@ -60,13 +61,24 @@ interface FixedStyles {
   readonly styles: Readonly<Record<string, string>>;
 }
 
+/**
+ * Returns the zoom up to a largest one by which drawings are scaled as the labels upon them. Chromium prints a canvas in whole 64ths
+ * of its own pixels, rounded down; a little more than such a share stays one, although canvases have whole pixels.
+ */
+function exactZoom(largest: number): number {
+  const step = canvasRatio() / 64;
+  return (Math.floor(largest / step) + 0.08) * step;
+}
+
 /** Returns the styles by which a figure stays as it is, whatever the width of the paper. */
 function stylesOf(figure: HTMLElement): readonly FixedStyles[] {
   const { width } = figure.getBoundingClientRect();
-  const zoom = String(Math.min(1, paperWidth / Math.max(1, width)));
-  const found: FixedStyles[] = [{ node: figure, styles: { width: `${width}px`, zoom } }];
+  const zoom = String(exactZoom(Math.min(1, paperWidth / Math.max(1, width))));
+  const found: FixedStyles[] = [
+    { node: figure, styles: { width: `${width}px`, zoom, "--print-zoom": zoom } },
+  ];
   for (const node of figure.querySelectorAll<HTMLElement>(
-    ".scene, .cost-chart, :is(.scene, .cost-chart) canvas",
+    ":is(.scene, .cost-chart, .history), :is(.scene, .cost-chart, .history) canvas",
   )) {
     const box = node.getBoundingClientRect();
     found.push({ node, styles: { width: `${box.width}px`, height: `${box.height}px` } });

@@ -270,10 +270,15 @@ export class CrossingFigure implements Figure {
     const { a, b, p, q, r } = this.#points;
     const at = (point: Point): Pixel => this.#view.pixel(point);
     this.#stage.label("active side", at([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]), { dy: 22, look: "active" });
-    this.#stage.label("new triangle", at([(a[0] + b[0] + p[0]) / 3, (a[1] + b[1] + p[1]) / 3]), {
-      dy: 14,
-      look: "new",
-    });
+    const isLow = this.#view.scale * (p[1] - (a[1] + b[1]) / 2) < 130;
+    this.#stage.label(
+      isLow ? "new" : "new triangle",
+      at([(a[0] + b[0] + p[0]) / 3, (a[1] + b[1] + p[1]) / 3]),
+      {
+        dy: isLow ? 4 : 14,
+        look: "new",
+      },
+    );
     const far = Math.hypot(q[0] - p[0], q[1] - p[1]) > Math.hypot(r[0] - p[0], r[1] - p[1]) ? q : r;
     this.#stage.label("side of the front", at(far), {
       dy: far[1] > 0.5 ? -22 : 24,

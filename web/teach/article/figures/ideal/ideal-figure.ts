@@ -64,8 +64,8 @@ export class IdealFigure implements Figure {
     const choices = element(
       "div",
       { class: "choices", role: "group", "aria-label": "Foot of the height" },
-      choose("mean", "Over the mean of the corners"),
-      choose("centre", "Over the centre of the circle"),
+      choose("mean", "Over the mean"),
+      choose("centre", "Over the centre"),
     );
     host.append(this.#stage.element, this.#notice, choices);
     this.#stage.setHandles([

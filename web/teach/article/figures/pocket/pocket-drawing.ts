@@ -253,7 +253,7 @@ export class PocketDrawing {
       const size = Math.hypot(x - middle[0], y - middle[1]) || 1;
       const by = nameDistance / size;
       this.stage.label(String(index + 1), [x + (x - middle[0]) * by, y + (y - middle[1]) * by], {
-        look: "soft",
+        look: "soft plate",
       });
     });
   }

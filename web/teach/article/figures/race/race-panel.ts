@@ -93,8 +93,8 @@ export class RacePanel {
       const step = this.#step;
       const isEnd = step >= film.stepCount;
       const angle = isEnd ? film.worst.angle : smallestAngleBefore(film, step);
-      const soFar = isEnd ? "" : " so far";
-      this.#count.textContent = `${film.refusedBefore[step] ?? 0} refused${soFar}`;
+      const soFar = isEnd ? [] : [element("span", { class: "so-far" }, " so far")];
+      this.#count.replaceChildren(`${film.refusedBefore[step] ?? 0} refused`, ...soFar);
       this.#angle.textContent = angle === null ? "" : `smallest angle ${digits(angle, 0)}°`;
     }
     this.#stage.requestDraw();

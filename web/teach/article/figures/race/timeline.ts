@@ -187,9 +187,6 @@ export class Timeline {
       line(0, here, 1);
       line(here, last, 0.4);
     }
-    context.font = `500 13px ${getComputedStyle(this.#slider).fontFamily}`;
-    context.fillStyle = css(c.soft);
-    context.fillText("refused candidates", x(0) + 4, top);
     this.#drawNames(context, x(1) + 8, y, ground);
     context.strokeStyle = context.fillStyle = css(c.ink);
     context.lineWidth = 2;
@@ -200,6 +197,19 @@ export class Timeline {
     context.beginPath();
     context.arc(x(this.share), 6, 5.5, 0, 2 * Math.PI);
     context.fill();
+    this.#drawTitle(context, x(0) + 4);
+  }
+
+  /** What the lines count, in front of them and of the hand. */
+  #drawTitle(context: CanvasRenderingContext2D, x: number): void {
+    const c = colours();
+    context.font = `500 13px ${getComputedStyle(this.#slider).fontFamily}`;
+    context.textBaseline = "alphabetic";
+    context.strokeStyle = css(c.ground);
+    context.lineWidth = 5;
+    context.strokeText("refused candidates", x, top + 9);
+    context.fillStyle = css(c.soft);
+    context.fillText("refused candidates", x, top + 9);
   }
 
   /** Names at the ends of the lines, from below, moved up where they would overlap. */
@@ -213,13 +223,14 @@ export class Timeline {
       .map(({ name, refusedBefore }) => ({ name, total: refusedBefore.at(-1) ?? 0 }))
       .sort((a, b) => a.total - b.total);
     const places = ends.map(({ total }) => y(total));
+    const room = Math.min(nameHeight, (ground - 6) / Math.max(1, ends.length - 1));
     places.forEach((place, i) => {
-      const below = places[i - 1] ?? ground + nameHeight;
-      places[i] = Math.min(place, below - nameHeight);
+      const below = places[i - 1] ?? ground + room;
+      places[i] = Math.min(place, below - room);
     });
     // The names must not leave the picture either.
     for (let i = places.length - 1; i >= 0; i--)
-      places[i] = Math.max(places[i] ?? 0, i === places.length - 1 ? 6 : (places[i + 1] ?? 0) + nameHeight);
+      places[i] = Math.max(places[i] ?? 0, i === places.length - 1 ? 6 : (places[i + 1] ?? 0) + room);
     context.font = `560 13px ${getComputedStyle(this.#slider).fontFamily}`;
     context.textBaseline = "middle";
     context.fillStyle = css(colours().soft);

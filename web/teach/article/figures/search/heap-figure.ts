@@ -222,7 +222,7 @@ export class HeapFigure implements Figure {
     for (let slot = 1; slot < count; slot++)
       pen.line(this.#slot(slot), this.#slot((slot - 1) >> 1), c.faint, 1.5, { alpha: 0.8 });
     const isSmall = this.#heap.width < 420;
-    const radius = isSmall ? 10.5 : 16;
+    const radius = isSmall ? 9.5 : 16;
     const born = new Set(present.states[4]?.filter((side) => !(present.states[0] ?? []).includes(side)));
     for (const [side, at] of slots) {
       const isTop = side === present.base;

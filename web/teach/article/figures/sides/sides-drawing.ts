@@ -292,19 +292,21 @@ export class SidesDrawing {
   #labelStep(drawn: DrawnSides, { from, length }: Side, present: Comparison, t: readonly number[]): void {
     const { beat, curve } = drawn;
     const start = this.#at([from, 0]);
-    if (beat < 5) this.stage.label("**x**_0", start, { dx: -15, dy: 14, look: "active" });
+    if (beat < 5) this.stage.label("**x**_0", start, { dx: -15, dy: 16, look: "active" });
     if (beat <= 1.05)
       this.stage.label(`size ${digits(curve.sizeAt(from), 2)}`, this.#at([from, curve.sizeAt(from)]), {
         dx: this.#isSmall ? 40 : 46,
         dy: -14,
         look: "active",
       });
-    if (beat > 0.9 && beat < 2.9)
-      this.stage.label(
-        `d**x**_0 = ${digits(present.length, 2)}`,
-        this.#at([from + present.length * 0.78, 0]),
-        { dy: 18, look: "active" },
-      );
+    if (beat > 0.9 && beat < 2.9) {
+      const [x, y] = this.#at([from + present.length * 0.78, 0]);
+      // To the right of the name of its start, however short the guess is.
+      this.stage.label(`d**x**_0 = ${digits(present.length, 2)}`, [Math.max(x, start[0] + 42), y], {
+        dy: 18,
+        look: "active",
+      });
+    }
     if ((t[1] ?? 0) > 0.8 && beat < 3.4)
       this.stage.label(
         `d**x**_1 = ${digits(present.target, 2)}`,

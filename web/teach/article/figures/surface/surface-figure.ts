@@ -57,8 +57,17 @@ const reach: Position = [1.5, 1, 0.8];
 const restTime = 400;
 /** Distance in pixels of labels from handles. */
 const labelDistance = 34;
+/** Where the name of a corner may stand, around it, and places spread over a patch, which it must not cover. */
+const directions = Array.from({ length: 24 }, (_none, i): Pixel => {
+  const angle = (i * Math.PI) / 12;
+  return [Math.cos(angle), Math.sin(angle)];
+});
+const sampledUnits = Array.from({ length: 289 }, (_none, i): PlanePoint => [
+  (i % 17) / 16,
+  Math.floor(i / 17) / 16,
+]);
 /** Distance of the eye from a patch that is wider than the sail. */
-const wideDistance = 4.3;
+const wideDistance = 4.5;
 /** An angle of all equilateral triangles, in degrees. */
 const bestAngle = 60;
 const panels = ["square", "plane", "space"] as const;
@@ -71,8 +80,8 @@ export class SurfaceFigure implements Figure {
     space: new Stage(() => this.#drawSpace()),
   };
   readonly #camera = new Camera(this.#stages.space, {
-    target: [0, 0, 0.1],
-    distance: 3.6,
+    target: [0, 0, -0.12],
+    distance: 3.85,
     yaw: 0.3,
     pitch: 0.95,
   });
@@ -536,18 +545,16 @@ export class SurfaceFigure implements Figure {
   }
 
   #nameCorners(name: Panel): void {
+    const look = this.#lit === "corners" ? "active" : "";
     const middle = this.#at(name, [0.5, 0.5]);
-    const isLit = this.#lit === "corners";
+    const covered = name === "space" ? sampledUnits.map((unit) => this.#at(name, unit)) : [middle];
+    const away = name === "space" ? 21 : 13;
     unitCorners.forEach((corner, i) => {
       const [x, y] = this.#at(name, corner);
-      const [dx, dy] = [x - middle[0], y - middle[1]];
-      const length = Math.max(1, Math.hypot(dx, dy));
-      const away = name === "space" ? 20 : 13;
-      this.#stages[name].label(`*${names[i] ?? ""}*`, [x, y], {
-        dx: (away * dx) / length,
-        dy: (away * dy) / length,
-        look: isLit ? "active" : "",
-      });
+      const places = directions.map(([u, v]): Pixel => [x + away * u, y + away * v]);
+      const rooms = places.map(([u, v]) => Math.min(...covered.map(([p, q]) => Math.hypot(p - u, q - v))));
+      const freest = places[rooms.indexOf(Math.max(...rooms))] ?? [x, y];
+      this.#stages[name].label(`*${names[i] ?? ""}*`, freest, { look });
     });
   }
 }

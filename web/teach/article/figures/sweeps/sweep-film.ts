@@ -36,7 +36,8 @@ export class SweepFilm implements Film {
     const { before, sweeps } = optimization.summary;
     this.#measures = [before, ...sweeps];
     this.stepCount = sweeps.length;
-    this.sizes = this.#measures.map(({ outOfRange }) => outOfRange);
+    // As in the chart, so that a single poor element is visible.
+    this.sizes = this.#measures.map(({ outOfRange }) => Math.sqrt(outOfRange));
   }
 
   measuresAt(state: number): SweepMeasures {
