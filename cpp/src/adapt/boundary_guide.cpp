@@ -13,7 +13,7 @@ namespace tetrafront {
 namespace {
 
 /// Smallest cosine between a triangle and the patch that it approximates: beyond, triangles tilt against a curved patch.
-constexpr double kFacingCosine = 0.9;
+constexpr double kFacingCosine = 0.75;
 
 bool contains(std::span<const std::uint32_t> values, std::uint32_t value) {
   return std::ranges::find(values, value) != values.end();
