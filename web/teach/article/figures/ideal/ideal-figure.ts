@@ -40,8 +40,10 @@ const radiusTexts: Readonly<Record<RadiusLimit, string>> = {
   high: `R counts as ${idealRules.kMinCircumradius} h`,
 };
 const limitText = ({ sizeLimit, radiusLimit }: IdealPoint): string => {
-  const met = [sizeTexts[sizeLimit], radiusTexts[radiusLimit]].filter((text) => text !== "");
-  return met.length === 0 ? "No limit is met." : `${met.join(", and ")}.`;
+  // The text stands in one line, also on a phone.
+  if (sizeLimit !== "none" && radiusLimit !== "none") return `h is held, and ${radiusTexts[radiusLimit]}.`;
+  const met = `${sizeTexts[sizeLimit]}${radiusTexts[radiusLimit]}`;
+  return met === "" ? "No limit is met." : `${met}.`;
 };
 
 export class IdealFigure implements Figure {
