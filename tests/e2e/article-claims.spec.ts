@@ -144,6 +144,21 @@ test("lessons 0, 2, 3 and 11: texts that do not hold of a state give way to othe
   expect(lesson.errors).toEqual([]);
 });
 
+test("lesson 9: triangles that nobody stretches have the mean length that the lesson says", async ({
+  page,
+}) => {
+  const lesson = new ArticlePage(page, false);
+  await lesson.open(9);
+  await lesson.see("A");
+  await setNumber(lesson, "A.stretching", 1);
+  await says(
+    around(lesson, "How long is a triangle?"),
+    [`about ${(await lesson.value("A", "meanaspect")).toFixed(1)}.`],
+    [],
+  );
+  expect(lesson.errors).toEqual([]);
+});
+
 test("lesson 6: a side that starts into the triangle from a common node is refused", async ({ page }) => {
   const lesson = new ArticlePage(page, false);
   await lesson.open(6);
