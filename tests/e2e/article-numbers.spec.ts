@@ -22,7 +22,9 @@ for (const number of [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11])
             [...root.querySelectorAll<HTMLElement>("[data-show], [data-drag]")].flatMap((node) => {
               const name = node.dataset["show"] ?? node.dataset["drag"] ?? "";
               // What follows a task is shown after the reader has changed the figure.
-              const isOther = !name.startsWith(`${figure}.`) || node.closest(".because") !== null;
+              // Of a choice, one text stands: the one that is written first.
+              const isOther =
+                !name.startsWith(`${figure}.`) || node.closest(".because, [data-if][hidden]") !== null;
               return isOther ? [] : [`${name} ${node.textContent.replace("-", "−")}`];
             });
           return [tiedIn(new DOMParser().parseFromString(html, "text/html")), tiedIn(document)];

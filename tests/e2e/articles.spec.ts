@@ -263,9 +263,9 @@ test("a word lights its part by the mouse and by keys, and a link leads to a sta
   await page.keyboard.press("Enter");
   await expect.poll(() => lesson.value("A", "inside")).toBe(0);
   expect(await lesson.value("A", "centred")).toBe(1);
-  const radius = page.locator('.formula [data-show="A.radius"]').first();
+  const radius = page.locator('.formula [data-show="A.used"]').first();
   // The figure moves to the state.
   await expect
-    .poll(async () => (await lesson.value("A", "radius")).toFixed(2) === (await radius.textContent()))
+    .poll(async () => (await lesson.value("A", "used")).toFixed(3) === (await radius.textContent()))
     .toBe(true);
 });

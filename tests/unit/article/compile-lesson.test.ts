@@ -98,6 +98,17 @@ describe("a lesson is compiled", () => {
     expect(html).toContain('<p class="ask">Two.</p>');
   });
 
+  test("with a text for each condition, the first of them visible", () => {
+    const { html } = compile(
+      "Now [[if A.size > 1: [0.2](show:A.size), $h$ | if A.size > 0.5: middling\n| small.]] Then.",
+    );
+    expect(html).toContain('<span data-choice><span data-if="A.size &gt; 1"><output class="live"');
+    expect(html).toMatch(
+      /<span data-if="A\.size &gt; 1">.*class="formula".*<\/span><span data-if="A\.size &gt; 0\.5" hidden>/,
+    );
+    expect(html).toContain('hidden>middling</span><span data-if="" hidden>small.</span></span> Then.');
+  });
+
   test("with a walk", () => {
     const walk =
       "::: walk\n\n```figure front B\nsize: 0.2 in 0.1..0.3 by 0.1\n```\n\n::: stops\n@ B step=0\nFirst.\n\n@ B step=end\nLast.\n\nStill last.\n:::\n\nAfter.";
@@ -150,6 +161,26 @@ describe("a mistake is reported with its line and a remedy", () => {
       "unknown state",
       "[x](go:A stop=1)",
       'lessons/9.md:9: The figure A has no state "stop". Use step or pose.',
+    ],
+    [
+      "value in a condition of the text",
+      "Text\n[[if A.h > 1: large | small]]",
+      'lessons/9.md:10: The figure A has no value "h". Use size, shape, triangles, refused or verdict.',
+    ],
+    [
+      "value in a text of a condition",
+      "[[if A.size > 1: [1](show:A.h) | small]]",
+      'lessons/9.md:9: The figure A has no value "h". Use size, shape, triangles, refused or verdict.',
+    ],
+    [
+      "text for a condition, and none otherwise",
+      "[[if A.size > 1: large]]",
+      'lessons/9.md:9: A choice has a text for each condition, and a last text without one. Write it like "[[if A.size > 1: large | small]]".',
+    ],
+    [
+      "condition of a text that compares a text",
+      "[[if A.verdict == 1: large | small]]",
+      'lessons/9.md:9: "A.verdict" is a text. Compare a number.',
     ],
     [
       "unreadable state",

@@ -49,6 +49,25 @@ describe("the crossing test in the plane", () => {
     expect(found.isCrossing).toBe(false);
   });
 
+  test.each([
+    ["starts into the triangle and ends inside", [0.5, 1], [0.5, 0.4], true],
+    ["starts into the triangle and leaves it through the active side", [0.4, -0.6], [0.5, 1], true],
+    ["starts into the triangle from an end of the active side", [0, 0], [0.9, 0.9], true],
+    ["lies along a new side", [0.5, 1], [0.75, 0.5], true],
+    ["leaves the corner outwards", [0.5, 1], [0.6, 1.6], false],
+    ["leaves the corner beside the triangle", [0.5, 1], [1.2, 0.1], false],
+    ["is a new side itself", [0.5, 1], [1, 0], false],
+  ] as const)("a side with a common node that %s", (_name, q, r, isCrossing) => {
+    expect(testCrossing({ ...triangle, q, r }, 0).isCrossing).toBe(isCrossing);
+  });
+
+  test("a near miss of two sides beside each other is allowed, as the lesson says", () => {
+    const beside: Crossed = { ...triangle, q: [0.88, 0.27], r: [0.64, 0.75] };
+    const found = testCrossing(beside, 0.05);
+    expect([found.layer, found.isCrossing]).toEqual([3, false]);
+    expect(found.pairs[1].excess).toBeGreaterThan(100);
+  });
+
   test("random sides cross if their ends lie on different sides of a new side, and its ends on different sides of them", () => {
     const numbers = randomNumbers(46);
     const point = (): Point => [numbers.next().value * 2 - 0.5, numbers.next().value * 2 - 0.5];

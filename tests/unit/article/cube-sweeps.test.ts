@@ -59,6 +59,18 @@ describe("the sweeps over the cube", () => {
       false,
       ...Array<boolean>(8).fill(true),
     ]);
+    const removed: Record<string, number> = {};
+    let back = 0;
+    film.sizes.slice(1).forEach((poor, i) => {
+      const fewer = (film.sizes[i] ?? 0) - poor;
+      const kind = film.sweepOf(i + 1)?.kind ?? "";
+      if (fewer > 0) removed[kind] = (removed[kind] ?? 0) + fewer;
+      else back -= fewer;
+    });
+    expect([removed, back]).toEqual([{ swap: 102, move: 32, split: 6, collapse: 1 }, 4]);
+    expect(readFileSync("web/lessons/11.md", "utf8")).toContain(
+      "swaps have removed 102 here, moves 32, splits 6 and collapses 1. (Four came back on the way.)",
+    );
     expect(film.sweepOf(4)).toMatchObject({ kind: "split", addedNodes: 75 });
     expect(film.sweepOf(8)).toMatchObject({ kind: "collapse", removedNodes: 64 });
     expect(after.dihedral.min).toBeCloseTo(33.5, 1);

@@ -39,6 +39,42 @@ describe("the pages of the lessons", () => {
   });
 });
 
+test("what the lessons say of the engine's speed is what the documents have measured", () => {
+  const [crossing, order, finding] = [6, 7, 8].map((number) =>
+    readFileSync(`web/lessons/${number}.md`, "utf8"),
+  );
+  const benchmarks = readFileSync("docs/BENCHMARKS.md", "utf8");
+  const [, share = "", faces = "", analysed = ""] =
+    /\| layered, filters on +\| +[\d ]+\| +([\d.]+) % \| +([\d.]+) \| +([\d.]+) \|/.exec(benchmarks) ?? [];
+  const [, slowShare = ""] = /\| layered, filters off +\| +[\d ]+\| +([\d.]+) % \|/.exec(benchmarks) ?? [];
+  expect(Math.round(Number(analysed))).toBe(1);
+  expect(crossing).toContain(`compared with ${Number(faces).toFixed(0)} faces on average, and one of them`);
+  expect(crossing).toContain(
+    `takes ${Number(share).toFixed(0)} % of the time of the front, and ${Number(slowShare).toFixed(0)} %`,
+  );
+  const paper = readFileSync("docs/PAPER.md", "utf8");
+  const rates = [
+    ...paper.matchAll(
+      /\| (?:tetrahedra per second, front, native|the same in the paper's order) +\| (\d+) (\d+) /g,
+    ),
+  ];
+  expect(order).toContain(
+    `makes ${rates[0]?.slice(1).join(",")} tetrahedra per second layer by layer, and ${rates[1]?.slice(1).join(",")} with`,
+  );
+  const near = [
+    ...paper.matchAll(
+      /\| (?:faces per crossing check|the same in the paper's order) +\| (\d+\.\d) +\| \d+\.\d +\| about/g,
+    ),
+  ];
+  expect(order).toContain(
+    `with ${near.map(([, count]) => Math.round(Number(count))).join(" faces instead of ")}.`,
+  );
+  expect(readFileSync("docs/DESIGN.md", "utf8")).toContain(
+    "about ten look-ups instead of 8–14 dependent loads",
+  );
+  expect(finding).toContain("8 to 14 readings for a question");
+});
+
 test("the two examples of the documentation are lessons without mistakes", () => {
   const text = readFileSync("docs/LESSONS.md", "utf8");
   const section = text.slice(text.indexOf("### Two examples"), text.indexOf("### Errors"));

@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { loadPlaneFront } from "tetrafront/trace";
 import { describe, expect, test } from "vitest";
-import { filmOf } from "../../../web/teach/article/figures/front/front-film";
+import { filmOf, smallestAngle } from "../../../web/teach/article/figures/front/front-film";
 import {
   channel,
   fillChannel,
@@ -17,13 +17,30 @@ import {
 const front = await loadPlaneFront();
 
 function refusals(wing: Wing, growth: number): Record<Order, number> {
-  const counted = orders.map((order) => {
-    const filled = fillChannel(front, wing, growth, order);
-    if (!filled.success) throw new Error(filled.message);
-    expect(filled.status).toBe("done");
-    return [order, filmOf(filled).refusedCount];
-  });
+  const counted = orders.map((order) => [order, fillBy(order, wing, growth, false).refusedCount]);
   return Object.fromEntries(counted) as Record<Order, number>;
+}
+
+/** Returns the refused candidates, and the smallest angle of the mesh, in degrees. */
+function fillBy(
+  order: Order,
+  wing: Wing,
+  growth: number,
+  improve: boolean,
+): { readonly refusedCount: number; readonly angle: number } {
+  const filled = fillChannel(front, wing, growth, order, improve);
+  if (!filled.success) throw new Error(filled.message);
+  expect(filled.status).toBe("done");
+  const { triangles, points } = filled.mesh;
+  const angles = Array.from({ length: triangles.length / 3 }, (_none, i) =>
+    smallestAngle(
+      [...triangles.subarray(3 * i, 3 * i + 3)].map((node) => [
+        points[2 * node] ?? 0,
+        points[2 * node + 1] ?? 0,
+      ]),
+    ),
+  );
+  return { refusedCount: filmOf(filled).refusedCount, angle: Math.min(...angles) };
 }
 
 /** Wings at random positions and angles, the same ones every time. */
@@ -51,14 +68,27 @@ describe("the race", () => {
   });
 
   const text = readFileSync("web/lessons/7.md", "utf8");
-  const rows = [...text.matchAll(/^\| ([\d.]+)[^|]*\|(.+)\|$/gm)].map(([, growth, cells = ""]) => ({
+  const table = [...text.matchAll(/^\| ([\d.]+)[^|]*\|(.+)\|$/gm)].map(([, growth, cells = ""]) => ({
     growth: Number(growth),
-    means: cells.split("|").map((cell) => Number(cell.replaceAll("*", ""))),
+    cells: cells.replaceAll(/[*°\s]/g, "").split("|"),
   }));
+  const rows = table.slice(0, 4).map(({ growth, cells }) => ({ growth, means: cells.map(Number) }));
+  const angleRows = table.slice(4);
 
-  test("has a table of the lesson with four growths", () => {
-    expect(rows.map(({ growth }) => growth)).toEqual([0.2, 0.3, 0.6, 1.6]);
+  test("has two tables of the lesson with four growths", () => {
+    const growths = [0.2, 0.3, 0.6, 1.6];
+    expect(table.map(({ growth }) => growth)).toEqual([...growths, ...growths]);
   });
+
+  test.each(angleRows)(
+    "has these mean smallest angles of sixty wings with growth $growth, before and after improvement",
+    ({ growth, cells }) => {
+      const mean = (order: Order, improve: boolean): number =>
+        Math.round(wings(60).reduce((sum, wing) => sum + fillBy(order, wing, growth, improve).angle, 0) / 60);
+      expect(orders.map((order) => `${mean(order, false)}→${mean(order, true)}`)).toEqual(cells);
+    },
+    120_000,
+  );
 
   const claim = /for (\d+) of the sixty wings.+at 0\.6 for (\d+) of them, and at 1\.6 for (none|\d+)/.exec(
     text,

@@ -187,12 +187,17 @@ describe("in space", () => {
     const fronts = [4, 8, 16].map((parts) => {
       const front = makeSpaceFront(parts);
       const [tree, radius] = [new CellTree(front.nodes, wholeCube), 2 * meanSide(front)];
+      const grid = new HashGrid(front.nodes, radius);
       const answers = front.nodes.map((at) => tree.find({ at, radius }));
       const mean = (of: (answer: (typeof answers)[number]) => number): number =>
         Math.round(answers.reduce((sum, answer) => sum + of(answer), 0) / answers.length);
       return {
         nodes: front.nodes.length,
         visits: mean(({ visits }) => visits.length),
+        gridVisits: Math.round(
+          front.nodes.reduce((sum, at) => sum + grid.find({ at, radius }).visits.length, 0) /
+            front.nodes.length,
+        ),
         found: mean(({ found }) => found.length),
       };
     });
@@ -204,6 +209,8 @@ describe("in space", () => {
         ?.slice(1)
         .map((number) => Number(number.replace(",", "")));
     expect(written).toEqual(sentence.flat());
+    const byGrid = /two sides wide, makes (\d+), (\d+) and (\d+)\./.exec(text)?.slice(1).map(Number);
+    expect(byGrid).toEqual(fronts.map(({ gridVisits }) => gridVisits));
     const nodes = makeFront(240);
     const side =
       nodes.reduce((sum, [x, y], i) => {
@@ -241,6 +248,30 @@ describe("the heap", () => {
     }
     const left = lengths.filter((_length, side) => side % 3 !== 0).sort((a, b) => a - b);
     expect(taken).toEqual(left);
+  });
+
+  test("takes its first entry out with at most the comparisons of the lesson, and puts one in", () => {
+    const text = readFileSync("web/lessons/8.md", "utf8");
+    const [, count, rows, taken, put] =
+      /with ([\d,]+) sides, the heap has (\d+) rows: .+ at most (\d+) comparisons, .+ at most (\d+)\./
+        .exec(text)
+        ?.map((number) => Number(number.replace(",", ""))) ?? [];
+    const heap = new Heap();
+    for (let side = 0; side < (count ?? 0); side++) heap.push({ side, pass: 0, length: side });
+    expect(Math.floor(Math.log2(heap.size)) + 1).toBe(rows);
+    let most = 0;
+    const random = randomNumbers(8);
+    for (let i = 0; i < 300; i++) {
+      heap.comparisons = 0;
+      heap.remove(heap.top?.side ?? 0);
+      most = Math.max(most, heap.comparisons);
+      heap.push({ side: 5000 + i, pass: 0, length: 4000 * random() });
+    }
+    expect(most).toBeLessThanOrEqual(taken ?? 0);
+    expect(most).toBeGreaterThan((taken ?? 0) - 4);
+    heap.comparisons = 0;
+    heap.push({ side: 9000, pass: 0, length: -1 });
+    expect(heap.comparisons).toBe(put);
   });
 
   test("has on top the side that the engine takes, in every step, and the sides of the front", async () => {

@@ -50,7 +50,7 @@ describe("the sides of a line", () => {
     // Numbers in the text of the lesson.
     const lesson = readFileSync("web/lessons/2.md", "utf8");
     expect(header).toContain("kMaxStep = 1.0 / 16.0;");
-    expect(lesson).toContain("never steps farther than a sixteenth of the line");
+    expect(lesson).toContain("no step of its walk covers more than a sixteenth of the line");
     expect(lesson).toContain(`After ${sideConstants.kMaxAverages} averagings`);
     expect(lesson).toContain(`The program takes ${100 * sideConstants.kStepTolerance} %`);
   });

@@ -15,7 +15,7 @@ import {
   type WalkBlock,
 } from "./lesson-blocks.ts";
 import { LessonError, listOf, type LessonMistake } from "./lesson-error.ts";
-import { inlinesIn, makeMarkdown, type Inline, type Tie } from "./lesson-markdown.ts";
+import { inlinesIn, makeMarkdown, type Branch, type Inline, type Tie } from "./lesson-markdown.ts";
 
 export interface LessonContext {
   readonly declarations: Declarations;
@@ -149,6 +149,7 @@ class Compiler {
       const at = block.line + line;
       if (inline.type === "tie") this.#checkTie(inline, at);
       else if (inline.type === "formula") this.#checkFormula(inline.tex, at);
+      else if (inline.type === "choice") this.#checkChoice(inline.branches, at);
       else this.#checkLink(inline.address, at);
     }
   }
@@ -258,6 +259,19 @@ class Compiler {
     }
   }
 
+  #checkChoice(branches: readonly Branch[], line: number): void {
+    branches.forEach(({ condition, text }, i) => {
+      const isLast = i === branches.length - 1;
+      if (condition !== "") this.#checkCondition({ kind: "text", text: condition, line });
+      if ((condition === "") !== isLast || text === "")
+        this.#note(
+          line,
+          "A choice has a text for each condition, and a last text without one.",
+          'Write it like "[[if A.size > 1: large | small]]".',
+        );
+    });
+  }
+
   #checkLink(address: string, line: number): void {
     const [, number] = /^\.\.\/(\d+)\/$/.exec(address) ?? [];
     if (number !== undefined && !this.context.lessons.includes(Number(number)))
@@ -290,7 +304,17 @@ class Compiler {
         return "";
       }
     }
+    if (inline.type === "choice") return this.#choiceHtml(inline.branches);
     return inline.type === "tie" ? this.#tieHtml(inline) : "";
+  }
+
+  /** The first text is what a reader sees before the figure has computed its values. */
+  #choiceHtml(branches: readonly Branch[]): string {
+    const texts = branches.map(
+      ({ condition, text }, i) =>
+        `<span data-if="${attribute(condition)}"${i > 0 ? " hidden" : ""}>${this.#inline(text)}</span>`,
+    );
+    return `<span data-choice>${texts.join("")}</span>`;
   }
 
   #tieHtml({ kind, label, target }: Tie): string {

@@ -1,5 +1,6 @@
 /**
- * Markdown with the ties of lessons: `[0.12](drag:A.size)`, `show`, `go`, `mark`, `open`, and formulas between dollar signs. Ties
+ * Markdown with the ties of lessons: `[0.12](drag:A.size)`, `show`, `go`, `mark`, `open`, choices
+ * `[[if A.size > 1: text | text]]`, and formulas between dollar signs. Ties
  * are read by rules of markdown-it of their own, because the target of a link cannot have blanks.
  */
 import MarkdownIt, { type StateBlock, type StateInline, type Token } from "markdown-it";
@@ -13,10 +14,17 @@ export interface Tie {
   readonly target: string;
 }
 
+/** One text of a choice, and when it is shown: when no branch before it is, and its condition holds. The last one has none. */
+export interface Branch {
+  readonly condition: string;
+  readonly text: string;
+}
+
 /** What stands in a paragraph and is neither text nor a mark of Markdown. */
 export type Inline =
   | ({ readonly type: "tie" } & Tie)
   | { readonly type: "formula"; readonly tex: string; readonly isDisplayed: boolean }
+  | { readonly type: "choice"; readonly branches: readonly Branch[] }
   | { readonly type: "link"; readonly address: string };
 
 /** An inline part and its line in the text, from 0. */
@@ -27,9 +35,12 @@ export interface PlacedInline {
 
 const tiePattern = new RegExp(String.raw`^\[([^\]]+)\]\((${tieKinds.join("|")}):([^)]*)\)`);
 
+const choicePattern = /^\[\[if\s([^]*?)\]\]/;
+
 /** `render` returns the HTML of a tie or formula. */
 export function makeMarkdown(render: (inline: Inline) => string): MarkdownIt {
   const markdown = new MarkdownIt({ html: false, typographer: true, quotes: "“”‘’" });
+  markdown.inline.ruler.before("link", "choice", readChoice);
   markdown.inline.ruler.before("link", "tie", readTie);
   markdown.inline.ruler.before("escape", "formula", readFormula);
   markdown.block.ruler.before("paragraph", "formula", readDisplayedFormula, { alt: ["paragraph"] });
@@ -38,6 +49,7 @@ export function makeMarkdown(render: (inline: Inline) => string): MarkdownIt {
     return inline ? render(inline) : "";
   };
   markdown.renderer.rules["tie"] = rule;
+  markdown.renderer.rules["choice"] = rule;
   markdown.renderer.rules["formula"] = rule;
   return markdown;
 }
@@ -53,6 +65,10 @@ export function inlinesIn(markdown: MarkdownIt, text: string): readonly PlacedIn
       if (child.type === "softbreak" || child.type === "hardbreak") line++;
       const inline = inlineOf(child);
       const placed = inline ? [{ inline, line }] : [];
+      if (inline?.type === "choice") {
+        placed.push(...inline.branches.flatMap(({ text }) => inlinesOf(markdown, text, line)));
+        line += child.content.split("\n").length - 1;
+      }
       // A label may go over two lines.
       if (inline?.type === "tie") line += inline.label.split("\n").length - 1;
       return placed;
@@ -60,9 +76,20 @@ export function inlinesIn(markdown: MarkdownIt, text: string): readonly PlacedIn
   });
 }
 
+/** Returns what stands in a branch of a choice; all of it counts as being in the line where the choice begins. */
+function inlinesOf(markdown: MarkdownIt, text: string, line: number): PlacedInline[] {
+  return markdown.parseInline(text, {}).flatMap(({ children }) =>
+    (children ?? []).flatMap((child) => {
+      const inline = inlineOf(child);
+      return inline ? [{ inline, line }] : [];
+    }),
+  );
+}
+
 function inlineOf(token: Token): Inline | null {
   if (token.type === "tie") return { type: "tie", ...(token.meta as Tie) };
   if (token.type === "formula") return { type: "formula", tex: token.content, isDisplayed: token.block };
+  if (token.type === "choice") return { type: "choice", branches: token.meta as readonly Branch[] };
   if (token.type === "link_open") return { type: "link", address: token.attrGet("href") ?? "" };
   return null;
 }
@@ -74,6 +101,22 @@ function readTie(state: StateInline, isSilent: boolean): boolean {
   if (!isSilent) {
     const token = state.push("tie", "", 0);
     token.meta = { kind, label, target: target.trim() };
+  }
+  state.pos += whole.length;
+  return true;
+}
+
+/** Reads `[[if CONDITION: text | if CONDITION: text | text]]`. */
+function readChoice(state: StateInline, isSilent: boolean): boolean {
+  const [whole, inner] = choicePattern.exec(state.src.slice(state.pos)) ?? [];
+  if (whole === undefined || inner === undefined) return false;
+  if (!isSilent) {
+    const token = state.push("choice", "", 0);
+    token.content = whole;
+    token.meta = `if ${inner}`.split("|").map((part): Branch => {
+      const [head, condition = ""] = /^\s*if\s+([^:]*):/.exec(part) ?? ["", ""];
+      return { condition: condition.trim(), text: part.slice(head.length).trim() };
+    });
   }
   state.pos += whole.length;
   return true;

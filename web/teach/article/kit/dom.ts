@@ -38,6 +38,6 @@ export function rich(text: string): DocumentFragment {
 
 /** Returns a number with a true minus sign. */
 export const digits = (value: number, places: number): string => {
-  const text = value.toFixed(places);
+  const text = Number.isFinite(value) ? value.toFixed(places) : value < 0 ? "-∞" : "∞";
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
 };

@@ -118,7 +118,7 @@ export class Dock {
     if (!figure) return;
     void figure.load();
     // The place of the figure stays as high as it was, and nothing moves.
-    figure.element.style.minHeight = `${figure.element.offsetHeight}px`;
+    figure.element.style.minHeight = `${figure.element.getBoundingClientRect().height}px`;
     figure.element.dataset["docked"] = "true";
     stageOf(figure).prepend(this.#bar);
   }

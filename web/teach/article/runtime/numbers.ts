@@ -1,5 +1,6 @@
 /** Numbers in sentences and formulas: those that the reader drags, and those that follow a figure. */
-import { effect } from "@preact/signals-core";
+import { effect, untracked } from "@preact/signals-core";
+import { evaluate, parseCondition, valuesIn, type ValueName } from "../condition";
 import { digits } from "../kit/dom";
 import type { Dock } from "./dock";
 import { tiedTo, type PageFigures } from "./page-figure";
@@ -67,20 +68,18 @@ export function keyedValue(key: string, value: number, { min, max, step }: Limit
 
 /**
  * Makes every shown number and every value in a formula follow its figure, with the digits that the author wrote. In the answer of
- * a task, the author's numbers are those of a solution: they stand until the reader has found one.
+ * a task, the author's numbers are those of a solution. Once the reader has found one, its numbers take their place, and stay.
  */
 export function tieShownValues(figures: PageFigures): void {
   for (const node of document.querySelectorAll<HTMLElement>("[data-show]")) {
     const { figure, name } = tiedTo(figures, node.dataset["show"] ?? "");
     const places = placesOf(node.textContent);
-    whenSolved(node, () =>
-      effect(() => {
-        const value = figure.values.get(name);
-        if (value === undefined) return;
-        const text = typeof value === "number" ? digits(value, places) : value;
-        if (node.textContent !== text) node.textContent = text;
-      }),
-    );
+    follow(node, () => {
+      const value = figure.values.get(name);
+      if (value === undefined) return;
+      const text = typeof value === "number" ? digits(value, places) : value;
+      if (node.textContent !== text) node.textContent = text;
+    });
   }
   for (const formula of document.querySelectorAll<HTMLElement>(".formula[aria-label*='{']")) {
     const template = formula.getAttribute("aria-label") ?? "";
@@ -90,21 +89,38 @@ export function tieShownValues(figures: PageFigures): void {
         template.replaceAll(/\{([A-Z]\.\w+)\}/g, (_whole, target: string) => textOf(target)),
       );
     label((target) => formula.querySelector(`[data-show="${target}"]`)?.textContent ?? "");
-    whenSolved(formula, () =>
-      effect(() =>
-        label((target) => {
-          const { figure, name } = tiedTo(figures, target);
-          const value = figure.values.get(name);
-          return typeof value === "number" ? digits(value, 2) : (value ?? "");
-        }),
-      ),
+    follow(formula, () =>
+      label((target) => {
+        const { figure, name } = tiedTo(figures, target);
+        const value = figure.values.get(name);
+        return typeof value === "number" ? digits(value, 2) : (value ?? "");
+      }),
     );
   }
 }
 
-/** Acts at once; for a node in the answer of a task, when the task is done. */
-function whenSolved(node: HTMLElement, act: () => void): void {
+/** Shows of each choice in the text the first branch whose condition holds. */
+export function tieChoices(figures: PageFigures): void {
+  for (const choice of document.querySelectorAll<HTMLElement>("[data-choice]")) {
+    const branches = [...choice.querySelectorAll<HTMLElement>("[data-if]")].map((node) => {
+      const condition = node.dataset["if"] ?? "";
+      return { node, condition: condition === "" ? null : parseCondition(condition) };
+    });
+    const names = branches.flatMap(({ condition }) => (condition ? valuesIn(condition) : []));
+    follow(choice, () => {
+      const valueOf = ({ figure, name }: ValueName): number =>
+        tiedTo(figures, `${figure}.${name}`).figure.values.number(name);
+      // Before the figure is loaded, the author's first text stands.
+      if (names.map(valueOf).some(Number.isNaN)) return;
+      const shown = branches.find(({ condition }) => !condition || evaluate(condition, valueOf) === 1);
+      for (const { node } of branches) node.hidden = node !== shown?.node;
+    });
+  }
+}
+
+/** Acts now and whenever a value changes that it reads; for a node in the answer of a task once, when the task is done. */
+function follow(node: HTMLElement, act: () => void): void {
   const task = node.closest(".because")?.closest(".task");
-  if (task) task.addEventListener("done", act, { once: true });
-  else act();
+  if (task) task.addEventListener("done", () => untracked(act), { once: true });
+  else effect(act);
 }

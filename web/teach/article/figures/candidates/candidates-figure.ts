@@ -153,6 +153,10 @@ export class CandidatesFigure implements Figure {
     const best = candidates.reduce((most, each) => (each.shape > most.shape ? each : most));
     const nearest = candidates.find(({ corner }) => corner !== null);
     const fresh = candidates.find(({ corner }) => corner === null);
+    const awayOf = (candidate: PlaneCandidate | undefined): number =>
+      candidate
+        ? Math.hypot(candidate.at[0] - step.ideal[0], candidate.at[1] - step.ideal[1]) / step.target
+        : 0;
     const count = (verdict: string): number => candidates.filter((each) => each.verdict === verdict).length;
     values.put({
       ranked: candidates.length,
@@ -169,12 +173,15 @@ export class CandidatesFigure implements Figure {
         candidates.some(
           ({ corner, verdict }, i) => corner !== null && i > acceptedIndex && verdict === "not tried",
         ),
+      takesring: accepted !== undefined && accepted.corner !== null && awayOf(accepted) < captureRadius,
+      takesnew: accepted?.corner === null,
+      takesnone: accepted === undefined,
+      acceptedscore: accepted?.score ?? 0,
+      acceptedaway: awayOf(accepted),
       newshape: fresh?.shape ?? 0,
       newscore: fresh?.score ?? 0,
       score: nearest?.score ?? 0,
-      away: nearest
-        ? Math.hypot(nearest.at[0] - step.ideal[0], nearest.at[1] - step.ideal[1]) / step.target
-        : 0,
+      away: awayOf(nearest),
       handled: this.#isHandled,
     });
     this.#show();

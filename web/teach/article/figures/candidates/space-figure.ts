@@ -147,7 +147,7 @@ export class CandidatesSpaceFigure implements Figure {
       weights.wedge === ownWeights.wedge &&
       Math.abs(weights.closing - ownWeights.closing) < 1e-9;
     this.#ranking = isOwn ? step.candidates : rankBy(step.candidates, weights);
-    const [first, ownFirst] = [this.#ranking[0], step.candidates[0]];
+    const [[first, second], [ownFirst]] = [this.#ranking, step.candidates];
     const accepted = step.candidates.find(({ verdict }) => verdict === "accepted");
     const best = Math.max(...step.candidates.map(({ shape }) => shape));
     values.put({
@@ -164,6 +164,8 @@ export class CandidatesSpaceFigure implements Figure {
       bestlost: (accepted?.shape ?? 0) < best,
       newfactor: weights.newNode ** 3,
       bestscore: first ? scoreOf(first, weights) : 0,
+      second: this.#nameOf(second),
+      secondscore: second ? scoreOf(second, weights) : 0,
       ownweights: isOwn,
       changed: first !== ownFirst,
       newfirst: first?.node === null,

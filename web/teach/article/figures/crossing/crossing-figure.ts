@@ -21,6 +21,8 @@ const poses: Readonly<Record<string, Crossed>> = {
   through: { ...triangle, q: [0.3, 0.58], r: [1.08, 0.34] },
   near: { ...triangle, q: [0.42, 0.69], r: [0.86, 0.664] },
   shared: { ...triangle, q: [0.6, 0.66], r: [1.1, 0.75] },
+  entering: { ...triangle, q: [0.6, 0.66], r: [0.56, 0.3] },
+  beside: { ...triangle, q: [0.8055, 0.3209], r: [0.6755, 0.5509] },
 };
 const labels: Readonly<Record<Name, string>> = {
   a: "First end of the active side",
@@ -132,6 +134,7 @@ export class CrossingFigure implements Figure {
       meets: verdict.meets,
       inside: verdict.isInside,
       shared: isShared,
+      enters: verdict.entersAt !== null,
       a1,
       a3,
       a4,
@@ -147,7 +150,7 @@ export class CrossingFigure implements Figure {
     const c = colours();
     const pen = this.#pen;
     const { a, b, p, q, r } = this.#points;
-    const { layer, isCrossing, pairs, decisive } = this.#verdict;
+    const { layer, isCrossing, entersAt, pairs, decisive } = this.#verdict;
     const at = (point: Point): Pixel => this.#view.pixel(point);
     this.#drawBoxes();
     if (layer === 1) this.#drawGap();
@@ -163,6 +166,7 @@ export class CrossingFigure implements Figure {
     pen.line(at(q), at(r), isCrossing ? c.refused : c.ink, this.#lit === "side" ? 7 : widths.active);
     if (isCrossing)
       for (const pair of pairs) if (this.#isHit(pair) && pair.at) pen.cross(at(pair.at), 9, c.refused, 3.5);
+    if (entersAt) pen.cross(at(entersAt), 9, c.refused, 3.5);
     if (layer === 3 && !decisive.isShared) this.#alphas.drawLengths(decisive, this.#points, isCrossing);
     this.#drawLabels();
   }

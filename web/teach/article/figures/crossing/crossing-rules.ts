@@ -1,6 +1,7 @@
 /**
  * The crossing test of the paper in the plane (Löhner & Parikh 1988, section 6): a new triangle against a side of the front, in
- * three layers. Inequality (5) is printed the wrong way round; here a side does not cross if max (−αⁱ, αⁱ − 1) > t for one i.
+ * three layers. A node that both share is exempt; instead the side must not start into the triangle there, as in the engine's
+ * plane front (cpp/src/surface/planar_front.cpp, isBlockedBy). Inequality (5) is printed the wrong way round; here a side does not cross if max (−αⁱ, αⁱ − 1) > t for one i.
  */
 export type Point = readonly [number, number];
 
@@ -23,7 +24,7 @@ export interface Pair {
   readonly excess: number;
   /** Where the two lines meet; null if they are parallel. */
   readonly at: Point | null;
-  /** Whether both have a node in common: no crossing. */
+  /** Whether both have a node in common, which is no crossing. */
   readonly isShared: boolean;
 }
 
@@ -42,6 +43,8 @@ export interface CrossingVerdict {
   readonly isCrossing: boolean;
   /** Whether the side and a new side truly meet, without tolerance. */
   readonly meets: boolean;
+  /** Where the side goes into the triangle from a corner that both share; null if it does not. */
+  readonly entersAt: Point | null;
   /** Whether the whole side is within the triangle. */
   readonly isInside: boolean;
 }
@@ -63,6 +66,7 @@ export function testCrossing(crossed: Crossed, tolerance: number): CrossingVerdi
   const hits = pairs.filter(({ isShared, excess }) => !isShared && excess <= tolerance);
   const open = pairs.filter(({ isShared }) => !isShared);
   const nearest = [...(open.length > 0 ? open : pairs)].sort((x, y) => x.excess - y.excess)[0] ?? pairs[0];
+  const entersAt = entryOf(crossed);
   const layer = Math.max(...gaps) > 0 ? 1 : beyond !== null ? 2 : 3;
   return {
     gaps,
@@ -71,8 +75,9 @@ export function testCrossing(crossed: Crossed, tolerance: number): CrossingVerdi
     pairs,
     decisive: hits[0] ?? nearest,
     layer,
-    isCrossing: layer === 3 && hits.length > 0,
+    isCrossing: layer === 3 && (hits.length > 0 || entersAt !== null),
     meets: pairs.some(({ isShared, excess }) => !isShared && excess <= 0),
+    entersAt,
     isInside: shapes.every((shape) => shape.every((value) => value > 0)),
   };
 }
@@ -113,6 +118,20 @@ function pairOf(from: Point, p: Point, q: Point, r: Point): Pair {
   const alphas = [along, other, 1 - along] as const;
   const excess = Math.max(...alphas.map((alpha) => Math.max(-alpha, alpha - 1)));
   return { from, alphas, excess, at: [from[0] + along * g1[0], from[1] + along * g1[1]], isShared };
+}
+
+/** A side between two corners is one of the triangle's own, and is closed by it. */
+function entryOf({ a, b, p, q, r }: Crossed): Point | null {
+  const corners = [a, b, p] as const;
+  const cornerAt = (x: Point): number => corners.findIndex((corner) => distance(corner, x) < 1e-9);
+  const [first, second] = [cornerAt(q), cornerAt(r)];
+  if (first < 0 === second < 0) return null;
+  const shared = Math.max(first, second);
+  const [at, next, last] = [0, 1, 2].map((i) => corners[(shared + i) % 3] ?? a) as [Point, Point, Point];
+  const end = first < 0 ? q : r;
+  if (orient(at, next, end) < 0 || orient(at, end, last) < 0) return null;
+  const share = Math.min(1, 0.08 / distance(at, end));
+  return [at[0] + share * (end[0] - at[0]), at[1] + share * (end[1] - at[1])];
 }
 
 const sub = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1]];

@@ -10,6 +10,7 @@ export const crossingDeclaration: FigureDeclaration = {
     meets: "number",
     inside: "number",
     shared: "number",
+    enters: "number",
     a1: "number",
     a3: "number",
     a4: "number",
@@ -17,6 +18,11 @@ export const crossingDeclaration: FigureDeclaration = {
     handled: "number",
     verdict: "text",
   },
-  states: { pose: { words: ["apart", "beyond", "through", "near", "shared"], takesNumber: false } },
+  states: {
+    pose: {
+      words: ["apart", "beyond", "through", "near", "beside", "shared", "entering"],
+      takesNumber: false,
+    },
+  },
   marks: { triangle: "new", side: "plain", boxes: "plain", base: "active" },
 };

@@ -38,7 +38,10 @@ export class LayerCards {
   ] as const;
   readonly element = element("div", { class: "layers" }, ...this.#cards.map(({ element }) => element));
 
-  show({ layer, isCrossing, shapes, decisive, pairs }: CrossingVerdict, tolerance: number): void {
+  show(
+    { layer, isCrossing, entersAt, isInside, shapes, decisive, pairs }: CrossingVerdict,
+    tolerance: number,
+  ): void {
     const [boxes, lines, sides] = this.#cards;
     this.#shapes.forEach((bar, i) => bar.show([shapes[0][i] ?? 0, shapes[1][i] ?? 0], tolerance));
     this.#alphas.forEach((bar, i) => bar.show([decisive.alphas[i] ?? 0], tolerance));
@@ -48,9 +51,12 @@ export class LayerCards {
     else if (layer === 2) lines.show("apart", "Both ends lie beyond one line: apart.");
     else lines.show("passed", "No line has both ends beyond it: ask on.");
     if (layer < 3) sides.show("idle", "Not asked.");
+    else if (entersAt)
+      sides.show("crossing", "They share a node, but the side starts into the triangle: refused.");
     else if (isCrossing) sides.show("crossing", "All three lie in the band: refused.");
     else if (pairs.some(({ isShared }) => isShared))
-      sides.show("apart", "They share a node: that is no crossing.");
+      sides.show("apart", "They share a node, and nothing else: no crossing.");
+    else if (isInside) sides.show("apart", "One value lies outside: no crossing, though the side is inside.");
     else sides.show("apart", "One value lies outside: no crossing.");
   }
 }

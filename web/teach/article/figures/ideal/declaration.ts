@@ -9,7 +9,10 @@ export const idealDeclaration: FigureDeclaration = {
   },
   values: {
     h: "number",
+    wanted: "number",
+    held: "number",
     radius: "number",
+    used: "number",
     height: "number",
     square: "number",
     base: "number",

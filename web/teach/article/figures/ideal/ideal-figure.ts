@@ -1,5 +1,5 @@
 /** One face of the front and its ideal point. The reader moves the corners, the point, and the size. */
-import { effect } from "@preact/signals-core";
+import { effect, untracked } from "@preact/signals-core";
 import type { Position } from "../../../../document/position";
 import { between as betweenPositions, distance, length, subtract } from "../../../../document/vectors";
 import { colours, mix } from "../../kit/colours";
@@ -20,20 +20,30 @@ import {
   placeIdealPoint,
   poses,
   type Corners,
-  type IdealLimit,
   type IdealPoint,
+  type RadiusLimit,
+  type SizeLimit,
 } from "./ideal-rules";
 
 const sideNames = ["first", "second", "third"] as const;
 const reach = 1.3;
 const minDoubleArea = 0.12;
 
-const limitTexts: Readonly<Record<IdealLimit, string>> = {
-  none: "No limit is met.",
-  small: "The size is held at 0.55 of the face.",
-  large: "The size is held at 2 times the face.",
-  low: "The height is held at its lowest.",
-  wide: "The height is held at its highest.",
+const sizeTexts: Readonly<Record<SizeLimit, string>> = {
+  none: "",
+  small: `h is held at ${idealRules.kMinSizePerBase} of the face`,
+  large: `h is held at ${idealRules.kMaxSizePerBase} times the face`,
+};
+const radiusTexts: Readonly<Record<RadiusLimit, string>> = {
+  none: "",
+  low: `R counts as ${idealRules.kMaxCircumradius} h`,
+  high: `R counts as ${idealRules.kMinCircumradius} h`,
+};
+const limitText = ({ sizeLimit, radiusLimit }: IdealPoint): string => {
+  // The text stands in one line, also on a phone.
+  if (sizeLimit !== "none" && radiusLimit !== "none") return `h is held, and ${radiusTexts[radiusLimit]}.`;
+  const met = `${sizeTexts[sizeLimit]}${radiusTexts[radiusLimit]}`;
+  return met === "" ? "No limit is met." : `${met}.`;
 };
 
 export class IdealFigure implements Figure {
@@ -50,6 +60,7 @@ export class IdealFigure implements Figure {
   /** The last size that was not asked for by the reader. */
   #ledSize = 0;
   #lit: string | null = null;
+  #isPointHeld = false;
   readonly #choices = new Map<"mean" | "centre", HTMLButtonElement>();
   readonly #notice = element("div", { class: "notice", role: "status" });
 
@@ -74,8 +85,11 @@ export class IdealFigure implements Figure {
     ]);
     this.#ledSize = values.number("size");
     effect(() => {
-      if (values.number("size") !== this.#ledSize) this.#isHandled = true;
-      this.#compute();
+      const isAsked = values.number("size") !== this.#ledSize;
+      if (isAsked) this.#isHandled = true;
+      untracked(() => this.#compute());
+      // A size that is dragged in the text moves the point; the reader's hand moves it within the view.
+      if (isAsked && !this.#isPointHeld) this.#frame();
     });
   }
 
@@ -154,7 +168,10 @@ export class IdealFigure implements Figure {
       label: "Ideal point: up and down changes the size",
       look: "new solid",
       at: () => this.#camera.pixel(this.#point.position),
-      begin: () => this.#motion.stop(),
+      begin: () => {
+        this.#motion.stop();
+        this.#isPointHeld = true;
+      },
       move: (pixel) => {
         const [, , towards] = this.#camera.axes;
         const hit = this.#camera.onPlane(pixel, this.#point.position, [towards[0], towards[1], 0]);
@@ -164,7 +181,10 @@ export class IdealFigure implements Figure {
             Math.hypot(Math.max(0, hit[2]), this.#point.radius) / idealRules.kEdgePerTarget,
           );
       },
-      end: () => this.#frame(),
+      end: () => {
+        this.#isPointHeld = false;
+        this.#frame();
+      },
       describe: () => `height ${digits(this.#point.height, 2)}`,
     };
   }
@@ -174,10 +194,13 @@ export class IdealFigure implements Figure {
     if (!values) return;
     const point = placeIdealPoint(this.#corners, values.number("size"), this.#isOverCentre);
     this.#point = point;
-    const { edges, radius, h, height, limit } = point;
+    const { edges, radius, used, wanted, h, height, sizeLimit, radiusLimit } = point;
     values.put({
       h,
+      wanted,
+      held: sizeLimit !== "none",
       radius,
+      used,
       height,
       square: point.square,
       base: point.base,
@@ -189,9 +212,9 @@ export class IdealFigure implements Figure {
       inside: isWithin(point.foot, this.#corners),
       blunt: !isWithin(point.centre, this.#corners),
       centred: this.#isOverCentre,
-      low: limit === "low",
+      low: radiusLimit === "low",
       handled: this.#isHandled,
-      limit: limitTexts[limit],
+      limit: limitText(point),
       foot: this.#isOverCentre ? "centre" : "mean",
     });
     for (const [foot, node] of this.#choices)
@@ -211,7 +234,7 @@ export class IdealFigure implements Figure {
     const from = { target: camera.target, distance: camera.distance };
     this.#motion.run(600, (t) => {
       camera.target = betweenPositions(from.target, middle, t);
-      camera.distance = from.distance + (clamp(1.95 * size, 3.1, 6.2) - from.distance) * t;
+      camera.distance = from.distance + (clamp(1.95 * size, 3.1, 8) - from.distance) * t;
       this.#stage.requestDraw();
     });
   }
@@ -287,7 +310,7 @@ export class IdealFigure implements Figure {
   #drawRightTriangle(base: Pixel, apex: Pixel): void {
     const c = colours();
     const pen = this.#pen;
-    const { foot, radius, h, height, square } = this.#point;
+    const { foot, radius, used, h, height, square } = this.#point;
     const [, , view] = this.#camera.axes;
     const sideways = this.#corners.map((corner) => {
       const to = subtract(corner, foot);
@@ -298,7 +321,7 @@ export class IdealFigure implements Figure {
     const end3 = betweenPositions(foot, to, radius / (distance(foot, to) || 1));
     const end = this.#camera.pixel(end3);
     const lit = (part: string): boolean => this.#lit === part;
-    // With R > h there is no such triangle: its slope would be too short.
+    // If a limit of R is met, its leg has not the length that the height is made from, and h is no slope.
     const isRight = Math.abs(Math.sqrt(Math.max(0, square)) - height) < 1e-9;
     pen.polygon([base, end, apex], mix(c.new, c.plate, 0.5), isRight ? 0.92 : 0.5);
     pen.line(base, end, c.active, lit("radius") ? 7 : 4);
@@ -315,10 +338,14 @@ export class IdealFigure implements Figure {
         dx: isRightward ? 52 : -52,
       });
     else
-      this.#stage.label(`*h* = ${digits(h, 2)} does not reach`, between(base, end, 0.62), {
-        dy: 42,
-        look: "soft plate",
-      });
+      this.#stage.label(
+        `counts as ${digits(used / h, 2)} *h* = ${digits(used, 2)}`,
+        between(base, end, 0.62),
+        {
+          dy: 42,
+          look: "soft plate",
+        },
+      );
     // Inside the right triangle, where no edge passes.
     this.#stage.label(digits(height, 2), between(base, apex, 0.3), {
       look: "on-new",

@@ -32,8 +32,9 @@ export const poses = {
 export const isPose = (word: string | undefined): word is keyof typeof poses =>
   word !== undefined && Object.hasOwn(poses, word);
 
-/** What keeps the point from standing at √(h² − R²): nothing, the size of the face, or the limits of R. */
-export type IdealLimit = "none" | "small" | "large" | "low" | "wide";
+/** Limits of h by the size of the face, and of R by h. */
+export type SizeLimit = "none" | "small" | "large";
+export type RadiusLimit = "none" | "low" | "high";
 
 export interface IdealPoint {
   /** Mean of the corners. */
@@ -41,8 +42,12 @@ export interface IdealPoint {
   /** Centre of the circle through the corners. */
   readonly centre: Position;
   readonly radius: number;
+  /** What R counts as, within its limits. */
+  readonly used: number;
   /** Size of the face: root mean square of its sides. */
   readonly base: number;
+  /** Size of the element before its limits. */
+  readonly wanted: number;
   /** Size of the element, within its limits. */
   readonly h: number;
   /** h² − R²; negative if no height gives the edges the length h. */
@@ -53,7 +58,9 @@ export interface IdealPoint {
   readonly foot: Position;
   /** Lengths of the three new edges. */
   readonly edges: readonly [number, number, number];
-  readonly limit: IdealLimit;
+  readonly sizeLimit: SizeLimit;
+  /** Whether R counts as less, which leaves the point at its lowest height, or as more, which holds it at its highest. */
+  readonly radiusLimit: RadiusLimit;
 }
 
 /** Returns twice the area; positive for counter-clockwise corners. */
@@ -80,22 +87,18 @@ export function placeIdealPoint(corners: Corners, targetSize: number, isOverCent
     mean,
     centre,
     radius,
+    used,
     base,
+    wanted,
     h,
     square,
     height,
     position,
     foot,
     edges,
-    limit: limitOf(wanted, h, radius, used),
+    sizeLimit: wanted < h ? "small" : wanted > h ? "large" : "none",
+    radiusLimit: radius > used ? "low" : radius < used ? "high" : "none",
   };
-}
-
-function limitOf(wanted: number, h: number, radius: number, used: number): IdealLimit {
-  if (radius > used) return "low";
-  if (wanted < h) return "small";
-  if (wanted > h) return "large";
-  return radius < used ? "wide" : "none";
 }
 
 /** Returns the centre of the circle through three corners in the plane z = 0. */

@@ -253,7 +253,7 @@ export class PlateFigure implements Figure {
             owncount: own.mesh.triangles.length / 3,
             ownanswer: own.answer,
             ownerror: own.error,
-            better: own.error < even.error ? "better" : "worse",
+            better: own.error < even.error ? "better" : own.error > even.error ? "worse" : "as good",
           }
         : {}),
       x: this.#hole.at[0],

@@ -56,16 +56,17 @@ export function loopsOf(wing: Wing): readonly (readonly PlanePoint[])[] {
   return [walls, outlineOf(wing)];
 }
 
-/** Fills the channel. `growth` is that of the size per unit of distance from the wing. */
+/** Fills the channel. `growth` is that of the size per unit of distance from the wing. `improve` moves nodes and flips edges afterwards. */
 export function fillChannel(
   front: PlaneFront,
   wing: Wing,
   growth: number,
   order: Order,
+  improve = false,
 ): ReturnType<PlaneFront["fill"]> {
   const sizes = {
     size: coarse,
     sources: sources.map((x) => ({ position: onWing(wing, [x, 0]), size: fine, distance: reach, growth })),
   };
-  return front.fill(loopsOf(wing), sizes, { order, improve: false, seed: 1 });
+  return front.fill(loopsOf(wing), sizes, { order, improve, seed: 1 });
 }

@@ -337,23 +337,28 @@ export class SidesDrawing {
       this.pen.line(low, high, c.new, 4, { alpha });
     }
     for (let i = 0; i <= count; i++) this.pen.circle(onRuler(i / count), 3.6, c.ink, { alpha });
+    const [x, y] = onRuler(0.5);
+    // In a low picture, as in the small window beside the text, there is no room for the numbers and the sentence.
+    const isLow = this.stage.height - y < lowRoom;
     for (let size = 0; size <= lambda; size++) {
       const [x, y] = onRuler(size / lambda);
       this.pen.line([x, y + 6], [x, y + 13], c.soft, 1.5, { alpha });
-      if (size === 0 || lambda < 14 || size % 5 === 0)
+      if (!isLow && (size === 0 || lambda < 14 || size % 5 === 0))
         this.stage.label(String(size), [x, y], { dy: 23, look: "soft small" });
     }
-    const [x, y] = onRuler(0.5);
     this.stage.label(
       `${digits(lambda, 2)} sizes long: ${count} sides, each ${digits(lambda / count, 3)} sizes`,
       [x, y],
-      { dy: this.#isSmall ? 42 : 46, look: "strong" },
+      { dy: isLow ? 25 : this.#isSmall ? 42 : 46, look: "strong" },
     );
   }
 }
 
 export const averagingsText = (count: number): string =>
   count === 0 ? "no averaging" : count === 1 ? "1 averaging" : `${count} averagings`;
+
+/** Pixels that numbers and a sentence take below the line drawn in sizes. */
+const lowRoom = 56;
 
 /** Returns the comparison between two rounds: lengths glide from one to the next. */
 function presentOf(comparisons: readonly Comparison[], round: number): Comparison {
