@@ -3,6 +3,7 @@ import { expect, type Locator, type Page } from "@playwright/test";
 import { inflateSync } from "node:zlib";
 import { readProject, type Project } from "tetrafront/project";
 import { generateButton, tab } from "./controls";
+import { isLoaded, usualSize } from "./shared-page";
 
 /** Number of tetrahedra and fingerprint of the app's mesh, as stored in attributes of the page. */
 export interface MeshState {
@@ -39,6 +40,7 @@ export class AppPage {
 
   /** Opens the app with a model, by default the opening one, and waits for its mesh. */
   async open(scheme: "dark" | "light" = "dark", model?: string): Promise<MeshState> {
+    if (isLoaded(this.page)) return this.#openAgain(model ?? "engine-intake");
     await this.page.addInitScript((scheme) => {
       localStorage.setItem("mantine-color-scheme-value", scheme);
       // The start page covers a part of the view.
@@ -54,6 +56,52 @@ export class AppPage {
   /** Opens the app with the smallest model. */
   async openCube(): Promise<MeshState> {
     return this.open("dark", "unit-cube");
+  }
+
+  /** Opens an example in the app of an earlier test. */
+  async #openAgain(model: string): Promise<MeshState> {
+    const size = this.page.viewportSize();
+    // Without points between two documents, the second one cannot be taken for the first.
+    await this.openEmptyAgain();
+    await tab(this.page, "Examples").click();
+    await this.page.getByTestId(`example-${model}`).click();
+    await expect(this.viewport).not.toHaveAttribute("data-points", "0");
+    const state = await this.meshed();
+    await this.tidy();
+    if (size) await this.page.setViewportSize(size);
+    return state;
+  }
+
+  /** Opens an empty project in the app of an earlier test. Returns whether there is such an app. */
+  async openEmptyAgain(): Promise<boolean> {
+    if (!isLoaded(this.page)) return false;
+    const size = this.page.viewportSize();
+    await this.tidy();
+    await this.page.getByRole("menuitem", { name: "File", exact: true }).click();
+    await this.page.getByRole("menuitem", { name: "New project" }).click();
+    await expect(this.viewport).toHaveAttribute("data-points", "0");
+    await expect(this.viewport).toHaveAttribute("data-busy", "false");
+    await this.page.keyboard.press("0");
+    if (size) await this.page.setViewportSize(size);
+    return true;
+  }
+
+  /** Closes what is open over the page, and shows the tabs that a new page shows, in a window of the usual size. */
+  async tidy(): Promise<void> {
+    await this.page.setViewportSize(usualSize);
+    for (let i = 0; i < 5 && (await this.page.locator("[role=dialog], [role=menu]").count()) > 0; i++) {
+      await this.page.keyboard.press("Escape");
+      await this.page.waitForTimeout(50);
+    }
+    await this.page.mouse.move(0, 0);
+    await this.page.getByTestId("viewport-canvas").focus();
+    for (let i = 0; i < 3; i++) await this.page.keyboard.press("Escape");
+    await this.page.evaluate(() => {
+      for (const button of document.querySelectorAll<HTMLElement>("[data-testid^=notice-] [aria-label=Dismiss]"))
+        button.click();
+      for (const tab of document.querySelectorAll<HTMLElement>("[role=tab][aria-selected=false]"))
+        if (/^(Model|Inspector|Log)$/.test(tab.textContent)) tab.click();
+    });
   }
 
   /** Where a position appears on the page. */

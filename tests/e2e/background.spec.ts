@@ -1,8 +1,9 @@
-import { expect, test, type Page } from "@playwright/test";
+import { expect, type Page } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { readProject } from "tetrafront/project";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
 import { generateButton, tab, undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 async function command(page: Page, name: string): Promise<void> {
   await page.keyboard.press("Control+k");
@@ -10,7 +11,7 @@ async function command(page: Page, name: string): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
-test("a source can be added, edited and deleted; it is drawn and refines the mesh", async ({ page }) => {
+sharedTest("a source can be added, edited and deleted; it is drawn and refines the mesh", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   const bare = await app.viewport.screenshot();
@@ -36,7 +37,7 @@ test("a source can be added, edited and deleted; it is drawn and refines the mes
   expect(await app.meshed()).toEqual(finer);
 });
 
-test("sources of each type can be created from selected points", async ({ page }) => {
+sharedTest("sources of each type can be created from selected points", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-point").click();
@@ -55,7 +56,7 @@ for (const [type, points] of [
   ["segment", [1, 2]],
   ["triangle", [1, 2, 3]],
 ] as const) {
-  test(`a ${type} source can be edited, refines the mesh and is saved in the file`, async ({ page }) => {
+  sharedTest(`a ${type} source can be edited, refines the mesh and is saved in the file`, async ({ page }) => {
     const app = new AppPage(page);
     const before = await app.openCube();
     await page.getByTestId("tree-point").click();
@@ -80,7 +81,7 @@ for (const [type, points] of [
   });
 }
 
-test("the dialog for proposed sizes warns before it applies sizes that ask for millions of elements", async ({
+sharedTest("the dialog for proposed sizes warns before it applies sizes that ask for millions of elements", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -109,7 +110,7 @@ test("the dialog for proposed sizes warns before it applies sizes that ask for m
   await expect(warning).toBeHidden();
 });
 
-test("a covering grid solves the problem of a model outside the background grid", async ({ page }) => {
+sharedTest("a covering grid solves the problem of a model outside the background grid", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-2");
@@ -133,7 +134,7 @@ test("a covering grid solves the problem of a model outside the background grid"
   await expect(page.getByTestId("tree-background-node").getByText("4", { exact: true })).toBeVisible();
 });
 
-test("a quick fix enlarges a covering grid around a model that has grown, as one step of undo", async ({
+sharedTest("a quick fix enlarges a covering grid around a model that has grown, as one step of undo", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -149,7 +150,7 @@ test("a quick fix enlarges a covering grid around a model that has grown, as one
   await expect(group).toBeVisible();
 });
 
-test("a uniform size replaces the background grid and removes its problems", async ({ page }) => {
+sharedTest("a uniform size replaces the background grid and removes its problems", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("background-node-2");
@@ -172,7 +173,7 @@ test("a uniform size replaces the background grid and removes its problems", asy
   await expect(page.getByTestId("uniform-size")).toHaveValue("0.1");
 });
 
-test("proposed sizes show the expected number of tetrahedra before they are applied", async ({ page }) => {
+sharedTest("proposed sizes show the expected number of tetrahedra before they are applied", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.open("dark", "plate-with-hole");
   await command(page, "Propose sizes");
@@ -200,7 +201,7 @@ test("proposed sizes show the expected number of tetrahedra before they are appl
   expect(await app.meshed()).toEqual(before);
 });
 
-test("a mesh can be used as the background grid of the next mesh", async ({ page }) => {
+sharedTest("a mesh can be used as the background grid of the next mesh", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await command(page, "Use this mesh as background");
@@ -215,7 +216,7 @@ test("a mesh can be used as the background grid of the next mesh", async ({ page
   expect(await app.meshed()).toEqual(before);
 });
 
-test("a node and a tetrahedron can be added to the background grid, and a stretched node shows its direction", async ({
+sharedTest("a node and a tetrahedron can be added to the background grid, and a stretched node shows its direction", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -240,7 +241,7 @@ test("a node and a tetrahedron can be added to the background grid, and a stretc
   expect((await app.viewport.screenshot()).equals(plain)).toBe(false);
 });
 
-test("the table of patches and the inspector show the same statistics of a patch", async ({ page }) => {
+sharedTest("the table of patches and the inspector show the same statistics of a patch", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await tab(page, "Patches").click();

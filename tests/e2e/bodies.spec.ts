@@ -11,6 +11,7 @@ import { AppPage } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
 import { generateButton, redoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 const plate = { half: 5, thickness: 1, radius: 2, corners: 24 } as const;
 const surface = plateSurface(plate);
@@ -27,7 +28,7 @@ async function openPlate(page: Page, fileName = "plate.stl"): Promise<AppPage> {
 const previewed = (page: Page): Promise<void> =>
   expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
 
-test("a binary STL becomes a mesh: card, preview, mesh, download", async ({ page }) => {
+sharedTest("a binary STL becomes a mesh: card, preview, mesh, download", async ({ page }) => {
   const app = await openPlate(page);
   await expect(page.getByTestId("project-name")).toBeHidden();
   await expect(page.getByTestId("entity-name")).toHaveValue("plate");
@@ -150,7 +151,7 @@ test("a broken STL shows its problems and is repaired", async ({ page }) => {
   await expect(repairs.getByTestId("repaired-flipped-triangle")).toHaveText("1 triangle flipped");
 });
 
-test("dropped details are listed and shown, and problems name the controls of the app", async ({ page }) => {
+sharedTest("dropped details are listed and shown, and problems name the controls of the app", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await dropBytes(page, stlBinary(steppedBlock(0.004)), "step.stl");
@@ -175,7 +176,7 @@ test("dropped details are listed and shown, and problems name the controls of th
   await expect(page.getByText(/--surface|remeshSurface/)).toHaveCount(0);
 });
 
-test("a damaged file is rejected with its name, the reason and the remedy", async ({ page }) => {
+sharedTest("a damaged file is rejected with its name, the reason and the remedy", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await dropBytes(page, stlBinary(surface).subarray(0, 1000), "cut.stl");
@@ -185,7 +186,7 @@ test("a damaged file is rejected with its name, the reason and the remedy", asyn
   expect(await app.meshed()).toEqual(before);
 });
 
-test("patches of a body are in the tree, are renamed and picked in the view, and name the boundaries of the mesh", async ({
+sharedTest("patches of a body are in the tree, are renamed and picked in the view, and name the boundaries of the mesh", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -226,7 +227,7 @@ test("patches of a body are in the tree, are renamed and picked in the view, and
   expect(names.toSorted()).toEqual(["first", "inlet"]);
 });
 
-test("a part with one colour: patches are split, and the mesh is shown and has their names", async ({
+sharedTest("a part with one colour: patches are split, and the mesh is shown and has their names", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -257,7 +258,7 @@ test("a part with one colour: patches are split, and the mesh is shown and has t
   expect(names.toSorted()).toEqual([...[1, 2, 3, 4, 5, 6].map((id) => `patch ${id}`), "top"]);
 });
 
-test("an imported surface joins the open document, is moved and deleted, each as one step of undo", async ({
+sharedTest("an imported surface joins the open document, is moved and deleted, each as one step of undo", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -307,7 +308,7 @@ for (const scheme of ["dark", "light"] as const) {
   });
 }
 
-test("patches are split by angle after a preview and merged again, and a click in the view picks one", async ({
+sharedTest("patches are split by angle after a preview and merged again, and a click in the view picks one", async ({
   page,
 }) => {
   const app = await openPlate(page);
@@ -383,7 +384,7 @@ async function drag(
   await mouse.up();
 }
 
-test("a stroke of the brush paints sources that refine the preview, as one step of undo", async ({
+sharedTest("a stroke of the brush paints sources that refine the preview, as one step of undo", async ({
   page,
 }) => {
   const app = await openPlate(page);
@@ -410,7 +411,7 @@ test("a stroke of the brush paints sources that refine the preview, as one step 
   await previewed(page);
 });
 
-test("the palette splits patches, takes the brush, and the card of a patch has its area and normal", async ({
+sharedTest("the palette splits patches, takes the brush, and the card of a patch has its area and normal", async ({
   page,
 }) => {
   const app = await openPlate(page);
@@ -434,7 +435,7 @@ test("the palette splits patches, takes the brush, and the card of a patch has i
   await expect(facts).toContainText("0, 0, 1");
 });
 
-test("a box that touches a body selects it", async ({ page }) => {
+sharedTest("a box that touches a body selects it", async ({ page }) => {
   const app = await openPlate(page);
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("Escape");
@@ -450,7 +451,7 @@ test("a box that touches a body selects it", async ({ page }) => {
   await expect(page.getByTestId("tree-body-1")).toHaveAttribute("aria-selected", "true");
 });
 
-test("handles move a body, a drag as one step of undo", async ({ page }) => {
+sharedTest("handles move a body, a drag as one step of undo", async ({ page }) => {
   const app = await openPlate(page);
   await previewed(page);
   await page.getByTestId("body-placement").locator("summary").click();
@@ -483,7 +484,7 @@ async function importBox(page: Page, low: number): Promise<AppPage> {
   return app;
 }
 
-test("a body that crosses a drawn patch is a problem before a mesh is generated, until it is moved", async ({
+sharedTest("a body that crosses a drawn patch is a problem before a mesh is generated, until it is moved", async ({
   page,
 }) => {
   const app = await importBox(page, 0.7);
@@ -505,7 +506,7 @@ test("a body that crosses a drawn patch is a problem before a mesh is generated,
   await expect(crossing).toHaveCount(0);
 });
 
-test("a body outside the background grid is a problem before a mesh is generated", async ({ page }) => {
+sharedTest("a body outside the background grid is a problem before a mesh is generated", async ({ page }) => {
   await importBox(page, 5);
   await page.getByRole("tab", { name: /Problems/ }).click();
   const outside = page.getByTestId("problems-outside-background-grid");
@@ -515,7 +516,7 @@ test("a body outside the background grid is a problem before a mesh is generated
   );
 });
 
-test("a body with a hole that overlaps another is repaired and joined by one Generate mesh, pressed at once", async ({
+sharedTest("a body with a hole that overlaps another is repaired and joined by one Generate mesh, pressed at once", async ({
   page,
 }) => {
   const app = new AppPage(page);

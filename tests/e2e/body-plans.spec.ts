@@ -1,9 +1,10 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import { stlBinary } from "../support/surface-files";
 import { boxSurface, joined } from "../support/surfaces";
 import { AppPage, sampleProject } from "./app-page";
 import { downloaded } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
+import { sharedTest } from "./shared-page";
 
 /** Part of a mesh report that the package writes too. */
 interface Report {
@@ -16,7 +17,7 @@ interface Report {
   readonly diagnostics: readonly { readonly code: string; readonly message: string }[];
 }
 
-test("a card says what a run will do with a surface that must be repaired, and the run what it has done", async ({
+sharedTest("a card says what a run will do with a surface that must be repaired, and the run what it has done", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -36,7 +37,7 @@ test("a card says what a run will do with a surface that must be repaired, and t
   await expect(plan).toHaveText("Its triangles are replaced by new ones.");
 });
 
-test("the report of bodies that overlap has their regions, and the warning about the volume that they share", async ({
+sharedTest("the report of bodies that overlap has their regions, and the warning about the volume that they share", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -70,7 +71,7 @@ test("the report of bodies that overlap has their regions, and the warning about
   expect((await reported()).diagnostics).toEqual(diagnostics);
 });
 
-test("a file that is dropped while a model is meshed shows nothing of its mesh", async ({ page }) => {
+sharedTest("a file that is dropped while a model is meshed shows nothing of its mesh", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const { viewport } = app;
@@ -87,7 +88,7 @@ test("a file that is dropped while a model is meshed shows nothing of its mesh",
   expect(tets).toBeLessThan(1000);
 });
 
-test("the view cube stays when a picture of the document is taken for the lists", async ({ page }) => {
+sharedTest("the view cube stays when a picture of the document is taken for the lists", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await dropBytes(page, stlBinary(boxSurface(2)), "box.stl");

@@ -1,4 +1,4 @@
-import { expect, test, type Page } from "@playwright/test";
+import { expect, type Page } from "@playwright/test";
 import { readProject } from "tetrafront/project";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { measured } from "../support/mesh-measures";
@@ -9,11 +9,12 @@ import { AppPage } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
 import { undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 const previewed = (page: Page): Promise<void> =>
   expect(page.getByTestId("body-preview")).toHaveAttribute("data-current", "true");
 
-test("the outer ring of the handles rotates a body about the view's direction, as one step of undo", async ({
+sharedTest("the outer ring of the handles rotates a body about the view's direction, as one step of undo", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -64,7 +65,7 @@ test("the outer ring of the handles rotates a body about the view's direction, a
   await expect(page.getByTestId("body-placement")).toBeVisible();
 });
 
-test("typed numbers move and rotate a body at its middle: Tab goes to the next number, each is one step of undo", async ({
+sharedTest("typed numbers move and rotate a body at its middle: Tab goes to the next number, each is one step of undo", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -104,7 +105,7 @@ test("typed numbers move and rotate a body at its middle: Tab goes to the next n
   await expect.poll(() => numbers("position")).toEqual([0, 0, 0]);
 });
 
-test("a project with a large body is saved and opened again without a change", async ({ page }) => {
+sharedTest("a project with a large body is saved and opened again without a change", async ({ page }) => {
   const sphere = sphereSurface(90);
   const triangles = sphere.triangles.length / 3;
   expect(triangles).toBeGreaterThan(90_000);
@@ -132,7 +133,7 @@ test("a project with a large body is saved and opened again without a change", a
   expect(await save()).toBe(text);
 });
 
-test("a body inside drawn patches and a source are meshed together", async ({ page }) => {
+sharedTest("a body inside drawn patches and a source are meshed together", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const choosing = page.waitForEvent("filechooser");
@@ -165,7 +166,7 @@ test("a body inside drawn patches and a source are meshed together", async ({ pa
   expect(after.volume).toBeCloseTo(1 - 0.4 ** 3, 6);
 });
 
-test("the elements and nodes of TetGen are dropped together, in any order", async ({ page }) => {
+sharedTest("the elements and nodes of TetGen are dropped together, in any order", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const node = Buffer.from("5 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n");

@@ -5,6 +5,7 @@ import { boxSolid, drilledSolid, stepFile } from "../support/step-files";
 import { AppPage, countOrange, forEachPixel } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
+import { sharedTest } from "./shared-page";
 
 const plate = stepFile([drilledSolid("Plate", [0, 0, 0], [20, 10, 8], [8, 5], 3)]);
 const plateVolume = 1600 - 72 * Math.PI;
@@ -33,7 +34,7 @@ test("a STEP file becomes a mesh: card, faces as patches, mesh, download", async
   expect(new Set(names)).toEqual(new Set([1, 2, 3, 4, 5, 6, 7].map((n) => `face ${n}`)));
 });
 
-test("the solids of an assembly are bodies with names, colours and previews", async ({ page }) => {
+sharedTest("the solids of an assembly are bodies with names, colours and previews", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const orange = [1, 0.45, 0.1] as const;
@@ -57,7 +58,7 @@ test("the solids of an assembly are bodies with names, colours and previews", as
 
 const [base, pin] = [boxSolid("base", [0, 0, 0], [4, 4, 1]), boxSolid("pin", [1, 1, 1], [2, 2, 3])] as const;
 
-test("solids of one file that touch in a part of a face share its triangles from the start", async ({
+sharedTest("solids of one file that touch in a part of a face share its triangles from the start", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -74,7 +75,7 @@ test("solids of one file that touch in a part of a face share its triangles from
   expect(tetrahedra.map(({ name }) => name).toSorted()).toEqual(["base", "pin"]);
 });
 
-test("solids of two files that touch in a part of a face are joined by Generate mesh, as a step of undo", async ({
+sharedTest("solids of two files that touch in a part of a face are joined by Generate mesh, as a step of undo", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -96,7 +97,7 @@ test("solids of two files that touch in a part of a face are joined by Generate 
   await expect(page.getByTestId("tree-body-2")).toContainText("pin");
 });
 
-test("a face has its colour in every pixel", async ({ page }) => {
+sharedTest("a face has its colour in every pixel", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   // One less than this red, as a number of 24 bits, would be a light cyan.
@@ -118,7 +119,7 @@ test("a face has its colour in every pixel", async ({ page }) => {
   expect((await pixels()).cyan).toBeLessThan(200);
 });
 
-test("a damaged STEP file gives an error, and the next file is opened", async ({ page }) => {
+sharedTest("a damaged STEP file gives an error, and the next file is opened", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await dropBytes(page, plate.subarray(0, 1000), "damaged.step");

@@ -6,6 +6,7 @@ import { parseVtu } from "../support/mesh-files";
 import { AppPage, nextFrame, sampleProject } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { generateButton, undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 /** Saves the project in the app and returns it. */
 async function savedProject(page: Page): Promise<Project> {
@@ -52,7 +53,7 @@ async function choose(page: Page, kind: string, ids: readonly number[]): Promise
 
 const selected = '[role="treeitem"][aria-selected="true"]';
 
-test("a tetrahedron can be drawn in an empty project, meshed and undone", async ({ page }) => {
+sharedTest("a tetrahedron can be drawn in an empty project, meshed and undone", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await openEmpty(app);
@@ -104,7 +105,7 @@ test("a tetrahedron can be drawn in an empty project, meshed and undone", async 
   await expect(page.getByRole("button", { name: "Undo: Add line 6" })).toBeEnabled();
 });
 
-test("a new project is empty, and new entities appear in the view", async ({ page }) => {
+sharedTest("a new project is empty, and new entities appear in the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByRole("menuitem", { name: "File" }).click();
@@ -130,7 +131,7 @@ test("a new project is empty, and new entities appear in the view", async ({ pag
 });
 
 for (const button of ["add", "add-next"]) {
-  test(`a new point is not added with the button ${button} while a number is invalid`, async ({ page }) => {
+  sharedTest(`a new point is not added with the button ${button} while a number is invalid`, async ({ page }) => {
     const app = new AppPage(page);
     await app.openCube();
     await page.keyboard.press("Shift+P");
@@ -160,7 +161,7 @@ for (const button of ["add", "add-next"]) {
   });
 }
 
-test("the dialogs for sizes apply with Enter, but not while a number is invalid", async ({ page }) => {
+sharedTest("the dialogs for sizes apply with Enter, but not while a number is invalid", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const runCommand = async (name: string): Promise<void> => {
@@ -192,7 +193,7 @@ test("the dialogs for sizes apply with Enter, but not while a number is invalid"
   }
 });
 
-test("the inspector and the dialogs state why an entity cannot be created from the selection", async ({
+sharedTest("the inspector and the dialogs state why an entity cannot be created from the selection", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -208,7 +209,7 @@ test("the inspector and the dialogs state why an entity cannot be created from t
   await expect(page.getByRole("dialog", { name: "New line" })).toContainText("Select its points in order");
 });
 
-test("a patch with a hole can be created from lines in any order, and a hole can be removed and added", async ({
+sharedTest("a patch with a hole can be created from lines in any order, and a hole can be removed and added", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -240,7 +241,7 @@ test("a patch with a hole can be created from lines in any order, and a hole can
   );
 });
 
-test("in the tree, Shift selects a range and Ctrl toggles; both add a range, and Ctrl A selects all of a kind", async ({
+sharedTest("in the tree, Shift selects a range and Ctrl toggles; both add a range, and Ctrl A selects all of a kind", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -275,7 +276,7 @@ test("in the tree, Shift selects a range and Ctrl toggles; both add a range, and
   await expect(page.locator(selected)).toHaveCount(0);
 });
 
-test("each type of patch states which lines it needs and why the present lines do not fit", async ({
+sharedTest("each type of patch states which lines it needs and why the present lines do not fit", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -300,7 +301,7 @@ test("each type of patch states which lines it needs and why the present lines d
   await expect(page.getByTestId("inspector").locator("[data-code]")).toHaveCount(0);
 });
 
-test("the list and the view show the roles of the lines of a Barnhill–Gregory–Nielson patch", async ({
+sharedTest("the list and the view show the roles of the lines of a Barnhill–Gregory–Nielson patch", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -342,7 +343,7 @@ async function savedMesh(page: Page) {
   return { mesh, defects, boundaryFaces: extraFaces };
 }
 
-test("a blind bore can be drawn: a hole in a Barnhill–Gregory–Nielson patch, and a tube between its rims along a seam", async ({
+sharedTest("a blind bore can be drawn: a hole in a Barnhill–Gregory–Nielson patch, and a tube between its rims along a seam", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -414,7 +415,7 @@ test("a blind bore can be drawn: a hole in a Barnhill–Gregory–Nielson patch,
   expect(bore).toBeLessThan(0.25 * Math.PI * 0.09);
 });
 
-test("the inspector closes a spline and opens it again", async ({ page }) => {
+sharedTest("the inspector closes a spline and opens it again", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-point").click();
@@ -428,7 +429,7 @@ test("the inspector closes a spline and opens it again", async ({ page }) => {
   await expect(points).toHaveValue("1, 2, 7, 5");
 });
 
-test("two circles are joined by a tube, and a circle becomes an arc", async ({ page }) => {
+sharedTest("two circles are joined by a tube, and a circle becomes an arc", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-point").click();
@@ -555,7 +556,7 @@ test("the view shows the lines and directions of a Coons patch", async ({ page }
   await expect.poll(overlaps).toEqual([]);
 });
 
-test("a complete model without sizes is meshed with a size that fits it, as a step of undo", async ({
+sharedTest("a complete model without sizes is meshed with a size that fits it, as a step of undo", async ({
   page,
 }) => {
   const app = new AppPage(page);

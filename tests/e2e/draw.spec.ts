@@ -1,8 +1,9 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import { meshVolume, NO_DEFECTS } from "../support/check-mesh";
 import { DrawPage } from "./draw-page";
 import type { Position } from "./app-page";
 import { generateButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 const { extraFaces: _, ...noDefects } = NO_DEFECTS;
 
@@ -24,7 +25,7 @@ async function drawCubeLines(draw: DrawPage): Promise<void> {
   await draw.counts(8, 12, 0);
 }
 
-test("a unit cube drawn in the view, with pointer and keyboard alone, gives a valid mesh", async ({
+sharedTest("a unit cube drawn in the view, with pointer and keyboard alone, gives a valid mesh", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -43,7 +44,7 @@ test("a unit cube drawn in the view, with pointer and keyboard alone, gives a va
   expect(meshVolume(mesh)).toBeCloseTo(1, 9);
 });
 
-test("a sphere of eight octants: three arcs, a patch and three mirror images give a valid mesh", async ({
+sharedTest("a sphere of eight octants: three arcs, a patch and three mirror images give a valid mesh", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -84,7 +85,7 @@ test("a sphere of eight octants: three arcs, a patch and three mirror images giv
   expect(meshVolume(mesh)).toBeLessThan((4 / 3) * Math.PI);
 });
 
-test("the handles of a piece change its sizes and its place before it is created", async ({ page }) => {
+sharedTest("the handles of a piece change its sizes and its place before it is created", async ({ page }) => {
   const draw = new DrawPage(page);
   await draw.openNew();
   await page.getByTestId("create-box").click();
@@ -109,7 +110,7 @@ test("the handles of a piece change its sizes and its place before it is created
   await draw.counts(0, 0, 0);
 });
 
-test("a drag selects in a box, Shift pans instead, and the right button has a menu", async ({ page }) => {
+sharedTest("a drag selects in a box, Shift pans instead, and the right button has a menu", async ({ page }) => {
   const draw = new DrawPage(page);
   await draw.openCube();
   const box = await draw.viewport.boundingBox();
@@ -144,7 +145,7 @@ test("a drag selects in a box, Shift pans instead, and the right button has a me
   await expect(page.getByTestId("inspector")).toContainText("26 entities selected");
 });
 
-test("open edges are one quiet count until a mesh is asked for", async ({ page }) => {
+sharedTest("open edges are one quiet count until a mesh is asked for", async ({ page }) => {
   const draw = new DrawPage(page);
   await draw.openNew();
   await page.keyboard.press("l");
@@ -169,7 +170,7 @@ test("open edges are one quiet count until a mesh is asked for", async ({ page }
   await expect(page.getByTestId("open-edges")).toBeHidden();
 });
 
-test("a notice names what a delete has taken along, and undoes it; F2 renames", async ({ page }) => {
+sharedTest("a notice names what a delete has taken along, and undoes it; F2 renames", async ({ page }) => {
   const draw = new DrawPage(page);
   await draw.openCube();
   await draw.select("point-1");
@@ -187,7 +188,7 @@ test("a notice names what a delete has taken along, and undoes it; F2 renames", 
   await expect(page.getByTestId("tree-point-1")).toContainText("origin");
 });
 
-test("a circle on a face of a patch becomes its hole, and a second click fills it", async ({ page }) => {
+sharedTest("a circle on a face of a patch becomes its hole, and a second click fills it", async ({ page }) => {
   const draw = new DrawPage(page);
   await draw.openNew();
   await page.keyboard.press("l");
@@ -208,7 +209,7 @@ test("a circle on a face of a patch becomes its hole, and a second click fills i
   await draw.counts(7, 5, 0);
 });
 
-test("a circle through three places is refused on a straight line, and goes through them", async ({
+sharedTest("a circle through three places is refused on a straight line, and goes through them", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -235,7 +236,7 @@ test("a circle through three places is refused on a straight line, and goes thro
   await draw.counts(0, 0, 0);
 });
 
-test("Backspace removes the last place, Esc leaves the chain and then the tool, and distances are measured", async ({
+sharedTest("Backspace removes the last place, Esc leaves the chain and then the tool, and distances are measured", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -260,7 +261,7 @@ test("Backspace removes the last place, Esc leaves the chain and then the tool, 
   await expect(measurement).toContainText("angle26.57°");
 });
 
-test("handles move, turn and scale the selection: each drag is one step of undo, and Escape cancels it", async ({
+sharedTest("handles move, turn and scale the selection: each drag is one step of undo, and Escape cancels it", async ({
   page,
 }) => {
   const app = new DrawPage(page);
@@ -337,7 +338,7 @@ test("handles move, turn and scale the selection: each drag is one step of undo,
   await undoOnce();
 });
 
-test("the move tool drags a point as one step of undo, joins what coincides, and arrow keys move the selection", async ({
+sharedTest("the move tool drags a point as one step of undo, joins what coincides, and arrow keys move the selection", async ({
   page,
 }) => {
   const app = new DrawPage(page);
@@ -382,7 +383,7 @@ test("the move tool drags a point as one step of undo, joins what coincides, and
   await expect(app.viewport).toHaveAttribute("data-tool", "select");
 });
 
-test("a line between the middles of two sides splits them, and each half is a loop", async ({ page }) => {
+sharedTest("a line between the middles of two sides splits them, and each half is a loop", async ({ page }) => {
   const draw = new DrawPage(page);
   await draw.openNew();
   await page.keyboard.press("l");
@@ -405,7 +406,7 @@ test("a line between the middles of two sides splits them, and each half is a lo
   await draw.counts(4, 4, 0);
 });
 
-test("typed lines that cross bound four loops; a line is split where its menu is opened", async ({
+sharedTest("typed lines that cross bound four loops; a line is split where its menu is opened", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -436,7 +437,7 @@ test("typed lines that cross bound four loops; a line is split where its menu is
   expect(positions.at(-1)?.[1]).toBeCloseTo(0.4, 12);
 });
 
-test("a circle drawn on a face of a box lies in its plane, by clicks and by a typed radius", async ({
+sharedTest("a circle drawn on a face of a box lies in its plane, by clicks and by a typed radius", async ({
   page,
 }) => {
   const draw = new DrawPage(page);

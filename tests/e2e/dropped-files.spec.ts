@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import { meshFile, type SurfaceInput } from "tetrafront";
 import { boundaryTriangles, measured } from "../support/mesh-measures";
 import { parseVtu } from "../support/mesh-files";
@@ -8,8 +8,9 @@ import { boxSurface, joined, sphereSurface } from "../support/surfaces";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { dropBytes, dropFiles } from "./drop-bytes";
+import { sharedTest } from "./shared-page";
 
-test("files that are dropped together become bodies of one mesh; those that cannot be used are named", async ({
+sharedTest("files that are dropped together become bodies of one mesh; those that cannot be used are named", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -37,7 +38,7 @@ test("files that are dropped together become bodies of one mesh; those that cann
   await expect(page.getByTestId("tree-body-1")).toContainText("base");
 });
 
-test("solids of one STL file that touch, share a volume, are apart or nested give the mesh of the package, bit for bit", async ({
+sharedTest("solids of one STL file that touch, share a volume, are apart or nested give the mesh of the package, bit for bit", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -69,7 +70,7 @@ test("solids of one STL file that touch, share a volume, are apart or nested giv
   }
 });
 
-test("solids that touch are a calm note; those that share a volume are a warning that names them and the volume", async ({
+sharedTest("solids that touch are a calm note; those that share a volume are a warning that names them and the volume", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -93,7 +94,7 @@ test("solids that touch are a calm note; those that share a volume are a warning
   );
 });
 
-test("a number of elements is reached by the search of the package; the body's figures are those of the mesh", async ({
+sharedTest("a number of elements is reached by the search of the package; the body's figures are those of the mesh", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -111,7 +112,7 @@ test("a number of elements is reached by the search of the package; the body's f
   await expect(page.getByTestId("prepared-triangles")).toHaveText(report.triangles.toLocaleString("en-US"));
 });
 
-test("a solid inside another one of its file is meshed", async ({ page }) => {
+sharedTest("a solid inside another one of its file is meshed", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const solids = [boxSolid("housing", [0, 0, 0], [4, 4, 4]), boxSolid("core", [1, 1, 1], [2, 2, 2])];
@@ -122,7 +123,7 @@ test("a solid inside another one of its file is meshed", async ({ page }) => {
   expect(volume).toBeCloseTo(64, 6);
 });
 
-test("an STL file that intersects itself is repaired by “Generate mesh”, meshed and downloaded", async ({
+sharedTest("an STL file that intersects itself is repaired by “Generate mesh”, meshed and downloaded", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -147,7 +148,7 @@ test("an STL file that intersects itself is repaired by “Generate mesh”, mes
   expect(Math.abs(volume / 15 - 1)).toBeLessThan(1e-3);
 });
 
-test("triangles of an STL file that are fit are kept, and divided where a size is given", async ({
+sharedTest("triangles of an STL file that are fit are kept, and divided where a size is given", async ({
   page,
 }) => {
   const app = new AppPage(page);

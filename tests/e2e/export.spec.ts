@@ -1,10 +1,11 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { parseVtu } from "../support/mesh-files";
 import { AppPage, sampleProject } from "./app-page";
 import { chooseFormat, downloadMesh } from "./downloads";
+import { sharedTest } from "./shared-page";
 
-test("one dialog exports the mesh: format, order, encoding and what the file keeps", async ({ page }) => {
+sharedTest("one dialog exports the mesh: format, order, encoding and what the file keeps", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByRole("menuitem", { name: "File" }).click();
@@ -40,7 +41,7 @@ test("one dialog exports the mesh: format, order, encoding and what the file kee
   expect(await page.getByTestId("count-points").textContent()).toContain(String(nodes));
 });
 
-test("on a phone, the buttons are in sight however the choices are scrolled", async ({ page }) => {
+sharedTest("on a phone, the buttons are in sight however the choices are scrolled", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await new AppPage(page).openCube();
   await page.getByTestId("viewport-canvas").focus();
@@ -55,7 +56,7 @@ test("on a phone, the buttons are in sight however the choices are scrolled", as
   }
 });
 
-test("lengths are exported in the unit that is chosen", async ({ page }) => {
+sharedTest("lengths are exported in the unit that is chosen", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const given = parseVtu(await downloadMesh(page, /^VTU/));
@@ -73,7 +74,7 @@ test("lengths are exported in the unit that is chosen", async ({ page }) => {
 });
 
 for (const width of [1440, 390]) {
-  test(`every label of the dialog is whole in a window of ${width} pixels, with and without a unit`, async ({
+  sharedTest(`every label of the dialog is whole in a window of ${width} pixels, with and without a unit`, async ({
     page,
   }) => {
     await page.setViewportSize({ width, height: 844 });

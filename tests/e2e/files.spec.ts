@@ -6,6 +6,7 @@ import { polyMeshDefects, readPolyMesh } from "../support/poly-mesh";
 import { AppPage, sampleProject } from "./app-page";
 import { chooseFormat } from "./downloads";
 import { undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 interface Downloaded {
   readonly name: string;
@@ -41,7 +42,7 @@ async function dropProject(page: Page, text: string, fileName = "dropped.json"):
   );
 }
 
-test("the downloaded VTU, MSH and polyMesh files have the numbers of elements shown on the page", async ({
+sharedTest("the downloaded VTU, MSH and polyMesh files have the numbers of elements shown on the page", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -70,7 +71,7 @@ test("the downloaded VTU, MSH and polyMesh files have the numbers of elements sh
   expect(poly.patches.map(({ name }) => name)).toContain("duct_top");
 });
 
-test("the report of the run can be downloaded", async ({ page }) => {
+sharedTest("the report of the run can be downloaded", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets, fingerprint } = await app.mesh();
@@ -79,7 +80,7 @@ test("the report of the run can be downloaded", async ({ page }) => {
   expect(JSON.parse(text)).toMatchObject({ status: "done", tetrahedra: tets, fingerprint });
 });
 
-test("a saved project reopens unchanged", async ({ page }) => {
+sharedTest("a saved project reopens unchanged", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-2");
@@ -97,7 +98,7 @@ test("a saved project reopens unchanged", async ({ page }) => {
   expect(await app.meshed()).toEqual(edited);
 });
 
-test("an invalid project file is rejected with the reason", async ({ page }) => {
+sharedTest("an invalid project file is rejected with the reason", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.mesh();
@@ -111,7 +112,7 @@ test("an invalid project file is rejected with the reason", async ({ page }) => 
   expect(await app.meshed()).toEqual(before);
 });
 
-test("dropping a project file on the page opens it", async ({ page }) => {
+sharedTest("dropping a project file on the page opens it", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.mesh();
@@ -123,7 +124,7 @@ test("dropping a project file on the page opens it", async ({ page }) => {
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
 });
 
-test("dropping a file without a surface shows what is wrong with it and what to do", async ({ page }) => {
+sharedTest("dropping a file without a surface shows what is wrong with it and what to do", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await dropProject(page, "solid part", "part.STL");
@@ -135,7 +136,7 @@ test("dropping a file without a surface shows what is wrong with it and what to 
   await expect(volume).toContainText("part.node");
 });
 
-test("the next successful open hides the message of a failed one", async ({ page }) => {
+sharedTest("the next successful open hides the message of a failed one", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await dropProject(page, "no project");
@@ -198,7 +199,7 @@ test("a reload keeps an edit and shows that it is unsaved", async ({ page }) => 
   await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
 });
 
-test("a file of an unknown kind names the formats that can be opened", async ({ page }) => {
+sharedTest("a file of an unknown kind names the formats that can be opened", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await dropProject(page, "some notes", "notes.txt");

@@ -1,8 +1,9 @@
 import { expect, test } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { toggle } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("a model can be opened, edited, meshed and undone without a mouse", async ({ page }) => {
+sharedTest("a model can be opened, edited, meshed and undone without a mouse", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const opening = await app.mesh();
@@ -39,7 +40,7 @@ test("a model can be opened, edited, meshed and undone without a mouse", async (
   expect(await app.meshed()).toEqual(after);
 });
 
-test("menus work with the keyboard, and single-key hotkeys do nothing while the user types", async ({
+sharedTest("menus work with the keyboard, and single-key hotkeys do nothing while the user types", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -61,7 +62,7 @@ test("menus work with the keyboard, and single-key hotkeys do nothing while the 
   await expect(cut).toBeChecked();
 });
 
-test("no menu is taller than the screen of a laptop", async ({ page }) => {
+sharedTest("no menu is taller than the screen of a laptop", async ({ page }) => {
   await page.setViewportSize({ width: 1366, height: 768 });
   await new AppPage(page).openCube();
   for (const menu of await page.getByRole("menubar").getByRole("menuitem").all()) {
@@ -75,7 +76,7 @@ test("no menu is taller than the screen of a laptop", async ({ page }) => {
   }
 });
 
-test("help lists every hotkey", async ({ page }) => {
+sharedTest("help lists every hotkey", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await page.keyboard.press("Shift+?");
@@ -112,7 +113,7 @@ test("Ctrl K pressed before the palette has loaded opens it as soon as it has", 
   await expect(page.getByRole("switch", { name: "Cut" })).not.toBeChecked();
 });
 
-test("what is typed right after Ctrl K finds and runs a command, from a field, too", async ({ page }) => {
+sharedTest("what is typed right after Ctrl K finds and runs a command, from a field, too", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByRole("tab", { name: "Display" }).click();
@@ -154,7 +155,7 @@ test("a second Ctrl K leaves a palette open that has not appeared yet, and its k
   await expect(toggle(page, "Cut")).not.toBeChecked();
 });
 
-test("keys are the palette's even if the focus returns to where it was before", async ({ page }) => {
+sharedTest("keys are the palette's even if the focus returns to where it was before", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.keyboard.press("Control+k");
@@ -178,7 +179,7 @@ test("keys are the palette's even if the focus returns to where it was before", 
   await expect(toggle(page, "Cut")).not.toBeChecked();
 });
 
-test("hotkeys win over the button that has the focus, also after a command of a menu", async ({ page }) => {
+sharedTest("hotkeys win over the button that has the focus, also after a command of a menu", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const menu = page.getByRole("menu");
@@ -241,7 +242,7 @@ test("hotkeys keep working if the palette cannot be loaded", async ({ page }) =>
   await expect(cut).not.toBeChecked();
 });
 
-test("the palette finds a command by words in any order", async ({ page }) => {
+sharedTest("the palette finds a command by words in any order", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.keyboard.press("Control+k");
@@ -275,7 +276,7 @@ test("the palette finds disabled commands with what they need, and does not run 
   await expect(box).toBeHidden();
 });
 
-test("a numeric setting that is chosen in the palette has its field focused", async ({ page }) => {
+sharedTest("a numeric setting that is chosen in the palette has its field focused", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const choose = async (words: string): Promise<void> => {
@@ -339,7 +340,7 @@ test("the palette sets the theme, snapping and the mouse; F2 renames the project
   await expect(page.getByTestId("tree-group-1")).toContainText("everything");
 });
 
-test("a dialog that a menu has opened returns the focus to the menu, and the share dialog takes it", async ({
+sharedTest("a dialog that a menu has opened returns the focus to the menu, and the share dialog takes it", async ({
   page,
 }) => {
   const app = new AppPage(page);

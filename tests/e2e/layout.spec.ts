@@ -2,8 +2,9 @@ import { expect, test, type Locator } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { DrawPage } from "./draw-page";
 import { generateButton, tab } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("on a phone the panels are drawers, and everything needed can be reached", async ({ page }) => {
+sharedTest("on a phone the panels are drawers, and everything needed can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);
   await app.open();
@@ -42,7 +43,7 @@ test("on a phone the panels are drawers, and everything needed can be reached", 
   await expect(page.getByRole("dialog")).toBeHidden();
 });
 
-test("on a phone the model is as large as before when a panel is closed, unless the view was zoomed", async ({
+sharedTest("on a phone the model is as large as before when a panel is closed, unless the view was zoomed", async ({
   page,
 }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -112,7 +113,7 @@ test("on a screen of usual width, the controls of the player take one row above 
   }
 });
 
-test("a notice is in the view, and covers nothing of the panels below", async ({ page }) => {
+sharedTest("a notice is in the view, and covers nothing of the panels below", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("viewport-canvas").focus();
@@ -125,7 +126,7 @@ test("a notice is in the view, and covers nothing of the panels below", async ({
   expect(lowerEnd(box)).toBeLessThan(lowerEnd(view));
 });
 
-test("a notice covers nothing of a drawer at the lower end of the page", async ({ page }) => {
+sharedTest("a notice covers nothing of a drawer at the lower end of the page", async ({ page }) => {
   await page.setViewportSize({ width: 1000, height: 800 });
   const app = new AppPage(page);
   await app.openCube();
@@ -138,7 +139,7 @@ test("a notice covers nothing of a drawer at the lower end of the page", async (
   expect((notice?.y ?? NaN) + (notice?.height ?? NaN)).toBeLessThan(panel?.y ?? NaN);
 });
 
-test("on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read", async ({
+sharedTest("on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read", async ({
   page,
 }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -208,7 +209,7 @@ test("on a phone a new piece is in view as a whole, beside the column of tools",
   expect(right - left).toBeGreaterThan(200);
 });
 
-test("the panel of a piece covers nothing of its preview, neither in an empty project nor beside a model", async ({
+sharedTest("the panel of a piece covers nothing of its preview, neither in an empty project nor beside a model", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -240,7 +241,7 @@ test("the panel of a piece covers nothing of its preview, neither in an empty pr
 test.describe("by touch", () => {
   test.use({ hasTouch: true });
 
-  test("on a phone lines and a circle are drawn with the fingers, and every choice is large enough and in view", async ({
+  sharedTest("on a phone lines and a circle are drawn with the fingers, and every choice is large enough and in view", async ({
     page,
   }) => {
     await page.setViewportSize({ width: 390, height: 844 });
@@ -300,7 +301,7 @@ test.describe("by touch", () => {
   });
 });
 
-test("the view stays while lines are drawn within it, and a model that outgrows it is fitted beside the tools", async ({
+sharedTest("the view stays while lines are drawn within it, and a model that outgrows it is fitted beside the tools", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -333,7 +334,7 @@ test("the view stays while lines are drawn within it, and a model that outgrows 
   }
 });
 
-test("what to draw next is never under the notice that the mesh is out of date", async ({ page }) => {
+sharedTest("what to draw next is never under the notice that the mesh is out of date", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tool-line").click();
@@ -351,7 +352,7 @@ test("what to draw next is never under the notice that the mesh is out of date",
   }
 });
 
-test("the notice that the mesh is out of date is short while something is moved, and a click passes it", async ({
+sharedTest("the notice that the mesh is out of date is short while something is moved, and a click passes it", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -375,7 +376,7 @@ test("the notice that the mesh is out of date is short while something is moved,
   await badge.getByRole("button").click({ trial: true });
 });
 
-test("a reason for a refused coordinate takes the width of all three fields", async ({ page }) => {
+sharedTest("a reason for a refused coordinate takes the width of all three fields", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("point-1");
@@ -391,7 +392,7 @@ test("a reason for a refused coordinate takes the width of all three fields", as
   expect(await field.boundingBox()).toEqual(before);
 });
 
-test("on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields", async ({
+sharedTest("on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields", async ({
   page,
 }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -418,7 +419,7 @@ test("on a phone the palette opens from the menu, and the buttons of a long pane
   await expect(panel).toBeHidden();
 });
 
-test("on a phone several entities are selected by taps, in one go from the menu to the view", async ({
+sharedTest("on a phone several entities are selected by taps, in one go from the menu to the view", async ({
   page,
 }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -433,7 +434,7 @@ test("on a phone several entities are selected by taps, in one go from the menu 
   await expect(page.getByTestId("inspector")).toContainText("3 entities selected");
 });
 
-test("on a phone the number of problems is beside the button of their list, and a marker opens what is wrong", async ({
+sharedTest("on a phone the number of problems is beside the button of their list, and a marker opens what is wrong", async ({
   page,
 }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -456,7 +457,7 @@ test("on a phone the number of problems is beside the button of their list, and 
   expect((view?.y ?? 0) + (view?.height ?? 0)).toBeLessThanOrEqual((cover?.y ?? 0) + 1);
 });
 
-test("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
+sharedTest("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const app = new AppPage(page);
   await app.openCube();
@@ -476,7 +477,7 @@ test("on a phone every menu opens in place, and all its items can be reached", a
   await expect(menu.getByRole("group")).toHaveCount(1);
 });
 
-test("the header fits at every width, both idle and during a run", async ({ page }) => {
+sharedTest("the header fits at every width, both idle and during a run", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const overflow = () =>
@@ -520,7 +521,7 @@ for (const scheme of ["light", "dark"] as const) {
   });
 }
 
-test("below 1100 pixels the side panels make room for the view", async ({ page }) => {
+sharedTest("below 1100 pixels the side panels make room for the view", async ({ page }) => {
   await page.setViewportSize({ width: 1000, height: 700 });
   const app = new AppPage(page);
   await app.open();
@@ -533,7 +534,7 @@ test("below 1100 pixels the side panels make room for the view", async ({ page }
   expect((await app.mesh()).tets).toBeGreaterThan(1000);
 });
 
-test("panels can be resized with the keyboard and by dragging", async ({ page }) => {
+sharedTest("panels can be resized with the keyboard and by dragging", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.viewport.boundingBox();

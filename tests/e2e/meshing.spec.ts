@@ -1,9 +1,10 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import { createMesher } from "tetrafront";
 import { AppPage, sampleProject } from "./app-page";
 import { generateButton, redoButton, toggle, undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("the app opens with a meshed model and shows its numbers of elements", async ({ page }) => {
+sharedTest("the app opens with a meshed model and shows its numbers of elements", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets, fingerprint } = await app.mesh();
@@ -19,7 +20,7 @@ test("the app opens with a meshed model and shows its numbers of elements", asyn
 });
 
 for (const id of ["engine-intake", "vault", "wing-in-a-tunnel", "bracket"]) {
-  test(`${id} has the same fingerprint in the browser as in Node`, async ({ page }) => {
+  sharedTest(`${id} has the same fingerprint in the browser as in Node`, async ({ page }) => {
     const mesher = await createMesher();
     const { report } = await mesher.meshProject(sampleProject(id));
     mesher.dispose();
@@ -32,7 +33,7 @@ for (const id of ["engine-intake", "vault", "wing-in-a-tunnel", "bracket"]) {
   });
 }
 
-test("moving a point makes the mesh stale, meshing again changes it, and undo restores it", async ({
+sharedTest("moving a point makes the mesh stale, meshing again changes it, and undo restores it", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -62,7 +63,7 @@ test("moving a point makes the mesh stale, meshing again changes it, and undo re
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
 });
 
-test("a smaller size in the background grid gives more tetrahedra", async ({ page }) => {
+sharedTest("a smaller size in the background grid gives more tetrahedra", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("background-node-1");
@@ -71,7 +72,7 @@ test("a smaller size in the background grid gives more tetrahedra", async ({ pag
   expect(finer.tets).toBeGreaterThan(1.5 * before.tets);
 });
 
-test("the arrow keys step a number, and a held key is one step of undo", async ({ page }) => {
+sharedTest("the arrow keys step a number, and a held key is one step of undo", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
@@ -96,7 +97,7 @@ test("the arrow keys step a number, and a held key is one step of undo", async (
   await expect(size).toHaveValue("0.26");
 });
 
-test("a long run shows progress and can be cancelled", async ({ page }) => {
+sharedTest("a long run shows progress and can be cancelled", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const cube = sampleProject("unit-cube");
@@ -112,7 +113,7 @@ test("a long run shows progress and can be cancelled", async ({ page }) => {
   await expect(generateButton(page)).toBeEnabled();
 });
 
-test("while a run is active, its Cancel is where Generate mesh was; a double click does not cancel", async ({
+sharedTest("while a run is active, its Cancel is where Generate mesh was; a double click does not cancel", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -132,7 +133,7 @@ test("while a run is active, its Cancel is where Generate mesh was; a double cli
   await expect(page.getByTestId("status")).toContainText(/cancelled|out of date/i);
 });
 
-test("the mesh just made is seen as such, and the worst element is not buried in it", async ({ page }) => {
+sharedTest("the mesh just made is seen as such, and the worst element is not buried in it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("tree-patch-1").click();

@@ -6,8 +6,9 @@ import { boxSurface } from "../support/surfaces";
 import { downloaded } from "./downloads";
 import { dropBytes } from "./drop-bytes";
 import { tab } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("a parameter moves the points whose coordinates use it; the file keeps it", async ({ page }) => {
+sharedTest("a parameter moves the points whose coordinates use it; the file keeps it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   // An equation typed into the first field goes on in the second.
@@ -59,7 +60,7 @@ test("a parameter moves the points whose coordinates use it; the file keeps it",
   expect(saved.value.points.find(({ id }) => id === 5)?.position[2]).toBe(2);
 });
 
-test("a selection is edited at once and becomes a group; the history jumps", async ({ page }) => {
+sharedTest("a selection is edited at once and becomes a group; the history jumps", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("point-5");
@@ -136,7 +137,7 @@ test("a selection is edited at once and becomes a group; the history jumps", asy
   await expect(history.locator("[aria-current]")).toHaveText("Set z of 2 entities");
 });
 
-test("bodies are edited together; their sizes use parameters, and the estimate names what it leaves out", async ({
+sharedTest("bodies are edited together; their sizes use parameters, and the estimate names what it leaves out", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -254,7 +255,7 @@ test("pieces and circles made from expressions follow their parameters", async (
   }
 });
 
-test("lengths are typed in any unit, and another unit of the project converts or keeps the numbers", async ({
+sharedTest("lengths are typed in any unit, and another unit of the project converts or keeps the numbers", async ({
   page,
 }) => {
   const app = new AppPage(page);

@@ -1,10 +1,11 @@
 import { expect, test, type Locator, type Page } from "@playwright/test";
 import { parseVtu } from "../support/mesh-files";
 import { measured } from "../support/mesh-measures";
-import { countActions, expectActions } from "./actions";
+import { countActions, expectActions, forgetActions } from "./actions";
 import { AppPage } from "./app-page";
 import { downloadMesh } from "./downloads";
 import { undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 /** Opens an empty project, and counts the actions of the user from then on. */
 class PiecesPage {
@@ -19,6 +20,7 @@ class PiecesPage {
   }
 
   async open(scheme: "dark" | "light" = "dark"): Promise<void> {
+    if (await this.app.openEmptyAgain()) return forgetActions(this.#page);
     await this.#page.addInitScript((chosen) => {
       localStorage.setItem("mantine-color-scheme-value", chosen);
     }, scheme);
@@ -85,7 +87,7 @@ for (const { command, expected } of [
   { command: "Cylinder…", expected: 4 * Math.PI },
   { command: "Sphere…", expected: (32 * Math.PI) / 3 },
 ]) {
-  test(`${command} makes a piece by keyboard only, which is meshed and downloaded`, async ({ page }) => {
+  sharedTest(`${command} makes a piece by keyboard only, which is meshed and downloaded`, async ({ page }) => {
     const pieces = new PiecesPage(page);
     await pieces.open();
     await pieces.start(command);
@@ -97,7 +99,7 @@ for (const { command, expected } of [
   });
 }
 
-test("a cube with a hole through takes few actions", async ({ page }) => {
+sharedTest("a cube with a hole through takes few actions", async ({ page }) => {
   const pieces = new PiecesPage(page);
   await pieces.openBox();
   await pieces.click(pieces.row("patch-2"));
@@ -109,7 +111,7 @@ test("a cube with a hole through takes few actions", async ({ page }) => {
   expect(volume).toBeLessThan(1 - 0.9 * (Math.PI / 16));
 });
 
-test("a cylinder on a face of a box shares the face with it: one watertight mesh of two regions", async ({
+sharedTest("a cylinder on a face of a box shares the face with it: one watertight mesh of two regions", async ({
   page,
 }) => {
   const pieces = new PiecesPage(page);
@@ -151,7 +153,7 @@ test("copies, a mirror image and an array are one step of undo each", async ({ p
   }
 });
 
-test("a rotation begins with the angle and a scale with the factors, so that they can be typed at once", async ({
+sharedTest("a rotation begins with the angle and a scale with the factors, so that they can be typed at once", async ({
   page,
 }) => {
   const pieces = new PiecesPage(page);
@@ -172,7 +174,7 @@ test("a rotation begins with the angle and a scale with the factors, so that the
   expect(rows.some((text) => text.includes("1.414"))).toBe(true);
 });
 
-test("a sphere is placed by its centre; the digits of a wing are four, and typed without a click", async ({
+sharedTest("a sphere is placed by its centre; the digits of a wing are four, and typed without a click", async ({
   page,
 }) => {
   const pieces = new PiecesPage(page);
@@ -191,7 +193,7 @@ test("a sphere is placed by its centre; the digits of a wing are four, and typed
   await expect(digits).toHaveValue("0010");
 });
 
-test("Escape closes the panel and restores the project", async ({ page }) => {
+sharedTest("Escape closes the panel and restores the project", async ({ page }) => {
   const pieces = new PiecesPage(page);
   await pieces.open();
   await pieces.start("Box…");

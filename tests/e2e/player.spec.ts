@@ -6,6 +6,7 @@ import { boxSurface } from "../support/surfaces";
 import { starSurface, starTrace } from "../support/traces";
 import { AppPage, sampleProject } from "./app-page";
 import { button, choice, nextStop, playButton, recordButton, slider, stopBefore, tab } from "./controls";
+import { sharedTest } from "./shared-page";
 
 const star = Buffer.from(
   starTrace({
@@ -46,7 +47,7 @@ async function chooseTrace(page: Page, content: Buffer): Promise<void> {
   await (await chooser).setFiles({ name: "a.tft", mimeType: "application/octet-stream", buffer: content });
 }
 
-test("an incomplete mesh is not spoken of while a trace is shown in its place", async ({ page }) => {
+sharedTest("an incomplete mesh is not spoken of while a trace is shown in its place", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const cube = sampleProject("unit-cube");
@@ -67,7 +68,7 @@ test("an incomplete mesh is not spoken of while a trace is shown in its place", 
   await expect(badge).toContainText(/Cancelled (at|before)/);
 });
 
-test("the front of the unit cube is recorded, played, and stepped through", async ({ page }) => {
+sharedTest("the front of the unit cube is recorded, played, and stepped through", async ({ page }) => {
   const app = new AppPage(page);
   const { fingerprint } = await app.openCube();
   await tab(page, "Front").click();
@@ -132,7 +133,7 @@ test("the front of the unit cube is recorded, played, and stepped through", asyn
   expect((await app.mesh()).fingerprint).toBe(fingerprint);
 });
 
-test("lines and patches are played before the volume, with the plane beside space", async ({ page }) => {
+sharedTest("lines and patches are played before the volume, with the plane beside space", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await tab(page, "Front").click();
@@ -197,7 +198,7 @@ test("lines and patches are played before the volume, with the plane beside spac
   expect(await violations(page)).toEqual([]);
 });
 
-test("the keys play, step and jump, but not in fields and buttons", async ({ page }) => {
+sharedTest("the keys play, step and jump, but not in fields and buttons", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
   const read = readTrace(star);
   const steps = read.success ? read.value.stepCount : 0;
@@ -224,7 +225,7 @@ test("the keys play, step and jump, but not in fields and buttons", async ({ pag
   await expect(viewport).toHaveAttribute("data-step", String(steps - 1));
 });
 
-test("the lens says why a candidate was refused, with the numbers of the crossing test", async ({ page }) => {
+sharedTest("the lens says why a candidate was refused, with the numbers of the crossing test", async ({ page }) => {
   await openTrace(page, star);
   const lens = page.getByTestId("lens");
   await expect(lens).toContainText("before the first step");
@@ -262,7 +263,7 @@ test("the lens says why a candidate was refused, with the numbers of the crossin
   expect(await violations(page)).toEqual([]);
 });
 
-test("a damaged trace is refused with the byte and a remedy", async ({ page }) => {
+sharedTest("a damaged trace is refused with the byte and a remedy", async ({ page }) => {
   const app = await openTrace(page, star.subarray(0, star.length / 2));
   await expect(page.getByTestId("player-failure")).toContainText(/byte \d+: .*Record the trace again/);
   await expect(app.viewport).not.toHaveAttribute("data-steps");
@@ -286,7 +287,7 @@ function readingShown(page: Page, stops: boolean): Promise<void> {
   );
 }
 
-test("a large trace is read with progress, and reading it can be cancelled: what was shown stays", async ({
+sharedTest("a large trace is read with progress, and reading it can be cancelled: what was shown stays", async ({
   page,
 }) => {
   const large = Buffer.from(starTrace(starSurface(boxSurface(72, [0, 0, 0], [1, 1, 1]))).bytes);
@@ -342,7 +343,7 @@ test("with reduced motion, playing shows one picture per second, with a note", a
   await expect(page.getByTestId("player-stills")).toBeEmpty();
 });
 
-test("the steps that are repeated are typed, and a number that does not fit is refused", async ({ page }) => {
+sharedTest("the steps that are repeated are typed, and a number that does not fit is refused", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
   await expect(viewport).toHaveAttribute("data-steps", /[1-9]/);
   const steps = Number(await viewport.getAttribute("data-steps"));
@@ -367,7 +368,7 @@ test("the steps that are repeated are typed, and a number that does not fit is r
   await expect(from).toHaveCount(0);
 });
 
-test("a condition is typed, corrected, jumped to and paused at, by keyboard", async ({ page }) => {
+sharedTest("a condition is typed, corrected, jumped to and paused at, by keyboard", async ({ page }) => {
   const { viewport } = await openTrace(page, star);
   await choice(page, "Jump to").selectOption("condition");
   const field = page.getByTestId("player-condition");
@@ -405,7 +406,7 @@ test("a condition is typed, corrected, jumped to and paused at, by keyboard", as
   await expect(page.getByTestId("player-no-step")).toHaveText("No further step");
 });
 
-test("after the last step come the sweeps of the optimizer, whose poor elements the view shows", async ({
+sharedTest("after the last step come the sweeps of the optimizer, whose poor elements the view shows", async ({
   page,
 }) => {
   const app = new AppPage(page);

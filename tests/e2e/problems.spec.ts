@@ -1,9 +1,10 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import type { Project } from "tetrafront/project";
 import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
 import { generateButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
-test("a problem of a model is shown in the inspector, in the view and in the list", async ({ page }) => {
+sharedTest("a problem of a model is shown in the inspector, in the view and in the list", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("point-7");
@@ -33,7 +34,7 @@ test("a problem of a model is shown in the inspector, in the view and in the lis
   expect(await app.meshed()).toEqual(before);
 });
 
-test("an open surface is reported immediately", async ({ page }) => {
+sharedTest("an open surface is reported immediately", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("patch-2");
@@ -45,7 +46,7 @@ test("an open surface is reported immediately", async ({ page }) => {
   expect(await app.meshed()).toEqual(before);
 });
 
-test("an invalid value stays in its field, with the reason", async ({ page }) => {
+sharedTest("an invalid value stays in its field, with the reason", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
@@ -59,7 +60,7 @@ test("an invalid value stays in its field, with the reason", async ({ page }) =>
   await expect(page.getByText("Enter a number, such as 0.25 or 1/3")).toBeVisible();
 });
 
-test("deleting a point deletes its dependents, and undo restores them all", async ({ page }) => {
+sharedTest("deleting a point deletes its dependents, and undo restores them all", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("point-1");
@@ -71,7 +72,7 @@ test("deleting a point deletes its dependents, and undo restores them all", asyn
   expect(await app.meshed()).toEqual(before);
 });
 
-test("each triangle of a self-intersecting boundary is listed with its position and can be shown in the view", async ({
+sharedTest("each triangle of a self-intersecting boundary is listed with its position and can be shown in the view", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -174,7 +175,7 @@ function ringWithGate(): Project {
   };
 }
 
-test("a dangling sheet inside a region is highlighted in the view", async ({ page }) => {
+sharedTest("a dangling sheet inside a region is highlighted in the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const project = ringWithGate();

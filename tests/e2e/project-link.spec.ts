@@ -5,6 +5,7 @@ import { linkTo, type LinkedProject } from "../../web/commands/project-link";
 import { AppPage, countColours, forEachPixel, nextFrame, sampleProject } from "./app-page";
 import { downloaded } from "./downloads";
 import { button } from "./controls";
+import { sharedTest } from "./shared-page";
 
 const forTest = (link: string): string => link.replace("/#", "/?test=1#");
 
@@ -147,7 +148,7 @@ test("a link opens a project beside one's own, and a damaged one says so and lea
   await expect(rows).toHaveText([/^Changed/, /^Mine/]);
 });
 
-test("the length of a link is told; a file is offered if it is too long", async ({ page }) => {
+sharedTest("the length of a link is told; a file is offered if it is too long", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByTestId("share-link").click();
@@ -169,7 +170,7 @@ test("the length of a link is told; a file is offered if it is too long", async 
   expect(JSON.parse(new TextDecoder().decode(file))).toMatchObject({ description: noise });
 });
 
-test("a picture of the view has the size asked for, with or without background, and is the same again", async ({
+sharedTest("a picture of the view has the size asked for, with or without background, and is the same again", async ({
   page,
 }) => {
   const app = new AppPage(page);

@@ -5,6 +5,7 @@ import { readProject } from "tetrafront/project";
 import { cubeProject } from "../support/projects";
 import { AppPage, nextFrame } from "./app-page";
 import { tab, toggle, undoButton } from "./controls";
+import { sharedTest } from "./shared-page";
 
 /** Downloads the report from the app and returns it. */
 async function reportOf({ page }: AppPage): Promise<MeshReport> {
@@ -48,7 +49,7 @@ test("the quality report shows the statistics of all regions together and of eac
   expect(await counted("edge")).toBe(sum(second?.edge ?? []));
 });
 
-test("a lattice interior: the statistics have its share, and the cut says what its pattern is", async ({
+sharedTest("a lattice interior: the statistics have its share, and the cut says what its pattern is", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -70,7 +71,7 @@ test("a lattice interior: the statistics have its share, and the cut says what i
   await expect(note).toBeVisible();
 });
 
-test("radius ratios say what they are at the pointer", async ({ page }) => {
+sharedTest("radius ratios say what they are at the pointer", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await tab(page, "Quality").click();
@@ -83,7 +84,7 @@ test("radius ratios say what they are at the pointer", async ({ page }) => {
   await expect(page.getByRole("tooltip")).toContainText("1: equilateral. 0: without area");
 });
 
-test("a click on one of the worst elements moves the camera to it and highlights it", async ({ page }) => {
+sharedTest("a click on one of the worst elements moves the camera to it and highlights it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const { quality } = await reportOf(app);
@@ -126,7 +127,7 @@ test("a click on one of the worst elements moves the camera to it and highlights
   await expect.poll(async () => Math.round((await inView(centre)).x)).toBe(Math.round(whole.x));
 });
 
-test("the mesh settings affect the mesh, can be undone, and are saved in the file", async ({ page }) => {
+sharedTest("the mesh settings affect the mesh, can be undone, and are saved in the file", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await page.getByTestId("mesh-settings").locator("summary").click();
@@ -167,7 +168,7 @@ test("a closed shell inside a region is a cavity, or a region if the settings sa
   expect(await app.meshed()).toEqual(before);
 });
 
-test("one switch measures the whole report of a stretched mesh in the metric or in space", async ({
+sharedTest("one switch measures the whole report of a stretched mesh in the metric or in space", async ({
   page,
 }) => {
   const app = new AppPage(page);

@@ -8,6 +8,7 @@ import { countActions, expectActions } from "./actions";
 import { AppPage, forEachPixel, nextFrame, sampleProject, type Position } from "./app-page";
 import { downloaded, downloadMesh } from "./downloads";
 import { dropBytes } from "./drop-bytes";
+import { sharedTest } from "./shared-page";
 
 type Colour = readonly [red: number, green: number, blue: number];
 
@@ -58,6 +59,7 @@ class SizesPage extends AppPage {
 
   /** Opens an empty project, without native file dialogs. */
   async openNew(): Promise<void> {
+    if (await this.openEmptyAgain()) return;
     await this.page.addInitScript(() => {
       Reflect.deleteProperty(window, "showOpenFilePicker");
       Reflect.deleteProperty(window, "showSaveFilePicker");
@@ -143,7 +145,7 @@ test("the engine intake's background grid is built by pointer and keyboard, and 
   expect(defects).toEqual(noDefects);
 });
 
-test("an imported STL gets a source drawn by two clicks, which refines the mesh", async ({ page }) => {
+sharedTest("an imported STL gets a source drawn by two clicks, which refines the mesh", async ({ page }) => {
   const app = new SizesPage(page);
   await app.openNew();
   await dropBytes(page, stlBinary(sphereSurface(8)), "ball.stl");
@@ -170,7 +172,7 @@ test("an imported STL gets a source drawn by two clicks, which refines the mesh"
   expect(Math.abs(meshVolume(mesh) / ((4 / 3) * Math.PI) - 1)).toBeLessThan(0.1);
 });
 
-test("handles change size and stretching of a node, and undo takes each drag back", async ({ page }) => {
+sharedTest("handles change size and stretching of a node, and undo takes each drag back", async ({ page }) => {
   const app = new SizesPage(page);
   await app.openCube();
   await page.getByTestId("tool-node").click();
@@ -192,7 +194,7 @@ test("handles change size and stretching of a node, and undo takes each drag bac
 
 const isYellow = ([red, green, blue]: Colour): boolean => Math.min(red, green) > blue + 50;
 
-test("target sizes are shown before meshing on the model and a plane, with a legend", async ({ page }) => {
+sharedTest("target sizes are shown before meshing on the model and a plane, with a legend", async ({ page }) => {
   const app = new SizesPage(page);
   const wing = sampleProject("unit-cube");
   await app.openProject({
@@ -217,7 +219,7 @@ test("target sizes are shown before meshing on the model and a plane, with a leg
   await expect(page.getByTestId("size-legend")).toBeHidden();
 });
 
-test("a number of elements is reached; without it, the sizes are the given ones again", async ({ page }) => {
+sharedTest("a number of elements is reached; without it, the sizes are the given ones again", async ({ page }) => {
   const app = new SizesPage(page);
   await app.openCube();
   const { tets: before } = await app.mesh();
@@ -237,7 +239,7 @@ test("a number of elements is reached; without it, the sizes are the given ones 
 const expectNear = (count: number, wanted: number): void =>
   expect(Math.abs(count / wanted - 1)).toBeLessThanOrEqual(0.05);
 
-test("a problem is fixed by its button, and undo brings it back", async ({ page }) => {
+sharedTest("a problem is fixed by its button, and undo brings it back", async ({ page }) => {
   const app = new SizesPage(page);
   const cube = sampleProject("unit-cube");
   await app.openProject({ ...cube, patches: cube.patches.slice(2) });

@@ -1,7 +1,8 @@
-import { expect, test } from "@playwright/test";
+import { expect } from "@playwright/test";
 import { DrawPage } from "./draw-page";
+import { sharedTest } from "./shared-page";
 
-test("an expression may begin with a hotkey; undo takes back the last line of a chain, which goes on", async ({
+sharedTest("an expression may begin with a hotkey; undo takes back the last line of a chain, which goes on", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -32,7 +33,7 @@ test("an expression may begin with a hotkey; undo takes back the last line of a 
   await draw.counts(4, 3, 0);
 });
 
-test("typed numbers move the selection, before and during a drag: each is one step of undo", async ({
+sharedTest("typed numbers move the selection, before and during a drag: each is one step of undo", async ({
   page,
 }) => {
   const draw = new DrawPage(page);
@@ -75,7 +76,7 @@ test("typed numbers move the selection, before and during a drag: each is one st
   expect(await draw.savedPositions()).toEqual([[0, 0, 0], [1, 0, 0]]); // prettier-ignore
 });
 
-test("on a phone, a button opens the field for coordinates, beside the place picked last", async ({
+sharedTest("on a phone, a button opens the field for coordinates, beside the place picked last", async ({
   page,
 }) => {
   const draw = new DrawPage(page);

@@ -1,6 +1,7 @@
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage, countOrange, forEachPixel, nextFrame, sampleProject } from "./app-page";
 import { flipButton, toggle } from "./controls";
+import { sharedTest } from "./shared-page";
 
 /**
  * Returns the position of an entity in the view, by the query that `?test=1` provides; null if it is out of view.
@@ -51,7 +52,7 @@ test("the view draws the mesh in many colours, and not at all when it is hidden"
   expect(await app.colours()).toBeLessThan(withMesh / 2);
 });
 
-test("the view draws only when something has changed", async ({ page }) => {
+sharedTest("the view draws only when something has changed", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   await nextFrame(app.viewport, () => page.keyboard.press("7"));
@@ -68,7 +69,7 @@ test("the view draws only when something has changed", async ({ page }) => {
   expect(await settles()).toBe(true);
 });
 
-test("moving the pointer over empty space and over the view cube draws no frame", async ({ page }) => {
+sharedTest("moving the pointer over empty space and over the view cube draws no frame", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await screenPosition(page, "point", 1);
@@ -85,7 +86,7 @@ test("moving the pointer over empty space and over the view cube draws no frame"
   expect(await app.viewport.getAttribute("data-frames")).toBe(before);
 });
 
-test("a drag of the view cube turns the camera and may end beside it; the view then answers as before", async ({
+sharedTest("a drag of the view cube turns the camera and may end beside it; the view then answers as before", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -120,7 +121,7 @@ test("a drag of the view cube turns the camera and may end beside it; the view t
   expect(await app.at([0, 0, 1])).not.toEqual(corner);
 });
 
-test("the view cube turns the camera by pointer and by keyboard, and turns with it", async ({ page }) => {
+sharedTest("the view cube turns the camera by pointer and by keyboard, and turns with it", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const cube = page.getByRole("group", { name: "View cube" });
@@ -149,7 +150,7 @@ test("the view cube turns the camera by pointer and by keyboard, and turns with 
   await expect.poll(across).toBe("1,1");
 });
 
-test("a selected point is emphasized from near and from far", async ({ page }) => {
+sharedTest("a selected point is emphasized from near and from far", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("point-1");
@@ -193,7 +194,7 @@ test("the cut shows whole tetrahedra, on either side of its plane", async ({ pag
   await expect.poll(faces).toBe(whole);
 });
 
-test("a click in the view selects the entity in the tree, and the view highlights the tree's selection", async ({
+sharedTest("a click in the view selects the entity in the tree, and the view highlights the tree's selection", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -211,7 +212,7 @@ test("a click in the view selects the entity in the tree, and the view highlight
   await expect(page.getByTestId("tree-patch-6")).toHaveAttribute("aria-selected", "false");
 });
 
-test("a click on the cut shows the tetrahedron's quality", async ({ page }) => {
+sharedTest("a click on the cut shows the tetrahedron's quality", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.keyboard.press("x");
@@ -254,7 +255,7 @@ const standardViews: Readonly<Record<string, readonly [right: Position, up: Posi
   "Alt+7": [[1, 0, 0], [0, -1, 0]], // prettier-ignore
 };
 
-test("the standard views look along the axes", async ({ page }) => {
+sharedTest("the standard views look along the axes", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   const towards = async (axis: Position) =>
@@ -274,7 +275,7 @@ test("the standard views look along the axes", async ({ page }) => {
   expect(Math.abs(z.right)).toBeLessThan(1);
 });
 
-test("a click on the top of the view cube shows x to the right", async ({ page }) => {
+sharedTest("a click on the top of the view cube shows x to the right", async ({ page }) => {
   const errors: string[] = [];
   page.on("pageerror", ({ message }) => errors.push(message));
   const app = new AppPage(page);
@@ -290,7 +291,7 @@ test("a click on the top of the view cube shows x to the right", async ({ page }
   expect(errors).toEqual([]);
 });
 
-test("keys rotate, zoom and pan the view", async ({ page }) => {
+sharedTest("keys rotate, zoom and pan the view", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await nextFrame(app.viewport, () => page.keyboard.press("1"));
@@ -322,7 +323,7 @@ test("keys rotate, zoom and pan the view", async ({ page }) => {
   expect(panned?.y).toBeCloseTo(centre?.y ?? 0, 0);
 });
 
-test("a double click on an entity edits it, from any tab; beside the model it fits the view", async ({
+sharedTest("a double click on an entity edits it, from any tab; beside the model it fits the view", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -353,7 +354,7 @@ test("a double click on an entity edits it, from any tab; beside the model it fi
   await expect.poll(async () => Math.round((await edge()).right)).toBe(Math.round(whole));
 });
 
-test("Tab selects what is hidden under the pointer, and Ctrl+click takes one entity off a selection", async ({
+sharedTest("Tab selects what is hidden under the pointer, and Ctrl+click takes one entity off a selection", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -398,7 +399,7 @@ test("Tab selects what is hidden under the pointer, and Ctrl+click takes one ent
   expect(await screenPosition(page, "point", 7)).toEqual(last);
 });
 
-test("the entity under the pointer is highlighted, and a drag rotates the view without selecting", async ({
+sharedTest("the entity under the pointer is highlighted, and a drag rotates the view without selecting", async ({
   page,
 }) => {
   const app = new AppPage(page);
@@ -417,7 +418,7 @@ test("the entity under the pointer is highlighted, and a drag rotates the view w
   await expect(page.locator('[data-testid^="tree-"][aria-selected="true"]')).toHaveCount(0);
 });
 
-test("the front is drawn while it advances", async ({ page }) => {
+sharedTest("the front is drawn while it advances", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.getByRole("tab", { name: "Display" }).click();
