@@ -39,7 +39,7 @@ export class AppPage {
   }
 
   /** Opens the app with a model, by default the opening one, and waits for its mesh. */
-  async open(scheme: "dark" | "light" = "dark", model?: string): Promise<MeshState> {
+  async open(scheme: "auto" | "dark" | "light" = "dark", model?: string): Promise<MeshState> {
     if (isLoaded(this.page)) return this.#openAgain(model ?? "engine-intake");
     await this.page.addInitScript((scheme) => {
       localStorage.setItem("mantine-color-scheme-value", scheme);
@@ -97,7 +97,9 @@ export class AppPage {
     await this.page.getByTestId("viewport-canvas").focus();
     for (let i = 0; i < 3; i++) await this.page.keyboard.press("Escape");
     await this.page.evaluate(() => {
-      for (const button of document.querySelectorAll<HTMLElement>("[data-testid^=notice-] [aria-label=Dismiss]"))
+      for (const button of document.querySelectorAll<HTMLElement>(
+        "[data-testid^=notice-] [aria-label=Dismiss]",
+      ))
         button.click();
       for (const tab of document.querySelectorAll<HTMLElement>("[role=tab][aria-selected=false]"))
         if (/^(Model|Inspector|Log)$/.test(tab.textContent)) tab.click();
@@ -178,22 +180,24 @@ export class AppPage {
     await this.page.getByTestId(testId).press("Enter");
   }
 
-  /** Returns a picture of the view at rest: edges become smooth some time after the last motion. */
+  /** Returns a picture of the view at rest: edges become smooth in a frame of its own, some time after the last motion. */
   async stillView(): Promise<Buffer> {
-    let picture = await this.viewport.screenshot();
-    let same = 0;
-    await expect
-      .poll(
-        async () => {
-          const before = picture;
-          picture = await this.viewport.screenshot();
-          same = picture.equals(before) ? same + 1 : 0;
-          return same;
-        },
-        { intervals: [250] },
-      )
-      .toBeGreaterThanOrEqual(3);
-    return picture;
+    await this.rest();
+    return this.viewport.screenshot();
+  }
+
+  /** Waits until the view has drawn nothing for longer than it waits before it draws sharply. */
+  async rest(): Promise<void> {
+    await this.viewport.evaluate(async (view) => {
+      let frames = view.dataset["frames"];
+      for (let looks = 0; looks < 6; ++looks) {
+        await new Promise((next) => setTimeout(next, 100));
+        await new Promise((next) => requestAnimationFrame(next));
+        if (view.dataset["frames"] === frames) continue;
+        frames = view.dataset["frames"];
+        looks = 0;
+      }
+    });
   }
 
   async generate(): Promise<MeshState> {

@@ -58,44 +58,46 @@ sharedTest("the solids of an assembly are bodies with names, colours and preview
 
 const [base, pin] = [boxSolid("base", [0, 0, 0], [4, 4, 1]), boxSolid("pin", [1, 1, 1], [2, 2, 3])] as const;
 
-sharedTest("solids of one file that touch in a part of a face share its triangles from the start", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await dropBytes(page, stepFile([base, pin]), "assembly.step");
-  await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
-  await expect(page.getByTestId("body-card")).toContainText("Regions2");
-  await expect(page.getByTestId("model-tree")).toContainText("base / pin");
-  await app.generate();
-  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
-  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
-  expect(volume).toBeCloseTo(18, 6);
-  const { tetrahedra } = parseMsh(await downloadMesh(page, /MSH 4/));
-  expect(tetrahedra.map(({ name }) => name).toSorted()).toEqual(["base", "pin"]);
-});
+sharedTest(
+  "solids of one file that touch in a part of a face share its triangles from the start",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await dropBytes(page, stepFile([base, pin]), "assembly.step");
+    await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
+    await expect(page.getByTestId("body-card")).toContainText("Regions2");
+    await expect(page.getByTestId("model-tree")).toContainText("base / pin");
+    await app.generate();
+    const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+    expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+    expect(volume).toBeCloseTo(18, 6);
+    const { tetrahedra } = parseMsh(await downloadMesh(page, /MSH 4/));
+    expect(tetrahedra.map(({ name }) => name).toSorted()).toEqual(["base", "pin"]);
+  },
+);
 
-sharedTest("solids of two files that touch in a part of a face are joined by Generate mesh, as a step of undo", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await dropFiles(page, { "base.step": stepFile([base]), "pin.step": stepFile([pin]) });
-  await expect(page.getByTestId("tree-body-2")).toContainText("pin");
-  await expect(page.getByTestId("problem-list")).toBeHidden();
-  await expect(page.getByTestId("body-card")).toContainText("base and pin touch or intersect");
-  const { tets } = await app.generate();
-  expect(tets).toBeGreaterThan(100);
-  // A run clears the selection.
-  await page.getByRole("treeitem", { name: "base + pin" }).click();
-  await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
-  await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
-  const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
-  expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
-  expect(volume).toBeCloseTo(18, 6);
-  await page.getByRole("button", { name: "Undo: Join base and pin" }).click();
-  await expect(page.getByTestId("tree-body-2")).toContainText("pin");
-});
+sharedTest(
+  "solids of two files that touch in a part of a face are joined by Generate mesh, as a step of undo",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await dropFiles(page, { "base.step": stepFile([base]), "pin.step": stepFile([pin]) });
+    await expect(page.getByTestId("tree-body-2")).toContainText("pin");
+    await expect(page.getByTestId("problem-list")).toBeHidden();
+    await expect(page.getByTestId("body-card")).toContainText("base and pin touch or intersect");
+    const { tets } = await app.generate();
+    expect(tets).toBeGreaterThan(100);
+    // A run clears the selection.
+    await page.getByRole("treeitem", { name: "base + pin" }).click();
+    await expect(page.getByTestId("entity-name")).toHaveValue("base + pin");
+    await expect(page.getByTestId("log")).toContainText("they became one body with 2 regions");
+    const { volume, ...defects } = measured(parseVtu(await downloadMesh(page, /VTU/)));
+    expect(defects).toEqual({ inverted: 0, crowdedFaces: 0, openEdges: 0 });
+    expect(volume).toBeCloseTo(18, 6);
+    await page.getByRole("button", { name: "Undo: Join base and pin" }).click();
+    await expect(page.getByTestId("tree-body-2")).toContainText("pin");
+  },
+);
 
 sharedTest("a face has its colour in every pixel", async ({ page }) => {
   const app = new AppPage(page);

@@ -42,34 +42,35 @@ async function dropProject(page: Page, text: string, fileName = "dropped.json"):
   );
 }
 
-sharedTest("the downloaded VTU, MSH and polyMesh files have the numbers of elements shown on the page", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.open();
-  const { tets } = await app.mesh();
-  const points = Number((await page.getByTestId("count-points").textContent())?.replaceAll(/\D/g, ""));
+sharedTest(
+  "the downloaded VTU, MSH and polyMesh files have the numbers of elements shown on the page",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open();
+    const { tets } = await app.mesh();
+    const points = Number((await page.getByTestId("count-points").textContent())?.replaceAll(/\D/g, ""));
 
-  const vtu = await downloaded(page, choose(page, /VTU/));
-  expect(vtu.name).toBe("engine-intake.vtu");
-  const vtuMesh = parseVtu(vtu.bytes);
-  expect(vtuMesh.tetrahedra).toHaveLength(tets);
-  expect(vtuMesh.points.length / 3).toBe(points);
+    const vtu = await downloaded(page, choose(page, /VTU/));
+    expect(vtu.name).toBe("engine-intake.vtu");
+    const vtuMesh = parseVtu(vtu.bytes);
+    expect(vtuMesh.tetrahedra).toHaveLength(tets);
+    expect(vtuMesh.points.length / 3).toBe(points);
 
-  const msh = await downloaded(page, choose(page, /MSH 4/));
-  expect(msh.name).toBe("engine-intake.msh");
-  const mshMesh = parseMsh(msh.bytes);
-  expect(mshMesh.tetrahedra.flatMap(({ elements }) => elements)).toHaveLength(tets);
-  expect(mshMesh.points.length / 3).toBe(points);
-  expect(mshMesh.triangles.map(({ name }) => name)).toContain("duct top");
+    const msh = await downloaded(page, choose(page, /MSH 4/));
+    expect(msh.name).toBe("engine-intake.msh");
+    const mshMesh = parseMsh(msh.bytes);
+    expect(mshMesh.tetrahedra.flatMap(({ elements }) => elements)).toHaveLength(tets);
+    expect(mshMesh.points.length / 3).toBe(points);
+    expect(mshMesh.triangles.map(({ name }) => name)).toContain("duct top");
 
-  const foam = await downloaded(page, choose(page, /OpenFOAM/));
-  expect(foam.name).toBe("engine-intake.foam.zip");
-  const poly = readPolyMesh(foam.bytes);
-  expect(polyMeshDefects(poly)).toEqual([]);
-  expect(new Set([...poly.owner, ...poly.neighbour]).size).toBe(tets);
-  expect(poly.patches.map(({ name }) => name)).toContain("duct_top");
-});
+    const foam = await downloaded(page, choose(page, /OpenFOAM/));
+    expect(foam.name).toBe("engine-intake.foam.zip");
+    const poly = readPolyMesh(foam.bytes);
+    expect(polyMeshDefects(poly)).toEqual([]);
+    expect(new Set([...poly.owner, ...poly.neighbour]).size).toBe(tets);
+    expect(poly.patches.map(({ name }) => name)).toContain("duct_top");
+  },
+);
 
 sharedTest("the report of the run can be downloaded", async ({ page }) => {
   const app = new AppPage(page);
@@ -124,17 +125,20 @@ sharedTest("dropping a project file on the page opens it", async ({ page }) => {
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
 });
 
-sharedTest("dropping a file without a surface shows what is wrong with it and what to do", async ({ page }) => {
-  const app = new AppPage(page);
-  await app.open();
-  await dropProject(page, "solid part", "part.STL");
-  const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
-  await expect(surface).toContainText("line 2: the file is truncated");
-  await expect(surface).toContainText("Export, copy or download the file again");
-  await dropProject(page, "1 4 0\n1 1 2 3 4\n", "part.ele");
-  const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });
-  await expect(volume).toContainText("part.node");
-});
+sharedTest(
+  "dropping a file without a surface shows what is wrong with it and what to do",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open();
+    await dropProject(page, "solid part", "part.STL");
+    const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
+    await expect(surface).toContainText("line 2: the file is truncated");
+    await expect(surface).toContainText("Export, copy or download the file again");
+    await dropProject(page, "1 4 0\n1 1 2 3 4\n", "part.ele");
+    const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });
+    await expect(volume).toContainText("part.node");
+  },
+);
 
 sharedTest("the next successful open hides the message of a failed one", async ({ page }) => {
   const app = new AppPage(page);

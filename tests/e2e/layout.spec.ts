@@ -43,43 +43,46 @@ sharedTest("on a phone the panels are drawers, and everything needed can be reac
   await expect(page.getByRole("dialog")).toBeHidden();
 });
 
-sharedTest("on a phone the model is as large as before when a panel is closed, unless the view was zoomed", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  const height = async (): Promise<number> => {
-    const [low, high] = [await app.at([0.5, 0.5, 0]), await app.at([0.5, 0.5, 1])];
-    return low.y - high.y;
-  };
-  const before = await height();
-  const withPanel = async (act: () => Promise<void>): Promise<void> => {
-    const whole = await app.viewport.boundingBox();
-    await page.getByTestId("drawer-right").click();
-    await expect.poll(async () => (await height()) < 0.8 * before).toBe(true);
-    await act();
-    await page.getByRole("button", { name: "Close" }).click();
-    await expect.poll(() => app.viewport.boundingBox()).toEqual(whole);
-  };
-  await withPanel(async () => {
-    // Names of patches and positions of elements are large enough for a finger.
-    await page.getByRole("tab", { name: "Quality" }).click();
-    const buttons = page.getByRole("table").getByRole("button");
-    await expect(buttons.first()).toBeVisible();
-    const heights = await buttons.evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
-    expect(Math.min(...heights)).toBeGreaterThanOrEqual(24);
-  });
-  await expect.poll(height).toBeCloseTo(before, 0);
+sharedTest(
+  "on a phone the model is as large as before when a panel is closed, unless the view was zoomed",
+  async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const app = new AppPage(page);
+    await app.openCube();
+    const height = async (): Promise<number> => {
+      const [low, high] = [await app.at([0.5, 0.5, 0]), await app.at([0.5, 0.5, 1])];
+      return low.y - high.y;
+    };
+    const before = await height();
+    const withPanel = async (act: () => Promise<void>): Promise<void> => {
+      const whole = await app.viewport.boundingBox();
+      await page.getByTestId("drawer-right").click();
+      await expect.poll(async () => (await height()) < 0.8 * before).toBe(true);
+      await act();
+      await page.getByRole("button", { name: "Close" }).click();
+      await expect.poll(() => app.viewport.boundingBox()).toEqual(whole);
+    };
+    await withPanel(async () => {
+      // Names of patches and positions of elements are large enough for a finger.
+      await page.getByRole("tab", { name: "Quality" }).click();
+      const buttons = page.getByRole("table").getByRole("button");
+      await expect(buttons.first()).toBeVisible();
+      const heights = await buttons.evaluateAll((all) =>
+        all.map((one) => one.getBoundingClientRect().height),
+      );
+      expect(Math.min(...heights)).toBeGreaterThanOrEqual(24);
+    });
+    await expect.poll(height).toBeCloseTo(before, 0);
 
-  const { x, y } = await app.at([0.5, 0.5, 0.5]);
-  await page.mouse.move(x, y);
-  await page.mouse.wheel(0, 400);
-  await expect.poll(height).toBeLessThan(0.9 * before);
-  const zoomed = await height();
-  await withPanel(() => Promise.resolve());
-  await expect.poll(height).toBeCloseTo(zoomed, 0);
-});
+    const { x, y } = await app.at([0.5, 0.5, 0.5]);
+    await page.mouse.move(x, y);
+    await page.mouse.wheel(0, 400);
+    await expect.poll(height).toBeLessThan(0.9 * before);
+    const zoomed = await height();
+    await withPanel(() => Promise.resolve());
+    await expect.poll(height).toBeCloseTo(zoomed, 0);
+  },
+);
 
 test("on a screen of usual width, the controls of the player take one row above its bar and one below", async ({
   page,
@@ -139,42 +142,43 @@ sharedTest("a notice covers nothing of a drawer at the lower end of the page", a
   expect((notice?.y ?? NaN) + (notice?.height ?? NaN)).toBeLessThan(panel?.y ?? NaN);
 });
 
-sharedTest("on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  const boxOf = async (locator: Locator) => {
-    const box = await locator.boundingBox();
-    if (!box) throw new Error("Not shown");
-    return box;
-  };
-  const areApart = async (first: Locator, second: Locator): Promise<boolean> => {
-    const [a, b] = [await boxOf(first), await boxOf(second)];
-    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
-  };
-  // A line that is deleted takes patches along, which a notice says, and leaves open edges.
-  await app.click([0.5, 0, 1]);
-  await page.getByTestId("viewport-canvas").focus();
-  await page.keyboard.press("Delete");
-  const openEdges = page.getByRole("button", { name: /^\d+ open edges$/ });
-  await expect(openEdges).toBeVisible();
-  expect(await areApart(openEdges, page.getByTestId("legend"))).toBe(true);
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("Box…");
-  await page.keyboard.press("Enter");
-  await expect(page.getByTestId("accept")).toBeVisible();
-  await expect(page.getByTestId(/^notice-/)).not.toHaveCount(0);
-  for (const notice of await page.getByTestId(/^notice-/).all())
-    expect(await areApart(notice, page.getByTestId("accept"))).toBe(true);
-  await page.keyboard.press("Escape");
-  await page.getByTestId("drawer-bottom").click();
-  const badge = page.getByRole("tab", { name: /Problems/ }).getByText(/^\d+$/);
-  await expect(badge).toBeVisible();
-  expect(await badge.evaluate((label) => label.scrollWidth <= label.clientWidth)).toBe(true);
-  await expect(page.getByTestId("legend")).toBeHidden();
-});
+sharedTest(
+  "on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read",
+  async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const app = new AppPage(page);
+    await app.openCube();
+    const boxOf = async (locator: Locator) => {
+      const box = await locator.boundingBox();
+      if (!box) throw new Error("Not shown");
+      return box;
+    };
+    const areApart = async (first: Locator, second: Locator): Promise<boolean> => {
+      const [a, b] = [await boxOf(first), await boxOf(second)];
+      return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+    };
+    // A line that is deleted takes patches along, which a notice says, and leaves open edges.
+    await app.click([0.5, 0, 1]);
+    await page.getByTestId("viewport-canvas").focus();
+    await page.keyboard.press("Delete");
+    const openEdges = page.getByRole("button", { name: /^\d+ open edges$/ });
+    await expect(openEdges).toBeVisible();
+    expect(await areApart(openEdges, page.getByTestId("legend"))).toBe(true);
+    await page.keyboard.press("Control+k");
+    await page.keyboard.type("Box…");
+    await page.keyboard.press("Enter");
+    await expect(page.getByTestId("accept")).toBeVisible();
+    await expect(page.getByTestId(/^notice-/)).not.toHaveCount(0);
+    for (const notice of await page.getByTestId(/^notice-/).all())
+      expect(await areApart(notice, page.getByTestId("accept"))).toBe(true);
+    await page.keyboard.press("Escape");
+    await page.getByTestId("drawer-bottom").click();
+    const badge = page.getByRole("tab", { name: /Problems/ }).getByText(/^\d+$/);
+    await expect(badge).toBeVisible();
+    expect(await badge.evaluate((label) => label.scrollWidth <= label.clientWidth)).toBe(true);
+    await expect(page.getByTestId("legend")).toBeHidden();
+  },
+);
 
 test("on a phone a new piece is in view as a whole, beside the column of tools", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -209,130 +213,133 @@ test("on a phone a new piece is in view as a whole, beside the column of tools",
   expect(right - left).toBeGreaterThan(200);
 });
 
-sharedTest("the panel of a piece covers nothing of its preview, neither in an empty project nor beside a model", async ({
-  page,
-}) => {
-  const draw = new DrawPage(page);
-  await draw.openNew();
-  const corners = [-0.5, 0.5].flatMap((x) =>
-    [-0.5, 0.5].flatMap((y) => [0, 1].map((z) => [x, y, z] as const)),
-  );
-  const gap = async (shift: number): Promise<number> => {
-    const panel = await page.getByTestId("operation").boundingBox();
-    const places = await Promise.all(corners.map(([x, y, z]) => draw.at([x + shift, y, z])));
-    return Math.min(...places.map(({ x }) => x)) - ((panel?.x ?? NaN) + (panel?.width ?? NaN));
-  };
-  await page.getByTestId("create-box").click();
-  await expect.poll(() => gap(0)).toBeGreaterThan(0);
-  await page.getByTestId("accept").click();
-  await draw.counts(8, 12, 6);
-  await page.keyboard.press("Escape");
-  const before = await draw.at([-0.5, 0, 0]);
-  await page.getByTestId("create-box").click();
-  await page.getByTestId("operation-position-x").fill("-3");
-  await draw.counts(16, 24, 12);
-  await expect.poll(() => gap(-3)).toBeGreaterThan(0);
-  await page.keyboard.press("Escape");
-  await draw.counts(8, 12, 6);
-  await page.keyboard.press("f");
-  await expect.poll(async () => Math.abs((await draw.at([-0.5, 0, 0])).x - before.x)).toBeLessThan(2);
-});
+sharedTest(
+  "the panel of a piece covers nothing of its preview, neither in an empty project nor beside a model",
+  async ({ page }) => {
+    const draw = new DrawPage(page);
+    await draw.openNew();
+    const corners = [-0.5, 0.5].flatMap((x) =>
+      [-0.5, 0.5].flatMap((y) => [0, 1].map((z) => [x, y, z] as const)),
+    );
+    const gap = async (shift: number): Promise<number> => {
+      const panel = await page.getByTestId("operation").boundingBox();
+      const places = await Promise.all(corners.map(([x, y, z]) => draw.at([x + shift, y, z])));
+      return Math.min(...places.map(({ x }) => x)) - ((panel?.x ?? NaN) + (panel?.width ?? NaN));
+    };
+    await page.getByTestId("create-box").click();
+    await expect.poll(() => gap(0)).toBeGreaterThan(0);
+    await page.getByTestId("accept").click();
+    await draw.counts(8, 12, 6);
+    await page.keyboard.press("Escape");
+    const before = await draw.at([-0.5, 0, 0]);
+    await page.getByTestId("create-box").click();
+    await page.getByTestId("operation-position-x").fill("-3");
+    await draw.counts(16, 24, 12);
+    await expect.poll(() => gap(-3)).toBeGreaterThan(0);
+    await page.keyboard.press("Escape");
+    await draw.counts(8, 12, 6);
+    await page.keyboard.press("f");
+    await expect.poll(async () => Math.abs((await draw.at([-0.5, 0, 0])).x - before.x)).toBeLessThan(2);
+  },
+);
 
 test.describe("by touch", () => {
   test.use({ hasTouch: true });
 
-  sharedTest("on a phone lines and a circle are drawn with the fingers, and every choice is large enough and in view", async ({
-    page,
-  }) => {
-    await page.setViewportSize({ width: 390, height: 844 });
-    const draw = new DrawPage(page);
-    await draw.openNew();
-    const tap = async (position: readonly [number, number, number]): Promise<void> => {
-      const { x, y } = await draw.at(position);
-      await page.touchscreen.tap(x, y);
-    };
-    await expect(page.getByTestId("grid-unit")).toBeVisible();
-    await page.getByTestId("tool-line").click();
-    const [bar, hint] = [page.getByTestId("drawing-bar"), page.getByTestId("drawing-hint")];
-    await expect(hint).toContainText("Enter ends the chain");
-    for (const place of [[0, 0, 0], [1, 0, 0], [1, 1, 0]] as const) await tap(place); // prettier-ignore
-    await draw.counts(3, 2, 0);
-    const choices = bar.locator("button, select");
-    const fitsTwoRows = async (): Promise<void> => {
-      const rows = new Set<number>();
-      for (const choice of await choices.all()) {
-        await expect(choice).toBeInViewport({ ratio: 1 });
-        const { y = 0, width = 0, height = 0 } = (await choice.boundingBox()) ?? {};
-        expect(Math.min(width, height), (await choice.textContent()) ?? "").toBeGreaterThanOrEqual(40);
-        rows.add(y);
-      }
-      expect(rows.size).toBeLessThanOrEqual(2);
-    };
-    // Types of lines, work plane and the one of the selection, three to snap to, typed coordinates, the end of the chain.
-    expect(await choices.count()).toBe(8);
-    await fitsTwoRows();
-    const corner = await draw.at([1, 1, 0]);
-    await page.getByRole("button", { name: "Finish" }).click();
-    await expect(page.getByTestId("finish-drawing")).toBeHidden();
-    expect(await draw.at([1, 1, 0])).toEqual(corner);
-    // Without the end, this place would be joined to the last one.
-    await tap([0, 1, 0]);
-    await expect(page.getByTestId("finish-drawing")).toBeVisible();
-    await draw.counts(3, 2, 0);
-    await page.getByTestId("finish-drawing").click();
-    await bar.getByLabel("Type of line").selectOption("circle by 3 points");
-    await expect(hint).toContainText("three places");
-    await bar.getByLabel("Type of line").selectOption("circle");
-    await expect(hint).toContainText("the radius");
-    await tap([0.5, 0.5, 0]);
-    await fitsTwoRows();
-    await page.getByTestId("type-coordinates").click();
-    await page.getByTestId("coordinates").fill("0.3");
-    await page.getByTestId("coordinates").press("Enter");
-    await draw.counts(6, 3, 0);
-    for (const tool of ["tool-source", "tool-move", "tool-point", "tool-measure"]) {
-      await page.getByTestId(tool).click();
+  sharedTest(
+    "on a phone lines and a circle are drawn with the fingers, and every choice is large enough and in view",
+    async ({ page }) => {
+      await page.setViewportSize({ width: 390, height: 844 });
+      const draw = new DrawPage(page);
+      await draw.openNew();
+      const tap = async (position: readonly [number, number, number]): Promise<void> => {
+        const { x, y } = await draw.at(position);
+        await page.touchscreen.tap(x, y);
+      };
+      await expect(page.getByTestId("grid-unit")).toBeVisible();
+      await page.getByTestId("tool-line").click();
+      const [bar, hint] = [page.getByTestId("drawing-bar"), page.getByTestId("drawing-hint")];
+      await expect(hint).toContainText("Enter ends the chain");
+      for (const place of [[0, 0, 0], [1, 0, 0], [1, 1, 0]] as const) await tap(place); // prettier-ignore
+      await draw.counts(3, 2, 0);
+      const choices = bar.locator("button, select");
+      const fitsTwoRows = async (): Promise<void> => {
+        const rows = new Set<number>();
+        for (const choice of await choices.all()) {
+          await expect(choice).toBeInViewport({ ratio: 1 });
+          const { y = 0, width = 0, height = 0 } = (await choice.boundingBox()) ?? {};
+          expect(Math.min(width, height), (await choice.textContent()) ?? "").toBeGreaterThanOrEqual(40);
+          rows.add(y);
+        }
+        expect(rows.size).toBeLessThanOrEqual(2);
+      };
+      // Types of lines, work plane and the one of the selection, three to snap to, typed coordinates, the end of the chain.
+      expect(await choices.count()).toBe(8);
       await fitsTwoRows();
-    }
-    // What is drawn is not hidden where a drawer leaves little of the view.
-    await expect(hint).toBeVisible();
-    await page.getByTestId("drawer-right").click();
-    await expect(hint).toBeHidden();
-  });
+      const corner = await draw.at([1, 1, 0]);
+      await page.getByRole("button", { name: "Finish" }).click();
+      await expect(page.getByTestId("finish-drawing")).toBeHidden();
+      expect(await draw.at([1, 1, 0])).toEqual(corner);
+      // Without the end, this place would be joined to the last one.
+      await tap([0, 1, 0]);
+      await expect(page.getByTestId("finish-drawing")).toBeVisible();
+      await draw.counts(3, 2, 0);
+      await page.getByTestId("finish-drawing").click();
+      await bar.getByLabel("Type of line").selectOption("circle by 3 points");
+      await expect(hint).toContainText("three places");
+      await bar.getByLabel("Type of line").selectOption("circle");
+      await expect(hint).toContainText("the radius");
+      await tap([0.5, 0.5, 0]);
+      await fitsTwoRows();
+      await page.getByTestId("type-coordinates").click();
+      await page.getByTestId("coordinates").fill("0.3");
+      await page.getByTestId("coordinates").press("Enter");
+      await draw.counts(6, 3, 0);
+      for (const tool of ["tool-source", "tool-move", "tool-point", "tool-measure"]) {
+        await page.getByTestId(tool).click();
+        await fitsTwoRows();
+      }
+      // What is drawn is not hidden where a drawer leaves little of the view.
+      await expect(hint).toBeVisible();
+      await page.getByTestId("drawer-right").click();
+      await expect(hint).toBeHidden();
+    },
+  );
 });
 
-sharedTest("the view stays while lines are drawn within it, and a model that outgrows it is fitted beside the tools", async ({
-  page,
-}) => {
-  const draw = new DrawPage(page);
-  await draw.openNew();
-  await page.getByTestId("tool-line").click();
-  await draw.click([0, 0, 0]);
-  await draw.click([2, 0, 0]);
-  const before = await draw.at([0, 0, 0]);
-  // The fourth corner of the box of these points is outside.
-  await draw.click([0, 2, 0]);
-  await draw.counts(3, 2, 0);
-  expect(await draw.at([0, 0, 0])).toEqual(before);
-  await draw.typeCoordinates("0,2,9");
-  await draw.counts(4, 3, 0);
-  await expect.poll(() => draw.at([0, 0, 0])).not.toEqual(before);
-  const column = await page.getByRole("toolbar", { name: "Tools" }).last().boundingBox();
-  const view = await draw.viewport.boundingBox();
-  for (const point of [
-    [0, 0, 0],
-    [2, 0, 0],
-    [0, 2, 0],
-    [0, 2, 9],
-  ] as const) {
-    // prettier-ignore
-    const { x, y } = await draw.at(point);
-    expect(x).toBeGreaterThan((column?.x ?? Infinity) + (column?.width ?? 0));
-    expect(x).toBeLessThan((view?.x ?? 0) + (view?.width ?? 0));
-    expect(y).toBeGreaterThan(view?.y ?? Infinity);
-    expect(y).toBeLessThan((view?.y ?? 0) + (view?.height ?? 0));
-  }
-});
+sharedTest(
+  "the view stays while lines are drawn within it, and a model that outgrows it is fitted beside the tools",
+  async ({ page }) => {
+    const draw = new DrawPage(page);
+    await draw.openNew();
+    await page.getByTestId("tool-line").click();
+    await draw.click([0, 0, 0]);
+    await draw.click([2, 0, 0]);
+    const before = await draw.at([0, 0, 0]);
+    // The fourth corner of the box of these points is outside.
+    await draw.click([0, 2, 0]);
+    await draw.counts(3, 2, 0);
+    expect(await draw.at([0, 0, 0])).toEqual(before);
+    await draw.typeCoordinates("0,2,9");
+    await draw.counts(4, 3, 0);
+    await expect.poll(() => draw.at([0, 0, 0])).not.toEqual(before);
+    const column = await page.getByRole("toolbar", { name: "Tools" }).last().boundingBox();
+    const view = await draw.viewport.boundingBox();
+    for (const point of [
+      [0, 0, 0],
+      [2, 0, 0],
+      [0, 2, 0],
+      [0, 2, 9],
+    ] as const) {
+      // prettier-ignore
+      const { x, y } = await draw.at(point);
+      expect(x).toBeGreaterThan((column?.x ?? Infinity) + (column?.width ?? 0));
+      expect(x).toBeLessThan((view?.x ?? 0) + (view?.width ?? 0));
+      expect(y).toBeGreaterThan(view?.y ?? Infinity);
+      expect(y).toBeLessThan((view?.y ?? 0) + (view?.height ?? 0));
+    }
+  },
+);
 
 sharedTest("what to draw next is never under the notice that the mesh is out of date", async ({ page }) => {
   const app = new AppPage(page);
@@ -352,29 +359,30 @@ sharedTest("what to draw next is never under the notice that the mesh is out of 
   }
 });
 
-sharedTest("the notice that the mesh is out of date is short while something is moved, and a click passes it", async ({
-  page,
-}) => {
-  const app = new AppPage(page);
-  await app.openCube();
-  await app.select("point-1");
-  await app.type("position-x", "0.25");
-  const badge = page.getByTestId("mesh-badge");
-  const wide = (await badge.boundingBox())?.width ?? 0;
-  await page.getByTestId("tool-move").click();
-  await expect.poll(async () => (await badge.boundingBox())?.width ?? 0).toBeLessThan(0.6 * wide);
-  // What is hidden stays for screen readers, and the button, which takes the pointer, shows it.
-  const title = (await badge.getByRole("button").getAttribute("title")) ?? "";
-  expect(title).not.toBe("");
-  await expect(badge.getByText(title)).not.toHaveCSS("display", "none");
-  expect((await badge.getByText(title).boundingBox())?.width).toBe(1);
-  const text = await badge.locator("b").boundingBox();
-  if (!text) throw new Error("The notice has no title");
-  const [x, y] = [text.x + text.width / 2, text.y + text.height / 2];
-  const under = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.tagName, [x, y] as const);
-  expect(under).toBe("CANVAS");
-  await badge.getByRole("button").click({ trial: true });
-});
+sharedTest(
+  "the notice that the mesh is out of date is short while something is moved, and a click passes it",
+  async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await app.select("point-1");
+    await app.type("position-x", "0.25");
+    const badge = page.getByTestId("mesh-badge");
+    const wide = (await badge.boundingBox())?.width ?? 0;
+    await page.getByTestId("tool-move").click();
+    await expect.poll(async () => (await badge.boundingBox())?.width ?? 0).toBeLessThan(0.6 * wide);
+    // What is hidden stays for screen readers, and the button, which takes the pointer, shows it.
+    const title = (await badge.getByRole("button").getAttribute("title")) ?? "";
+    expect(title).not.toBe("");
+    await expect(badge.getByText(title)).not.toHaveCSS("display", "none");
+    expect((await badge.getByText(title).boundingBox())?.width).toBe(1);
+    const text = await badge.locator("b").boundingBox();
+    if (!text) throw new Error("The notice has no title");
+    const [x, y] = [text.x + text.width / 2, text.y + text.height / 2];
+    const under = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.tagName, [x, y] as const);
+    expect(under).toBe("CANVAS");
+    await badge.getByRole("button").click({ trial: true });
+  },
+);
 
 sharedTest("a reason for a refused coordinate takes the width of all three fields", async ({ page }) => {
   const app = new AppPage(page);
@@ -392,70 +400,73 @@ sharedTest("a reason for a refused coordinate takes the width of all three field
   expect(await field.boundingBox()).toEqual(before);
 });
 
-sharedTest("on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByRole("button", { name: "Menu" }).click();
-  await page.getByRole("menuitem", { name: "Search commands" }).click();
-  await page.getByRole("textbox", { name: "Search commands" }).fill("NACA");
-  await page.keyboard.press("Enter");
-  const panel = page.getByTestId("operation");
-  await expect(panel).toContainText("NACA");
-  for (const button of [panel.getByRole("button", { name: "Cancel" }), page.getByTestId("accept")]) {
-    await expect(button).toBeInViewport({ ratio: 1 });
-    const isOnTop = await button.evaluate((element) => {
-      const { x, y, width, height } = element.getBoundingClientRect();
-      const parts = [0.1, 0.3, 0.5, 0.7, 0.9];
-      return parts.every((part) =>
-        element.contains(document.elementFromPoint(x + part * width, y + height / 2)),
-      );
-    });
-    expect(isOnTop).toBe(true);
-  }
-  await panel.getByRole("button", { name: "Cancel" }).click();
-  await expect(panel).toBeHidden();
-});
+sharedTest(
+  "on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields",
+  async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const app = new AppPage(page);
+    await app.openCube();
+    await page.getByRole("button", { name: "Menu" }).click();
+    await page.getByRole("menuitem", { name: "Search commands" }).click();
+    await page.getByRole("textbox", { name: "Search commands" }).fill("NACA");
+    await page.keyboard.press("Enter");
+    const panel = page.getByTestId("operation");
+    await expect(panel).toContainText("NACA");
+    for (const button of [panel.getByRole("button", { name: "Cancel" }), page.getByTestId("accept")]) {
+      await expect(button).toBeInViewport({ ratio: 1 });
+      const isOnTop = await button.evaluate((element) => {
+        const { x, y, width, height } = element.getBoundingClientRect();
+        const parts = [0.1, 0.3, 0.5, 0.7, 0.9];
+        return parts.every((part) =>
+          element.contains(document.elementFromPoint(x + part * width, y + height / 2)),
+        );
+      });
+      expect(isOnTop).toBe(true);
+    }
+    await panel.getByRole("button", { name: "Cancel" }).click();
+    await expect(panel).toBeHidden();
+  },
+);
 
-sharedTest("on a phone several entities are selected by taps, in one go from the menu to the view", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  await page.getByRole("button", { name: "Menu" }).click();
-  await page.getByRole("menuitem", { name: "Edit", exact: true }).click();
-  await page.getByRole("menuitemcheckbox", { name: /Select several/ }).click();
-  await expect(page.getByRole("menu")).toBeHidden();
-  for (const corner of [[0, 0, 0], [1, 0, 0], [1, 1, 1]] as const) await app.click(corner); // prettier-ignore
-  await page.getByTestId("drawer-right").click();
-  await expect(page.getByTestId("inspector")).toContainText("3 entities selected");
-});
+sharedTest(
+  "on a phone several entities are selected by taps, in one go from the menu to the view",
+  async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const app = new AppPage(page);
+    await app.openCube();
+    await page.getByRole("button", { name: "Menu" }).click();
+    await page.getByRole("menuitem", { name: "Edit", exact: true }).click();
+    await page.getByRole("menuitemcheckbox", { name: /Select several/ }).click();
+    await expect(page.getByRole("menu")).toBeHidden();
+    for (const corner of [[0, 0, 0], [1, 0, 0], [1, 1, 1]] as const) await app.click(corner); // prettier-ignore
+    await page.getByTestId("drawer-right").click();
+    await expect(page.getByTestId("inspector")).toContainText("3 entities selected");
+  },
+);
 
-sharedTest("on a phone the number of problems is beside the button of their list, and a marker opens what is wrong", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
-  const button = page.getByTestId("drawer-bottom");
-  await expect(button).toHaveAccessibleName("Log and problems");
-  await button.click();
-  const drawer = page.getByRole("dialog");
-  await drawer.getByRole("button", { name: "Close" }).click();
-  await app.click([0.9, 0, 0.1]);
-  await page.keyboard.press("Delete");
-  await expect(button).toHaveAccessibleName("Log and problems: 4");
-  await expect(button).toContainText("4");
-  await generateButton(page).click();
-  await page.getByTestId("marker-0").click();
-  await expect(drawer).toContainText("The surface is not closed");
-  // The view with the problem is above the drawer.
-  const [view, cover] = [await app.viewport.boundingBox(), await drawer.boundingBox()];
-  expect((view?.y ?? 0) + (view?.height ?? 0)).toBeLessThanOrEqual((cover?.y ?? 0) + 1);
-});
+sharedTest(
+  "on a phone the number of problems is beside the button of their list, and a marker opens what is wrong",
+  async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const app = new AppPage(page);
+    await app.openCube();
+    const button = page.getByTestId("drawer-bottom");
+    await expect(button).toHaveAccessibleName("Log and problems");
+    await button.click();
+    const drawer = page.getByRole("dialog");
+    await drawer.getByRole("button", { name: "Close" }).click();
+    await app.click([0.9, 0, 0.1]);
+    await page.keyboard.press("Delete");
+    await expect(button).toHaveAccessibleName("Log and problems: 4");
+    await expect(button).toContainText("4");
+    await generateButton(page).click();
+    await page.getByTestId("marker-0").click();
+    await expect(drawer).toContainText("The surface is not closed");
+    // The view with the problem is above the drawer.
+    const [view, cover] = [await app.viewport.boundingBox(), await drawer.boundingBox()];
+    expect((view?.y ?? 0) + (view?.height ?? 0)).toBeLessThanOrEqual((cover?.y ?? 0) + 1);
+  },
+);
 
 sharedTest("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
