@@ -62,7 +62,7 @@ export class AppPage {
   async #openAgain(model: string): Promise<MeshState> {
     const size = this.page.viewportSize();
     // Without points between two documents, the second one cannot be taken for the first.
-    await this.openEmptyAgain();
+    await this.#empty();
     await tab(this.page, "Examples").click();
     await this.page.getByTestId(`example-${model}`).click();
     await expect(this.viewport).not.toHaveAttribute("data-points", "0");
@@ -76,14 +76,18 @@ export class AppPage {
   async openEmptyAgain(): Promise<boolean> {
     if (!isLoaded(this.page)) return false;
     const size = this.page.viewportSize();
+    await this.#empty();
+    if (size) await this.page.setViewportSize(size);
+    return true;
+  }
+
+  async #empty(): Promise<void> {
     await this.tidy();
     await this.page.getByRole("menuitem", { name: "File", exact: true }).click();
     await this.page.getByRole("menuitem", { name: "New project" }).click();
     await expect(this.viewport).toHaveAttribute("data-points", "0");
     await expect(this.viewport).toHaveAttribute("data-busy", "false");
     await this.page.keyboard.press("0");
-    if (size) await this.page.setViewportSize(size);
-    return true;
   }
 
   /** Closes what is open over the page, and shows the tabs that a new page shows, in a window of the usual size. */

@@ -171,25 +171,6 @@ test("an immediate reload keeps the last edit, and the last undo", async ({ page
   await expect(size).toHaveValue("0.2");
 });
 
-test("two tabs keep their own projects after a reload", async ({ page, context }) => {
-  const first = new AppPage(page);
-  const cube = await first.openCube();
-  await first.select("point-1");
-  await first.type("entity-name", "mine");
-  await expect(first.viewport).toHaveAttribute("data-autosaved", "true");
-  const second = new AppPage(await context.newPage());
-  await second.page.goto("./?test=1");
-  await expect(second.viewport).toHaveAttribute("data-frames", /./);
-  await second.openExample("plate-with-hole");
-  await expect(second.viewport).toHaveAttribute("data-autosaved", "true");
-  await page.reload();
-  await first.meshed();
-  await expect(page.getByTestId("project-name")).toHaveValue("Unit cube");
-  expect((await first.mesh()).tets).toBe(cube.tets);
-  await second.page.reload();
-  await expect(second.page.getByTestId("project-name")).toHaveValue("Plate with a hole");
-});
-
 test("a reload keeps an edit and shows that it is unsaved", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

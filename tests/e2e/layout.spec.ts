@@ -1,8 +1,16 @@
-import { expect, test, type Locator } from "@playwright/test";
+import { expect, test, type Locator, type Page } from "@playwright/test";
 import { AppPage } from "./app-page";
 import { DrawPage } from "./draw-page";
 import { generateButton, tab } from "./controls";
 import { sharedTest } from "./shared-page";
+
+/** Opens the cube in a window of the size of a phone. */
+async function openOnPhone(page: Page): Promise<AppPage> {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  return app;
+}
 
 sharedTest("on a phone the panels are drawers, and everything needed can be reached", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -46,9 +54,7 @@ sharedTest("on a phone the panels are drawers, and everything needed can be reac
 sharedTest(
   "on a phone the model is as large as before when a panel is closed, unless the view was zoomed",
   async ({ page }) => {
-    await page.setViewportSize({ width: 390, height: 844 });
-    const app = new AppPage(page);
-    await app.openCube();
+    const app = await openOnPhone(page);
     const height = async (): Promise<number> => {
       const [low, high] = [await app.at([0.5, 0.5, 0]), await app.at([0.5, 0.5, 1])];
       return low.y - high.y;
@@ -90,26 +96,12 @@ test("on a screen of usual width, the controls of the player take one row above 
   await page.setViewportSize({ width: 1440, height: 900 });
   await page.goto("./?test=1&model=unit-cube&step=1223");
   await expect(page.getByTestId("viewport")).toHaveAttribute("data-step", "1223");
-  const centre = async (testId: string): Promise<number> => {
-    const box = await page.getByTestId(testId).boundingBox();
+  const centre = async (part: string): Promise<number> => {
+    const box = await page.getByTestId(`player-${part}`).boundingBox();
     return (box?.y ?? NaN) + (box?.height ?? NaN) / 2;
   };
-  const above = [
-    "player-start",
-    "player-counter",
-    "player-speed",
-    "player-follow",
-    "player-film",
-    "player-close",
-  ];
-  const below = [
-    "player-before",
-    "player-kind",
-    "player-stop-at",
-    "player-coloring",
-    "player-elements",
-    "player-region",
-  ];
+  const above = ["start", "counter", "speed", "follow", "film", "close"];
+  const below = ["before", "kind", "stop-at", "coloring", "elements", "region"];
   for (const row of [above, below]) {
     const centres = await Promise.all(row.map(centre));
     expect(Math.max(...centres) - Math.min(...centres), row.join(" ")).toBeLessThan(8);
@@ -142,43 +134,40 @@ sharedTest("a notice covers nothing of a drawer at the lower end of the page", a
   expect((notice?.y ?? NaN) + (notice?.height ?? NaN)).toBeLessThan(panel?.y ?? NaN);
 });
 
-sharedTest(
-  "on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read",
-  async ({ page }) => {
-    await page.setViewportSize({ width: 390, height: 844 });
-    const app = new AppPage(page);
-    await app.openCube();
-    const boxOf = async (locator: Locator) => {
-      const box = await locator.boundingBox();
-      if (!box) throw new Error("Not shown");
-      return box;
-    };
-    const areApart = async (first: Locator, second: Locator): Promise<boolean> => {
-      const [a, b] = [await boxOf(first), await boxOf(second)];
-      return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
-    };
-    // A line that is deleted takes patches along, which a notice says, and leaves open edges.
-    await app.click([0.5, 0, 1]);
-    await page.getByTestId("viewport-canvas").focus();
-    await page.keyboard.press("Delete");
-    const openEdges = page.getByRole("button", { name: /^\d+ open edges$/ });
-    await expect(openEdges).toBeVisible();
-    expect(await areApart(openEdges, page.getByTestId("legend"))).toBe(true);
-    await page.keyboard.press("Control+k");
-    await page.keyboard.type("Box…");
-    await page.keyboard.press("Enter");
-    await expect(page.getByTestId("accept")).toBeVisible();
-    await expect(page.getByTestId(/^notice-/)).not.toHaveCount(0);
-    for (const notice of await page.getByTestId(/^notice-/).all())
-      expect(await areApart(notice, page.getByTestId("accept"))).toBe(true);
-    await page.keyboard.press("Escape");
-    await page.getByTestId("drawer-bottom").click();
-    const badge = page.getByRole("tab", { name: /Problems/ }).getByText(/^\d+$/);
-    await expect(badge).toBeVisible();
-    expect(await badge.evaluate((label) => label.scrollWidth <= label.clientWidth)).toBe(true);
-    await expect(page.getByTestId("legend")).toBeHidden();
-  },
-);
+test("on a phone, notices leave the buttons of an operation free, and the number of problems and of open edges can be read", async ({
+  page,
+}) => {
+  const app = await openOnPhone(page);
+  const boxOf = async (locator: Locator) => {
+    const box = await locator.boundingBox();
+    if (!box) throw new Error("Not shown");
+    return box;
+  };
+  const areApart = async (first: Locator, second: Locator): Promise<boolean> => {
+    const [a, b] = [await boxOf(first), await boxOf(second)];
+    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+  };
+  // A line that is deleted takes patches along, which a notice says, and leaves open edges.
+  await app.click([0.5, 0, 1]);
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Delete");
+  const openEdges = page.getByRole("button", { name: /^\d+ open edges$/ });
+  await expect(openEdges).toBeVisible();
+  expect(await areApart(openEdges, page.getByTestId("legend"))).toBe(true);
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("Box…");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("accept")).toBeVisible();
+  await expect(page.getByTestId(/^notice-/)).not.toHaveCount(0);
+  for (const notice of await page.getByTestId(/^notice-/).all())
+    expect(await areApart(notice, page.getByTestId("accept"))).toBe(true);
+  await page.keyboard.press("Escape");
+  await page.getByTestId("drawer-bottom").click();
+  const badge = page.getByRole("tab", { name: /Problems/ }).getByText(/^\d+$/);
+  await expect(badge).toBeVisible();
+  expect(await badge.evaluate((label) => label.scrollWidth <= label.clientWidth)).toBe(true);
+  await expect(page.getByTestId("legend")).toBeHidden();
+});
 
 test("on a phone a new piece is in view as a whole, beside the column of tools", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
@@ -246,65 +235,64 @@ sharedTest(
 test.describe("by touch", () => {
   test.use({ hasTouch: true });
 
-  sharedTest(
-    "on a phone lines and a circle are drawn with the fingers, and every choice is large enough and in view",
-    async ({ page }) => {
-      await page.setViewportSize({ width: 390, height: 844 });
-      const draw = new DrawPage(page);
-      await draw.openNew();
-      const tap = async (position: readonly [number, number, number]): Promise<void> => {
-        const { x, y } = await draw.at(position);
-        await page.touchscreen.tap(x, y);
-      };
-      await expect(page.getByTestId("grid-unit")).toBeVisible();
-      await page.getByTestId("tool-line").click();
-      const [bar, hint] = [page.getByTestId("drawing-bar"), page.getByTestId("drawing-hint")];
-      await expect(hint).toContainText("Enter ends the chain");
-      for (const place of [[0, 0, 0], [1, 0, 0], [1, 1, 0]] as const) await tap(place); // prettier-ignore
-      await draw.counts(3, 2, 0);
-      const choices = bar.locator("button, select");
-      const fitsTwoRows = async (): Promise<void> => {
-        const rows = new Set<number>();
-        for (const choice of await choices.all()) {
-          await expect(choice).toBeInViewport({ ratio: 1 });
-          const { y = 0, width = 0, height = 0 } = (await choice.boundingBox()) ?? {};
-          expect(Math.min(width, height), (await choice.textContent()) ?? "").toBeGreaterThanOrEqual(40);
-          rows.add(y);
-        }
-        expect(rows.size).toBeLessThanOrEqual(2);
-      };
-      // Types of lines, work plane and the one of the selection, three to snap to, typed coordinates, the end of the chain.
-      expect(await choices.count()).toBe(8);
-      await fitsTwoRows();
-      const corner = await draw.at([1, 1, 0]);
-      await page.getByRole("button", { name: "Finish" }).click();
-      await expect(page.getByTestId("finish-drawing")).toBeHidden();
-      expect(await draw.at([1, 1, 0])).toEqual(corner);
-      // Without the end, this place would be joined to the last one.
-      await tap([0, 1, 0]);
-      await expect(page.getByTestId("finish-drawing")).toBeVisible();
-      await draw.counts(3, 2, 0);
-      await page.getByTestId("finish-drawing").click();
-      await bar.getByLabel("Type of line").selectOption("circle by 3 points");
-      await expect(hint).toContainText("three places");
-      await bar.getByLabel("Type of line").selectOption("circle");
-      await expect(hint).toContainText("the radius");
-      await tap([0.5, 0.5, 0]);
-      await fitsTwoRows();
-      await page.getByTestId("type-coordinates").click();
-      await page.getByTestId("coordinates").fill("0.3");
-      await page.getByTestId("coordinates").press("Enter");
-      await draw.counts(6, 3, 0);
-      for (const tool of ["tool-source", "tool-move", "tool-point", "tool-measure"]) {
-        await page.getByTestId(tool).click();
-        await fitsTwoRows();
+  test("on a phone lines and a circle are drawn with the fingers, and every choice is large enough and in view", async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const draw = new DrawPage(page);
+    await draw.openNew();
+    const tap = async (position: readonly [number, number, number]): Promise<void> => {
+      const { x, y } = await draw.at(position);
+      await page.touchscreen.tap(x, y);
+    };
+    await expect(page.getByTestId("grid-unit")).toBeVisible();
+    await page.getByTestId("tool-line").click();
+    const [bar, hint] = [page.getByTestId("drawing-bar"), page.getByTestId("drawing-hint")];
+    await expect(hint).toContainText("Enter ends the chain");
+    for (const place of [[0, 0, 0], [1, 0, 0], [1, 1, 0]] as const) await tap(place); // prettier-ignore
+    await draw.counts(3, 2, 0);
+    const choices = bar.locator("button, select");
+    const fitsTwoRows = async (): Promise<void> => {
+      const rows = new Set<number>();
+      for (const choice of await choices.all()) {
+        await expect(choice).toBeInViewport({ ratio: 1 });
+        const { y = 0, width = 0, height = 0 } = (await choice.boundingBox()) ?? {};
+        expect(Math.min(width, height), (await choice.textContent()) ?? "").toBeGreaterThanOrEqual(40);
+        rows.add(y);
       }
-      // What is drawn is not hidden where a drawer leaves little of the view.
-      await expect(hint).toBeVisible();
-      await page.getByTestId("drawer-right").click();
-      await expect(hint).toBeHidden();
-    },
-  );
+      expect(rows.size).toBeLessThanOrEqual(2);
+    };
+    // Types of lines, work plane and the one of the selection, three to snap to, typed coordinates, the end of the chain.
+    expect(await choices.count()).toBe(8);
+    await fitsTwoRows();
+    const corner = await draw.at([1, 1, 0]);
+    await page.getByRole("button", { name: "Finish" }).click();
+    await expect(page.getByTestId("finish-drawing")).toBeHidden();
+    expect(await draw.at([1, 1, 0])).toEqual(corner);
+    // Without the end, this place would be joined to the last one.
+    await tap([0, 1, 0]);
+    await expect(page.getByTestId("finish-drawing")).toBeVisible();
+    await draw.counts(3, 2, 0);
+    await page.getByTestId("finish-drawing").click();
+    await bar.getByLabel("Type of line").selectOption("circle by 3 points");
+    await expect(hint).toContainText("three places");
+    await bar.getByLabel("Type of line").selectOption("circle");
+    await expect(hint).toContainText("the radius");
+    await tap([0.5, 0.5, 0]);
+    await fitsTwoRows();
+    await page.getByTestId("type-coordinates").click();
+    await page.getByTestId("coordinates").fill("0.3");
+    await page.getByTestId("coordinates").press("Enter");
+    await draw.counts(6, 3, 0);
+    for (const tool of ["tool-source", "tool-move", "tool-point", "tool-measure"]) {
+      await page.getByTestId(tool).click();
+      await fitsTwoRows();
+    }
+    // What is drawn is not hidden where a drawer leaves little of the view.
+    await expect(hint).toBeVisible();
+    await page.getByTestId("drawer-right").click();
+    await expect(hint).toBeHidden();
+  });
 });
 
 sharedTest(
@@ -403,9 +391,7 @@ sharedTest("a reason for a refused coordinate takes the width of all three field
 sharedTest(
   "on a phone the palette opens from the menu, and the buttons of a long panel lie above its fields",
   async ({ page }) => {
-    await page.setViewportSize({ width: 390, height: 844 });
-    const app = new AppPage(page);
-    await app.openCube();
+    await openOnPhone(page);
     await page.getByRole("button", { name: "Menu" }).click();
     await page.getByRole("menuitem", { name: "Search commands" }).click();
     await page.getByRole("textbox", { name: "Search commands" }).fill("NACA");
@@ -431,9 +417,7 @@ sharedTest(
 sharedTest(
   "on a phone several entities are selected by taps, in one go from the menu to the view",
   async ({ page }) => {
-    await page.setViewportSize({ width: 390, height: 844 });
-    const app = new AppPage(page);
-    await app.openCube();
+    const app = await openOnPhone(page);
     await page.getByRole("button", { name: "Menu" }).click();
     await page.getByRole("menuitem", { name: "Edit", exact: true }).click();
     await page.getByRole("menuitemcheckbox", { name: /Select several/ }).click();
@@ -447,9 +431,7 @@ sharedTest(
 sharedTest(
   "on a phone the number of problems is beside the button of their list, and a marker opens what is wrong",
   async ({ page }) => {
-    await page.setViewportSize({ width: 390, height: 844 });
-    const app = new AppPage(page);
-    await app.openCube();
+    const app = await openOnPhone(page);
     const button = page.getByTestId("drawer-bottom");
     await expect(button).toHaveAccessibleName("Log and problems");
     await button.click();
@@ -469,9 +451,7 @@ sharedTest(
 );
 
 sharedTest("on a phone every menu opens in place, and all its items can be reached", async ({ page }) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  const app = new AppPage(page);
-  await app.openCube();
+  await openOnPhone(page);
   await page.getByRole("button", { name: "Menu" }).click();
   const menu = page.getByRole("menu");
   for (const name of ["File", "View"]) {
@@ -519,18 +499,20 @@ sharedTest("the header fits at every width, both idle and during a run", async (
   }
 });
 
-for (const scheme of ["light", "dark"] as const) {
-  test(`by default the page is ${scheme} if the system is`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme: scheme });
-    await page.goto("./?test=1");
-    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", scheme);
-    const other = scheme === "light" ? "dark" : "light";
+test("by default the page has the colours of the system, and then those chosen", async ({ page }) => {
+  const root = page.locator("html");
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.goto("./?test=1");
+  await expect(root).toHaveAttribute("data-mantine-color-scheme", "dark");
+  await page.emulateMedia({ colorScheme: "light" });
+  await expect(root).toHaveAttribute("data-mantine-color-scheme", "light");
+  for (const other of ["dark", "light"]) {
     await page.getByTestId("theme").click();
-    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", other);
+    await expect(root).toHaveAttribute("data-mantine-color-scheme", other);
     await page.reload();
-    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", other);
-  });
-}
+    await expect(root).toHaveAttribute("data-mantine-color-scheme", other);
+  }
+});
 
 sharedTest("below 1100 pixels the side panels make room for the view", async ({ page }) => {
   await page.setViewportSize({ width: 1000, height: 700 });

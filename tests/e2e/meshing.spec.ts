@@ -1,4 +1,4 @@
-import { expect } from "@playwright/test";
+import { expect, test } from "@playwright/test";
 import { createMesher } from "tetrafront";
 import { AppPage, sampleProject } from "./app-page";
 import { generateButton, redoButton, toggle, undoButton } from "./controls";
@@ -73,7 +73,7 @@ sharedTest("a smaller size in the background grid gives more tetrahedra", async 
   expect(finer.tets).toBeGreaterThan(1.5 * before.tets);
 });
 
-sharedTest("the arrow keys step a number, and a held key is one step of undo", async ({ page }) => {
+test("the arrow keys step a number, and a held key is one step of undo", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
