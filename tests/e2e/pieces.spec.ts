@@ -199,7 +199,7 @@ sharedTest(
   },
 );
 
-sharedTest("Escape closes the panel and restores the project", async ({ page }) => {
+test("Escape closes the panel and restores the project", async ({ page }) => {
   const pieces = new PiecesPage(page);
   await pieces.open();
   await pieces.start("Box…");
