@@ -68,7 +68,7 @@ export class AppPage {
     await expect(this.viewport).not.toHaveAttribute("data-points", "0");
     const state = await this.meshed();
     await this.tidy();
-    if (size) await this.page.setViewportSize(size);
+    await this.#resize(size);
     return state;
   }
 
@@ -77,8 +77,14 @@ export class AppPage {
     if (!isLoaded(this.page)) return false;
     const size = this.page.viewportSize();
     await this.#empty();
-    if (size) await this.page.setViewportSize(size);
+    await this.#resize(size);
     return true;
+  }
+
+  async #resize(size: { readonly width: number; readonly height: number } | null): Promise<void> {
+    if (!size || (size.width === usualSize.width && size.height === usualSize.height)) return;
+    await this.page.setViewportSize(size);
+    await this.rest();
   }
 
   async #empty(): Promise<void> {
