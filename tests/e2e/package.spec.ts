@@ -355,8 +355,7 @@ test("webpack bundles the package", async ({ page }) => {
   const file = pathToFileURL(path.join(folder, "webpack.config.js")).href;
   const config = ((await import(file)) as { readonly default: Configuration }).default;
   const bundled = await new Promise<StatsCompilation | undefined>((resolve, reject) => {
-    // Minifying takes most of the time; bundles of Vite are minified.
-    webpack({ ...config, optimization: { minimize: false } }, (failure, stats) => {
+    webpack(config, (failure, stats) => {
       if (failure !== null) reject(failure);
       else resolve(stats?.toJson({ all: false, errors: true, warnings: true }));
     });
